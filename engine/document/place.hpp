@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+namespace stepwire {
+
+/// Line and column in a file, counted from 1; 0 means the file as a whole.
+struct Mark {
+  int line = 0;
+  int column = 0;
+};
+
+/// Where in which file.
+struct Place {
+  std::string file;
+  Mark mark;
+};
+
+}  // namespace stepwire

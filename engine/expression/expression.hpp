@@ -1,0 +1,49 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stepwire {
+
+/// What is wrong with an expression, and where: `position` counts characters of the text from 0.
+class ExpressionError : public std::runtime_error {
+ public:
+  ExpressionError(const std::string& message, std::size_t position)
+      : std::runtime_error(message), position(position) {}
+  std::size_t position;
+};
+
+/// A scalar formula over named numbers, the one language of parameters, figures, claims and blocks.
+/// Operators + - * / ^ ( ) < <= > >= == != && || ! and cond ? a : b; functions sin cos tan asin acos atan atan2 sinh
+/// cosh tanh exp log (natural) log10 log2 sqrt cbrt abs sign floor ceil round min max mod hypot; constants pi, e.
+/// A number may carry a unit and is SI then: "x > -4 mm", "2*pi*3 kHz". Names may contain dots: "rig.x".
+class Expression {
+ public:
+  /// Throws ExpressionError for a text that cannot be read; variables are whatever names it uses.
+  explicit Expression(std::string_view text);
+  /// `known(name)` says whether a name exists, so that "4 N" is a unit but "4 * N" may be a signal;
+  /// an unknown name is an error with its position.
+  Expression(std::string_view text, const std::function<bool(std::string_view)>& known);
+  Expression(const Expression&);
+  Expression& operator=(const Expression&);
+  Expression(Expression&&) noexcept;
+  Expression& operator=(Expression&&) noexcept;
+  ~Expression();
+
+  const std::string& text() const;
+  /// Names used, in order of first appearance.
+  const std::vector<std::string>& variables() const;
+  /// Value with the variables in that order. Allocates nothing. Division by zero gives inf or nan, as IEEE says.
+  double operator()(std::span<const double> values) const;
+
+ private:
+  struct Parser;
+  std::unique_ptr<Parser> parser_;
+};
+
+}  // namespace stepwire
