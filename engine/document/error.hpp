@@ -33,16 +33,6 @@ class Error : public std::exception {
   std::string text_;
 };
 
-/// Something outside of the diagram is missing or refuses: a full disk, no gnuplot, no data folder, no permission.
-class SurroundingsError : public std::exception {
- public:
-  explicit SurroundingsError(std::string text) : text_(std::move(text)) {}
-  const char* what() const noexcept override { return text_.c_str(); }
-
- private:
-  std::string text_;
-};
-
 /// Gathers faults of one pass, so that a user sees all of them at once.
 class Faults {
  public:

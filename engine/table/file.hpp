@@ -1,0 +1,42 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "engine/table/surroundings.hpp"
+#include "engine/table/table.hpp"
+
+namespace stepwire {
+
+/// What is wrong in a data file that a user gave: "press.csv:17: 'abc' is no number".
+class TableError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A CSV file with a header line: comma, semicolon or tab; the unit of a column from "name [unit]" or none.
+/// Quoted fields, CRLF, a byte-order mark and an empty last line are accepted. Throws TableError with file and row for
+/// rows of another length, what is no number, double names, no rows; SurroundingsError where the file cannot be read.
+Table read_csv(const std::string& path);
+
+/// Every real vector of a MATLAB file (level 4, 5 or 7.3), one column each; a matrix gives columns "name(1)", "name(2)", ...
+/// Columns may differ in length here. Errors as read_csv.
+Table read_mat(const std::string& path);
+
+/// By the ending of the path: .csv or .mat; TableError for others.
+Table read_table(const std::string& path);
+
+/// Header "name [unit]", numbers in the shortest form that reads back to the same bits; nan and inf as such.
+std::string csv_text(const Table& table);
+
+/// Variables are named as the columns with what MATLAB does not allow replaced by '_' (made unique), doubles, one
+/// column vector each; beside them the cell arrays "names" and "units" in the same order.
+void write_mat(const std::string& path, const Table& table);
+
+/// Writes to a temporary name beside `path`, then renames, so that no half file is ever seen under `path`.
+/// Missing folders are made. Throws SurroundingsError with the system's reason.
+void write_file(const std::string& path, std::string_view content);
+inline void write_csv(const std::string& path, const Table& table) { write_file(path, csv_text(table)); }
+
+}  // namespace stepwire
