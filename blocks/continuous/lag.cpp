@@ -1,0 +1,14 @@
+#include "blocks/continuous/lag.hpp"
+
+namespace stepwire {
+
+void Lag::declare(Declare<Lag>& is) {
+  is.block("Lag", {.doc = "First-order lag: tau dx/dt = gain u - x, y = x."});
+  is.parameter<&Lag::tau>({.unit = "s", .doc = "time constant", .above = 0.0});
+  is.parameter<&Lag::gain>({.unit = "'k", .doc = "static gain"});
+  is.input<&Lag::u>({.unit = "'u", .doc = "signal to smooth", .feedthrough = false});
+  is.output<&Lag::y, &Lag::x>({.unit = "'k 'u", .doc = "smoothed signal"});
+  is.state<&Lag::x>({.unit = "'k 'u", .doc = "filter state"});
+}
+
+}  // namespace stepwire

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "engine/block/declare.hpp"
+
+namespace stepwire {
+
+/// First-order lag: tau dx/dt = gain u - x, y = x.
+struct Lag {
+  PerElement tau = 1.0, gain = 1.0;
+  Input<> u{};
+  Output<> y{};
+  State<> x{};
+
+  void derivatives() { x.dot = (gain * u - x) / tau; }
+
+  static void declare(Declare<Lag>& is);
+};
+
+}  // namespace stepwire

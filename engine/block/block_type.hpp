@@ -1,0 +1,77 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/block/configure.hpp"
+#include "engine/block/spec.hpp"
+
+namespace stepwire {
+
+/// Runs one phase of `count` blocks of one type that lie one behind the other in memory.
+using Kernel = void (*)(void* first, std::size_t count);
+
+/// When a block runs unless its file says `every`.
+enum class Timing {
+  inherited,   ///< at the rate of its inputs; once at the start if it has none
+  continuous,  ///< follows time itself (sources) or has continuous states
+  discrete     ///< acts at ticks; without `every` at its inputs' period, or at every step where those are continuous
+};
+
+/// Everything known of a kind of block, from its declaration alone.
+struct BlockType {
+  std::string name;
+  std::string doc;
+  std::string source;  ///< equation, paper or datasheet, if any
+  std::string folder;  ///< the family, e.g. "continuous"
+  Timing timing = Timing::inherited;
+  bool file_output = false;
+
+  std::vector<ParameterSpec> parameters;
+  std::vector<InputSpec> inputs;
+  std::vector<OutputSpec> outputs;
+  std::vector<StateSpec> states;
+  std::vector<NoticeSpec> notices;
+  std::vector<PresetSpec> presets;
+  std::vector<void (*)(void* block, const double* time)> bind_time;
+  std::vector<void (*)(void* block, double period)> bind_period;
+
+  Kernel run_outputs = nullptr;      ///< null where the block has no such phase
+  Kernel run_derivatives = nullptr;
+  Kernel run_update = nullptr;
+  void (*configure)(void* block, Configure& is) = nullptr;
+  void (*start)(void* block) = nullptr;
+
+  std::size_t bytes = 0, alignment = 0;
+  void (*construct)(void* memory) = nullptr;
+  void (*copy)(void* memory, const void* block) = nullptr;
+  void (*destroy)(void* block) = nullptr;
+
+  const ParameterSpec* parameter(std::string_view key) const;
+  int input(std::string_view key) const;   ///< index, or -1
+  int output(std::string_view key) const;  ///< index, or -1
+  int state(std::string_view key) const;   ///< index, or -1
+  bool has_continuous_state() const;
+};
+
+/// Owns one block of a type known only at run time.
+class AnyBlock {
+ public:
+  explicit AnyBlock(const BlockType& type);
+  AnyBlock(const AnyBlock& other);
+  AnyBlock(AnyBlock&& other) noexcept;
+  AnyBlock& operator=(AnyBlock other) noexcept;
+  ~AnyBlock();
+
+  const BlockType& type() const { return *type_; }
+  void* get() { return memory_; }
+  const void* get() const { return memory_; }
+
+ private:
+  const BlockType* type_;
+  void* memory_;
+};
+
+}  // namespace stepwire

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "engine/block/member_name.hpp"
+#include "engine/block/value.hpp"
+
+namespace stepwire {
+
+/// What a block refuses about its own parameters; the loader adds the place.
+class ParameterRefused : public std::runtime_error {
+ public:
+  ParameterRefused(std::string parameter, const std::string& message, int line = 0, int column = 0)
+      : std::runtime_error(message), parameter(std::move(parameter)), line(line), column(column) {}
+  std::string parameter;
+  int line, column;  ///< of the piece of a tree that is wrong; 0: the parameter as a whole
+};
+
+/// Passed to a block's optional configure() once its parameters, connections and period are known and before shapes,
+/// order and memory are: here a block checks its parameters against each other, and says what its declaration left open.
+class Configure {
+ public:
+  Configure(std::set<std::string> connected, double period)
+      : connected_(std::move(connected)), period_(period) {}
+
+  /// Is this optional input fed?
+  template <auto input>
+  bool connected() const {
+    return connected_.contains(std::string(member_name<input>()));
+  }
+  /// Time between two updates of this block [s].
+  double period() const { return period_; }
+
+  /// Gives a size that no port or parameter determines, by its letter in the declared shapes.
+  void size(const std::string& symbol, Eigen::Index elements) { sizes_[symbol] = elements; }
+  /// Says whether this instance's output depends on this input at the same instant.
+  template <auto input, auto output>
+  void feedthrough(bool depends) {
+    feedthrough_[{std::string(member_name<input>()), std::string(member_name<output>())}] = depends;
+  }
+  /// Requires an input that the declaration calls optional.
+  template <auto input>
+  void require(const std::string& reason) {
+    if (!connected<input>()) required_.emplace_back(member_name<input>(), reason);
+  }
+  /// Outputs that are states need no call of outputs() in this instance.
+  void skip_outputs() { skips_outputs_ = true; }
+  /// This instance has nothing to do in update().
+  void skip_update() { skips_update_ = true; }
+  /// Refuses a parameter: what is wrong and what would be right.
+  template <auto parameter>
+  [[noreturn]] void refuse(const std::string& message) const {
+    throw ParameterRefused(std::string(member_name<parameter>()), message);
+  }
+  template <auto parameter>
+  [[noreturn]] void refuse(const std::string& message, const Value& where) const {
+    throw ParameterRefused(std::string(member_name<parameter>()), message, where.line, where.column);
+  }
+
+  const std::map<std::string, Eigen::Index>& sizes() const { return sizes_; }
+  const std::map<std::pair<std::string, std::string>, bool>& feedthrough() const { return feedthrough_; }
+  const std::vector<std::pair<std::string, std::string>>& required() const { return required_; }
+  bool skips_outputs() const { return skips_outputs_; }
+  bool skips_update() const { return skips_update_; }
+
+ private:
+  std::set<std::string> connected_;
+  double period_;
+  std::map<std::string, Eigen::Index> sizes_;
+  std::map<std::pair<std::string, std::string>, bool> feedthrough_;
+  std::vector<std::pair<std::string, std::string>> required_;
+  bool skips_outputs_ = false, skips_update_ = false;
+};
+
+}  // namespace stepwire

@@ -1,0 +1,232 @@
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "engine/block/block_type.hpp"
+#include "engine/block/member_name.hpp"
+#include "engine/block/parameter_access.hpp"
+#include "engine/signal/clock.hpp"
+#include "engine/signal/input.hpp"
+#include "engine/signal/notice.hpp"
+#include "engine/signal/signal.hpp"
+
+namespace stepwire {
+
+struct BlockOptions {
+  std::string doc;
+  std::string source = "";
+  Timing timing = Timing::inherited;
+};
+
+struct ParameterOptions {
+  std::string unit = "1";
+  std::string shape = "";
+  std::string doc;
+  std::optional<double> above{}, below{}, at_least{}, at_most{};
+  std::vector<std::string> words{};
+  bool required = false;
+};
+
+struct InputOptions {
+  std::string unit = "1";
+  std::string shape = "";
+  std::string doc;
+  bool feedthrough = true;
+  bool optional = false;
+  bool multiply_units = false;
+};
+
+struct OutputOptions {
+  std::string unit = "1";
+  std::string shape = "";
+  std::string doc;
+};
+
+struct StateOptions {
+  std::string unit = "1";
+  std::string shape = "";
+  std::string doc;
+  double initial = 0.0;
+  bool settable = true;
+};
+
+struct NoticeOptions {
+  std::string doc;
+  bool ends_run = false;
+};
+
+namespace detail {
+
+template <class T>
+struct PortSize;
+template <int n>
+struct PortSize<Input<n>> : std::integral_constant<int, n> {};
+template <>
+struct PortSize<Inputs> : std::integral_constant<int, any_size> {};
+template <int n>
+struct PortSize<Output<n>> : std::integral_constant<int, n> {};
+template <int n>
+struct PortSize<State<n>> : std::integral_constant<int, n> {};
+template <int n>
+struct PortSize<DiscreteState<n>> : std::integral_constant<int, n> {};
+
+/// A fixed size is known from the type; a free one is called n unless the declaration names it.
+template <class Port>
+std::string shape_of(const std::string& given) {
+  if constexpr (PortSize<Port>::value == any_size) {
+    return given.empty() ? "n" : given;
+  } else {
+    return std::to_string(PortSize<Port>::value);
+  }
+}
+
+template <class Port>
+inline constexpr int unbound_size = PortSize<Port>::value == any_size ? 0 : PortSize<Port>::value;
+
+template <class T>
+struct IsContinuous : std::false_type {};
+template <int n>
+struct IsContinuous<State<n>> : std::true_type {};
+
+template <class Block, void (Block::*phase)()>
+void run_phase(void* first, std::size_t count) {
+  Block* blocks = static_cast<Block*>(first);
+  for (std::size_t i = 0; i < count; ++i) (blocks[i].*phase)();
+}
+
+}  // namespace detail
+
+/// Collects what a block says of itself; `declare(Declare<Block>&)` names each member once.
+///
+/// Units: a unit ("N", "mm/s"; numbers inside are SI all the same), "1" for none, "*" for anything, or with unit
+/// variables, which are what is wired to the block: "'u" (a name after a quote), "'u s", "'k 'u", "'a/'b", "'u^0.5".
+/// Shapes: a number, a letter that stands for the same size in the whole block, or "n x m" for matrices.
+template <class Block>
+class Declare {
+ public:
+  Declare() {
+    type_.bytes = sizeof(Block);
+    type_.alignment = alignof(Block);
+    type_.construct = [](void* memory) { ::new (memory) Block{}; };
+    type_.copy = [](void* memory, const void* block) { ::new (memory) Block(*static_cast<const Block*>(block)); };
+    type_.destroy = [](void* block) { static_cast<Block*>(block)->~Block(); };
+    find_phases();
+  }
+
+  void block(std::string name, BlockOptions options) {
+    type_.name = std::move(name);
+    type_.doc = std::move(options.doc);
+    type_.source = std::move(options.source);
+    if (options.timing != Timing::inherited) type_.timing = options.timing;
+  }
+
+  template <auto member>
+  void parameter(ParameterOptions is) {
+    using Access = ParameterAccess<MemberType<member>>;
+    ParameterSpec spec{std::string(member_name<member>()), Access::kind, is.unit, is.shape, is.doc,
+                       {is.above, is.below, is.at_least, is.at_most}, is.words, is.required};
+    if (Access::kind == ParameterKind::per_element && spec.shape.empty()) spec.shape = "n";
+    spec.set = [](void* block, const Value& value) { Access::set(of<member>(block), value); };
+    spec.get = [](const void* block) { return Access::get(static_cast<const Block*>(block)->*member); };
+    type_.parameters.push_back(std::move(spec));
+  }
+
+  template <auto member>
+  void input(InputOptions is) {
+    using Port = MemberType<member>;
+    InputSpec spec{std::string(member_name<member>()), is.unit, detail::shape_of<Port>(is.shape), is.doc,
+                   is.feedthrough, is.optional, std::is_same_v<Port, Inputs>, is.multiply_units};
+    if constexpr (std::is_same_v<Port, Inputs>) {
+      spec.bind = [](void* block, const double* data, Eigen::Index size) { of<member>(block).add(data, size); };
+      spec.unbind = [](void* block) { of<member>(block).clear(); };
+    } else {
+      spec.bind = [](void* block, const double* data, Eigen::Index size) { of<member>(block).bind(data, size); };
+      spec.unbind = [](void* block) { of<member>(block).bind(nullptr, detail::unbound_size<Port>); };
+    }
+    type_.inputs.push_back(std::move(spec));
+  }
+
+  template <auto member>
+  void output(OutputOptions is) {
+    type_.outputs.push_back({std::string(member_name<member>()), is.unit,
+                             detail::shape_of<MemberType<member>>(is.shape), is.doc, "",
+                             [](void* block, double* data, Eigen::Index size) { of<member>(block).bind(data, size); }});
+  }
+
+  /// An output that is a continuous state: it needs no computation and no memory of its own, unless the block also has
+  /// outputs() and does not skip it in configure().
+  template <auto member, auto state>
+  void output(OutputOptions is) {
+    output<member>(std::move(is));
+    type_.outputs.back().state = member_name<state>();
+  }
+
+  template <auto member>
+  void state(StateOptions is) {
+    using Kind = MemberType<member>;
+    constexpr bool continuous = detail::IsContinuous<Kind>::value;
+    StateSpec spec{std::string(member_name<member>()), is.unit, detail::shape_of<Kind>(is.shape), is.doc, continuous,
+                   is.settable, is.initial};
+    spec.bind = [](void* block, double* data, double* dot, Eigen::Index size) {
+      of<member>(block).bind(data, size);
+      if constexpr (continuous) of<member>(block).dot.bind(dot, size);
+      static_cast<void>(dot);
+    };
+    if (type_.timing == Timing::inherited) type_.timing = Timing::discrete;
+    if (continuous) type_.timing = Timing::continuous;
+    type_.states.push_back(std::move(spec));
+  }
+
+  template <auto member>
+  void notice(NoticeOptions is) {
+    type_.notices.push_back({std::string(member_name<member>()), is.doc, is.ends_run,
+                             [](void* block, double* first) { of<member>(block).bind(first); }});
+  }
+
+  /// Gives the block the time, or the time between its updates.
+  template <auto member>
+  void clock() {
+    if constexpr (std::is_same_v<MemberType<member>, Time>) {
+      type_.bind_time.push_back([](void* block, const double* time) { of<member>(block).bind(time); });
+      if (type_.timing == Timing::inherited) type_.timing = Timing::continuous;
+    } else {
+      type_.bind_period.push_back([](void* block, double period) { of<member>(block).bind(period); });
+    }
+  }
+
+  /// A named set of values: `set` changes the parameters' defaults; keys of the file still come on top.
+  template <void (*set)(Block&)>
+  void preset(std::string name, std::string doc) {
+    type_.presets.push_back(
+        {std::move(name), std::move(doc), [](void* block) { set(*static_cast<Block*>(block)); }});
+  }
+
+  BlockType take() { return std::move(type_); }
+
+ private:
+  template <auto member>
+  using MemberType = std::remove_cvref_t<decltype(std::declval<Block&>().*member)>;
+
+  template <auto member>
+  static auto& of(void* block) {
+    return static_cast<Block*>(block)->*member;
+  }
+
+  void find_phases() {
+    if constexpr (requires(Block b) { b.outputs(); }) type_.run_outputs = detail::run_phase<Block, &Block::outputs>;
+    if constexpr (requires(Block b) { b.derivatives(); })
+      type_.run_derivatives = detail::run_phase<Block, &Block::derivatives>;
+    if constexpr (requires(Block b) { b.update(); }) type_.run_update = detail::run_phase<Block, &Block::update>;
+    if constexpr (requires(Block b, Configure& is) { b.configure(is); })
+      type_.configure = [](void* block, Configure& is) { static_cast<Block*>(block)->configure(is); };
+    if constexpr (requires(Block b) { b.start(); })
+      type_.start = [](void* block) { static_cast<Block*>(block)->start(); };
+  }
+
+  BlockType type_;
+};
+
+}  // namespace stepwire
