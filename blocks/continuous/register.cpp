@@ -4,6 +4,8 @@
 
 namespace stepwire {
 
-void register_continuous(Registry& registry) { registry.add<Lag>("continuous"); }
+void register_continuous(Registry& registry) {
+  registry.add<Lag>("continuous");
+}
 
 }  // namespace stepwire

@@ -1,0 +1,7 @@
+#include "blocks/discrete/register.hpp"
+
+namespace stepwire {
+
+void register_discrete(Registry&) {}
+
+}  // namespace stepwire

@@ -1,0 +1,7 @@
+#include "blocks/haptics/register.hpp"
+
+namespace stepwire {
+
+void register_haptics(Registry&) {}
+
+}  // namespace stepwire

@@ -1,0 +1,7 @@
+#include "blocks/logic/register.hpp"
+
+namespace stepwire {
+
+void register_logic(Registry&) {}
+
+}  // namespace stepwire

@@ -1,0 +1,7 @@
+#include "blocks/nonlinear/register.hpp"
+
+namespace stepwire {
+
+void register_nonlinear(Registry&) {}
+
+}  // namespace stepwire

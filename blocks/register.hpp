@@ -1,0 +1,10 @@
+#pragma once
+
+#include "engine/block/registry.hpp"
+
+namespace stepwire {
+
+/// Every block of the library.
+Registry all_blocks();
+
+}  // namespace stepwire

@@ -1,0 +1,7 @@
+#include "blocks/routing/register.hpp"
+
+namespace stepwire {
+
+void register_routing(Registry&) {}
+
+}  // namespace stepwire

@@ -1,0 +1,7 @@
+#include "blocks/sinks/register.hpp"
+
+namespace stepwire {
+
+void register_sinks(Registry&) {}
+
+}  // namespace stepwire
