@@ -1,0 +1,173 @@
+// Values for parameters of blocks: converted to the kind that the block declares, range and unit checked.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include "engine/diagram/parameters.hpp"
+#include "engine/table/surroundings.hpp"
+
+namespace stepwire {
+
+namespace {
+
+const char* wanted(ParameterKind kind) {
+  switch (kind) {
+    case ParameterKind::number: return "a finite number";
+    case ParameterKind::integer: return "a whole number";
+    case ParameterKind::flag: return "true or false";
+    case ParameterKind::per_element: return "a finite number or a list of numbers";
+    case ParameterKind::vector: return "a list of numbers";
+    case ParameterKind::matrix: return "a list of rows of numbers, as [[1, 2], [3, 4]]";
+    default: return "a word";
+  }
+}
+
+std::optional<Eigen::VectorXd> as_vector(const Value& value) {
+  if (const double* number = std::get_if<double>(&value.content)) return Eigen::VectorXd::Constant(1, *number);
+  if (const auto* vector = std::get_if<Eigen::VectorXd>(&value.content)) return *vector;
+  return std::nullopt;
+}
+
+std::optional<Value> as_matrix(const Value& value) {
+  if (const double* number = std::get_if<double>(&value.content)) return Value{Eigen::MatrixXd::Constant(1, 1, *number)};
+  if (std::holds_alternative<Eigen::MatrixXd>(value.content)) return value;
+  return std::nullopt;
+}
+
+std::string broken_bound(const Range& range, double value) {
+  if (range.above && !(value > *range.above)) return fmt::format("above {}", *range.above);
+  if (range.at_least && !(value >= *range.at_least)) return fmt::format("at least {}", *range.at_least);
+  if (range.below && !(value < *range.below)) return fmt::format("below {}", *range.below);
+  if (range.at_most && !(value <= *range.at_most)) return fmt::format("at most {}", *range.at_most);
+  return "";
+}
+
+bool is_text(ParameterKind kind) {
+  return kind == ParameterKind::word || kind == ParameterKind::text || kind == ParameterKind::file ||
+         kind == ParameterKind::texts || kind == ParameterKind::tree;
+}
+
+}  // namespace
+
+std::optional<WrittenValue> ValueReader::read_for(const ParameterSpec& spec, const std::optional<Dimension>& demanded,
+                                                  const Node& node, const std::string& subject) const {
+  if (is_text(spec.kind)) return read_words(spec, node, subject);
+  auto written = read(node, subject);
+  if (!written) return std::nullopt;
+  const std::string complaint = unit_complaint(written->dimension, demanded);
+  if (!complaint.empty()) return refuse(node, subject, fmt::format("{} {}", written->text, complaint));
+  auto value = convert(spec, *written, node, subject);
+  if (!value) return std::nullopt;
+  written->value = std::move(*value);
+  if (!in_range(spec, *written, node, subject)) return std::nullopt;
+  return written;
+}
+
+std::optional<Value> ValueReader::convert(const ParameterSpec& spec, const WrittenValue& written, const Node& node,
+                                          const std::string& subject) const {
+  const Value& value = written.value;
+  const double* number = std::get_if<double>(&value.content);
+  if (spec.kind == ParameterKind::number && number) return value;
+  if (spec.kind == ParameterKind::integer && number && std::floor(*number) == *number && std::abs(*number) < 9e15)
+    return value;
+  if (spec.kind == ParameterKind::flag && std::holds_alternative<bool>(value.content)) return value;
+  if (spec.kind == ParameterKind::per_element || spec.kind == ParameterKind::vector)
+    if (auto vector = as_vector(value); vector && vector->size() > 0) return Value{std::move(*vector)};
+  if (spec.kind == ParameterKind::matrix)
+    if (auto matrix = as_matrix(value)) return matrix;
+  return refuse(node, subject, fmt::format("'{}' is not allowed; it must be {}", written.text, wanted(spec.kind)));
+}
+
+bool ValueReader::in_range(const ParameterSpec& spec, const WrittenValue& written, const Node& node,
+                           const std::string& subject) const {
+  std::string broken;
+  const auto check = [&](double element) {
+    if (broken.empty()) broken = broken_bound(spec.range, element);
+  };
+  if (const double* number = std::get_if<double>(&written.value.content)) check(*number);
+  if (const auto* vector = std::get_if<Eigen::VectorXd>(&written.value.content))
+    for (double element : *vector) check(element);
+  if (const auto* matrix = std::get_if<Eigen::MatrixXd>(&written.value.content))
+    for (double element : matrix->reshaped()) check(element);
+  if (broken.empty()) return true;
+  const bool with_unit = !spec.unit.empty() && spec.unit != "1" && spec.unit != "*" && spec.unit.find('\'') == std::string::npos;
+  const std::string unit = with_unit && !broken.ends_with(" 0") ? " " + spec.unit : "";
+  refuse(node, subject, fmt::format("{} is not allowed; it must be {}{}", written.text, broken, unit));
+  return false;
+}
+
+std::optional<WrittenValue> ValueReader::read_words(const ParameterSpec& spec, const Node& node,
+                                                    const std::string& subject) const {
+  if (spec.kind == ParameterKind::tree) {
+    auto tree = read_tree(node, subject);
+    return tree ? std::optional(WrittenValue{std::move(*tree), {}, "the tree"}) : std::nullopt;
+  }
+  if (spec.kind == ParameterKind::texts) {
+    Value::List list;
+    for (const Node& item : node.is_list() ? node.items : std::vector<Node>{node}) {
+      const auto text = item.is_scalar() ? fill_in(item, subject) : refuse(item, subject, "must be a word");
+      if (!text) return std::nullopt;
+      list.push_back({*text, item.mark.line, item.mark.column});
+    }
+    return WrittenValue{{std::move(list)}, {}, "the list"};
+  }
+  if (!node.is_scalar()) return refuse(node, subject, "must be a word");
+  const auto text = fill_in(node, subject);
+  if (!text) return std::nullopt;
+  if (spec.kind == ParameterKind::file) {
+    const std::string path = resolve_file(*text, node, subject);
+    return path.empty() ? std::nullopt : std::optional(WrittenValue{{path}, {}, *text});
+  }
+  if (spec.kind == ParameterKind::text) return WrittenValue{{*text, node.mark.line, node.mark.column}, {}, *text};
+  for (std::size_t i = 0; i < spec.words.size(); ++i)
+    if (spec.words[i] == *text) return WrittenValue{{static_cast<double>(i)}, {}, *text};
+  return refuse(node, subject, fmt::format("'{}' is not allowed{}; it must be one of {}", *text,
+                                           did_you_mean(*text, spec.words), fmt::join(spec.words, ", ")));
+}
+
+std::optional<Value> ValueReader::read_tree(const Node& node, const std::string& subject) const {
+  Value result;
+  result.line = node.mark.line;
+  result.column = node.mark.column;
+  if (node.is_scalar()) {
+    const auto text = fill_in(node, subject);
+    if (!text) return std::nullopt;
+    result.content = *text;
+  } else if (node.is_list()) {
+    Value::List list;
+    for (const Node& item : node.items) {
+      auto value = read_tree(item, subject);
+      if (!value) return std::nullopt;
+      list.push_back(std::move(*value));
+    }
+    result.content = std::move(list);
+  } else {
+    Value::Map map;
+    for (const Entry& entry : node.entries) {
+      auto value = read_tree(entry.value, subject);
+      if (!value) return std::nullopt;
+      map.push_back({entry.key, std::move(*value)});
+    }
+    result.content = std::move(map);
+  }
+  return result;
+}
+
+std::string ValueReader::resolve_file(const std::string& text, const Node& node, const std::string& subject) const {
+  namespace fs = std::filesystem;
+  const fs::path path(text);
+  if (path.is_absolute()) return path.string();
+  if (path.begin() != path.end() && *path.begin() == "data") {
+    const char* folder = std::getenv("STEPWIRE_DATA");
+    if (folder && *folder) return (fs::path(folder) / path.lexically_relative("data")).string();
+    const Fault fault = report_.diagram().fault(at(node.mark), subject,
+                                                fmt::format("'{}' is in the data folder; set STEPWIRE_DATA to that folder", text));
+    throw SurroundingsError(fault.text());
+  }
+  const std::string& file = report_.diagram().scopes[static_cast<std::size_t>(scope_)].file;
+  return (fs::path(file).parent_path() / path).string();
+}
+
+}  // namespace stepwire

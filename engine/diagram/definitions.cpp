@@ -1,0 +1,160 @@
+#include "engine/diagram/definitions.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "engine/diagram/keys.hpp"
+
+namespace stepwire {
+
+namespace {
+
+const std::vector<std::string> definition_keys = {"value", "unit",     "doc",   "assumed", "above",
+                                                  "below", "at_least", "at_most"};
+
+/// Evaluates definitions on demand, so that they may stand in any order.
+class Definitions {
+ public:
+  Definitions(Scope& scope, const Overrides& overrides, Settings& settings, Report& report)
+      : scope_(scope), overrides_(overrides), settings_(settings), report_(report) {
+    if (const Node* map = scope.document->root.find("parameters"))
+      for (const Entry& entry : map->entries) entries_[entry.key] = &entry;
+  }
+
+  void define_all() {
+    const Node* map = scope_.document->root.find("parameters");
+    if (!map) return;
+    if (!map->is_map()) return report_.add(scope_.at(map->mark), "parameters", "must be a map of name: value");
+    for (const Entry& entry : map->entries) define(entry.key);
+  }
+
+ private:
+  void define(const std::string& name) {
+    const auto found = entries_.find(name);
+    if (found == entries_.end() || scope_.parameters.find(name) || failed_.contains(name)) return;
+    const Entry& entry = *found->second;
+    if (!is_name(name)) return fail(entry, "is no name for a parameter; use letters, digits and '_'");
+    if (!open_.insert(name).second) return fail(entry, "depends on itself");
+    define_what_it_uses(definition(entry));
+    open_.erase(name);
+    if (failed_.contains(name)) return;
+    if (auto value = evaluate(entry)) {
+      scope_.parameters.define(name, std::move(*value));
+    } else {
+      failed_.insert(name);
+      scope_.parameters.define(name, {{1.0}, {}, ""});  // so that one fault does not bring others
+    }
+  }
+
+  void fail(const Entry& entry, const std::string& message) {
+    if (failed_.insert(entry.key).second) report_.add(scope_.at(entry.mark), entry.key, message);
+    scope_.parameters.define(entry.key, {{1.0}, {}, ""});
+  }
+
+  static const Node& definition(const Entry& entry) {
+    const Node* value = entry.value.is_map() ? entry.value.find("value") : nullptr;
+    return value ? *value : entry.value;
+  }
+
+  /// Every name of this file that occurs in the text as a word; that is more than is needed at worst.
+  void define_what_it_uses(const Node& node) {
+    for (const Node& item : node.items) define_what_it_uses(item);
+    if (!node.is_scalar() || (!node.text.starts_with('=') && !node.text.starts_with('$'))) return;
+    std::string word;
+    for (char c : node.text + " ") {
+      if (std::isalnum(static_cast<unsigned char>(c)) || c == '_') {
+        word += c;
+      } else {
+        if (entries_.contains(word)) define(word);
+        word.clear();
+      }
+    }
+  }
+
+  std::optional<WrittenValue> evaluate(const Entry& entry) {
+    const std::string full = scope_.prefix + entry.key;
+    const bool long_form = entry.value.is_map() && (entry.value.find("value") || !entry.value.find("unit"));
+    if (long_form) refuse_unknown_keys(entry.value, definition_keys, full, scope_, report_);
+    ValueReader reader(scope_.parameters, report_, scope_.index);
+    auto written = reader.read(stripped(entry.value), full);
+    settings_.offer(full);
+    const auto file_dimension = written ? written->dimension : std::nullopt;
+    const bool set = replace(entry, full, written);
+    if (!written) return std::nullopt;
+    if (!written->dimension) written->dimension = file_dimension;
+    const std::string complaint = unit_complaint(written->dimension, file_dimension);
+    if (!complaint.empty()) report_.add(value_origin_, full, fmt::format("{} {}", written->text, complaint));
+    if (!in_range(entry, *written, full)) return std::nullopt;
+    if (!scope_.parent) list(entry, *written, set);
+    return written;
+  }
+
+  /// The definition without what is said about it, as {value: .., unit: ..}.
+  static Node stripped(const Node& node) {
+    if (!node.is_map()) return node;
+    Node result = node;
+    std::erase_if(result.entries, [](const Entry& entry) { return entry.key != "value" && entry.key != "unit"; });
+    return result;
+  }
+
+  bool replace(const Entry& entry, const std::string& full, std::optional<WrittenValue>& written) {
+    value_origin_ = scope_.at(definition(entry).mark);
+    if (const auto given = overrides_.values.find(entry.key); given != overrides_.values.end()) {
+      ValueReader reader(overrides_.from->parameters, report_, overrides_.from->index);
+      value_origin_ = overrides_.from->at(given->second->mark);
+      written = reader.read(*given->second, full);
+    }
+    if (Settings::Entry* setting = settings_.take(full)) {
+      ValueReader reader(scope_.parameters, report_, setting->origin.scope);
+      value_origin_ = setting->origin;
+      written = reader.read(setting->document.root, full);
+      return true;
+    }
+    return false;
+  }
+
+  bool in_range(const Entry& entry, const WrittenValue& written, const std::string& full) {
+    if (!entry.value.is_map()) return true;
+    const double* number = std::get_if<double>(&written.value.content);
+    const auto holds = [&](const char* key, auto compare) {
+      const Node* bound = entry.value.find(key);
+      if (!bound || !number) return true;
+      ValueReader reader(scope_.parameters, report_, scope_.index);
+      const auto limit = reader.read(*bound, full + "." + key);
+      const double* value = limit ? std::get_if<double>(&limit->value.content) : nullptr;
+      if (!value || compare(*number, *value)) return value != nullptr;
+      std::string words = key;
+      if (words == "at_least" || words == "at_most") words[2] = ' ';
+      report_.add(value_origin_, full, fmt::format("{} is not allowed; it must be {} {}", written.text, words, bound->text));
+      return false;
+    };
+    return holds("above", std::greater<>()) && holds("at_least", std::greater_equal<>()) &&
+           holds("below", std::less<>()) && holds("at_most", std::less_equal<>());
+  }
+
+  void list(const Entry& entry, const WrittenValue& written, bool set) {
+    const auto text_of = [&](const char* key) {
+      const Node* node = entry.value.is_map() ? entry.value.find(key) : nullptr;
+      return node ? node->text : std::string();
+    };
+    report_.diagram().parameters.push_back(
+        {entry.key, written.text, written.value, written.dimension, text_of("doc"), text_of("assumed") == "true", set});
+  }
+
+  Scope& scope_;
+  const Overrides& overrides_;
+  Settings& settings_;
+  Report& report_;
+  std::map<std::string, const Entry*> entries_;
+  std::set<std::string> open_, failed_;
+  Origin value_origin_;
+};
+
+}  // namespace
+
+void define_parameters(Scope& scope, const Overrides& overrides, Settings& settings, Report& report) {
+  Definitions(scope, overrides, settings, report).define_all();
+}
+
+}  // namespace stepwire

@@ -1,0 +1,219 @@
+#include "engine/diagram/head.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "engine/diagram/keys.hpp"
+
+namespace stepwire {
+
+namespace {
+
+const std::vector<std::string> head_keys = {"stepwire", "title",  "caption", "thesis",    "step",   "stop",   "solver", "parameters",
+                                            "inputs",   "outputs", "blocks", "stop_when", "record", "sweep", "figure", "claims"};
+
+/// Times of the head: seconds, above 0.
+void read_time(const Scope& scope, Report& report, const std::string& key, double& seconds, Origin& origin) {
+  const Node* node = scope.document->root.find(key);
+  if (!node)
+    return report.add(scope.at(scope.document->root.mark), "", fmt::format("'{}' is missing; e.g. {}: {}", key, key, key == "step" ? "1 ms" : "5 s"));
+  origin = scope.at(node->mark);
+  const ValueReader reader(scope.parameters, report, scope.index);
+  const auto value = reader.read_number(*node, parse_unit("s")->dimension, key);
+  if (!value) return;
+  if (*value <= 0.0) return report.add(origin, key, fmt::format("{} is not allowed; it must be above 0", node->text));
+  seconds = *value;
+}
+
+std::string text_of(const Scope& scope, const char* key) {
+  const Node* node = scope.document->root.find(key);
+  return node && node->is_scalar() ? node->text : "";
+}
+
+void read_version(const Scope& scope, Report& report) {
+  const Node& root = scope.document->root;
+  const Node* version = root.find("stepwire");
+  if (!version) return report.add(scope.at(root.mark), "", "'stepwire: 1' is missing; it says that this is a diagram file of format 1");
+  if (version->text != "1")
+    report.add(scope.at(version->mark), "stepwire", fmt::format("format '{}' is not known; this program reads format 1", version->text));
+}
+
+void read_thesis(const Scope& scope, Report& report) {
+  const Node* thesis = scope.document->root.find("thesis");
+  if (!thesis) return;
+  refuse_unknown_keys(*thesis, {"figure", "table", "section"}, "thesis", scope, report);
+  const auto number = [&](const char* key) -> std::optional<int> {
+    const Node* node = thesis->find(key);
+    if (!node) return std::nullopt;
+    const auto value = parse_quantity(node->text);
+    if (value && !value->dimension && value->value == std::floor(value->value)) return static_cast<int>(value->value);
+    report.add(scope.at(node->mark), fmt::format("thesis.{}", key), fmt::format("'{}' is not a whole number", node->text));
+    return std::nullopt;
+  };
+  Diagram& diagram = report.diagram();
+  diagram.thesis_figure = number("figure");
+  diagram.thesis_table = number("table");
+  if (const Node* section = thesis->find("section")) diagram.thesis_section = section->text;
+}
+
+std::string setting_text(const Node& node) { return node.quoted ? fmt::format("\"{}\"", node.text) : node.text; }
+
+std::vector<std::string> read_range(const Node& map, const std::string& name, const Scope& scope, Report& report) {
+  refuse_unknown_keys(map, {"from", "to", "count"}, "sweep." + name, scope, report);
+  const ValueReader reader(scope.parameters, report, scope.index);
+  std::vector<double> numbers;
+  for (const char* key : {"from", "to", "count"}) {
+    const Node* node = map.find(key);
+    const auto written = node ? reader.read(*node, "sweep." + name) : std::nullopt;
+    const double* number = written ? std::get_if<double>(&written->value.content) : nullptr;
+    if (!number) {
+      report.add(scope.at(map.mark), "sweep." + name, "is written {from: .., to: .., count: ..} or {values: [..]}");
+      return {};
+    }
+    numbers.push_back(*number);
+  }
+  const double count = numbers[2];
+  if (count < 2 || count != std::floor(count) || count > 1e6) {
+    report.add(scope.at(map.mark), "sweep." + name, "'count' must be a whole number from 2 to 1000000");
+    return {};
+  }
+  std::vector<std::string> values;
+  for (double i = 0; i < count; ++i) values.push_back(fmt::format("{}", numbers[0] + (numbers[1] - numbers[0]) * (i / (count - 1))));
+  return values;
+}
+
+void read_axis(const Entry& entry, Sweep& sweep, const Scope& scope, Report& report) {
+  const Node* list = entry.value.is_map() ? entry.value.find("values") : &entry.value;
+  std::vector<std::string> values;
+  if (list && list->is_list()) {
+    for (const Node& item : list->items) values.push_back(setting_text(item));
+  } else {
+    values = read_range(entry.value, entry.key, scope, report);
+  }
+  if (values.empty() && list) report.add(scope.at(entry.value.mark), "sweep." + entry.key, "has no values");
+  sweep.axes.push_back({entry.key, std::move(values), scope.at(entry.mark)});
+}
+
+void read_sweep(const Scope& scope, Report& report) {
+  const Node* node = scope.document->root.find("sweep");
+  if (!node) return;
+  if (!node->is_map()) return report.add(scope.at(node->mark), "sweep", "must be a map of parameter: {from, to, count} or {values: [..]}");
+  Sweep sweep;
+  for (const Entry& entry : node->entries) {
+    if (entry.key == "together") {
+      sweep.together = entry.value.text == "true";
+    } else {
+      read_axis(entry, sweep, scope, report);
+    }
+  }
+  for (const Sweep::Axis& axis : sweep.axes)
+    if (sweep.together && axis.values.size() != sweep.axes.front().values.size())
+      report.add(axis.origin, "sweep." + axis.parameter,
+                 fmt::format("has {} values, '{}' has {}; with 'together: true' they are paired", axis.values.size(),
+                             sweep.axes.front().parameter, sweep.axes.front().values.size()));
+  report.diagram().sweep = std::move(sweep);
+}
+
+void record_all(const Scope& scope, const std::string& prefix, const Origin& origin, RecordRequest& request, const Diagram& diagram) {
+  for (const auto& [name, named] : scope.names) {
+    if (named.part) {
+      record_all(*named.part, prefix + name + ".", origin, request, diagram);
+      continue;
+    }
+    const BlockType& type = diagram.blocks[static_cast<std::size_t>(named.block)].type();
+    for (std::size_t i = 0; i < type.outputs.size(); ++i)
+      request.signals.push_back({type.outputs.size() == 1 ? prefix + name : prefix + name + "." + type.outputs[i].name,
+                                 {named.block, static_cast<int>(i), -1}, origin});
+  }
+}
+
+void read_signal(const Node& node, const Scope& scope, const Resolver& resolver, RecordRequest& request, Report& report) {
+  const Origin origin = scope.at(node.mark);
+  if (!node.is_scalar()) return report.add(origin, "record", "names signals, as [rig.x, limit]");
+  if (node.text == "all") return record_all(scope, "", origin, request, report.diagram());
+  if (const auto signal = resolver.signal(node.text, scope, origin, "record")) request.signals.push_back({node.text, *signal, origin});
+}
+
+/// Signals of the same period belong to one recording.
+RecordRequest& request_for(std::optional<double> every, const Origin& origin, std::vector<RecordRequest>& requests) {
+  for (RecordRequest& request : requests)
+    if (request.every == every) return request;
+  return requests.emplace_back(RecordRequest{every, origin, {}});
+}
+
+void read_entry(const Node& node, const Scope& scope, const Resolver& resolver, Report& report) {
+  auto& requests = report.diagram().records;
+  if (!node.is_map()) return read_signal(node, scope, resolver, request_for({}, scope.at(node.mark), requests), report);
+  refuse_unknown_keys(node, {"every", "signals"}, "record", scope, report);
+  const Node* signals = node.find("signals");
+  if (!signals) return report.add(scope.at(node.mark), "record", "'signals' is missing");
+  std::optional<double> every;
+  const Node* period = node.find("every");
+  const ValueReader reader(scope.parameters, report, scope.index);
+  if (period) every = reader.read_number(*period, parse_unit("s")->dimension, "record.every");
+  if (every && *every <= 0) report.add(scope.at(period->mark), "record.every", "must be above 0");
+  RecordRequest& request = request_for(every, scope.at(period ? period->mark : node.mark), requests);
+  if (signals->is_list())
+    for (const Node& item : signals->items) read_signal(item, scope, resolver, request, report);
+  else
+    read_signal(*signals, scope, resolver, request, report);
+}
+
+}  // namespace
+
+void check_head_keys(const Scope& scope, Report& report) {
+  const Node& root = scope.document->root;
+  if (!root.is_map())
+    return report.add(scope.at(root.mark), "", "this is no diagram; a diagram is a map with stepwire, title, step, stop, blocks");
+  read_version(scope, report);
+  refuse_unknown_keys(root, head_keys, "", scope, report);
+}
+
+void read_head(const Scope& scope, Report& report) {
+  Diagram& diagram = report.diagram();
+  diagram.title = text_of(scope, "title");
+  diagram.caption = text_of(scope, "caption");
+  if (const Node* solver = scope.document->root.find("solver")) {
+    diagram.solver = solver->text;
+    diagram.solver_origin = scope.at(solver->mark);
+  }
+  read_time(scope, report, "step", diagram.step, diagram.step_origin);
+  read_time(scope, report, "stop", diagram.stop, diagram.stop_origin);
+  read_thesis(scope, report);
+  read_sweep(scope, report);
+  if (const Node* figure = scope.document->root.find("figure")) diagram.figure = *figure;
+  if (const Node* claims = scope.document->root.find("claims")) diagram.claims = *claims;
+}
+
+void read_record(const Scope& scope, const Resolver& resolver, Report& report) {
+  const Node* record = scope.document->root.find("record");
+  if (!record) return;
+  if (record->is_list())
+    for (const Node& item : record->items) read_entry(item, scope, resolver, report);
+  else
+    read_entry(*record, scope, resolver, report);
+}
+
+void read_stop_condition(const Scope& scope, const Resolver& resolver, Report& report) {
+  const Node* node = scope.document->root.find("stop_when");
+  if (!node) return;
+  const ValueReader reader(scope.parameters, report, scope.index);
+  const auto text = reader.fill_in(*node, "stop_when");
+  if (!text) return;
+  try {
+    StopCondition condition{Expression(*text), {}, scope.at(node->mark)};
+    for (const std::string& name : condition.expression.variables()) {
+      if (name == "time") {
+        condition.variables.push_back({});
+      } else if (const auto signal = resolver.signal(name, scope, scope.at(node->mark), "stop_when")) {
+        condition.variables.push_back(*signal);
+      }
+    }
+    report.diagram().stop_when = std::move(condition);
+  } catch (const ExpressionError& error) {
+    report.add(scope.at(node->mark), "stop_when", error.what());
+  }
+}
+
+}  // namespace stepwire

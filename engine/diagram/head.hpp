@@ -1,0 +1,18 @@
+#pragma once
+
+#include "engine/diagram/resolve.hpp"
+#include "engine/diagram/scope.hpp"
+
+namespace stepwire {
+
+/// Reads title, step, stop, solver, thesis, caption, sweep of the diagram itself, refuses unknown keys.
+void read_head(const Scope& scope, Report& report);
+
+/// Refuses keys that no diagram file has; also asked of parts.
+void check_head_keys(const Scope& scope, Report& report);
+
+/// Reads `record` and `stop_when`, once the names are known.
+void read_record(const Scope& scope, const Resolver& resolver, Report& report);
+void read_stop_condition(const Scope& scope, const Resolver& resolver, Report& report);
+
+}  // namespace stepwire

@@ -1,0 +1,35 @@
+#include "engine/diagram/keys.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace stepwire {
+
+void refuse_unknown_keys(const Node& map, const std::vector<std::string>& known, const std::string& subject,
+                         const Scope& scope, Report& report) {
+  for (const Entry& entry : map.entries) {
+    if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
+    // "{max: limit, x > 2}" is read by YAML as a key of its own: the piece of an expression that a comma cut off.
+    const bool looks_cut = entry.key.find_first_of("<>=&|()+*/ ") != std::string::npos;
+    const std::string cure = looks_cut ? "; if it belongs to an expression, quote the whole expression" : did_you_mean(entry.key, known);
+    report.add(scope.at(entry.mark), subject,
+               fmt::format("there is no key '{}' here{}; known are: {}", entry.key, cure, fmt::join(known, ", ")));
+  }
+}
+
+bool is_name(const std::string& text) {
+  const auto letter = [](unsigned char c) { return std::isalpha(c) || c == '_'; };
+  return !text.empty() && letter(static_cast<unsigned char>(text[0])) &&
+         std::all_of(text.begin(), text.end(), [&](unsigned char c) { return letter(c) || std::isdigit(c); });
+}
+
+std::vector<std::string> Scope::block_names() const {
+  std::vector<std::string> result;
+  for (const auto& [name, named] : names) result.push_back(name);
+  for (const auto& [name, port] : inputs) result.push_back(name);
+  return result;
+}
+
+}  // namespace stepwire

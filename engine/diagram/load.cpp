@@ -1,0 +1,104 @@
+#include "engine/diagram/load.hpp"
+
+#include <fmt/format.h>
+
+#include "engine/diagram/head.hpp"
+#include "engine/diagram/open.hpp"
+#include "engine/diagram/resolve.hpp"
+#include "engine/diagram/units.hpp"
+
+namespace stepwire {
+
+namespace {
+
+void connect(const PendingInput& pending, const Resolver& resolver, Report& report) {
+  DiagramBlock& block = report.diagram().blocks[static_cast<std::size_t>(pending.block)];
+  const InputSpec& spec = block.type().inputs[static_cast<std::size_t>(pending.input)];
+  auto& sources = block.inputs[static_cast<std::size_t>(pending.input)];
+  const std::string subject = block.name + "." + spec.name;
+  const auto connect_one = [&](const Node& node) {
+    if (auto source = resolver.source(node, *pending.scope, subject)) sources.push_back(std::move(*source));
+  };
+  const Node& node = *pending.node;
+  if (spec.list && node.is_list()) {
+    if (node.items.empty()) report.add(pending.scope->at(node.mark), subject, "is an empty list; name at least one signal");
+    for (const Node& item : node.items) connect_one(item);
+  } else {
+    const bool names = node.is_list() && !node.items.empty() && !node.items.front().is_list() &&
+                       !parse_quantity(node.items.front().text) && !node.items.front().text.starts_with('$');
+    if (names)
+      return report.add(pending.scope->at(node.mark), subject, "takes one signal, not a list; join signals with a Mux");
+    connect_one(node);
+  }
+}
+
+void require_inputs(Report& report) {
+  for (const DiagramBlock& block : report.diagram().blocks)
+    for (std::size_t i = 0; i < block.inputs.size(); ++i) {
+      const InputSpec& spec = block.type().inputs[i];
+      if (!spec.optional && block.input_marks[i].line == 0)
+        report.add(block.origin, block.name, fmt::format("the input '{}' is missing ({})", spec.name, spec.doc));
+    }
+}
+
+/// Units that parts declare for their ports, in every file.
+void demand_units(const Scope& scope, const Resolver& resolver, Report& report) {
+  auto& demands = report.diagram().unit_demands;
+  for (const auto& [name, port] : scope.inputs) {
+    if (!port.dimension || !port.fed_by || !scope.parent || port.fed_by->is_list()) continue;
+    if (auto source = resolver.source(*port.fed_by, *scope.parent, scope.prefix + name))
+      demands.push_back({std::move(*source), *port.dimension, scope.prefix + name, scope.parent->at(port.fed_by->mark)});
+  }
+  for (const auto& [name, out] : scope.outputs) {
+    if (!out.dimension || !out.signal) continue;
+    if (auto source = resolver.source(*out.signal, scope, scope.prefix + name))
+      demands.push_back({std::move(*source), *out.dimension, scope.prefix + name, scope.at(out.signal->mark)});
+  }
+  for (const auto& [name, named] : scope.names)
+    if (named.part) demand_units(*named.part, resolver, report);
+}
+
+Diagram build(Loader& loader, const Document& document, const std::vector<Setting>& given) {
+  Diagram diagram;
+  diagram.file = document.file;
+  diagram.scopes.push_back({document.file, "", {-1, {}}});
+  Report report(diagram);
+  Settings settings(given, report);
+  Scope root;
+  root.document = &document;
+  check_head_keys(root, report);
+  Opener opener(loader, settings, report);
+  if (document.root.is_map()) {
+    opener.open(root, {});
+    read_head(root, report);
+    const Resolver resolver(report);
+    for (const PendingInput& pending : opener.pending()) connect(pending, resolver, report);
+    require_inputs(report);
+    read_record(root, resolver, report);
+    read_stop_condition(root, resolver, report);
+    demand_units(root, resolver, report);
+    settings.report_unused(report);
+    if (report.faults().empty()) infer_units(report);
+  }
+  report.faults().throw_if_any();
+  return diagram;
+}
+
+}  // namespace
+
+const Document& Loader::document(const std::string& path) {
+  auto& slot = documents_[path];
+  if (!slot) slot = std::make_unique<Document>(read_document(path, limits_));
+  return *slot;
+}
+
+Diagram Loader::load(const std::string& path, const std::vector<Setting>& settings) {
+  return build(*this, document(path), settings);
+}
+
+Diagram Loader::load_text(std::string_view text, const std::string& file, const std::vector<Setting>& settings) {
+  const Document document = parse_document(text, file, limits_);
+  return build(*this, document, settings);
+}
+
+}  // namespace stepwire

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/block/registry.hpp"
+#include "engine/diagram/diagram.hpp"
+#include "engine/document/document.hpp"
+
+namespace stepwire {
+
+/// One `--set name=value`; the name reaches into parts ("rig.mass") and blocks ("lag.tau").
+struct Setting {
+  std::string name;
+  std::string value;
+};
+
+/// Turns diagram files into checked diagrams. Files are read once, however often they are used.
+class Loader {
+ public:
+  explicit Loader(const Registry& registry, DocumentLimits limits = {}) : registry_(registry), limits_(limits) {}
+
+  /// Reads and checks a file. Throws Error with everything that is wrong; SurroundingsError where a block needs the data
+  /// folder (STEPWIRE_DATA) and it is not there.
+  Diagram load(const std::string& path, const std::vector<Setting>& settings = {});
+  /// The same for text; parts and data files are looked for beside `file`.
+  Diagram load_text(std::string_view text, const std::string& file, const std::vector<Setting>& settings = {});
+
+  const Registry& registry() const { return registry_; }
+  const Document& document(const std::string& path);
+
+ private:
+  const Registry& registry_;
+  DocumentLimits limits_;
+  std::map<std::string, std::unique_ptr<Document>> documents_;
+};
+
+}  // namespace stepwire

@@ -1,0 +1,257 @@
+#include "engine/diagram/open.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "engine/diagram/keys.hpp"
+
+namespace stepwire {
+
+namespace {
+
+constexpr int deepest_nesting = 32;
+
+std::string normal_path(const std::string& path) { return std::filesystem::path(path).lexically_normal().string(); }
+
+std::string part_path(const std::string& user, const std::string& path) {
+  return normal_path((std::filesystem::path(user).parent_path() / path).string());
+}
+
+}  // namespace
+
+void Opener::open(Scope& scope, const Overrides& overrides) {
+  const Node& root = scope.document->root;
+  open_files_.push_back(normal_path(scope.document->file));
+  declare_ports(scope);
+  define_parameters(scope, overrides, settings_, report_);
+  const Node* blocks = root.find("blocks");
+  if (!blocks || !blocks->is_map() || blocks->entries.empty()) {
+    report_.add(scope.at(blocks ? blocks->mark : root.mark), scope.prefix.empty() ? "" : "blocks",
+                "blocks are missing; a diagram has 'blocks:' with a map of name: {block: ..}");
+  } else {
+    if (scope.index == 0) report_.diagram().blocks.reserve(blocks->entries.size());
+    for (const Entry& entry : blocks->entries) open_block(scope, entry);
+  }
+  open_files_.pop_back();
+}
+
+void Opener::declare_ports(Scope& scope) {
+  const auto dimension_of = [&](const Entry& port) -> std::optional<Dimension> {
+    const Node* unit = port.value.is_map() ? port.value.find("unit") : nullptr;
+    if (!unit) return std::nullopt;
+    if (const auto parsed = parse_unit(unit->text)) return parsed->dimension;
+    report_.add(scope.at(unit->mark), port.key, fmt::format("'{}' is no unit", unit->text));
+    return std::nullopt;
+  };
+  if (const Node* inputs = scope.document->root.find("inputs"))
+    for (const Entry& port : inputs->entries) {
+      if (port.value.is_map()) refuse_unknown_keys(port.value, {"unit", "doc", "default"}, port.key, scope, report_);
+      auto& declared = scope.inputs[port.key];
+      declared.dimension = dimension_of(port);
+      declared.fallback = port.value.is_map() ? port.value.find("default") : nullptr;
+      declared.mark = port.mark;
+    }
+  if (const Node* outputs = scope.document->root.find("outputs"))
+    for (const Entry& port : outputs->entries) {
+      if (port.value.is_map()) refuse_unknown_keys(port.value, {"signal", "unit", "doc"}, port.key, scope, report_);
+      const Node* signal = port.value.is_map() ? port.value.find("signal") : &port.value;
+      if (!signal) report_.add(scope.at(port.value.mark), port.key, "has no 'signal:'");
+      scope.outputs[port.key] = {signal, dimension_of(port), port.mark};
+    }
+}
+
+void Opener::open_block(Scope& scope, const Entry& entry) {
+  const std::string full = scope.prefix + entry.key;
+  const Node& map = entry.value;
+  if (!is_name(entry.key) || entry.key == "time" || entry.key == "all")
+    return report_.add(scope.at(entry.mark), full,
+                       "is no name for a block; use letters, digits and '_' ('time' and 'all' have a meaning of their own)");
+  if (!map.is_map()) return report_.add(scope.at(map.mark), full, "must be a map such as {block: Gain, gain: 2, u: source}");
+  if (scope.inputs.contains(entry.key))
+    return report_.add(scope.at(entry.mark), full, "is also the name of an input of this part; choose another");
+  const Node* kind = map.find("block");
+  const Node* part = map.find("diagram");
+  if (part && !kind) return open_part(scope, entry, *part);
+  if (!kind || part) return report_.add(scope.at(map.mark), full, "needs either 'block:' (a kind) or 'diagram:' (a file)");
+  const BlockType* type = loader_.registry().find(kind->text);
+  if (!type)
+    return report_.add(scope.at(kind->mark), full,
+                       fmt::format("there is no block '{}'{}; 'stepwire blocks' lists them", kind->text,
+                                   did_you_mean(kind->text, loader_.registry().names())));
+  make_block(scope, entry, *type);
+}
+
+void Opener::make_block(Scope& scope, const Entry& entry, const BlockType& type) {
+  Diagram& diagram = report_.diagram();
+  const int index = static_cast<int>(diagram.blocks.size());
+  scope.names[entry.key] = {index, nullptr, entry.mark};
+  DiagramBlock& block = diagram.blocks.emplace_back(scope.prefix + entry.key, type);
+  block.origin = scope.at(entry.value.mark);
+  block.inputs.resize(type.inputs.size());
+  block.input_marks.resize(type.inputs.size());
+  block.parameter_marks.resize(type.parameters.size());
+  block.parameter_dimensions.resize(type.parameters.size());
+  apply_preset(scope, entry.value, block);
+  for (const Entry& key : entry.value.entries) read_key(scope, key, block, index);
+  read_settings(scope, block, block.name);
+  require_parameters(scope, entry.value, block);
+}
+
+void Opener::apply_preset(Scope& scope, const Node& map, DiagramBlock& block) {
+  const Node* preset = map.find("preset");
+  const BlockType& type = block.type();
+  if (!preset || type.presets.empty()) return;
+  std::vector<std::string> names;
+  const ValueReader reader(scope.parameters, report_, scope.index);
+  const auto wanted = reader.fill_in(*preset, block.name + ".preset");
+  if (!wanted) return;
+  for (const PresetSpec& known : type.presets) {
+    if (known.name == *wanted) return known.apply(block.block.get());
+    names.push_back(known.name);
+  }
+  report_.add(scope.at(preset->mark), block.name + ".preset",
+              fmt::format("there is no preset '{}'{}; {} has: {}", *wanted, did_you_mean(*wanted, names), type.name,
+                          fmt::join(names, ", ")));
+}
+
+int Opener::state_of_key(const BlockType& type, const std::string& key) const {
+  if (!key.starts_with("initial")) return -1;
+  for (std::size_t i = 0; i < type.states.size(); ++i)
+    if (type.states[i].settable && initial_key(type, type.states[i]) == key) return static_cast<int>(i);
+  return -1;
+}
+
+void Opener::read_key(Scope& scope, const Entry& key, DiagramBlock& block, int index) {
+  const BlockType& type = block.type();
+  if (key.key == "block" || (key.key == "preset" && !type.presets.empty())) return;
+  if (key.key == "every") return read_period(scope, key.value, block);
+  if (const int input = type.input(key.key); input >= 0) {
+    block.input_marks[static_cast<std::size_t>(input)] = key.value.mark;
+    pending_.push_back({index, input, &key.value, &scope});
+    return;
+  }
+  if (const ParameterSpec* parameter = type.parameter(key.key))
+    return read_parameter(scope, scope.index, key.value, block, static_cast<std::size_t>(parameter - type.parameters.data()));
+  if (const int state = state_of_key(type, key.key); state >= 0) return read_initial(scope, key.value, block, state);
+  const auto known = keys_of(type);
+  report_.add(scope.at(key.mark), block.name,
+              fmt::format("{} has no '{}'{}. It has: {}", type.name, key.key, did_you_mean(key.key, known), fmt::join(known, ", ")));
+}
+
+void Opener::read_settings(Scope& scope, DiagramBlock& block, const std::string& full) {
+  const BlockType& type = block.type();
+  for (const std::string& key : settings_.keys_of(full + ".")) {
+    for (const ParameterSpec& parameter : type.parameters) settings_.offer(full + "." + parameter.name);
+    const ParameterSpec* parameter = type.parameter(key);
+    const int state = state_of_key(type, key);
+    if (!parameter && state < 0) continue;
+    Settings::Entry* setting = settings_.take(full + "." + key);
+    const Node& node = setting->document.root;
+    Scope at_setting;
+    at_setting.index = setting->origin.scope;
+    if (parameter) {
+      read_parameter(scope, at_setting.index, node, block, static_cast<std::size_t>(parameter - type.parameters.data()));
+    } else {
+      read_initial(at_setting, node, block, state);
+    }
+  }
+}
+
+void Opener::read_parameter(const Scope& scope, int reader_scope, const Node& node, DiagramBlock& block,
+                            std::size_t parameter) {
+  const ParameterSpec& spec = block.type().parameters[parameter];
+  const ValueReader reader(scope.parameters, report_, reader_scope);
+  std::optional<Dimension> demanded;
+  if (spec.unit.find('\'') == std::string::npos && spec.unit != "*")
+    if (const auto unit = parse_unit(spec.unit)) demanded = unit->dimension;
+  const auto written = reader.read_for(spec, demanded, node, block.name + "." + spec.name);
+  block.parameter_marks[parameter] = node.mark;
+  if (!written) return;
+  block.parameter_dimensions[parameter] = written->dimension;
+  spec.set(block.block.get(), written->value);
+}
+
+void Opener::read_initial(const Scope& scope, const Node& node, DiagramBlock& block, int state) {
+  ParameterSpec spec;
+  spec.kind = ParameterKind::per_element;
+  spec.unit = "*";
+  const StateSpec& declared = block.type().states[static_cast<std::size_t>(state)];
+  const ValueReader reader(scope.parameters, report_, scope.index);
+  const auto written = reader.read_for(spec, {}, node, block.name + "." + initial_key(block.type(), declared));
+  if (!written) return;
+  std::erase_if(block.initial, [&](const InitialValue& value) { return value.state == state; });
+  block.initial.push_back({state, std::get<Eigen::VectorXd>(written->value.content), written->dimension, scope.at(node.mark)});
+}
+
+void Opener::read_period(const Scope& scope, const Node& node, DiagramBlock& block) {
+  const ValueReader reader(scope.parameters, report_, scope.index);
+  const auto period = reader.read_number(node, parse_unit("s")->dimension, block.name + ".every");
+  block.every_mark = node.mark;
+  if (!period) return;
+  if (*period <= 0.0)
+    return report_.add(scope.at(node.mark), block.name + ".every", fmt::format("{} is not allowed; it must be above 0", node.text));
+  block.every = *period;
+}
+
+void Opener::require_parameters(const Scope& scope, const Node& map, const DiagramBlock& block) {
+  for (std::size_t i = 0; i < block.type().parameters.size(); ++i) {
+    const ParameterSpec& spec = block.type().parameters[i];
+    if (spec.required && block.parameter_marks[i].line == 0 && !map.find(spec.name))
+      report_.add(scope.at(map.mark), block.name, fmt::format("'{}' is missing ({})", spec.name, spec.doc));
+  }
+}
+
+void Opener::open_part(Scope& scope, const Entry& entry, const Node& path) {
+  const std::string file = part_path(scope.document->file, path.text);
+  const std::string full = scope.prefix + entry.key;
+  const auto circle = std::find(open_files_.begin(), open_files_.end(), file);
+  if (circle != open_files_.end() || open_files_.size() >= deepest_nesting)
+    return report_.add(scope.at(path.mark), full,
+                       fmt::format("this file contains itself: {} -> {}; a part cannot use a file that uses it",
+                                   fmt::join(circle, open_files_.end(), " -> "), file));
+  auto& named = scope.names[entry.key];
+  named.part = std::make_unique<Scope>();
+  named.mark = entry.mark;
+  Scope& part = *named.part;
+  Diagram& diagram = report_.diagram();
+  part.index = static_cast<int>(diagram.scopes.size());
+  part.parent = &scope;
+  part.prefix = full + ".";
+  diagram.scopes.push_back({file, part.prefix, scope.at(path.mark)});
+  try {
+    part.document = &loader_.document(file);
+  } catch (const Error& error) {
+    const Fault& first = error.faults().front();
+    const bool inside = first.place.mark.line > 0;
+    report_.add(inside ? part.at(first.place.mark) : scope.at(path.mark), full, first.message);
+    scope.names.erase(entry.key);
+    return;
+  }
+  Overrides overrides{&scope, {}};
+  std::vector<std::string> known;
+  if (const Node* parameters = part.document->root.find("parameters"))
+    for (const Entry& parameter : parameters->entries) known.push_back(parameter.key);
+  const Node* inputs = part.document->root.find("inputs");
+  for (const Entry& key : entry.value.entries) {
+    if (key.key == "diagram") continue;
+    if (inputs && inputs->find(key.key)) {
+      part.inputs[key.key].fed_by = &key.value;
+    } else if (std::find(known.begin(), known.end(), key.key) != known.end()) {
+      overrides.values[key.key] = &key.value;
+    } else {
+      std::vector<std::string> all = known;
+      if (inputs)
+        for (const Entry& port : inputs->entries) all.push_back(port.key);
+      report_.add(scope.at(key.mark), full,
+                  fmt::format("{} has no '{}'{}. It has: {}", path.text, key.key, did_you_mean(key.key, all), fmt::join(all, ", ")));
+    }
+  }
+  open(part, overrides);
+  for (const auto& [name, port] : part.inputs)
+    if (!port.fed_by && !port.fallback)
+      report_.add(scope.at(entry.value.mark), full, fmt::format("the input '{}' is missing", name));
+}
+
+}  // namespace stepwire

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <set>
+#include <string>
+
+#include "engine/diagram/definitions.hpp"
+#include "engine/diagram/load.hpp"
+#include "engine/diagram/scope.hpp"
+#include "engine/diagram/settings.hpp"
+
+namespace stepwire {
+
+/// An input as a file wrote it, to be resolved once all names are known.
+struct PendingInput {
+  int block;
+  int input;
+  const Node* node;
+  const Scope* scope;
+};
+
+/// Opens a file and its parts: parameters evaluated, blocks made with their parameters, names gathered. Inputs are
+/// left pending.
+class Opener {
+ public:
+  Opener(Loader& loader, Settings& settings, Report& report) : loader_(loader), settings_(settings), report_(report) {}
+
+  void open(Scope& scope, const Overrides& overrides);
+  const std::deque<PendingInput>& pending() const { return pending_; }
+
+ private:
+  void declare_ports(Scope& scope);
+  void open_block(Scope& scope, const Entry& entry);
+  void open_part(Scope& scope, const Entry& entry, const Node& path);
+  void make_block(Scope& scope, const Entry& entry, const BlockType& type);
+  void apply_preset(Scope& scope, const Node& map, DiagramBlock& block);
+  void read_key(Scope& scope, const Entry& key, DiagramBlock& block, int index);
+  void read_settings(Scope& scope, DiagramBlock& block, const std::string& full);
+  void read_parameter(const Scope& scope, int reader_scope, const Node& node, DiagramBlock& block, std::size_t parameter);
+  void read_initial(const Scope& scope, const Node& node, DiagramBlock& block, int state);
+  void read_period(const Scope& scope, const Node& node, DiagramBlock& block);
+  void require_parameters(const Scope& scope, const Node& map, const DiagramBlock& block);
+  int state_of_key(const BlockType& type, const std::string& key) const;
+
+  Loader& loader_;
+  Settings& settings_;
+  Report& report_;
+  std::deque<PendingInput> pending_;
+  std::vector<std::string> open_files_;
+};
+
+/// Every key that a block of this type may have in a file.
+std::vector<std::string> keys_of(const BlockType& type);
+
+/// The key that gives a state its initial value: `initial` for the only settable one, else `initial_x`.
+std::string initial_key(const BlockType& type, const StateSpec& state);
+
+}  // namespace stepwire

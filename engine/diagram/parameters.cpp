@@ -1,0 +1,168 @@
+#include "engine/diagram/parameters.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace stepwire {
+
+const WrittenValue* ParameterScope::find(const std::string& name) const {
+  const auto found = values_.find(name);
+  return found == values_.end() ? nullptr : &found->second;
+}
+
+std::vector<std::string> ParameterScope::names() const {
+  std::vector<std::string> result;
+  for (const auto& [name, value] : values_) result.push_back(name);
+  return result;
+}
+
+std::string unit_complaint(const std::optional<Dimension>& written, const std::optional<Dimension>& demanded) {
+  if (!written || !demanded || *written == *demanded) return "";
+  return fmt::format("is in {}; it must be in {}", si_name(*written), si_name(*demanded));
+}
+
+std::nullopt_t ValueReader::refuse(const Node& node, const std::string& subject, std::string message) const {
+  report_.add(at(node.mark), subject, std::move(message));
+  return std::nullopt;
+}
+
+std::optional<WrittenValue> ValueReader::read(const Node& node, const std::string& subject) const {
+  if (node.is_map()) return read_with_unit(node, subject);
+  if (node.is_list()) return read_list(node, subject);
+  if (node.is_scalar()) return read_scalar(node, subject);
+  return refuse(node, subject, "has no value");
+}
+
+std::optional<WrittenValue> ValueReader::read_scalar(const Node& node, const std::string& subject) const {
+  const std::string& text = node.text;
+  if (node.quoted) return WrittenValue{{text}, {}, text};
+  if (text.starts_with('$')) {
+    if (const WrittenValue* parameter = parameters_.find(text.substr(1))) return *parameter;
+    return refuse(node, subject, fmt::format("there is no parameter '{}'{}", text.substr(1),
+                                             did_you_mean(text.substr(1), parameters_.names())));
+  }
+  if (text.starts_with('=')) return read_expression(node, subject);
+  if (const auto quantity = parse_quantity(text)) return WrittenValue{{quantity->value}, quantity->dimension, text};
+  if (text == "true" || text == "false") return WrittenValue{{text == "true"}, {}, text};
+  return WrittenValue{{text}, {}, text};
+}
+
+std::optional<WrittenValue> ValueReader::read_expression(const Node& node, const std::string& subject) const {
+  const auto known = [this](std::string_view name) { return parameters_.find(std::string(name)) != nullptr; };
+  try {
+    const Expression expression(node.text.substr(1), known);
+    std::vector<double> values;
+    for (const std::string& name : expression.variables()) {
+      const double* number = std::get_if<double>(&parameters_.find(name)->value.content);
+      if (!number) return refuse(node, subject, fmt::format("'{}' is no single number", name));
+      values.push_back(*number);
+    }
+    const double result = expression(values);
+    if (!std::isfinite(result)) return refuse(node, subject, fmt::format("'{}' is {}, not a finite number", node.text, result));
+    return WrittenValue{{result}, {}, node.text};
+  } catch (const ExpressionError& error) {
+    report_.add(at({node.mark.line, node.mark.column + 1 + static_cast<int>(error.position)}), subject, error.what());
+    return std::nullopt;
+  }
+}
+
+std::optional<WrittenValue> ValueReader::read_list(const Node& node, const std::string& subject) const {
+  if (!node.items.empty() && node.items.front().is_list()) return read_rows(node, subject);
+  std::vector<WrittenValue> elements;
+  for (const Node& item : node.items) {
+    auto element = item.is_scalar() ? read_scalar(item, subject) : refuse(item, subject, "a list holds numbers or words");
+    if (!element) return std::nullopt;
+    elements.push_back(std::move(*element));
+  }
+  WrittenValue result{{Eigen::VectorXd(static_cast<Eigen::Index>(elements.size()))}, {}, "the list"};
+  Value::List texts;
+  bool numbers = true;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const double* number = std::get_if<double>(&elements[i].value.content);
+    numbers = numbers && number;
+    if (number) std::get<Eigen::VectorXd>(result.value.content)[static_cast<Eigen::Index>(i)] = *number;
+    if (elements[i].dimension && result.dimension && *elements[i].dimension != *result.dimension)
+      return refuse(node.items[i], subject, "has another unit than the elements before it");
+    if (elements[i].dimension) result.dimension = elements[i].dimension;
+    texts.push_back({node.items[i].text, node.items[i].mark.line, node.items[i].mark.column});
+  }
+  if (!numbers) result.value.content = std::move(texts);
+  return result;
+}
+
+std::optional<WrittenValue> ValueReader::read_rows(const Node& node, const std::string& subject) const {
+  WrittenValue result{{Eigen::MatrixXd()}, {}, "the matrix"};
+  auto& matrix = std::get<Eigen::MatrixXd>(result.value.content);
+  for (std::size_t row = 0; row < node.items.size(); ++row) {
+    const Node& item = node.items[row];
+    const auto written = item.is_list() ? read_list(item, subject) : std::nullopt;
+    const auto* numbers = written ? std::get_if<Eigen::VectorXd>(&written->value.content) : nullptr;
+    if (!numbers) return refuse(item, subject, "a matrix is a list of rows of numbers, as [[1, 2], [3, 4]]");
+    if (row == 0) matrix.resize(static_cast<Eigen::Index>(node.items.size()), numbers->size());
+    if (numbers->size() != matrix.cols())
+      return refuse(item, subject, fmt::format("this row has {} numbers, the first has {}", numbers->size(), matrix.cols()));
+    matrix.row(static_cast<Eigen::Index>(row)) = numbers->transpose();
+    if (written->dimension) result.dimension = written->dimension;
+  }
+  return result;
+}
+
+std::optional<WrittenValue> ValueReader::read_with_unit(const Node& node, const std::string& subject) const {
+  const Node* value = node.find("value");
+  const Node* unit_node = node.find("unit");
+  if (!value || node.entries.size() > (unit_node ? 2u : 1u))
+    return refuse(node, subject, "is a map; a number with its unit is written {value: .., unit: ..}");
+  auto written = read(*value, subject);
+  if (!written || !unit_node) return written;
+  const auto unit = parse_unit(unit_node->text);
+  if (!unit) return refuse(*unit_node, subject, fmt::format("'{}' is no unit", unit_node->text));
+  if (written->dimension) return refuse(*unit_node, subject, "the numbers carry units already");
+  if (auto* number = std::get_if<double>(&written->value.content)) *number = unit->to_si(*number);
+  if (auto* vector = std::get_if<Eigen::VectorXd>(&written->value.content))
+    for (double& element : *vector) element = unit->to_si(element);
+  if (auto* matrix = std::get_if<Eigen::MatrixXd>(&written->value.content))
+    *matrix = (unit->scale * matrix->array() + unit->offset).matrix();
+  written->dimension = unit->dimension;
+  written->text += " " + unit_node->text;
+  return written;
+}
+
+std::optional<double> ValueReader::read_number(const Node& node, const Dimension& demanded,
+                                               const std::string& subject) const {
+  const auto written = read(node, subject);
+  if (!written) return std::nullopt;
+  const double* number = std::get_if<double>(&written->value.content);
+  if (!number) return refuse(node, subject, fmt::format("'{}' is not a finite number with a unit", written->text));
+  const std::string complaint = unit_complaint(written->dimension, demanded);
+  if (!complaint.empty()) return refuse(node, subject, fmt::format("'{}' {}", written->text, complaint));
+  return *number;
+}
+
+std::optional<std::string> ValueReader::fill_in(const Node& node, const std::string& subject) const {
+  std::string result;
+  const std::string& text = node.text;
+  for (std::size_t i = 0; i < text.size();) {
+    if (text[i] != '$') {
+      result += text[i++];
+      continue;
+    }
+    std::size_t end = i + 1;
+    while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '_')) ++end;
+    const std::string name = text.substr(i + 1, end - i - 1);
+    const WrittenValue* parameter = parameters_.find(name);
+    if (!parameter)
+      return refuse(node, subject, fmt::format("there is no parameter '{}'{}", name, did_you_mean(name, parameters_.names())));
+    if (const double* number = std::get_if<double>(&parameter->value.content)) {
+      result += *number < 0 ? fmt::format("({})", *number) : fmt::format("{}", *number);
+    } else if (parameter->value.text()) {
+      result += *parameter->value.text();
+    } else {
+      return refuse(node, subject, fmt::format("parameter '{}' is neither a number nor a word", name));
+    }
+    i = end;
+  }
+  return result;
+}
+
+}  // namespace stepwire

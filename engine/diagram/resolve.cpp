@@ -1,0 +1,130 @@
+#include "engine/diagram/resolve.hpp"
+
+#include <fmt/format.h>
+
+namespace stepwire {
+
+namespace {
+
+// More ports than this cannot lie one behind the other: parts are nested at most 32 deep.
+constexpr int most_hops = 256;
+
+std::vector<std::string> output_names(const BlockType& type) {
+  std::vector<std::string> names;
+  for (const OutputSpec& output : type.outputs) names.push_back(output.name);
+  return names;
+}
+
+// A state is carried in a Source as an output number below -1.
+int encode_state(int state) { return -2 - state; }
+
+}  // namespace
+
+std::nullopt_t Resolver::refuse(const Query& query, std::string message) const {
+  report_.add(query.origin, query.subject, std::move(message));
+  return std::nullopt;
+}
+
+std::optional<Source> Resolver::source(const Node& node, const Scope& scope, const std::string& subject) const {
+  return element(node, scope, {scope.at(node.mark), subject, false});
+}
+
+std::optional<SignalRef> Resolver::signal(const std::string& text, const Scope& scope, const Origin& origin,
+                                          const std::string& subject) const {
+  const auto found = reference(text, scope, {origin, subject, true});
+  if (!found) return std::nullopt;
+  if (found->block < 0) {
+    report_.add(origin, subject, fmt::format("'{}' is a constant number here, not a signal", text));
+    return std::nullopt;
+  }
+  if (found->output >= 0) return SignalRef{found->block, found->output, -1};
+  return SignalRef{found->block, -1, -2 - found->output};
+}
+
+std::optional<Source> Resolver::element(const Node& node, const Scope& scope, Query query) const {
+  if (node.kind == Node::Kind::empty) return refuse(query, "is fed by nothing; name a block or give a number");
+  const bool number = node.is_list() || node.is_map() || node.text.starts_with('$') || node.text.starts_with('=') ||
+                      (!node.quoted && parse_quantity(node.text));
+  if (!number) return reference(node.text, scope, std::move(query));
+  const ValueReader reader(scope.parameters, report_, scope.index);
+  ParameterSpec spec;
+  spec.kind = ParameterKind::per_element;
+  spec.unit = "*";
+  const auto written = reader.read_for(spec, {}, node, query.subject);
+  if (!written) return std::nullopt;
+  return Source{-1, -1, std::get<Eigen::VectorXd>(written->value.content), written->dimension, scope.at(node.mark)};
+}
+
+std::optional<Source> Resolver::reference(const std::string& text, const Scope& scope, Query query) const {
+  if (++query.hops > most_hops)
+    return refuse(query, fmt::format("'{}' is wired to itself through ports only, with no block in between", text));
+  const std::size_t dot = text.find('.');
+  const std::string first = text.substr(0, dot);
+  const std::string rest = dot == std::string::npos ? "" : text.substr(dot + 1);
+  if (scope.inputs.contains(first) && rest.empty()) return port(scope, first, std::move(query));
+  const auto found = scope.names.find(first);
+  if (found == scope.names.end())
+    return refuse(query, fmt::format("there is no block '{}'{}", first, did_you_mean(first, scope.block_names())));
+  if (found->second.part) return of_part(rest, *found->second.part, std::move(query));
+  return of_block(rest, found->second.block, query);
+}
+
+std::optional<Source> Resolver::port(const Scope& scope, const std::string& name, Query query) const {
+  const Scope::Port& port = scope.inputs.at(name);
+  if (port.fed_by) return element(*port.fed_by, *scope.parent, std::move(query));
+  if (port.fallback) return element(*port.fallback, scope, std::move(query));
+  // A part that is not fed has been reported where it is used; a file that is run by itself has not.
+  if (!scope.parent)
+    report_.add(scope.at(port.mark), name, "nothing feeds this input; use this file as a part, or give it a 'default:'");
+  return std::nullopt;
+}
+
+std::optional<Source> Resolver::of_block(const std::string& rest, int block, const Query& query) const {
+  const DiagramBlock& found = report_.diagram().blocks[static_cast<std::size_t>(block)];
+  const BlockType& type = found.type();
+  Source source;
+  source.block = block;
+  source.origin = query.origin;
+  if (rest.empty()) {
+    if (type.outputs.size() != 1)
+      return refuse(query, type.outputs.empty()
+                               ? fmt::format("'{}' is a {}, which has no output", found.name, type.name)
+                               : fmt::format("'{}' has several outputs; say which: {}.{}", found.name, found.name,
+                                             fmt::join(output_names(type), fmt::format(", {}.", found.name))));
+    source.output = 0;
+    return source;
+  }
+  source.output = type.output(rest);
+  if (source.output >= 0) return source;
+  if (const int state = type.state(rest); state >= 0) {
+    if (!query.look_inside)
+      return refuse(query, fmt::format("'{}' is a state inside of {}, not an output; it can be recorded but not wired", rest, type.name));
+    source.output = encode_state(state);
+    return source;
+  }
+  return refuse(query, fmt::format("{} has no output '{}'{}. It has: {}", type.name, rest,
+                                   did_you_mean(rest, output_names(type)), fmt::join(output_names(type), ", ")));
+}
+
+std::optional<Source> Resolver::of_part(const std::string& rest, const Scope& part, Query query) const {
+  std::vector<std::string> names;
+  for (const auto& [name, out] : part.outputs) names.push_back(name);
+  const std::string part_name = part.prefix.substr(0, part.prefix.size() - 1);
+  const auto out = rest.empty() && names.size() == 1 ? part.outputs.begin() : part.outputs.find(rest);
+  if (out != part.outputs.end()) {
+    if (!out->second.signal) return std::nullopt;
+    // What is wrong inside of a part is to be mended in the part's file.
+    Query inside = query;
+    inside.origin = part.at(out->second.signal->mark);
+    inside.subject = part.prefix + out->first;
+    return reference(out->second.signal->text, part, std::move(inside));
+  }
+  if (rest.empty())
+    return refuse(query, fmt::format("'{}' has several outputs; say which: {}.{}", part_name, part_name,
+                                     fmt::join(names, fmt::format(", {}.", part_name))));
+  if (query.look_inside && (part.names.contains(rest.substr(0, rest.find('.'))) || part.inputs.contains(rest)))
+    return reference(rest, part, std::move(query));
+  return refuse(query, fmt::format("'{}' has no output '{}'{}. It has: {}", part_name, rest, did_you_mean(rest, names), fmt::join(names, ", ")));
+}
+
+}  // namespace stepwire

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/diagram/parameters.hpp"
+
+namespace stepwire {
+
+/// One file at one place of the diagram while it is built: what its names mean.
+struct Scope {
+  int index = 0;  ///< in Diagram::scopes
+  const Document* document = nullptr;
+  Scope* parent = nullptr;
+  ParameterScope parameters;
+  std::string prefix;
+
+  /// What a name stands for: a block of the diagram, or a part.
+  struct Named {
+    int block = -1;
+    std::unique_ptr<Scope> part;
+    Mark mark;
+  };
+  std::map<std::string, Named, std::less<>> names;
+
+  /// A port of this part: what the using file wrote at it, and what may pass.
+  struct Port {
+    const Node* fed_by = nullptr;  ///< in the parent's file
+    const Node* fallback = nullptr;
+    std::optional<Dimension> dimension;
+    Mark mark;
+  };
+  std::map<std::string, Port, std::less<>> inputs;
+
+  /// An output of this part: the signal that it is, written in this part's file.
+  struct Out {
+    const Node* signal = nullptr;
+    std::optional<Dimension> dimension;
+    Mark mark;
+  };
+  std::map<std::string, Out, std::less<>> outputs;
+
+  Origin at(const Mark& mark) const { return {index, mark}; }
+  std::vector<std::string> block_names() const;
+};
+
+}  // namespace stepwire
