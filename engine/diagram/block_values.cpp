@@ -31,7 +31,7 @@ std::optional<Eigen::VectorXd> as_vector(const Value& value) {
 }
 
 std::optional<Value> as_matrix(const Value& value) {
-  if (const double* number = std::get_if<double>(&value.content)) return Value{Eigen::MatrixXd::Constant(1, 1, *number)};
+  if (const double* number = std::get_if<double>(&value.content)) return Value{Eigen::MatrixXd(Eigen::MatrixXd::Constant(1, 1, *number))};
   if (std::holds_alternative<Eigen::MatrixXd>(value.content)) return value;
   return std::nullopt;
 }
