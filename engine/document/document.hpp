@@ -41,7 +41,8 @@ struct Entry {
 struct DocumentLimits {
   std::size_t bytes = 8u << 20;
   int depth = 64;
-  std::size_t nodes = 4'000'000;  ///< after the expansion of aliases
+  std::size_t nodes =
+      1'000'000;  ///< values after the expansion of aliases; long texts and anchors count as several
 };
 
 /// A YAML file as a tree with places.
@@ -50,9 +51,9 @@ struct Document {
   Node root;
 };
 
-/// Reads one YAML document. Throws Error for what is not YAML, double keys (all of them), merge keys, tags, several
-/// documents in one file, aliases to what is not there, keys that are no scalars, and anything beyond the limits;
-/// an empty file gives a root of kind empty at 1:1.
+/// Reads one YAML document. Throws Error for what is not YAML, double keys (all of them), merge keys, tags,
+/// several documents in one file, aliases to what is not there, keys that are no scalars, and anything beyond
+/// the limits; an empty file gives a root of kind empty at 1:1.
 Document parse_document(std::string_view text, const std::string& file, const DocumentLimits& limits = {});
 
 /// The same from a file. A file that is missing, unreadable, a folder or too large is an Error at line 0

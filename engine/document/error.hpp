@@ -8,7 +8,8 @@
 
 namespace stepwire {
 
-/// One thing that is wrong in what a user wrote: where, in which block and port, what is wrong and what would be right.
+/// One thing that is wrong in what a user wrote: where, in which block and port, what is wrong and what would
+/// be right.
 struct Fault {
   Place place;
   std::string subject;  ///< "lag.tau", "lag", or empty

@@ -1,0 +1,60 @@
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <vector>
+
+#include "engine/document/error.hpp"
+
+namespace stepwire {
+namespace {
+
+constexpr std::size_t longest_word = 64;  // the distance costs the product of both lengths
+
+std::string lower(std::string word) {
+  for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return word;
+}
+
+// Optimal string alignment: inserts, deletes, replacements and swaps of neighbours cost one each.
+std::size_t distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+      if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
+    }
+    before.swap(last);
+    last.swap(row);
+  }
+  return last[b.size()];
+}
+
+// "freq" for "frequency" is meant, far as it is by letters.
+bool abbreviates(const std::string& word, const std::string& name) {
+  return word.size() >= 3 && name.starts_with(word);
+}
+
+}  // namespace
+
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& names) {
+  if (word.empty() || word.size() > longest_word) return "";
+  const std::string wanted = lower(word);
+  const std::size_t near = std::max<std::size_t>(1, word.size() / 3);
+  const std::string* nearest = nullptr;
+  std::size_t least = near + 1;
+  for (const std::string& name : names) {
+    if (name == word || name.size() > longest_word) continue;
+    std::size_t far = distance(wanted, lower(name));
+    if (far > near && abbreviates(wanted, lower(name))) far = near;
+    // A word of which no letter is right is no near miss.
+    if (far >= least || far >= std::max(word.size(), name.size())) continue;
+    least = far;
+    nearest = &name;
+  }
+  return nearest ? "; did you mean '" + *nearest + "'?" : "";
+}
+
+}  // namespace stepwire

@@ -1,0 +1,64 @@
+#include "engine/document/text_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace stepwire {
+namespace {
+
+bool is_plain(unsigned char c) {
+  return (c >= 0x20 && c < 0x7f) || c == '\n' || c == '\t' || c == '\r';
+}
+
+Mark mark_at(std::string_view text, std::size_t position) {
+  Mark mark{1, 1};
+  for (std::size_t i = 0; i < position; i += std::max<std::size_t>(1, utf8_length(text.substr(i)))) {
+    ++mark.column;
+    if (text[i] == '\n') mark = {mark.line + 1, 1};
+  }
+  return mark;
+}
+
+std::string message_for(unsigned char c) {
+  if (c == 0) return "a NUL byte; this is no text file (or it is UTF-16: save it as UTF-8)";
+  if (c == 0xfe || c == 0xff) return fmt::format("the byte 0x{:02x} is no UTF-8; save the file as UTF-8", c);
+  if (c < 0x80) return fmt::format("the control character 0x{:02x} cannot stand in a YAML file", c);
+  return fmt::format("the byte 0x{:02x} is no UTF-8 here; save the file as UTF-8", c);
+}
+
+}  // namespace
+
+std::size_t utf8_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) -> unsigned {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
+  };
+  const auto goes_on = [&](std::size_t i) { return (byte(i) & 0xc0u) == 0x80u; };
+  const unsigned first = byte(0), second = byte(1);
+  if (text.empty()) return 0;
+  if (first < 0x80) return 1;
+  if (first >= 0xc2 && first <= 0xdf) return goes_on(1) ? 2 : 0;
+  if (first >= 0xe0 && first <= 0xef) {
+    const bool too_long = first == 0xe0 && second < 0xa0;
+    const bool surrogate = first == 0xed && second > 0x9f;
+    return goes_on(1) && goes_on(2) && !too_long && !surrogate ? 3 : 0;
+  }
+  if (first >= 0xf0 && first <= 0xf4) {
+    const bool too_long = first == 0xf0 && second < 0x90;
+    const bool too_large = first == 0xf4 && second > 0x8f;
+    return goes_on(1) && goes_on(2) && goes_on(3) && !too_long && !too_large ? 4 : 0;
+  }
+  return 0;
+}
+
+std::optional<TextFault> check_text(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const auto c = static_cast<unsigned char>(text[i]);
+    const std::size_t length = is_plain(c) ? 1 : c < 0x80 ? 0 : utf8_length(text.substr(i));
+    if (length == 0) return TextFault{mark_at(text, i), message_for(c)};
+    i += length;
+  }
+  return std::nullopt;
+}
+
+}  // namespace stepwire
