@@ -86,7 +86,7 @@ class Definitions {
     const std::string complaint = unit_complaint(written->dimension, file_dimension);
     if (!complaint.empty()) report_.add(value_origin_, full, fmt::format("{} {}", written->text, complaint));
     if (!in_range(entry, *written, full)) return std::nullopt;
-    if (!scope_.parent) list(entry, *written, set);
+    list(full, entry, *written, set);
     return written;
   }
 
@@ -133,13 +133,13 @@ class Definitions {
            holds("below", std::less<>()) && holds("at_most", std::less_equal<>());
   }
 
-  void list(const Entry& entry, const WrittenValue& written, bool set) {
+  void list(const std::string& full, const Entry& entry, const WrittenValue& written, bool set) {
     const auto text_of = [&](const char* key) {
       const Node* node = entry.value.is_map() ? entry.value.find(key) : nullptr;
       return node ? node->text : std::string();
     };
     report_.diagram().parameters.push_back(
-        {entry.key, written.text, written.value, written.dimension, text_of("doc"), text_of("assumed") == "true", set});
+        {full, written.text, written.value, written.dimension, text_of("doc"), text_of("assumed") == "true", set});
   }
 
   Scope& scope_;

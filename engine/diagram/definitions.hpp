@@ -15,7 +15,7 @@ struct Overrides {
 };
 
 /// Evaluates `parameters:` of a scope in the order of their dependence, with what the using file and `--set` put in
-/// their place, and defines them in the scope. Parameters of the diagram itself are also listed in the Diagram.
+/// their place, defines them in the scope and lists them in the Diagram.
 void define_parameters(Scope& scope, const Overrides& overrides, Settings& settings, Report& report);
 
 }  // namespace stepwire

@@ -88,9 +88,9 @@ struct UnitDemand {
   Origin origin;
 };
 
-/// A parameter of the diagram itself, after expressions and settings.
+/// A parameter of the diagram or of one of its parts, after expressions and settings.
 struct DiagramParameter {
-  std::string name;
+  std::string name;  ///< full: "rig.mass"
   std::string text;  ///< as written or set
   Value value;
   std::optional<Dimension> dimension;

@@ -14,16 +14,29 @@ const std::vector<std::string> head_keys = {"stepwire", "title",  "caption", "th
                                             "inputs",   "outputs", "blocks", "stop_when", "record", "sweep", "figure", "claims"};
 
 /// Times of the head: seconds, above 0.
-void read_time(const Scope& scope, Report& report, const std::string& key, double& seconds, Origin& origin) {
+void read_time(const Scope& scope, Settings& settings, Report& report, const std::string& key, double& seconds,
+               Origin& origin) {
   const Node* node = scope.document->root.find(key);
-  if (!node)
+  const Settings::Entry* setting = settings.take(key);
+  if (!node && !setting)
     return report.add(scope.at(scope.document->root.mark), "", fmt::format("'{}' is missing; e.g. {}: {}", key, key, key == "step" ? "1 ms" : "5 s"));
-  origin = scope.at(node->mark);
-  const ValueReader reader(scope.parameters, report, scope.index);
+  origin = setting ? setting->origin : scope.at(node->mark);
+  if (setting) node = &setting->document.root;
+  const ValueReader reader(scope.parameters, report, origin.scope);
   const auto value = reader.read_number(*node, parse_unit("s")->dimension, key);
   if (!value) return;
   if (*value <= 0.0) return report.add(origin, key, fmt::format("{} is not allowed; it must be above 0", node->text));
   seconds = *value;
+}
+
+void read_solver(const Scope& scope, Settings& settings, Diagram& diagram) {
+  if (const Settings::Entry* setting = settings.take("solver")) {
+    diagram.solver = setting->document.root.text;
+    diagram.solver_origin = setting->origin;
+  } else if (const Node* solver = scope.document->root.find("solver")) {
+    diagram.solver = solver->text;
+    diagram.solver_origin = scope.at(solver->mark);
+  }
 }
 
 std::string text_of(const Scope& scope, const char* key) {
@@ -170,16 +183,13 @@ void check_head_keys(const Scope& scope, Report& report) {
   refuse_unknown_keys(root, head_keys, "", scope, report);
 }
 
-void read_head(const Scope& scope, Report& report) {
+void read_head(const Scope& scope, Settings& settings, Report& report) {
   Diagram& diagram = report.diagram();
   diagram.title = text_of(scope, "title");
   diagram.caption = text_of(scope, "caption");
-  if (const Node* solver = scope.document->root.find("solver")) {
-    diagram.solver = solver->text;
-    diagram.solver_origin = scope.at(solver->mark);
-  }
-  read_time(scope, report, "step", diagram.step, diagram.step_origin);
-  read_time(scope, report, "stop", diagram.stop, diagram.stop_origin);
+  read_solver(scope, settings, diagram);
+  read_time(scope, settings, report, "step", diagram.step, diagram.step_origin);
+  read_time(scope, settings, report, "stop", diagram.stop, diagram.stop_origin);
   read_thesis(scope, report);
   read_sweep(scope, report);
   if (const Node* figure = scope.document->root.find("figure")) diagram.figure = *figure;

@@ -2,11 +2,13 @@
 
 #include "engine/diagram/resolve.hpp"
 #include "engine/diagram/scope.hpp"
+#include "engine/diagram/settings.hpp"
 
 namespace stepwire {
 
-/// Reads title, step, stop, solver, thesis, caption, sweep of the diagram itself, refuses unknown keys.
-void read_head(const Scope& scope, Report& report);
+/// Reads title, step, stop, solver, thesis, caption, sweep of the diagram itself. Settings may replace step, stop and
+/// solver.
+void read_head(const Scope& scope, Settings& settings, Report& report);
 
 /// Refuses keys that no diagram file has; also asked of parts.
 void check_head_keys(const Scope& scope, Report& report);

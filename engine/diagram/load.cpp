@@ -70,7 +70,7 @@ Diagram build(Loader& loader, const Document& document, const std::vector<Settin
   Opener opener(loader, settings, report);
   if (document.root.is_map()) {
     opener.open(root, {});
-    read_head(root, report);
+    read_head(root, settings, report);
     const Resolver resolver(report);
     for (const PendingInput& pending : opener.pending()) connect(pending, resolver, report);
     require_inputs(report);

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/diagram/report.hpp"
+#include "engine/plan/plan.hpp"
+
+namespace stepwire {
+
+/// A plan while it is made: the plan itself and what is known of each block in between.
+struct Draft {
+  struct Block {
+    std::map<std::pair<std::string, std::string>, bool> feedthrough;  ///< what configure() said
+    std::map<std::string, Eigen::Index> sizes;                        ///< sizes that configure() gave
+    bool computes = false;  ///< has outputs() to call
+    bool updates = false;
+    bool in_stages = false;  ///< do derivatives depend on its outputs?
+    std::vector<Eigen::Index> output_sizes, state_sizes, input_sizes;
+  };
+
+  explicit Draft(Plan& plan) : plan(plan), report(plan.diagram), blocks(plan.diagram.blocks.size()) {}
+
+  Plan& plan;
+  Report report;
+  std::vector<Block> blocks;
+
+  Diagram& diagram() { return plan.diagram; }
+  const BlockType& type(std::size_t block) const { return plan.diagram.blocks[block].type(); }
+  /// Does this output change at once when this input does?
+  bool depends(std::size_t block, std::size_t input, std::size_t output) const;
+  /// Is this output a state, without computation?
+  bool is_state(std::size_t block, std::size_t output) const;
+};
+
+/// Ticks of the run and of every period; the rate of every block, inherited where the file gives none.
+void plan_rates(Draft& draft);
+/// Asks every block that has configure().
+void configure_blocks(Draft& draft);
+/// Sizes of all ports and states; expands per-element parameters.
+void plan_shapes(Draft& draft);
+/// Order of outputs, refusing algebraic loops; blocks in the order of their first call, with which of them are called in
+/// that position (a block whose outputs cannot be ordered as one stands twice).
+std::vector<int> plan_order(Draft& draft);
+/// Memory of blocks and numbers.
+void plan_layout(Draft& draft, const std::vector<int>& order);
+/// The tables of calls.
+void plan_batches(Draft& draft, const std::vector<int>& order);
+
+}  // namespace stepwire

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/diagram/diagram.hpp"
+
+namespace stepwire {
+
+/// When a block runs.
+struct Rate {
+  enum class Kind { constant, discrete, continuous };
+  Kind kind = Kind::constant;
+  std::int64_t ticks = 1;  ///< period, for discrete; 1 for continuous
+
+  bool operator==(const Rate&) const = default;
+};
+
+/// Blocks of one type that lie one behind the other and run at the same ticks: one call of a kernel.
+struct Batch {
+  Kernel run;
+  std::size_t first;  ///< offset of the first block in the memory of blocks [bytes]
+  std::size_t count;
+  int period;         ///< index in Plan::periods
+};
+
+/// Where the numbers of a run lie in its workspace; offsets in doubles. Signals and continuous states lie side by side,
+/// so that one sweep over them finds what is not finite.
+struct Layout {
+  std::size_t time = 0;
+  std::size_t signals = 1;
+  std::size_t states = 1;
+  std::size_t state_count = 0;
+  std::size_t dots = 1;
+  std::size_t discrete = 1;
+  std::size_t discrete_count = 0;
+  std::size_t notices = 1;
+  std::size_t notice_count = 0;
+  std::size_t constants = 1;
+  std::size_t size = 1;
+};
+
+/// Where a signal lies, for recording and for messages.
+struct SignalSlot {
+  std::size_t offset = 0;
+  Eigen::Index size = 1;
+};
+
+/// One block as it is run.
+struct PlannedBlock {
+  std::size_t memory = 0;  ///< offset in the memory of blocks [bytes]
+  Rate rate;
+  std::vector<SignalSlot> outputs;
+  std::vector<SignalSlot> states;
+  std::vector<SignalSlot> dots;  ///< parallel to states; unused for discrete ones
+  std::vector<SignalSlot> notices;
+  std::vector<std::vector<SignalSlot>> inputs;
+};
+
+/// What a run walks: the order of calls and the layout of memory. Nothing in it changes while runs use it.
+struct Plan {
+  Diagram diagram;
+  std::int64_t steps = 0;  ///< ticks from 0 to stop
+  std::vector<PlannedBlock> blocks;
+  std::vector<int> memory_order;  ///< blocks as they lie in memory
+  std::size_t block_bytes = 0;
+  std::vector<std::int64_t> periods;  ///< [ticks]; the first is 1
+  Layout layout;
+  std::vector<double> constants;
+
+  std::vector<Batch> once;         ///< outputs that never change, computed at the start
+  std::vector<Batch> outputs;      ///< at every tick
+  std::vector<Batch> stage;        ///< outputs on which derivatives depend, at the solver's stages between ticks
+  std::vector<Batch> derivatives;
+  std::vector<Batch> updates;
+  bool updates_continuous = false;  ///< may an update change a continuous state?
+
+  SignalSlot slot(const SignalRef& signal) const;
+  std::optional<Dimension> dimension(const SignalRef& signal) const;
+  double time_of(std::int64_t tick) const { return static_cast<double>(tick) * diagram.step; }
+};
+
+/// Plans a checked diagram. Throws Error for what shows only here: algebraic loops, sizes that do not agree, rates that
+/// do not fit the step, and what blocks refuse about their own parameters.
+Plan make_plan(Diagram diagram);
+
+}  // namespace stepwire

@@ -1,0 +1,155 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "engine/plan/draft.hpp"
+
+namespace stepwire {
+
+namespace {
+
+constexpr double most_ticks = 9e15;  // whole numbers beyond are not exact in a double
+
+/// How many ticks a time is; nothing if it is not a whole number of them. Decimal times are not exact in binary, so a
+/// difference that only rounding explains is none.
+std::optional<std::int64_t> whole_ticks(double time, double step) {
+  const double ratio = time / step;
+  const double ticks = std::round(ratio);
+  if (!(ratio < most_ticks) || ticks < 1.0 || std::abs(ratio - ticks) > 1e-9 * ratio) return std::nullopt;
+  return static_cast<std::int64_t>(ticks);
+}
+
+void require_whole(Draft& draft, double time, const Origin& origin, const std::string& subject, std::int64_t& ticks) {
+  const double step = draft.diagram().step;
+  if (const auto whole = whole_ticks(time, step)) {
+    ticks = *whole;
+    return;
+  }
+  draft.report.add(origin, subject, fmt::format("{} s is not a whole multiple of the step {} s; e.g. {} s would be", time, step,
+                                                step * std::max(1.0, std::round(time / step))));
+}
+
+/// The rate of what is fed by both.
+Rate join(const Rate& a, const Rate& b) {
+  if (a.kind == Rate::Kind::constant) return b;
+  if (b.kind == Rate::Kind::constant) return a;
+  if (a.kind == Rate::Kind::continuous || b.kind == Rate::Kind::continuous) return {Rate::Kind::continuous, 1};
+  return {Rate::Kind::discrete, std::gcd(a.ticks, b.ticks)};
+}
+
+class Rates {
+ public:
+  explicit Rates(Draft& draft) : draft_(draft), users_(draft.blocks.size()) {}
+
+  void run() {
+    for (std::size_t i = 0; i < draft_.blocks.size(); ++i) start(i);
+    // Rates only ever rise (constant, slower, faster, continuous), so this ends.
+    while (!queue_.empty()) {
+      const std::size_t block = queue_.back();
+      queue_.pop_back();
+      for (std::size_t user : users_[block]) raise(user);
+    }
+  }
+
+ private:
+  Rate& rate(std::size_t block) { return draft_.plan.blocks[block].rate; }
+
+  void start(std::size_t index) {
+    const DiagramBlock& block = draft_.diagram().blocks[index];
+    for (const auto& sources : block.inputs)
+      for (const Source& source : sources)
+        if (source.block >= 0) users_[static_cast<std::size_t>(source.block)].push_back(index);
+    if (block.every) {
+      give_period(index, block);
+    } else if (block.type().timing == Timing::continuous) {
+      rate(index) = {Rate::Kind::continuous, 1};
+    } else {
+      raise(index);
+    }
+    if (rate(index).kind != Rate::Kind::constant) queue_.push_back(index);
+  }
+
+  void give_period(std::size_t index, const DiagramBlock& block) {
+    rate(index) = {Rate::Kind::discrete, 1};
+    const Origin origin{block.origin.scope, block.every_mark};
+    if (block.type().has_continuous_state())
+      return draft_.report.add(origin, block.name + ".every",
+                               fmt::format("{} has a continuous state and follows the solver; leave 'every' out, or use its discrete kind",
+                                           block.type().name));
+    require_whole(draft_, *block.every, origin, block.name + ".every", rate(index).ticks);
+  }
+
+  void raise(std::size_t index) {
+    const DiagramBlock& block = draft_.diagram().blocks[index];
+    if (block.every || block.type().timing == Timing::continuous) return;
+    Rate joined;
+    for (const auto& sources : block.inputs)
+      for (const Source& source : sources)
+        if (source.block >= 0) joined = join(joined, rate(static_cast<std::size_t>(source.block)));
+    const bool acts = block.type().timing == Timing::discrete || (block.type().run_update && joined.kind == Rate::Kind::constant);
+    if (acts && joined.kind != Rate::Kind::discrete) joined = {Rate::Kind::discrete, 1};
+    if (joined == rate(index)) return;
+    rate(index) = joined;
+    queue_.push_back(index);
+  }
+
+  Draft& draft_;
+  std::vector<std::vector<std::size_t>> users_;
+  std::vector<std::size_t> queue_;
+};
+
+void require_solver(Draft& draft) {
+  Diagram& diagram = draft.diagram();
+  if (!diagram.solver.empty()) return;
+  for (const DiagramBlock& block : diagram.blocks)
+    if (block.type().has_continuous_state())
+      return draft.report.add(block.origin, block.name,
+                              fmt::format("{} has a continuous state, and the diagram names no solver; add e.g. 'solver: rk4' to its head",
+                                          block.type().name));
+}
+
+}  // namespace
+
+void plan_rates(Draft& draft) {
+  Diagram& diagram = draft.diagram();
+  require_whole(draft, diagram.stop, diagram.stop_origin, "stop", draft.plan.steps);
+  require_solver(draft);
+  Rates(draft).run();
+  for (const RecordRequest& request : diagram.records) {
+    std::int64_t ticks = 1;
+    if (request.every) require_whole(draft, *request.every, request.origin, "record.every", ticks);
+  }
+}
+
+void configure_blocks(Draft& draft) {
+  for (std::size_t i = 0; i < draft.blocks.size(); ++i) {
+    DiagramBlock& block = draft.diagram().blocks[i];
+    const BlockType& type = block.type();
+    Draft::Block& made = draft.blocks[i];
+    made.computes = type.run_outputs != nullptr;
+    made.updates = type.run_update != nullptr;
+    if (!type.configure) continue;
+    std::set<std::string> connected;
+    for (std::size_t input = 0; input < type.inputs.size(); ++input)
+      if (!block.inputs[input].empty()) connected.insert(type.inputs[input].name);
+    Configure is(std::move(connected), static_cast<double>(draft.plan.blocks[i].rate.ticks) * draft.diagram().step);
+    try {
+      type.configure(block.block.get(), is);
+    } catch (const ParameterRefused& refused) {
+      const ParameterSpec* spec = type.parameter(refused.parameter);
+      Mark mark = spec ? block.parameter_marks[static_cast<std::size_t>(spec - type.parameters.data())] : Mark{};
+      if (refused.line > 0) mark = {refused.line, refused.column};
+      if (mark.line == 0) mark = block.origin.mark;
+      draft.report.add({block.origin.scope, mark}, block.name + "." + refused.parameter, refused.what());
+    }
+    for (const auto& [input, reason] : is.required())
+      draft.report.add(block.origin, block.name, fmt::format("the input '{}' is missing ({})", input, reason));
+    made.feedthrough = is.feedthrough();
+    made.sizes = is.sizes();
+    made.computes = made.computes && !is.skips_outputs();
+    made.updates = made.updates && !is.skips_update();
+  }
+}
+
+}  // namespace stepwire

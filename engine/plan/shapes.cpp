@@ -1,0 +1,196 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <unordered_map>
+
+#include "engine/plan/draft.hpp"
+#include "engine/plan/sizes.hpp"
+
+namespace stepwire {
+
+namespace {
+
+/// Finds the size of every port and state. A list input takes elements of one size or of one element; with the shape
+/// "+m" each element has its own size and m is their sum.
+class Shapes {
+ public:
+  explicit Shapes(Draft& draft) : draft_(draft), symbols_(draft.blocks.size()) {}
+
+  void run() {
+    for (std::size_t i = 0; i < draft_.blocks.size(); ++i) declare(i);
+    for (std::size_t i = 0; i < draft_.blocks.size(); ++i) connect(i);
+    settle();
+    for (std::size_t i = 0; i < draft_.blocks.size(); ++i) store(i);
+  }
+
+ private:
+  /// The number behind a letter or a literal of one block.
+  int symbol(std::size_t block, const std::string& text) {
+    for (const auto& [name, size] : symbols_[block])
+      if (name == text) return size;
+    const int size = sizes_.add();
+    symbols_[block].emplace_back(text, size);
+    Eigen::Index literal = 0;
+    if (std::from_chars(text.data(), text.data() + text.size(), literal).ec == std::errc()) sizes_.set(size, literal);
+    return size;
+  }
+
+  void declare(std::size_t index) {
+    const DiagramBlock& block = draft_.diagram().blocks[index];
+    for (const auto& [name, elements] : draft_.blocks[index].sizes) sizes_.set(symbol(index, name), elements);
+    for (std::size_t p = 0; p < block.type().parameters.size(); ++p) declare_parameter(index, block, p);
+    for (const InitialValue& initial : block.initial) {
+      const StateSpec& spec = block.type().states[static_cast<std::size_t>(initial.state)];
+      if (initial.value.size() > 1)
+        require(index, spec.shape, initial.value.size(), initial.origin, initial.value.size(), "the initial value");
+    }
+  }
+
+  void declare_parameter(std::size_t index, const DiagramBlock& block, std::size_t p) {
+    const ParameterSpec& spec = block.type().parameters[p];
+    if (spec.shape.empty()) return;
+    const Value value = spec.get(block.block.get());
+    const Mark mark = block.parameter_marks[p].line ? block.parameter_marks[p] : block.origin.mark;
+    const Origin origin{block.origin.scope, mark};
+    if (const auto* vector = std::get_if<Eigen::VectorXd>(&value.content)) {
+      if (spec.kind == ParameterKind::per_element && vector->size() == 1) return;
+      require(index, spec.shape, vector->size(), origin, vector->size(), "'" + spec.name + "'");
+    } else if (const auto* matrix = std::get_if<Eigen::MatrixXd>(&value.content)) {
+      const std::size_t times = spec.shape.find(" x ");
+      if (times == std::string::npos || matrix->size() == 0) return;
+      require(index, spec.shape.substr(0, times), matrix->rows(), origin, matrix->rows(), "the number of rows of '" + spec.name + "'");
+      require(index, spec.shape.substr(times + 3), matrix->cols(), origin, matrix->cols(), "the number of columns of '" + spec.name + "'");
+    }
+  }
+
+  void require(std::size_t block, const std::string& shape, Eigen::Index elements, const Origin& origin, Eigen::Index shown,
+               const std::string& what) {
+    const int size = symbol(block, shape);
+    if (!sizes_.set(size, elements))
+      draft_.report.add(origin, draft_.diagram().blocks[block].name,
+                        fmt::format("{} has {} elements; {} would fit", what, shown, *sizes_.value(size)));
+  }
+
+  int output_size(const Source& source) {
+    const auto block = static_cast<std::size_t>(source.block);
+    return symbol(block, draft_.type(block).outputs[static_cast<std::size_t>(source.output)].shape);
+  }
+
+  void connect(std::size_t index) {
+    const DiagramBlock& block = draft_.diagram().blocks[index];
+    for (std::size_t i = 0; i < block.inputs.size(); ++i) {
+      const InputSpec& spec = block.type().inputs[i];
+      if (spec.list) {
+        lists_.push_back({index, i});
+        continue;
+      }
+      for (const Source& source : block.inputs[i]) connect_one(index, spec, source);
+    }
+  }
+
+  void connect_one(std::size_t index, const InputSpec& spec, const Source& source) {
+    const int wanted = symbol(index, spec.shape);
+    const std::string subject = draft_.diagram().blocks[index].name + "." + spec.name;
+    if (source.block < 0) {
+      if (source.constant.size() > 1 && !sizes_.set(wanted, source.constant.size()))
+        draft_.report.add(source.origin, subject, fmt::format("has {} numbers; {} would fit", source.constant.size(), *sizes_.value(wanted)));
+    } else if (const int given = output_size(source); !sizes_.join(given, wanted)) {
+      draft_.report.add(source.origin, subject,
+                        fmt::format("'{}' has {} elements, but {} takes {}; join or pick elements with Mux or Select", name_of(source),
+                                    *sizes_.value(given), subject, *sizes_.value(wanted)));
+    }
+  }
+
+  std::string name_of(const Source& source) const {
+    const DiagramBlock& block = draft_.plan.diagram.blocks[static_cast<std::size_t>(source.block)];
+    const auto& outputs = block.type().outputs;
+    return outputs.size() == 1 ? block.name : block.name + "." + outputs[static_cast<std::size_t>(source.output)].name;
+  }
+
+  std::optional<Eigen::Index> size_of(const Source& source) {
+    return source.block < 0 ? std::optional(source.constant.size()) : sizes_.value(output_size(source));
+  }
+
+  /// Lists follow from their elements. Where elements wait for each other (a loop), what is still open is a scalar.
+  void settle() {
+    while (settle_lists() || settle_one_scalar()) {
+    }
+  }
+
+  bool settle_lists() {
+    bool progress = false;
+    std::erase_if(lists_, [&](const auto& list) {
+      const bool done = settle_list(list.first, list.second);
+      progress = progress || done;
+      return done;
+    });
+    return progress;
+  }
+
+  bool settle_list(std::size_t index, std::size_t input) {
+    const DiagramBlock& block = draft_.diagram().blocks[index];
+    const InputSpec& spec = block.type().inputs[input];
+    const bool total = spec.shape.starts_with('+');
+    Eigen::Index sum = 0, most = 1;
+    for (const Source& source : block.inputs[input]) {
+      const auto size = size_of(source);
+      if (!size && (total || most == 1)) return false;
+      sum += size.value_or(0);
+      most = std::max(most, size.value_or(1));
+    }
+    const int own = symbol(index, total ? spec.shape.substr(1) : spec.shape);
+    const Eigen::Index size = total ? sum : std::max(most, sizes_.value(own).value_or(1));
+    const std::string subject = block.name + "." + spec.name;
+    if (!sizes_.set(own, size))
+      draft_.report.add({block.origin.scope, block.input_marks[input]}, subject,
+                        fmt::format("has {} elements; {} would fit", size, *sizes_.value(own)));
+    for (const Source& source : block.inputs[input]) check_element(source, total, size, subject);
+    return true;
+  }
+
+  void check_element(const Source& source, bool total, Eigen::Index size, const std::string& subject) {
+    const auto given = size_of(source);
+    if (total || !given || *given == 1 || *given == size) return;
+    draft_.report.add(source.origin, subject,
+                      fmt::format("{} has {} elements, but others in this list have {}; all must have the same, or one",
+                                  source.block < 0 ? "this" : "'" + name_of(source) + "'", *given, size));
+  }
+
+  bool settle_one_scalar() {
+    for (; next_open_ < sizes_.count(); ++next_open_)
+      if (!sizes_.value(next_open_)) return sizes_.set(next_open_, 1);
+    return false;
+  }
+
+  void store(std::size_t index) {
+    DiagramBlock& block = draft_.diagram().blocks[index];
+    Draft::Block& made = draft_.blocks[index];
+    const auto size = [&](const std::string& shape) { return sizes_.value(symbol(index, shape)).value_or(1); };
+    for (const OutputSpec& spec : block.type().outputs) made.output_sizes.push_back(size(spec.shape));
+    for (const StateSpec& spec : block.type().states) made.state_sizes.push_back(size(spec.shape));
+    for (const InputSpec& spec : block.type().inputs)
+      made.input_sizes.push_back(size(spec.list && spec.shape.starts_with('+') ? spec.shape.substr(1) : spec.shape));
+    for (const ParameterSpec& spec : block.type().parameters)
+      if (spec.kind == ParameterKind::per_element) expand(block, spec, size(spec.shape));
+  }
+
+  static void expand(DiagramBlock& block, const ParameterSpec& spec, Eigen::Index size) {
+    if (size == 1) return;
+    const Value value = spec.get(block.block.get());
+    const auto& elements = std::get<Eigen::VectorXd>(value.content);
+    if (elements.size() == 1) spec.set(block.block.get(), {Eigen::VectorXd(Eigen::VectorXd::Constant(size, elements[0]))});
+  }
+
+  Draft& draft_;
+  Sizes sizes_;
+  std::vector<std::vector<std::pair<std::string, int>>> symbols_;
+  std::vector<std::pair<std::size_t, std::size_t>> lists_;
+  int next_open_ = 0;
+};
+
+}  // namespace
+
+void plan_shapes(Draft& draft) { Shapes(draft).run(); }
+
+}  // namespace stepwire

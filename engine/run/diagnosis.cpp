@@ -1,0 +1,76 @@
+// What a run that ended early, or blocks during a run, have to say.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "engine/run/simulation.hpp"
+#include "engine/signal/notice.hpp"
+
+namespace stepwire {
+
+namespace {
+
+/// 0 if all are finite.
+double first_not_finite(const double* values, const SignalSlot& slot) {
+  for (const double* value = values + slot.offset; value != values + slot.offset + slot.size; ++value)
+    if (!std::isfinite(*value)) return *value;
+  return 0.0;
+}
+
+RunFault make_fault(const Plan& plan, std::size_t block, const std::string& port, double time, const std::string& message) {
+  const DiagramBlock& from = plan.diagram.blocks[block];
+  const std::string subject = port.empty() ? from.name : from.name + "." + port;
+  return {from.name, port, time, plan.diagram.fault(from.origin, subject, message)};
+}
+
+}  // namespace
+
+std::optional<RunFault> Simulation::not_finite() const {
+  const auto cure = [&](double value) {
+    return fmt::format("became {} at {} s; the run ends here. A smaller step, a stiff solver (rosenbrock) or a check of the parameters helps",
+                       value, time());
+  };
+  // States first: an integration that ran away is the cause of what follows from it. Then outputs in the order of their
+  // computation, where the first is the cause of the others.
+  for (const bool states : {true, false})
+    for (int index : plan_.memory_order) {
+      const auto b = static_cast<std::size_t>(index);
+      const PlannedBlock& block = plan_.blocks[b];
+      const BlockType& type = plan_.diagram.blocks[b].type();
+      const auto& slots = states ? block.states : block.outputs;
+      for (std::size_t i = 0; i < slots.size(); ++i) {
+        if ((states && !type.states[i].continuous) || first_not_finite(values(), slots[i]) == 0.0) continue;
+        return make_fault(plan_, b, states ? type.states[i].name : type.outputs[i].name, time(),
+                          cure(first_not_finite(values(), slots[i])));
+      }
+    }
+  return std::nullopt;
+}
+
+std::optional<RunFault> Simulation::fault() const {
+  if (healthy_) return std::nullopt;
+  for (std::size_t b = 0; b < plan_.blocks.size(); ++b) {
+    const auto& specs = plan_.diagram.blocks[b].type().notices;
+    for (std::size_t n = 0; n < specs.size(); ++n) {
+      const double first = workspace_.values[plan_.blocks[b].notices[n].offset];
+      if (specs[n].ends_run && first != Notice::never)
+        return make_fault(plan_, b, "", first, fmt::format("{} (at {} s); the run ends here", specs[n].doc, first));
+    }
+  }
+  return not_finite();
+}
+
+std::vector<RaisedNotice> Simulation::notices() const {
+  std::vector<RaisedNotice> raised;
+  for (std::size_t b = 0; b < plan_.blocks.size(); ++b) {
+    const DiagramBlock& block = plan_.diagram.blocks[b];
+    for (std::size_t n = 0; n < block.type().notices.size(); ++n) {
+      const double first = workspace_.values[plan_.blocks[b].notices[n].offset];
+      if (!block.type().notices[n].ends_run && first != Notice::never)
+        raised.push_back({block.name, block.type().notices[n].doc, first});
+    }
+  }
+  return raised;
+}
+
+}  // namespace stepwire

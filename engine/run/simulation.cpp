@@ -1,0 +1,178 @@
+#include "engine/run/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <new>
+
+#include "engine/signal/notice.hpp"
+
+namespace stepwire {
+
+namespace {
+
+constexpr std::align_val_t block_alignment{64};
+
+std::unique_ptr<Solver> solver_of(const Plan& plan) {
+  const Diagram& diagram = plan.diagram;
+  if (diagram.solver.empty()) return nullptr;
+  auto solver = make_solver(diagram.solver, plan.layout.state_count);
+  if (solver) return plan.layout.state_count > 0 ? std::move(solver) : nullptr;
+  std::vector<std::string> names;
+  for (const SolverKind& kind : solver_kinds()) names.push_back(kind.name);
+  throw Error(diagram.fault(diagram.solver_origin, "solver",
+                            fmt::format("there is no solver '{}'{}; known are: {}", diagram.solver,
+                                        did_you_mean(diagram.solver, names), fmt::join(names, ", "))));
+}
+
+}  // namespace
+
+/// The continuous part of the diagram at a solver's stage.
+class Simulation::Equations : public System {
+ public:
+  explicit Equations(Simulation& simulation) : simulation_(simulation) {
+    const Layout& layout = simulation.plan_.layout;
+    double* values = simulation.workspace_.values.data();
+    time = values + layout.time;
+    x = values + layout.states;
+    dot = values + layout.dots;
+    count = layout.state_count;
+  }
+  void evaluate() override {
+    simulation_.run(simulation_.plan_.stage);
+    simulation_.run(simulation_.plan_.derivatives);
+  }
+
+ private:
+  Simulation& simulation_;
+};
+
+void Simulation::FreeBlocks::operator()(std::byte* memory) const { ::operator delete(memory, block_alignment); }
+
+Simulation::Simulation(const Plan& plan)
+    : plan_(plan), solver_(solver_of(plan)), blocks_(static_cast<std::byte*>(::operator new(plan.block_bytes + 1, block_alignment))) {
+  workspace_.values.assign(plan.layout.size, 0.0);
+  due_.assign(plan.periods.size(), 1);
+  for (int block : plan.memory_order) {
+    const auto index = static_cast<std::size_t>(block);
+    const DiagramBlock& from = plan.diagram.blocks[index];
+    from.type().copy(memory(index), from.block.get());
+  }
+  equations_ = std::make_unique<Equations>(*this);
+  bind();
+  reset();
+}
+
+Simulation::~Simulation() {
+  for (int block : plan_.memory_order) {
+    const auto index = static_cast<std::size_t>(block);
+    plan_.diagram.blocks[index].type().destroy(memory(index));
+  }
+}
+
+void Simulation::bind() {
+  for (int block : plan_.memory_order) bind_block(static_cast<std::size_t>(block));
+  for (std::size_t b = 0; b < plan_.blocks.size(); ++b) {
+    const auto& specs = plan_.diagram.blocks[b].type().notices;
+    for (std::size_t n = 0; n < specs.size(); ++n)
+      if (specs[n].ends_run) ending_notices_.push_back(plan_.blocks[b].notices[n].offset);
+  }
+}
+
+void Simulation::bind_block(std::size_t index) {
+  const BlockType& type = plan_.diagram.blocks[index].type();
+  const PlannedBlock& planned = plan_.blocks[index];
+  double* values = workspace_.values.data();
+  void* block = memory(index);
+  for (std::size_t i = 0; i < type.inputs.size(); ++i) {
+    type.inputs[i].unbind(block);
+    for (const SignalSlot& slot : planned.inputs[i]) type.inputs[i].bind(block, values + slot.offset, slot.size);
+  }
+  for (std::size_t o = 0; o < type.outputs.size(); ++o)
+    type.outputs[o].bind(block, values + planned.outputs[o].offset, planned.outputs[o].size);
+  for (std::size_t s = 0; s < type.states.size(); ++s)
+    type.states[s].bind(block, values + planned.states[s].offset, values + planned.dots[s].offset, planned.states[s].size);
+  for (std::size_t n = 0; n < type.notices.size(); ++n) type.notices[n].bind(block, values + planned.notices[n].offset);
+  for (const auto bind_time : type.bind_time) bind_time(block, values + plan_.layout.time);
+  const double period = static_cast<double>(planned.rate.ticks) * plan_.diagram.step;
+  for (const auto bind_period : type.bind_period) bind_period(block, period);
+}
+
+void Simulation::reset() {
+  workspace_.tick = 0;
+  healthy_ = true;
+  auto& values = workspace_.values;
+  std::fill(values.begin(), values.end(), 0.0);
+  std::copy(plan_.constants.begin(), plan_.constants.end(), values.begin() + static_cast<std::ptrdiff_t>(plan_.layout.constants));
+  std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(plan_.layout.notices), plan_.layout.notice_count, Notice::never);
+  for (int block : plan_.memory_order) {
+    const auto index = static_cast<std::size_t>(block);
+    const DiagramBlock& from = plan_.diagram.blocks[index];
+    const auto& states = plan_.blocks[index].states;
+    for (std::size_t s = 0; s < states.size(); ++s)
+      std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(states[s].offset), states[s].size, from.type().states[s].initial);
+    for (const InitialValue& initial : from.initial) {
+      const SignalSlot& slot = states[static_cast<std::size_t>(initial.state)];
+      for (Eigen::Index k = 0; k < slot.size; ++k)
+        values[slot.offset + static_cast<std::size_t>(k)] = initial.value[initial.value.size() == 1 ? 0 : k];
+    }
+    if (from.type().start) from.type().start(memory(index));
+  }
+  run(plan_.once);
+}
+
+void Simulation::restore(const Workspace& workspace) {
+  // The blocks point into these numbers, so they are written in place.
+  std::copy(workspace.values.begin(), workspace.values.end(), workspace_.values.begin());
+  workspace_.tick = workspace.tick;
+  healthy_ = true;
+}
+
+void Simulation::run(const std::vector<Batch>& batches) {
+  std::byte* blocks = blocks_.get();
+  for (const Batch& batch : batches) batch.run(blocks + batch.first, batch.count);
+}
+
+void Simulation::run_due(const std::vector<Batch>& batches) {
+  std::byte* blocks = blocks_.get();
+  for (const Batch& batch : batches)
+    if (due_[static_cast<std::size_t>(batch.period)]) batch.run(blocks + batch.first, batch.count);
+}
+
+void Simulation::find_due() {
+  for (std::size_t i = 1; i < due_.size(); ++i) due_[i] = workspace_.tick % plan_.periods[i] == 0;
+}
+
+void Simulation::evaluate() {
+  workspace_.values[plan_.layout.time] = time();
+  find_due();
+  run_due(plan_.outputs);
+  healthy_ = healthy_ && all_finite();
+}
+
+void Simulation::advance() {
+  run_due(plan_.updates);
+  if (!ending_notices_.empty() && notice_ends_run()) healthy_ = false;
+  if (solver_) {
+    if (plan_.updates_continuous) run(plan_.stage);
+    run(plan_.derivatives);
+    solver_->advance(*equations_, time(), plan_.diagram.step);
+  }
+  ++workspace_.tick;
+}
+
+bool Simulation::all_finite() const {
+  // A product with 0 is 0 for what is finite and nan for the rest, and so is the sum: no branch for each number.
+  const Layout& layout = plan_.layout;
+  const auto count = static_cast<Eigen::Index>(layout.states + layout.state_count - layout.signals);
+  const Eigen::Map<const Eigen::ArrayXd> numbers(values() + layout.signals, count);
+  return (numbers * 0.0).sum() == 0.0;
+}
+
+bool Simulation::notice_ends_run() const {
+  for (std::size_t offset : ending_notices_)
+    if (workspace_.values[offset] != Notice::never) return true;
+  return false;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/plan/plan.hpp"
+#include "engine/solve/solver.hpp"
+
+namespace stepwire {
+
+/// All that moves in a run: copy it to keep a moment, put it back to return there.
+struct Workspace {
+  std::int64_t tick = 0;
+  std::vector<double> values;
+};
+
+/// What ends a run before its time.
+struct RunFault {
+  std::string block, port;
+  double time = 0.0;  ///< [s]
+  Fault fault;
+};
+
+/// What a block had to say during a run.
+struct RaisedNotice {
+  std::string block, text;
+  double time = 0.0;  ///< when first [s]
+};
+
+/// One run of a plan: its own copy of the blocks, bound to its own workspace. The plan must outlive it.
+///
+/// A tick is evaluate(), then, unless it is the last, advance(): outputs, then discrete updates, then the solver. Neither
+/// allocates, throws, locks or calls the system.
+class Simulation {
+ public:
+  /// Throws Error where the diagram names a solver that is not known.
+  explicit Simulation(const Plan& plan);
+  ~Simulation();
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+
+  /// Puts everything at time 0.
+  void reset();
+  /// Computes all outputs at the present tick.
+  void evaluate();
+  /// Goes on to the next tick: updates, then the solver. evaluate() comes first.
+  void advance();
+  /// May the run go on? False after a value that is not finite or a notice that ends the run.
+  bool healthy() const { return healthy_; }
+  bool finished() const { return workspace_.tick >= plan_.steps; }
+  std::int64_t tick() const { return workspace_.tick; }
+  double time() const { return plan_.time_of(workspace_.tick); }
+
+  const Plan& plan() const { return plan_; }
+  const Workspace& workspace() const { return workspace_; }
+  const double* values() const { return workspace_.values.data(); }
+  /// Returns to a kept moment (as it was between advance() and evaluate()).
+  void restore(const Workspace& workspace);
+
+  /// What ended the run, once healthy() is false.
+  std::optional<RunFault> fault() const;
+  std::vector<RaisedNotice> notices() const;
+
+ private:
+  class Equations;
+
+  void bind();
+  void bind_block(std::size_t block);
+  void* memory(std::size_t block) { return blocks_.get() + plan_.blocks[block].memory; }
+  void run(const std::vector<Batch>& batches);
+  void run_due(const std::vector<Batch>& batches);
+  void find_due();
+  bool all_finite() const;
+  bool notice_ends_run() const;
+  std::optional<RunFault> not_finite() const;
+
+  struct FreeBlocks {
+    void operator()(std::byte* memory) const;
+  };
+
+  const Plan& plan_;
+  std::unique_ptr<Solver> solver_;  ///< none where nothing is continuous
+  Workspace workspace_;
+  std::unique_ptr<std::byte, FreeBlocks> blocks_;
+  std::unique_ptr<Equations> equations_;
+  std::vector<char> due_;  ///< for each of the plan's periods
+  std::vector<std::size_t> ending_notices_;
+  bool healthy_ = true;
+};
+
+}  // namespace stepwire

@@ -1,0 +1,166 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <mutex>
+#include <thread>
+
+#include "engine/record/recorder.hpp"
+#include "engine/run/run.hpp"
+
+namespace stepwire {
+
+namespace {
+
+/// Which value each axis takes at a point: the last axis runs fastest.
+std::vector<std::size_t> indices(const Sweep& sweep, std::size_t point) {
+  std::vector<std::size_t> result(sweep.axes.size(), point);
+  if (sweep.together) return result;
+  for (std::size_t axis = sweep.axes.size(); axis-- > 0;) {
+    result[axis] = point % sweep.axes[axis].values.size();
+    point /= sweep.axes[axis].values.size();
+  }
+  return result;
+}
+
+std::size_t point_count(const Sweep& sweep) {
+  if (sweep.axes.empty()) return 0;
+  if (sweep.together) return sweep.axes.front().values.size();
+  std::size_t count = 1;
+  for (const Sweep::Axis& axis : sweep.axes) count *= axis.values.size();
+  return count;
+}
+
+/// The swept parameter as it stands in a point's diagram, if it is one.
+const DiagramParameter* swept_parameter(const Diagram& diagram, const std::string& name) {
+  const auto found = std::find_if(diagram.parameters.begin(), diagram.parameters.end(),
+                                  [&](const DiagramParameter& parameter) { return parameter.name == name; });
+  return found == diagram.parameters.end() ? nullptr : &*found;
+}
+
+/// A swept value as a number: of a parameter as it was evaluated, of a block's key as it was written.
+std::optional<Quantity> swept_number(const Sweep::Axis& axis, std::size_t index, const Diagram& diagram) {
+  const DiagramParameter* parameter = swept_parameter(diagram, axis.parameter);
+  if (!parameter) return parse_quantity(axis.values[index]);
+  const double* number = std::get_if<double>(&parameter->value.content);
+  return number ? std::optional(Quantity{*number, parameter->dimension}) : std::nullopt;
+}
+
+/// Adds the swept parameters of one point to its recording, behind the time.
+void add_swept(Recording& recording, const Sweep& sweep, const SweepPoint& point, const std::vector<std::size_t>& index) {
+  const std::size_t rows = recording.table.rows();
+  for (std::size_t axis = 0; axis < sweep.axes.size(); ++axis) {
+    const auto number = swept_number(sweep.axes[axis], index[axis], point.plan.diagram);
+    const double shown = number ? number->value : static_cast<double>(index[axis]);
+    Column column{sweep.axes[axis].parameter, "", std::vector<double>(rows, shown)};
+    if (number && number->dimension) column.unit = si_name(*number->dimension);
+    recording.table.columns.insert(recording.table.columns.begin() + 1 + static_cast<std::ptrdiff_t>(axis), std::move(column));
+    if (!number) recording.words.push_back({sweep.axes[axis].parameter, sweep.axes[axis].values});
+  }
+}
+
+void append(Recording& all, Recording&& one) {
+  if (all.table.columns.empty()) {
+    all = std::move(one);
+    all.starts = {0};
+    return;
+  }
+  all.starts.push_back(all.table.rows());
+  for (std::size_t i = 0; i < all.table.columns.size(); ++i) {
+    auto& values = all.table.columns[i].values;
+    values.insert(values.end(), one.table.columns[i].values.begin(), one.table.columns[i].values.end());
+  }
+}
+
+/// Hands out the points to threads one by one; a result stands at its point's place, whoever made it.
+class Pool {
+ public:
+  Pool(const Job& job, const RunOptions& options) : job_(job), options_(options), results_(job.points.size()) {}
+
+  std::vector<RunResult> run() {
+    const std::size_t wanted = options_.threads ? options_.threads : std::max(1u, std::thread::hardware_concurrency());
+    std::vector<std::jthread> threads;
+    for (std::size_t i = 0; i < std::min(wanted, job_.points.size()); ++i) threads.emplace_back([this] { work(); });
+    threads.clear();
+    if (failure_) std::rethrow_exception(failure_);
+    return std::move(results_);
+  }
+
+ private:
+  void work() {
+    RunOptions own;
+    own.interrupt = options_.interrupt;
+    for (std::size_t point = next_++; point < job_.points.size(); point = next_++) {
+      try {
+        results_[point] = run_plan(job_.points[point].plan, own);
+      } catch (...) {
+        const std::lock_guard lock(mutex_);
+        failure_ = std::current_exception();
+      }
+      const std::lock_guard lock(mutex_);
+      if (options_.progress) options_.progress(static_cast<double>(++done_) / static_cast<double>(job_.points.size()));
+    }
+  }
+
+  const Job& job_;
+  const RunOptions& options_;
+  std::vector<RunResult> results_;
+  std::atomic<std::size_t> next_ = 0;
+  std::size_t done_ = 0;
+  std::mutex mutex_;
+  std::exception_ptr failure_;
+};
+
+RunResult pool(const Job& job, std::vector<RunResult> results) {
+  const Sweep& sweep = *job.plan.diagram.sweep;
+  RunResult all;
+  all.recordings.resize(job.plan.diagram.records.size());
+  for (std::size_t point = 0; point < results.size(); ++point) {
+    RunResult& one = results[point];
+    for (std::size_t r = 0; r < one.recordings.size(); ++r) {
+      add_swept(one.recordings[r], sweep, job.points[point], indices(sweep, point));
+      append(all.recordings[r], std::move(one.recordings[r]));
+    }
+    all.faults.insert(all.faults.end(), one.faults.begin(), one.faults.end());
+    for (RaisedNotice& notice : one.notices) {
+      const bool told = std::any_of(all.notices.begin(), all.notices.end(),
+                                    [&](const RaisedNotice& n) { return n.block == notice.block && n.text == notice.text; });
+      if (!told) all.notices.push_back(std::move(notice));
+    }
+    all.interrupted = all.interrupted || one.interrupted;
+    all.ticks += one.ticks;
+  }
+  return all;
+}
+
+std::vector<Setting> settings_of(const Sweep& sweep, std::size_t point) {
+  std::vector<Setting> settings;
+  const auto index = indices(sweep, point);
+  for (std::size_t axis = 0; axis < sweep.axes.size(); ++axis)
+    settings.push_back({sweep.axes[axis].parameter, sweep.axes[axis].values[index[axis]]});
+  return settings;
+}
+
+}  // namespace
+
+Job make_job(Loader& loader, const std::string& path, const std::vector<Setting>& settings, std::optional<std::string> stop) {
+  std::vector<Setting> all = settings;
+  if (stop) all.push_back({"stop", *stop});
+  Job job{make_plan(loader.load(path, all)), {}};
+  static_cast<void>(Simulation(job.plan));  // a block's start() may find what no plan shows
+  const auto& sweep = job.plan.diagram.sweep;
+  for (std::size_t point = 0; sweep && point < point_count(*sweep); ++point) {
+    SweepPoint made{settings_of(*sweep, point), {}};
+    std::vector<Setting> with_point = all;
+    for (const Setting& setting : made.settings) with_point.push_back(setting);
+    made.plan = make_plan(loader.load(path, with_point));
+    job.points.push_back(std::move(made));
+  }
+  return job;
+}
+
+RunResult run_job(const Job& job, const RunOptions& options) {
+  if (job.points.empty()) return run_plan(job.plan, options);
+  return pool(job, Pool(job, options).run());
+}
+
+}  // namespace stepwire

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace stepwire {
+
+/// The differential equations of a run, as a solver sees them: x is set, evaluate() fills dot at the time in *time.
+class System {
+ public:
+  virtual ~System() = default;
+  virtual void evaluate() = 0;
+
+  double* time = nullptr;  ///< [s]
+  double* x = nullptr;
+  double* dot = nullptr;
+  std::size_t count = 0;
+};
+
+/// Advances x over one fixed step. Scratch memory is its own and made once.
+class Solver {
+ public:
+  virtual ~Solver() = default;
+  /// x becomes the state at time + step. On entry dot is already evaluated at (time, x). Leaves *time as it pleases.
+  virtual void advance(System& system, double time, double step) = 0;
+};
+
+struct SolverKind {
+  std::string name, doc;
+  int order;
+};
+
+/// The solvers that a diagram file may name: euler, heun, bogacki_shampine, rk4, dormand_prince, rosenbrock.
+const std::vector<SolverKind>& solver_kinds();
+
+/// Null for a name that is not known.
+std::unique_ptr<Solver> make_solver(const std::string& name, std::size_t states);
+
+}  // namespace stepwire
