@@ -19,15 +19,19 @@ class ExpressionError : public std::runtime_error {
 };
 
 /// A scalar formula over named numbers, the one language of parameters, figures, claims and blocks.
-/// Operators + - * / ^ ( ) < <= > >= == != && || ! and cond ? a : b; functions sin cos tan asin acos atan atan2 sinh
-/// cosh tanh exp log (natural) log10 log2 sqrt cbrt abs sign floor ceil round min max mod hypot; constants pi, e.
-/// A number may carry a unit and is SI then: "x > -4 mm", "2*pi*3 kHz". Names may contain dots: "rig.x".
+/// Operators + - * / ^ ( ) < <= > >= == != && || ! and cond ? a : b; functions sin cos tan asin acos atan
+/// atan2 sinh cosh tanh exp log (natural) log10 log2 sqrt cbrt abs sign floor ceil round (halves away from 0)
+/// min max (of one or more) mod (sign of the divisor) hypot; constants pi, e. ^ binds right and before a
+/// sign: -2^2 is -4. A number may carry a unit and is SI then: "x > -4 mm", "2*pi*3 kHz". What directly
+/// follows a number can only be its unit; names have an operator before them, so a variable may be called "m"
+/// or "N": "4 N * N" is 4 newtons times N. Names may contain dots and an index: "rig.x", "rig.x[2]".
 class Expression {
  public:
-  /// Throws ExpressionError for a text that cannot be read; variables are whatever names it uses.
+  /// Throws ExpressionError for a text that cannot be read; variables are whatever names it uses, except pi
+  /// and e.
   explicit Expression(std::string_view text);
-  /// `known(name)` says whether a name exists, so that "4 N" is a unit but "4 * N" may be a signal;
-  /// an unknown name is an error with its position.
+  /// `known(name)` says whether a name exists: an unknown name is an error with its position, a known "pi" or
+  /// "e" is no constant, and "4 A/m" is 4 amperes over m where m is known.
   Expression(std::string_view text, const std::function<bool(std::string_view)>& known);
   Expression(const Expression&);
   Expression& operator=(const Expression&);
@@ -38,7 +42,9 @@ class Expression {
   const std::string& text() const;
   /// Names used, in order of first appearance.
   const std::vector<std::string>& variables() const;
-  /// Value with the variables in that order. Allocates nothing. Division by zero gives inf or nan, as IEEE says.
+  /// Value with the variables in that order, one for each. Allocates nothing and throws nothing. Division by
+  /// zero gives inf or nan, as IEEE says. One object is for one thread at a time, const or not; every thread
+  /// takes its own copy.
   double operator()(std::span<const double> values) const;
 
  private:

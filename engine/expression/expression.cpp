@@ -1,0 +1,72 @@
+#include "engine/expression/expression.hpp"
+
+#include <muParser.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/expression/function.hpp"
+#include "engine/expression/program.hpp"
+
+namespace stepwire {
+
+/// The parser library reads the variables where `values` holds them, so neither is ever moved.
+struct Expression::Parser {
+  Parser(std::string_view from, Program checked)
+      : text(from), program(std::move(checked)), values(program.variables.size()) {
+    compile();
+  }
+  Parser(const Parser& other) : text(other.text), program(other.program), values(other.values) { compile(); }
+  Parser& operator=(const Parser&) = delete;
+
+  void compile() {
+    try {
+      define_language(parser);
+      for (std::size_t i = 0; i < program.numbers.size(); ++i) {
+        parser.DefineConst("c" + std::to_string(i), program.numbers[i]);
+      }
+      for (std::size_t i = 0; i < values.size(); ++i) parser.DefineVar("v" + std::to_string(i), &values[i]);
+      parser.SetExpr(program.code);
+      parser.Eval();  // the first evaluation compiles; the others only walk the result
+    } catch (const mu::ParserError& error) {
+      throw ExpressionError("the expression cannot be read: " + error.GetMsg(), 0);
+    }
+  }
+
+  std::string text;
+  Program program;
+  std::vector<double> values;
+  mu::Parser parser;
+};
+
+Expression::Expression(std::string_view text) : Expression(text, nullptr) {}
+
+Expression::Expression(std::string_view text, const std::function<bool(std::string_view)>& known)
+    : parser_(std::make_unique<Parser>(text, translate(text, known))) {}
+
+Expression::Expression(const Expression& other) : parser_(std::make_unique<Parser>(*other.parser_)) {}
+
+Expression& Expression::operator=(const Expression& other) {
+  if (this != &other) parser_ = std::make_unique<Parser>(*other.parser_);
+  return *this;
+}
+
+Expression::Expression(Expression&&) noexcept = default;
+Expression& Expression::operator=(Expression&&) noexcept = default;
+Expression::~Expression() = default;
+
+const std::string& Expression::text() const {
+  return parser_->text;
+}
+
+const std::vector<std::string>& Expression::variables() const {
+  return parser_->program.variables;
+}
+
+double Expression::operator()(std::span<const double> values) const {
+  const std::size_t count = std::min(values.size(), parser_->values.size());
+  std::copy_n(values.begin(), count, parser_->values.begin());
+  return parser_->parser.Eval();
+}
+
+}  // namespace stepwire

@@ -1,0 +1,132 @@
+#include "engine/expression/function.hpp"
+
+#include <muParser.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace stepwire {
+namespace {
+
+constexpr int any_number = std::numeric_limits<int>::max();
+
+constexpr std::array<std::pair<std::string_view, Arity>, 25> functions{{
+    {"sin", {}},
+    {"cos", {}},
+    {"tan", {}},
+    {"asin", {}},
+    {"acos", {}},
+    {"atan", {}},
+    {"sinh", {}},
+    {"cosh", {}},
+    {"tanh", {}},
+    {"exp", {}},
+    {"log", {}},
+    {"log2", {}},
+    {"log10", {}},
+    {"sqrt", {}},
+    {"cbrt", {}},
+    {"abs", {}},
+    {"sign", {}},
+    {"floor", {}},
+    {"ceil", {}},
+    {"round", {}},
+    {"atan2", {2, 2}},
+    {"mod", {2, 2}},
+    {"hypot", {2, 2}},
+    {"min", {1, any_number}},
+    {"max", {1, any_number}},
+}};
+
+double sign(double x) {
+  return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : x;
+}
+
+/// The remainder with the sign of the divisor, so that an angle modulo a turn is never negative.
+double mod(double x, double y) {
+  const double rest = std::fmod(x, y);
+  return rest != 0.0 && (rest < 0.0) != (y < 0.0) ? rest + y : rest;
+}
+
+/// A nan among the values is the result, whichever place it has.
+template <class Better>
+double best(const double* values, int count, Better better) {
+  double result = values[0];
+  for (int i = 1; i < count; ++i) {
+    if (better(values[i], result) || std::isnan(values[i])) result = values[i];
+  }
+  return result;
+}
+
+double smallest(const double* values, int count) {
+  return best(values, count, [](double a, double b) { return a < b; });
+}
+
+double largest(const double* values, int count) {
+  return best(values, count, [](double a, double b) { return a > b; });
+}
+
+double negative(double x) {
+  return -x;
+}
+double is_zero(double x) {
+  return x == 0.0 ? 1.0 : 0.0;
+}
+double is_not_zero(double x) {
+  return x == 0.0 ? 0.0 : 1.0;
+}
+double minus_is_zero(double x) {
+  return -is_zero(x);
+}
+double minus_is_not_zero(double x) {
+  return -is_not_zero(x);
+}
+
+/// The signs before a value that a run of '-' and '!' comes down to.
+void define_prefixes(mu::Parser& parser) {
+  using One = double (*)(double);
+  constexpr std::pair<const char*, One> prefixes[] = {
+      {"-", negative}, {"!", is_zero}, {"~", is_not_zero}, {"#", minus_is_zero}, {"$", minus_is_not_zero}};
+  for (const auto& [name, function] : prefixes) parser.DefineInfixOprt(name, function, mu::prINFIX, false);
+}
+
+void define_functions(mu::Parser& parser) {
+  using One = double (*)(double);
+  using Two = double (*)(double, double);
+  constexpr std::pair<const char*, One> ones[] = {
+      {"sin", std::sin},     {"cos", std::cos},     {"tan", std::tan},   {"asin", std::asin},
+      {"acos", std::acos},   {"atan", std::atan},   {"sinh", std::sinh}, {"cosh", std::cosh},
+      {"tanh", std::tanh},   {"exp", std::exp},     {"log", std::log},   {"log2", std::log2},
+      {"log10", std::log10}, {"sqrt", std::sqrt},   {"cbrt", std::cbrt}, {"abs", std::fabs},
+      {"sign", sign},        {"floor", std::floor}, {"ceil", std::ceil}, {"round", std::round}};
+  constexpr std::pair<const char*, Two> twos[] = {{"atan2", std::atan2}, {"hypot", std::hypot}, {"mod", mod}};
+  for (const auto& [name, function] : ones) parser.DefineFun(name, function, false);
+  for (const auto& [name, function] : twos) parser.DefineFun(name, function, false);
+  parser.DefineFun("min", smallest, false);
+  parser.DefineFun("max", largest, false);
+}
+
+}  // namespace
+
+const Arity* find_function(std::string_view name) {
+  for (const auto& [known, arity] : functions) {
+    if (known == name) return &arity;
+  }
+  return nullptr;
+}
+
+void define_language(mu::Parser& parser) {
+  parser.ClearFun();
+  parser.ClearConst();
+  parser.ClearInfixOprt();
+  parser.ClearPostfixOprt();
+  // The optimizer regroups sums and products, which changes last bits and what inf and nan give.
+  parser.EnableOptimizer(false);
+  define_prefixes(parser);
+  define_functions(parser);
+}
+
+}  // namespace stepwire

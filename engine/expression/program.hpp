@@ -1,0 +1,21 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stepwire {
+
+/// An expression that has been checked, rewritten for the parser library: variable i is called "v<i>" and
+/// number i "c<i>", so that no name collides with a function and no number passes through a locale.
+struct Program {
+  std::string code;
+  std::vector<double> numbers;
+  std::vector<std::string> variables;
+};
+
+/// Checks a text and rewrites it. Throws ExpressionError.
+Program translate(std::string_view text, const std::function<bool(std::string_view)>& known);
+
+}  // namespace stepwire
