@@ -16,27 +16,35 @@ class TableError : public std::runtime_error {
 };
 
 /// A CSV file with a header line: comma, semicolon or tab; the unit of a column from "name [unit]" or none.
-/// Quoted fields, CRLF, a byte-order mark and an empty last line are accepted. Throws TableError with file and row for
-/// rows of another length, what is no number, double names, no rows; SurroundingsError where the file cannot be read.
+/// Quoted fields, CRLF, a byte-order mark and an empty last line are accepted. Throws TableError with file
+/// and row for rows of another length, what is no number, double names, no rows; SurroundingsError where the
+/// file cannot be read.
 Table read_csv(const std::string& path);
 
-/// Every real vector of a MATLAB file (level 4, 5 or 7.3), one column each; a matrix gives columns "name(1)", "name(2)", ...
-/// Columns may differ in length here. Errors as read_csv.
+/// Every real vector of a MATLAB file (level 4, 5 or 7.3), one column each; a matrix gives columns "name(1)",
+/// "name(2)", ... Columns may differ in length here. Errors as read_csv.
 Table read_mat(const std::string& path);
 
 /// By the ending of the path: .csv or .mat; TableError for others.
 Table read_table(const std::string& path);
 
-/// Header "name [unit]", numbers in the shortest form that reads back to the same bits; nan and inf as such.
+/// Comma, header "name [unit]", numbers in the shortest form that reads back to the same bits; nan and inf as
+/// such. Throws TableError for columns of different lengths.
 std::string csv_text(const Table& table);
 
-/// Variables are named as the columns with what MATLAB does not allow replaced by '_' (made unique), doubles, one
-/// column vector each; beside them the cell arrays "names" and "units" in the same order.
+/// Variables are named as the columns with what MATLAB does not allow replaced by '_' (made unique), doubles,
+/// one column vector each; beside them the cell arrays "names" and "units" in the same order.
 void write_mat(const std::string& path, const Table& table);
 
+/// All bytes of a file. Throws SurroundingsError with the system's reason.
+std::string read_file(const std::string& path);
+
 /// Writes to a temporary name beside `path`, then renames, so that no half file is ever seen under `path`.
-/// Missing folders are made. Throws SurroundingsError with the system's reason.
+/// Missing folders are made; what is no plain file ("/dev/stdout") is written as it is. Throws
+/// SurroundingsError with the system's reason.
 void write_file(const std::string& path, std::string_view content);
-inline void write_csv(const std::string& path, const Table& table) { write_file(path, csv_text(table)); }
+inline void write_csv(const std::string& path, const Table& table) {
+  write_file(path, csv_text(table));
+}
 
 }  // namespace stepwire

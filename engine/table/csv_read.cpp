@@ -1,0 +1,213 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <unordered_set>
+
+#include "engine/table/file.hpp"
+
+namespace stepwire {
+namespace {
+
+bool is_blank(char c) {
+  return c == ' ' || c == '\t';
+}
+
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+/// A number that fills the whole text. What is too small to be a double is 0; nothing for what is too large.
+std::optional<double> number(std::string_view text) {
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  const char* const end = text.data() + text.size();
+  double value = 0.0;
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  if (rest != end || error == std::errc::invalid_argument) return std::nullopt;
+  if (error == std::errc{}) return value;
+  long double wide = 0.0L;
+  std::from_chars(text.data(), end, wide);
+  return std::abs(wide) < 1.0L ? std::optional(static_cast<double>(wide)) : std::nullopt;
+}
+
+/// "name [unit]" apart. "x[2]" without a blank is a name with its index.
+Column column(const std::string& title) {
+  const std::size_t open = title.rfind('[');
+  if (title.empty() || title.back() != ']' || open == std::string::npos || open == 0) return {title, "", {}};
+  const std::string unit = title.substr(open + 1, title.size() - open - 2);
+  const bool digits = !unit.empty() && unit.find_first_not_of("0123456789") == std::string::npos;
+  if (digits && !is_blank(title[open - 1])) return {title, "", {}};
+  return {trimmed(title.substr(0, open)), trimmed(unit), {}};
+}
+
+class Csv {
+ public:
+  Csv(const std::string& path, std::string_view text)
+      : path_(path), at_(text.data()), end_(at_ + text.size()) {
+    if (text.starts_with("\xEF\xBB\xBF")) at_ += 3;
+    separator_ = separator();
+  }
+
+  Table read() {
+    header();
+    for (; !only_blanks_left(); ++rows_) row();
+    if (table_.rows() == 0) throw TableError(fmt::format("{}: there are no rows below the header", path_));
+    return std::move(table_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& message) const {
+    throw TableError(fmt::format("{}:{}: {}", path_, line_, message));
+  }
+
+  bool at_line_end() const { return at_ == end_ || *at_ == '\n' || *at_ == '\r'; }
+
+  bool only_blanks_left() const {
+    return std::all_of(at_, end_, [](char c) { return is_blank(c) || c == '\n' || c == '\r'; });
+  }
+
+  /// Tab, semicolon or comma: the first of these that the header has outside of quotes.
+  char separator() const {
+    bool quoted = false;
+    std::string found;
+    for (const char* c = at_; c != end_ && (quoted || (*c != '\n' && *c != '\r')); ++c) {
+      if (*c == '"') quoted = !quoted;
+      if (!quoted && (*c == '\t' || *c == ';' || *c == ',')) found += *c;
+    }
+    for (const char candidate : {'\t', ';'}) {
+      if (found.find(candidate) != std::string::npos) return candidate;
+    }
+    return ',';
+  }
+
+  void skip_blanks() {
+    while (at_ != end_ && is_blank(*at_) && *at_ != separator_) ++at_;
+  }
+
+  void skip_line_end() {
+    if (at_ != end_ && *at_ == '\r') ++at_;
+    if (at_ != end_ && *at_ == '\n') ++at_;
+    ++line_;
+  }
+
+  /// The next field without its quotes; stops at the separator or the end of the line.
+  std::string field() {
+    skip_blanks();
+    if (at_ != end_ && *at_ == '"') return quoted_field();
+    const char* const first = at_;
+    while (!at_line_end() && *at_ != separator_) ++at_;
+    return trimmed({first, at_});
+  }
+
+  std::string quoted_field() {
+    std::string text;
+    for (++at_; at_ != end_; ++at_) {
+      if (*at_ == '"' && (at_ + 1 == end_ || at_[1] != '"')) break;
+      if (*at_ == '"') ++at_;
+      text += *at_;
+    }
+    if (at_ == end_) fail("a quote is not closed");
+    ++at_;
+    skip_blanks();
+    if (!at_line_end() && *at_ != separator_)
+      fail(fmt::format("text follows the quoted \"{}\"", shown(text)));
+    return text;
+  }
+
+  /// All fields up to the end of the line.
+  std::vector<std::string> fields() {
+    std::vector<std::string> result{field()};
+    while (!at_line_end()) {
+      ++at_;
+      result.push_back(field());
+    }
+    return result;
+  }
+
+  void header() {
+    if (only_blanks_left()) throw TableError(fmt::format("{}: the file is empty", path_));
+    const std::vector<std::string> titles = fields();
+    if (std::all_of(titles.begin(), titles.end(), [](const auto& t) { return number(t).has_value(); })) {
+      fail("the first line holds numbers; it must name the columns");
+    }
+    std::unordered_set<std::string> names;
+    for (const std::string& title : titles) {
+      table_.columns.push_back(column(title));
+      const std::string& name = table_.columns.back().name;
+      if (name.empty()) fail(fmt::format("column {} has no name", table_.columns.size()));
+      if (!names.insert(name).second) fail(fmt::format("two columns are named '{}'", shown(name)));
+    }
+    skip_line_end();
+  }
+
+  void row() {
+    const char* const start = at_;
+    for (std::size_t i = 0; i < table_.columns.size(); ++i) {
+      if (i > 0) ++at_;  // the separator
+      const bool last = i + 1 == table_.columns.size();
+      const auto value = quick_number();
+      if (!value || at_line_end() != last) return row_slowly(start);
+      table_.columns[i].values.push_back(*value);
+    }
+    skip_line_end();
+  }
+
+  /// Nearly every field: plain digits up to the separator.
+  std::optional<double> quick_number() {
+    skip_blanks();
+    double value = 0.0;
+    const auto [rest, error] = std::from_chars(at_, end_, value);
+    if (error != std::errc{}) return std::nullopt;
+    at_ = rest;
+    skip_blanks();
+    return at_line_end() || *at_ == separator_ ? std::optional(value) : std::nullopt;
+  }
+
+  /// Reads a row again from its start: quoted numbers, a plus sign, or the reason why it cannot be read.
+  void row_slowly(const char* start) {
+    at_ = start;
+    const std::vector<std::string> texts = fields();
+    const std::size_t wanted = table_.columns.size();
+    if (texts.size() != wanted) {
+      fail(fmt::format("{} value{} where the header names {}", texts.size(), texts.size() == 1 ? "" : "s",
+                       wanted));
+    }
+    for (std::size_t i = 0; i < wanted; ++i) {
+      const auto value = number(texts[i]);
+      if (!value)
+        fail(fmt::format("'{}' is no number (column '{}')", shown(texts[i]), shown(table_.columns[i].name)));
+      table_.columns[i].values.resize(rows_);
+      table_.columns[i].values.push_back(*value);
+    }
+    skip_line_end();
+  }
+
+  /// A text as it may stand in a message, whatever the file holds.
+  static std::string shown(const std::string& text) {
+    std::string result = text.substr(0, 40);
+    std::replace_if(
+        result.begin(), result.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, '?');
+    return text.size() > result.size() ? result + "..." : result;
+  }
+
+  const std::string& path_;
+  const char* at_;
+  const char* end_;
+  char separator_ = ',';
+  std::size_t line_ = 1;
+  std::size_t rows_ = 0;
+  Table table_;
+};
+
+}  // namespace
+
+Table read_csv(const std::string& path) {
+  const std::string text = read_file(path);
+  return Csv(path, text).read();
+}
+
+}  // namespace stepwire

@@ -1,0 +1,97 @@
+#include "engine/table/file.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+
+namespace stepwire {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Close {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, Close>;
+
+[[noreturn]] void refuse(const std::string& path, int reason) {
+  throw SurroundingsError(fmt::format("{}: {}", path, std::generic_category().message(reason)));
+}
+
+void make_folder_of(const fs::path& path) {
+  std::error_code error;
+  if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
+  if (error) refuse(path.parent_path().string(), error.value());
+}
+
+/// Writes all of it or throws; what the system buffers is reported by flush or close, not by write.
+void write_all(const std::string& path, const char* mode, std::string_view content,
+               const std::string& shown) {
+  File file(std::fopen(path.c_str(), mode));
+  if (!file) refuse(shown, errno);
+  if (std::fwrite(content.data(), 1, content.size(), file.get()) != content.size()) refuse(shown, errno);
+  if (std::fflush(file.get()) != 0) refuse(shown, errno);
+  if (std::fclose(file.release()) != 0) refuse(shown, errno);
+}
+
+/// A name beside `path` that no other process or thread uses.
+std::string temporary_beside(const fs::path& path) {
+  static std::atomic<unsigned long> count = 0;
+  return fmt::format("{}.{}-{}.part", path.string(), ::getpid(), count++);
+}
+
+void write_and_rename(const fs::path& target, std::string_view content, const std::string& shown) {
+  const std::string temporary = temporary_beside(target);
+  try {
+    write_all(temporary, "wbx", content, shown);
+    std::error_code error;
+    fs::rename(temporary, target, error);
+    if (error) refuse(shown, error.value());
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove(temporary, ignored);
+    throw;
+  }
+}
+
+}  // namespace
+
+std::string read_file(const std::string& path) {
+  const File file(std::fopen(path.c_str(), "rb"));
+  if (!file) refuse(path, errno);
+  std::string content;
+  std::string block(1 << 16, '\0');
+  for (std::size_t got = 1; got > 0;) {
+    got = std::fread(block.data(), 1, block.size(), file.get());
+    content.append(block, 0, got);
+  }
+  if (std::ferror(file.get())) refuse(path, errno);
+  return content;
+}
+
+void write_file(const std::string& path, std::string_view content) {
+  make_folder_of(path);
+  // A link stays a link: what it points to is replaced. What is no plain file, such as /dev/stdout, cannot be
+  // replaced.
+  std::error_code error;
+  const fs::path target = fs::weakly_canonical(path, error);
+  if (error) refuse(path, error.value());
+  const fs::file_status status = fs::status(target, error);
+  if (fs::exists(status) && !fs::is_regular_file(status)) return write_all(path, "wb", content, path);
+  write_and_rename(target, content, path);
+}
+
+Table read_table(const std::string& path) {
+  const std::string ending = fs::path(path).extension().string();
+  if (ending == ".csv" || ending == ".CSV") return read_csv(path);
+  if (ending == ".mat" || ending == ".MAT") return read_mat(path);
+  throw TableError(fmt::format("{}: a table is a .csv or a .mat file, not '{}'", path, ending));
+}
+
+}  // namespace stepwire

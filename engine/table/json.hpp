@@ -1,0 +1,58 @@
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace stepwire {
+
+/// A JSON value to be written: null, true or false, a number, text, a list, or an object that keeps its
+/// order.
+///   Json::object().set("that", "the lag settles").set("holds", true).set("value", 0.667)
+class Json {
+ public:
+  Json() = default;
+  Json(std::nullptr_t) {}
+  Json(std::same_as<bool> auto value) : value_(value) {}
+  Json(std::floating_point auto value) : value_(static_cast<double>(value)) {}
+  Json(std::signed_integral auto value) : value_(static_cast<std::int64_t>(value)) {}
+  template <std::unsigned_integral T>
+  requires(!std::same_as<T, bool>) Json(T value) : value_(static_cast<std::uint64_t>(value)) {}
+  Json(std::string value) : value_(std::move(value)) {}
+  Json(std::string_view value) : value_(std::string(value)) {}
+  Json(const char* value) : value_(std::string(value)) {}
+
+  static Json list(std::vector<Json> items = {});
+  static Json object();
+  /// A list of anything that a value can be made of: names, numbers.
+  template <class Range>
+  static Json list_of(const Range& range) {
+    Json result = list();
+    for (const auto& item : range) result.push(Json(item));
+    return result;
+  }
+
+  /// Appends to a list; null becomes a list. Throws std::logic_error for anything else.
+  Json& push(Json item);
+  /// Appends to an object, or replaces what the key has; null becomes an object. Throws std::logic_error for
+  /// anything else.
+  Json& set(std::string key, Json value);
+
+  /// Doubles in digits that read back to the same bits, nan and inf as null; `indent` blanks per level, all
+  /// on one line where it is negative. Bytes that are no UTF-8 are replaced.
+  std::string text(int indent = 2) const;
+
+ private:
+  using Members = std::vector<std::pair<std::string, Json>>;
+  using Value = std::variant<std::nullptr_t, bool, double, std::int64_t, std::uint64_t, std::string,
+                             std::vector<Json>, Members>;
+  friend struct JsonText;
+  Value value_ = nullptr;
+};
+
+}  // namespace stepwire

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+namespace stepwire {
+
+/// Walks the outermost pieces of a MAT file of level 5 and throws TableError where they do not end with the
+/// file: the library takes a file that was cut off for a shorter one. Other levels pass. SurroundingsError as
+/// read_file.
+void check_mat_layout(const std::string& path);
+
+}  // namespace stepwire

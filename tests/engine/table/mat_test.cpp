@@ -1,0 +1,183 @@
+#include <matio.h>
+
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <random>
+#include <set>
+
+#include "engine/table/file.hpp"
+#include "tests/engine/table/scratch.hpp"
+
+using stepwire::read_mat;
+using stepwire::Table;
+using stepwire::TableError;
+using stepwire::write_mat;
+
+namespace {
+
+using Values = std::vector<double>;
+
+/// A file as the library writes it: a column, a row, a matrix, integers, and what is no real vector.
+void write_by_library(const std::string& path, mat_ft version) {
+  mat_t* const file = Mat_CreateVer(path.c_str(), nullptr, version);
+  REQUIRE(file);
+  const auto put = [&](const char* name, matio_classes type, matio_types of, std::size_t rows,
+                       std::size_t columns, void* data, int flags = 0) {
+    std::array<std::size_t, 2> size{rows, columns};
+    matvar_t* const variable = Mat_VarCreate(name, type, of, 2, size.data(), data, flags);
+    CHECK(Mat_VarWrite(file, variable,
+                       version == MAT_FT_MAT5 ? MAT_COMPRESSION_ZLIB : MAT_COMPRESSION_NONE) == 0);
+    Mat_VarFree(variable);
+  };
+  std::array<double, 6> doubles{1.5, 2.5, 3.5, 4.5, 5.5, 6.5};
+  std::array<std::int16_t, 2> integers{-3, 300};
+  std::array<float, 1> single{0.25f};
+  mat_complex_split_t complex{doubles.data(), doubles.data()};
+  put("column", MAT_C_DOUBLE, MAT_T_DOUBLE, 3, 1, doubles.data());
+  put("row", MAT_C_DOUBLE, MAT_T_DOUBLE, 1, 3, doubles.data());
+  put("matrix", MAT_C_DOUBLE, MAT_T_DOUBLE, 2, 3, doubles.data());
+  put("text", MAT_C_CHAR, MAT_T_UINT8, 1, 5, const_cast<char*>("words"));
+  put("complex", MAT_C_DOUBLE, MAT_T_DOUBLE, 3, 1, &complex, MAT_F_COMPLEX);
+  if (version != MAT_FT_MAT4) put("integers", MAT_C_INT16, MAT_T_INT16, 1, 2, integers.data());
+  if (version != MAT_FT_MAT4) put("single", MAT_C_SINGLE, MAT_T_SINGLE, 1, 1, single.data());
+  Mat_Close(file);
+}
+
+void check_library_file(mat_ft version) {
+  const Scratch scratch;
+  write_by_library(scratch.path("a.mat"), version);
+  const Table table = read_mat(scratch.path("a.mat"));
+  CHECK(table.columns.size() == (version == MAT_FT_MAT4 ? 5 : 7));
+  CHECK(table.find("column")->values == Values{1.5, 2.5, 3.5});
+  CHECK(table.find("row")->values == Values{1.5, 2.5, 3.5});
+  CHECK(table.find("matrix(1)")->values == Values{1.5, 2.5});
+  CHECK(table.find("matrix(3)")->values == Values{5.5, 6.5});
+  if (version == MAT_FT_MAT4) return;
+  CHECK(table.find("integers")->values == Values{-3.0, 300.0});
+  CHECK(table.find("single")->values == Values{0.25});
+}
+
+/// Where the outermost pieces of a compressed file of level 5 end: cut there, it is a whole file with fewer
+/// variables.
+std::set<std::size_t> piece_ends(const std::string& file) {
+  std::set<std::size_t> ends;
+  for (std::size_t at = 128; at < file.size(); ends.insert(at)) {
+    std::uint32_t length = 0;
+    std::memcpy(&length, file.data() + at + 4, 4);
+    at += 8 + length;
+  }
+  return ends;
+}
+
+Table sample() {
+  return {{{"time", "s", {0.0, 0.1, 0.2}},
+           {"rig.x", "mm", {1.0 / 3.0, -0.0, INFINITY}},
+           {"rig_x", "µm", {1.0, 2.0, 3.0}},
+           {"2nd", "", {4.0, 5.0, 6.0}},
+           {"end", "N m", {7.0, 8.0, 9.0}},
+           {std::string(80, 'a') + ".b", "Ω", {1.0, 2.0, 3.0}}}};
+}
+
+}  // namespace
+
+TEST_CASE("MAT files of level 4, 5 and 7.3 are read") {
+  check_library_file(MAT_FT_MAT4);
+  check_library_file(MAT_FT_MAT5);
+  check_library_file(MAT_FT_MAT73);
+}
+
+TEST_CASE("a table comes back from a MAT file with its names, units and bits") {
+  const Scratch scratch;
+  const Table table = sample();
+  write_mat(scratch.path("a.mat"), table);
+  const Table back = stepwire::read_table(scratch.path("a.mat"));
+  REQUIRE(back.columns.size() == table.columns.size());
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    CHECK(back.columns[i].name == table.columns[i].name);
+    CHECK(back.columns[i].unit == table.columns[i].unit);
+    CHECK(std::memcmp(back.columns[i].values.data(), table.columns[i].values.data(), 3 * sizeof(double)) ==
+          0);
+  }
+}
+
+TEST_CASE("another reader finds the columns under names that MATLAB allows, each once") {
+  const Scratch scratch;
+  write_mat(scratch.path("a.mat"), sample());
+  mat_t* const file = Mat_Open(scratch.path("a.mat").c_str(), MAT_ACC_RDONLY);
+  REQUIRE(file);
+  std::vector<std::string> names;
+  while (matvar_t* const variable = Mat_VarReadNext(file)) {
+    names.emplace_back(variable->name);
+    if (names.back() == "rig_x") CHECK(static_cast<const double*>(variable->data)[0] == 1.0 / 3.0);
+    if (names.back() == "names") CHECK(variable->class_type == MAT_C_CELL);
+    Mat_VarFree(variable);
+  }
+  Mat_Close(file);
+  CHECK(names == std::vector<std::string>{"time", "rig_x", "rig_x_2", "x2nd", "end_2", std::string(63, 'a'),
+                                          "names", "units"});
+}
+
+TEST_CASE("the same table makes the same file") {
+  const Scratch scratch;
+  write_mat(scratch.path("a.mat"), sample());
+  write_mat(scratch.path("b.mat"), sample());
+  CHECK(stepwire::read_file(scratch.path("a.mat")) == stepwire::read_file(scratch.path("b.mat")));
+}
+
+TEST_CASE("the Bouc-Wen benchmark is read as its authors describe it") {
+  const char* const data = std::getenv("STEPWIRE_DATA");
+  if (!data) {
+    WARN("STEPWIRE_DATA is not set; the benchmark was not read");
+    return;
+  }
+  // Validation records of 8192 samples at 750 Hz; the multisine has an rms of 50 N.
+  const std::string folder = std::string(data) + "/bouc_wen_benchmark/";
+  const Table force = read_mat(folder + "uval_multisine.mat");
+  const Table position = read_mat(folder + "yval_multisine.mat");
+  REQUIRE(force.columns.size() == 1);
+  CHECK(force.columns[0].name == "uval_multisine");
+  CHECK(position.columns[0].name == "yval_multisine");
+  CHECK(force.rows() == 8192);
+  CHECK(position.rows() == 8192);
+  double squares = 0.0;
+  for (const double value : force.columns[0].values) squares += value * value;
+  CHECK(std::sqrt(squares / 8192.0) == Approx(50.0).epsilon(0.01));
+}
+
+TEST_CASE("what is no MAT file is said to be none") {
+  const Scratch scratch;
+  CHECK_THROWS_AS(read_mat(scratch.file("a.mat", "time,x\n0,1\n")), TableError);
+  CHECK_THROWS_AS(read_mat(scratch.file("b.mat", "")), TableError);
+  CHECK_THROWS_AS(read_mat(scratch.file("c.mat", std::string(5000, 'x'))), TableError);
+  CHECK_THROWS_AS(read_mat(scratch.path("none.mat")), stepwire::SurroundingsError);
+}
+
+TEST_CASE("a damaged MAT file is an error or a table, and one that was cut off is an error") {
+  const Scratch scratch;
+  for (const mat_ft version : {MAT_FT_MAT4, MAT_FT_MAT5, MAT_FT_MAT73}) {
+    const std::string path = scratch.path("a.mat");
+    write_by_library(path, version);
+    const std::string whole = stepwire::read_file(path);
+    const std::set<std::size_t> ends = version == MAT_FT_MAT5 ? piece_ends(whole) : std::set<std::size_t>{};
+    std::mt19937 random(1);
+    for (int i = 0; i < 300; ++i) {
+      std::string damaged = whole;
+      const bool cut = i % 3 == 0;
+      if (cut) damaged.resize(random() % whole.size());
+      for (int k = 0; k < i % 7 && !cut; ++k) damaged[random() % whole.size()] = static_cast<char>(random());
+      scratch.file("a.mat", damaged);
+      INFO(version << " " << i << " " << damaged.size() << " of " << whole.size());
+      if (cut && version != MAT_FT_MAT4 && ends.count(damaged.size()) == 0) {
+        CHECK_THROWS_AS(read_mat(path), TableError);
+      } else {
+        try {
+          read_mat(path);
+        } catch (const TableError&) {
+        }
+      }
+    }
+  }
+}
