@@ -24,7 +24,6 @@ constexpr std::array wordings{
     Wording{"illegal block entry", "a '- ' cannot stand here; put it on a line of its own"},
     Wording{"illegal map key", "a key cannot stand here; check the indentation"},
     Wording{"unknown token", "this character starts nothing in YAML; put quotes around the text"},
-    Wording{"illegal EOF in scalar", "the file ends inside a text; a closing quote is missing"},
     Wording{"illegal document indicator in scalar",
             "'---' or '...' inside a text; a closing quote is missing"},
     Wording{"illegal tab when looking for indentation", "a tab in the indentation; use blanks"},

@@ -103,18 +103,20 @@ class Events : public YAML::EventHandler {
   int documents_ = 0;
 };
 
-// A parser's word is about a bracket's end, a person looks for its start; and a tab looks like blanks.
-[[noreturn]] void explain(GrowingTree& tree, Spots& spots, const YAML::Exception& wrong) {
+// A parser's word is about where a bracket or quote should end, a person looks for its start; and a tab looks
+// like blanks.
+[[noreturn]] void explain(GrowingTree& tree, Spots& spots, Mark last, const YAML::Exception& wrong) {
+  const auto text = [](Mark mark) { return std::to_string(mark.line) + ":" + std::to_string(mark.column); };
   const Mark place = spots.mark(spot_of(wrong.mark));
   if (const auto tab = spots.tab_in_indentation(spot_of(wrong.mark)))
     tree.fail({place.line, *tab}, "a tab in the indentation; use blanks");
-  std::string message = yaml_message(wrong.msg);
+  if (wrong.msg == YAML::ErrorMsg::EOF_IN_SCALAR)
+    tree.fail(place,
+              "the file ends inside a text that starts after " + text(last) + "; a closing quote is missing");
   const bool in_brackets =
       wrong.msg == YAML::ErrorMsg::END_OF_MAP_FLOW || wrong.msg == YAML::ErrorMsg::END_OF_SEQ_FLOW;
-  const Mark start = tree.innermost();
-  if (in_brackets)
-    message += " (opened at " + std::to_string(start.line) + ":" + std::to_string(start.column) + ")";
-  tree.fail(place, std::move(message));
+  tree.fail(place,
+            yaml_message(wrong.msg) + (in_brackets ? " (opened at " + text(tree.innermost()) + ")" : ""));
 }
 
 }  // namespace
@@ -131,7 +133,7 @@ Node read_yaml(std::string_view text, const std::string& file, const DocumentLim
     }
     events.check_last_quote();
   } catch (const YAML::Exception& wrong) {
-    explain(tree, spots, wrong);
+    explain(tree, spots, events.last(), wrong);
   } catch (const TextSource::TooFarAhead&) {
     tree.fail(events.last(),
               "a list or map in brackets that is too long starts here; put its values into a data file");
