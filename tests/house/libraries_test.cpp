@@ -1,0 +1,62 @@
+#include <catch2/catch.hpp>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "tests/house/source_tree.hpp"
+
+namespace {
+
+/// A library and the one folder that may include it.
+struct Home {
+  std::string prefix, folder;
+};
+
+// The first that fits counts. Eigen, fmt and the standard library are at home everywhere.
+const std::vector<Home> homes{
+    {"boost/math/", "engine/statistics"}, {"boost/", "engine/plan"},
+    {"yaml-cpp/", "engine/document"},     {"udunits2", "engine/unit"},
+    {"muParser", "engine/expression"},    {"matio", "engine/table"},
+    {"nlohmann/", "engine/table"},        {"CLI/", "engine/cli"},
+    {"ceres/", "engine/identify"},
+};
+
+const Home* home_of(const std::string& header) {
+  for (const Home& home : homes)
+    if (header.starts_with(home.prefix)) return &home;
+  return nullptr;
+}
+
+/// An include of such a library.
+struct Use {
+  Line line;
+  const Home* home;
+};
+
+std::vector<Use> uses() {
+  const std::regex include(R"re(^\s*#\s*include\s*[<"]([^>"]+)[>"])re");
+  std::vector<Use> found;
+  for (const std::string& file : sources_under({"engine", "blocks"}))
+    for (const Line& line : lines_of(file)) {
+      std::smatch match;
+      if (!std::regex_search(line.text, match, include)) continue;
+      if (const Home* home = home_of(match[1])) found.push_back({line, home});
+    }
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("each library is included in one folder only") {
+  for (const Use& use : uses()) {
+    INFO(use.line.place() << ": " << use.line.text);
+    CHECK(folder_of(use.line.file) == use.home->folder);
+  }
+}
+
+TEST_CASE("no header of ours includes a library that is heavy to compile") {
+  for (const Use& use : uses()) {
+    INFO(use.line.place() << ": " << use.line.text);
+    CHECK(use.line.file.ends_with(".cpp"));
+  }
+}

@@ -1,0 +1,56 @@
+#include "tests/house/source_tree.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+namespace {
+
+const std::filesystem::path top = STEPWIRE_SOURCE_DIR;
+
+bool is_output(const std::filesystem::path& path) {
+  const std::string name = path.filename().string();
+  return name == ".git" || name == "out" || name.starts_with("build");
+}
+
+}  // namespace
+
+std::vector<std::string> files_under(const std::string& folder) {
+  std::vector<std::string> files;
+  if (!std::filesystem::is_directory(top / folder)) return files;
+  for (auto at = std::filesystem::recursive_directory_iterator(top / folder);
+       at != std::filesystem::recursive_directory_iterator(); ++at) {
+    const bool at_top = at->path().parent_path() == top;
+    if (at_top && is_output(at->path())) {
+      at.disable_recursion_pending();
+    } else if (at->is_regular_file()) {
+      files.push_back(at->path().lexically_relative(top).string());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<Line> lines_of(const std::string& file) {
+  std::ifstream in(top / file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  std::vector<Line> lines;
+  if (text.find('\0') != std::string::npos) return lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);)
+    lines.push_back({file, static_cast<int>(lines.size()) + 1, std::move(line)});
+  return lines;
+}
+
+std::vector<std::string> sources_under(const std::vector<std::string>& folders) {
+  std::vector<std::string> sources;
+  for (const std::string& folder : folders)
+    for (const std::string& file : files_under(folder))
+      if (file.ends_with(".cpp") || file.ends_with(".hpp")) sources.push_back(file);
+  return sources;
+}
+
+std::string folder_of(const std::string& file) {
+  return std::filesystem::path(file).parent_path().string();
+}

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// One line of a file, counted from 1, and where it stands: for messages.
+struct Line {
+  std::string file;  ///< path from the top of the source tree
+  int number = 0;
+  std::string text;
+  std::string place() const { return file + ":" + std::to_string(number); }
+};
+
+/// Paths of all files under a folder of the source tree ("" for all of it), from its top; build output left
+/// out.
+std::vector<std::string> files_under(const std::string& folder);
+
+/// The lines of a file; none if it is no text.
+std::vector<Line> lines_of(const std::string& file);
+
+/// The sources in C++ of the folders.
+std::vector<std::string> sources_under(const std::vector<std::string>& folders);
+
+/// The folder of a file: "engine/plan" of "engine/plan/order.cpp".
+std::string folder_of(const std::string& file);
