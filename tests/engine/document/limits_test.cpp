@@ -1,5 +1,5 @@
 #include <catch2/catch.hpp>
-#include <chrono>
+#include <ctime>
 #include <random>
 #include <string>
 
@@ -11,7 +11,7 @@ using Catch::Contains;
 namespace {
 
 std::string error_of(const std::string& text) {
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();  // what it costs, however busy the machine is
   std::string error = "none";
   try {
     parse_document(text, "a.yaml");
@@ -19,7 +19,7 @@ std::string error_of(const std::string& text) {
     error = wrong.what();
   }
 #ifdef NDEBUG  // a build with sanitizers is slower by far
-  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(1));
+  CHECK(std::clock() - start < CLOCKS_PER_SEC);
 #else
   (void)start;
 #endif
