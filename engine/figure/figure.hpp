@@ -1,0 +1,79 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/document/document.hpp"
+#include "engine/figure/formula.hpp"
+#include "engine/figure/names.hpp"
+#include "engine/record/recording.hpp"
+
+namespace stepwire {
+
+struct PlotKind;
+
+/// What is drawn along an axis or as a colour: a formula, the unit it is drawn in, and its label without
+/// unit.
+struct Series {
+  Formula formula;
+  Unit unit;
+  std::string unit_text;  ///< empty where the unit is not known
+  std::string label;      ///< the expression unless the file says otherwise
+
+  /// "rig.x [mm]".
+  std::string axis_label() const;
+};
+
+/// One pair of axes. Numbers are in the units in which they are drawn.
+struct Panel {
+  using Range = std::array<double, 2>;
+
+  const PlotKind* kind = nullptr;
+  std::map<std::string, std::vector<Series>> series;  ///< by key: x, y, color, ...
+  std::map<std::string, double> numbers;              ///< numeric options of the kind: bins, view, ...
+  std::map<std::string, std::string> words;           ///< labels by key: title, x_label, ...
+  std::map<std::string, Range> ranges;                ///< x_range, y_range, z_range, color_range
+  std::map<std::string, std::vector<double>> levels;  ///< lists of numbers: contour
+  std::vector<Formula> boundaries;  ///< of the plane's x and y in SI; a curve is drawn where one is zero
+  std::vector<std::string> legend;
+  std::optional<Formula> where;
+  std::vector<std::size_t> recordings;  ///< for each y, or one
+  bool equal = false;
+  bool log_x = false, log_y = false, log_color = false;
+  bool final_rows = false;  ///< only the last row of each run
+
+  const Series* find(const std::string& key) const;
+};
+
+/// One picture: one panel or several.
+struct Figure {
+  std::string title;
+  std::string caption;
+  std::vector<Panel> panels;
+  int columns = 1;
+  int width = 0, height = 0;  ///< pixels; 0: as it suits the panels
+};
+
+/// Reads the value under the key `figure`: one entry or a list. Everything that is wrong goes to `faults`.
+std::vector<Figure> read_figures(const Node& node, const Names& names, Faults& faults);
+
+/// Draws with gnuplot and returns the SVG; the same data give the same bits. Throws SurroundingsError where
+/// gnuplot is missing or refuses.
+std::string draw(const Figure& figure, std::span<const Recording> recordings);
+
+/// A key of figures with its explanation, for reference pages and the schema.
+struct FigureKey {
+  std::string name;
+  std::string doc;
+};
+
+/// Names of all plots: lines, xy, loop, ...
+std::vector<FigureKey> plot_names();
+/// Keys that the named plot takes; for an empty name the keys of every panel and figure.
+std::vector<FigureKey> figure_keys(const std::string& plot);
+
+}  // namespace stepwire

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/unit/unit.hpp"
+
+namespace stepwire {
+
+/// A name that figures and claims may use for a recorded column.
+struct RecordedName {
+  std::string name;
+  std::optional<Dimension> dimension;  ///< none where the unit is not known
+  std::optional<std::size_t>
+      recording;         ///< which recording has it; none: each has it (time, swept parameters)
+  std::string column{};  ///< its name in the table where that differs ("lag" for "lag.y"); else empty
+};
+
+/// A parameter of the diagram, used in figures and claims as "$name".
+struct KnownParameter {
+  std::string name;
+  double value = 0.0;  ///< SI
+};
+
+/// All that the figures and claims of one diagram file may name.
+struct Names {
+  std::string file;  ///< for the places of faults
+  std::vector<RecordedName> columns;
+  std::vector<KnownParameter> parameters{};
+
+  const RecordedName* find(std::string_view name) const;
+};
+
+}  // namespace stepwire
