@@ -1,0 +1,107 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "engine/figure/claim.hpp"
+#include "engine/figure/claim_words.hpp"
+#include "engine/figure/reduce.hpp"
+
+namespace stepwire {
+namespace {
+
+/// Why a claim has no value.
+struct Unjudged : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+Rows rows_of(const Claim& claim, const Recording& recording) {
+  Rows rows;
+  rows.value = evaluate(claim.values.at(0), recording);
+  if (claim.values.size() > 1) rows.other = evaluate(claim.values[1], recording);
+  if (const Column* time = recording.table.find("time"))
+    rows.time = time->values;
+  else
+    throw Unjudged("no time was recorded");
+  rows.selected.assign(rows.value.size(), true);
+  rows.starts = recording.starts;
+  if (!claim.where) return rows;
+  const auto where = evaluate(*claim.where, recording);
+  // A condition that is nan is not met.
+  for (std::size_t i = 0; i < where.size(); ++i) rows.selected[i] = where[i] != 0.0 && !std::isnan(where[i]);
+  return rows;
+}
+
+/// Row at which `final` or `at` looks in one run.
+std::size_t row_looked_at(const Claim& claim, const Rows& rows, std::size_t run) {
+  const std::size_t begin = rows.starts[run], end = rows.run_end(run);
+  if (begin >= end) throw Unjudged(fmt::format("run {} recorded no row", run + 1));
+  if (claim.reduction == Reduction::final) {
+    for (std::size_t row = end; row-- > begin;)
+      if (rows.selected[row]) return row;
+    throw Unjudged(fmt::format("'{}' selects no row of run {}", claim.where->text, run + 1));
+  }
+  const double last = rows.time[end - 1], slack = end - begin > 1 ? last - rows.time[end - 2] : 0.0;
+  if (claim.time < rows.time[begin] || claim.time > last + 0.5 * slack)
+    throw Unjudged(fmt::format("there is no row at {} s; the record goes from {} s to {} s", claim.time,
+                               rows.time[begin], last));
+  std::size_t nearest = begin;
+  for (std::size_t row = begin; row < end; ++row)
+    if (std::abs(rows.time[row] - claim.time) < std::abs(rows.time[nearest] - claim.time)) nearest = row;
+  if (!rows.selected[nearest])
+    throw Unjudged(
+        fmt::format("'{}' does not select the row at {} s", claim.where->text, rows.time[nearest]));
+  return nearest;
+}
+
+/// The value of the run that comes off worst.
+double worst_run(const Claim& claim, const Rows& rows) {
+  double worst = std::numeric_limits<double>::quiet_NaN(), margin = std::numeric_limits<double>::infinity();
+  for (std::size_t run = 0; run < rows.starts.size(); ++run) {
+    const double value = rows.value[row_looked_at(claim, rows, run)];
+    const double found = claim.comparison.margin(value);
+    if (run > 0 && found >= margin) continue;
+    worst = value;
+    margin = found;
+  }
+  return worst;
+}
+
+double value_of(const Claim& claim, const Rows& rows) {
+  if (rows.value.empty()) throw Unjudged("no row was recorded");
+  if (std::find(rows.selected.begin(), rows.selected.end(), true) == rows.selected.end())
+    throw Unjudged(fmt::format("'{}' selects no row", claim.where->text));
+  if (claim.reduction == Reduction::final || claim.reduction == Reduction::at) return worst_run(claim, rows);
+  return reduce(claim.reduction, rows);
+}
+
+std::string shown_text(const Claim& claim, double value, std::size_t runs) {
+  std::string text = value_text(claim, value);
+  const bool by_run = claim.reduction == Reduction::final || claim.reduction == Reduction::at;
+  if (by_run && runs > 1) text += fmt::format(", the worst of {} runs", runs);
+  return text;
+}
+
+}  // namespace
+
+Verdict judge(const Claim& claim, std::span<const Recording> recordings) {
+  Verdict verdict{claim.that,      claim.check, std::numeric_limits<double>::quiet_NaN(), "", false,
+                  claim.disagrees, ""};
+  try {
+    if (claim.recording >= recordings.size()) throw Unjudged("nothing was recorded");
+    const Rows rows = rows_of(claim, recordings[claim.recording]);
+    verdict.value = value_of(claim, rows);
+    verdict.shown = shown_text(claim, verdict.value, rows.starts.size());
+    verdict.holds = claim.comparison.margin(verdict.value) >= 0.0;
+    if (std::isnan(verdict.value)) verdict.note = "the value is not a number";
+  } catch (const Unjudged& reason) {
+    verdict.note = reason.what();
+  } catch (const std::invalid_argument& missing) {
+    verdict.note = missing.what();
+  }
+  return verdict;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,196 @@
+#include "engine/figure/formula.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <stdexcept>
+
+#include "engine/figure/homogeneity.hpp"
+
+namespace stepwire {
+namespace {
+
+bool is_word(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+/// A text in which each $name is replaced by its number, and for each character where it came from.
+struct Substituted {
+  std::string text;
+  std::vector<std::size_t> origin;
+
+  void append(std::string_view part, std::size_t from) {
+    text += part;
+    origin.insert(origin.end(), part.size(), from);
+  }
+  std::size_t origin_of(std::size_t position) const {
+    if (origin.empty()) return 0;
+    return position < origin.size() ? origin[position] : origin.back() + 1;
+  }
+};
+
+std::string unknown_parameter(const std::string& name, const Names& names) {
+  std::vector<std::string> all;
+  for (const auto& parameter : names.parameters) all.push_back(parameter.name);
+  if (all.empty()) return fmt::format("there is no parameter '{}'; this diagram has none", name);
+  return fmt::format("there is no parameter '{}'{}; there are: {}", name, did_you_mean(name, all),
+                     fmt::join(all, ", "));
+}
+
+std::string unknown_column(const std::string& name, const Names& names) {
+  std::vector<std::string> all;
+  for (const auto& column : names.columns) all.push_back(column.name);
+  return fmt::format("'{}' is not recorded{}; recorded are: {}", name, did_you_mean(name, all),
+                     fmt::join(all, ", "));
+}
+
+Substituted substitute(std::string_view text, const Names& names) {
+  Substituted result;
+  for (std::size_t i = 0; i < text.size();) {
+    if (text[i] != '$') {
+      result.append(text.substr(i, 1), i);
+      ++i;
+      continue;
+    }
+    std::size_t end = i + 1;
+    while (end < text.size() && is_word(text[end])) ++end;
+    const std::string name(text.substr(i + 1, end - i - 1));
+    const auto found = std::find_if(names.parameters.begin(), names.parameters.end(),
+                                    [&](const KnownParameter& known) { return known.name == name; });
+    if (found == names.parameters.end()) throw ExpressionError(unknown_parameter(name, names), i);
+    result.append(fmt::format("({})", found->value), i);
+    i = end;
+  }
+  return result;
+}
+
+/// The name that starts at a position, dots included.
+std::string name_at(std::string_view text, std::size_t position) {
+  std::size_t end = position;
+  while (end < text.size() && (is_word(text[end]) || text[end] == '.')) ++end;
+  if (end == position || std::isdigit(static_cast<unsigned char>(text[position])) != 0) return {};
+  return std::string(text.substr(position, end - position));
+}
+
+Expression parse(std::string_view text, const Names& names) {
+  const Substituted substituted = substitute(text, names);
+  try {
+    return Expression(substituted.text, [&](std::string_view name) { return names.find(name) != nullptr; });
+  } catch (const ExpressionError& error) {
+    const std::size_t position = substituted.origin_of(error.position);
+    const std::string name = name_at(text, position);
+    const bool unknown = !name.empty() &&
+                         std::string_view(error.what()).find(name) != std::string_view::npos &&
+                         names.find(name) == nullptr;
+    throw ExpressionError(unknown ? unknown_column(name, names) : error.what(), position);
+  }
+}
+
+std::optional<Dimension> find_dimension(const Expression& expression, const Names& names) {
+  std::vector<Dimension> dimensions;
+  for (const auto& name : expression.variables()) {
+    const auto& dimension = names.find(name)->dimension;
+    if (!dimension) return std::nullopt;
+    dimensions.push_back(*dimension);
+  }
+  return dimension_of(expression, dimensions);
+}
+
+std::string trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return std::string(text.substr(first, text.find_last_not_of(" \t") - first + 1));
+}
+
+/// The recording of all names, or nothing with the names that are recorded apart in `apart`.
+std::optional<std::size_t> recording_of(const std::vector<std::string>& variables, const Names& names,
+                                        std::vector<std::string>& apart) {
+  std::optional<std::size_t> recording;
+  std::string first;
+  for (const auto& variable : variables) {
+    const auto& wanted = names.find(variable)->recording;
+    if (!wanted) continue;
+    if (recording && *recording != *wanted) apart = {first, variable};
+    if (!recording) first = variable;
+    recording = recording.value_or(*wanted);
+  }
+  return recording;
+}
+
+std::string apart_message(const std::vector<std::string>& apart) {
+  return fmt::format(
+      "'{}' and '{}' are recorded at different periods; record them in one entry to use them together",
+      apart.front(), apart.back());
+}
+
+}  // namespace
+
+Place place_in(const Node& node, std::size_t offset, const Names& names) {
+  Place place{names.file, node.mark};
+  place.mark.column += static_cast<int>(offset) + (node.quoted ? 1 : 0);
+  return place;
+}
+
+std::optional<Formula> read_formula(const Node& node, const Names& names, const std::string& subject,
+                                    Faults& faults) {
+  if (!node.is_scalar()) {
+    faults.add({{names.file, node.mark}, subject, "an expression is wanted here, such as 'abs(rig.x)'", {}});
+    return std::nullopt;
+  }
+  return read_formula(node, node.text, 0, names, subject, faults);
+}
+
+std::optional<Formula> read_formula(const Node& node, std::string_view text, std::size_t offset,
+                                    const Names& names, const std::string& subject, Faults& faults) {
+  try {
+    Expression expression = parse(text, names);
+    const auto& variables = expression.variables();
+    std::vector<std::string> columns, apart;
+    for (const auto& variable : variables) {
+      const RecordedName& known = *names.find(variable);
+      columns.push_back(known.column.empty() ? known.name : known.column);
+    }
+    const auto recording = recording_of(variables, names, apart);
+    if (!apart.empty()) {
+      faults.add({place_in(node, offset, names), subject, apart_message(apart), {}});
+      return std::nullopt;
+    }
+    const auto dimension = find_dimension(expression, names);
+    const Mark mark = place_in(node, offset, names).mark;
+    return Formula{trimmed(text), std::move(expression), std::move(columns), recording, dimension, mark};
+  } catch (const ExpressionError& error) {
+    faults.add({place_in(node, offset + error.position, names), subject, error.what(), {}});
+    return std::nullopt;
+  }
+}
+
+std::size_t common_recording(const std::vector<const Formula*>& formulas, const Names& names, const Node& at,
+                             const std::string& subject, Faults& faults) {
+  std::vector<std::string> variables, apart;
+  for (const Formula* formula : formulas) {
+    if (formula == nullptr) continue;
+    const auto& used = formula->expression.variables();
+    variables.insert(variables.end(), used.begin(), used.end());
+  }
+  const auto recording = recording_of(variables, names, apart);
+  if (!apart.empty()) faults.add({{names.file, at.mark}, subject, apart_message(apart), {}});
+  return recording.value_or(0);
+}
+
+std::vector<double> evaluate(const Formula& formula, const Recording& recording) {
+  std::vector<const double*> columns;
+  for (const auto& name : formula.columns) {
+    const Column* column = recording.table.find(name);
+    if (column == nullptr) throw std::invalid_argument(fmt::format("'{}' was not recorded", name));
+    columns.push_back(column->values.data());
+  }
+  std::vector<double> result(recording.table.rows()), values(columns.size());
+  for (std::size_t row = 0; row < result.size(); ++row) {
+    for (std::size_t i = 0; i < columns.size(); ++i) values[i] = columns[i][row];
+    result[row] = formula.expression(values);
+  }
+  return result;
+}
+
+}  // namespace stepwire
