@@ -1,0 +1,36 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/figure/figure.hpp"
+
+namespace stepwire {
+
+/// Rows that follow each other without a gap, in the units in which they are drawn: one column for each
+/// channel.
+struct Curve {
+  std::vector<std::vector<double>> columns;
+  std::size_t group = 0;  ///< index into Curves::groups
+
+  std::size_t size() const { return columns.empty() ? 0 : columns.front().size(); }
+};
+
+/// All curves of one y of a panel, and what tells them apart.
+struct Curves {
+  std::vector<Curve> curves;
+  std::vector<double> groups;       ///< values of `by`, ascending; one element where there is none
+  std::vector<std::string> labels;  ///< "0.1 A", one for each group; empty where there is no `by`
+};
+
+/// Rows of a recording as curves. A curve ends where a run ends, where a row is left out by `where` or is not
+/// finite, and where the value of `by` changes. With `rows: final` each run gives one row, and the runs are
+/// joined.
+Curves gather(const Panel& panel, const Recording& recording, const std::vector<const Series*>& channels);
+
+/// At most about `limit` rows of a curve, in their order, among them the smallest and largest of every column
+/// in every stretch, so that no peak is lost.
+Curve decimate(const Curve& curve, std::size_t limit);
+
+}  // namespace stepwire

@@ -1,0 +1,31 @@
+#include "engine/figure/panel_reading.hpp"
+
+namespace stepwire {
+
+const std::vector<FigureKey>& panel_keys() {
+  static const std::vector<FigureKey> keys{
+      {"title", "text above the panel"},
+      {"where", "draws only rows for which this expression is true"},
+      {"rows", "all (default), or final: only the last row of each run of a sweep"},
+      {"legend", "texts of the legend, in the order of the curves"},
+      {"equal", "true: one unit is as long on both axes"},
+      {"x_range", "ends of the axis: [-5 mm, 5 mm]"},
+      {"y_range", "ends of the axis"},
+      {"z_range", "ends of the axis"},
+      {"color_range", "values at both ends of the colour bar"},
+      {"log", "axes with a logarithmic scale: x, y, color, or a list"},
+      {"boundary",
+       "expression of x and y in SI units (or a list); a line is drawn where it is zero: x - 5 mm"}};
+  return keys;
+}
+
+const std::vector<FigureKey>& picture_keys() {
+  static const std::vector<FigureKey> keys{{"title", "text above the picture"},
+                                           {"caption", "text below the picture on the gallery page"},
+                                           {"size", "width and height in pixels: [640, 420]"},
+                                           {"panels", "list of panels in one picture"},
+                                           {"columns", "how many panels stand side by side"}};
+  return keys;
+}
+
+}  // namespace stepwire

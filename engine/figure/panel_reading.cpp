@@ -1,0 +1,235 @@
+#include "engine/figure/panel_reading.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/figure/number.hpp"
+#include "engine/figure/plot_kind.hpp"
+
+namespace stepwire {
+namespace {
+
+using Keys = std::vector<std::string>;
+
+const Channel* find_channel(const PlotKind& kind, const std::string& key) {
+  const auto found = std::find_if(kind.channels.begin(), kind.channels.end(),
+                                  [&](const Channel& channel) { return channel.key == key; });
+  return found == kind.channels.end() ? nullptr : &*found;
+}
+
+const Option* find_option(const PlotKind& kind, const std::string& key) {
+  const auto found = std::find_if(kind.options.begin(), kind.options.end(),
+                                  [&](const Option& option) { return option.key == key; });
+  return found == kind.options.end() ? nullptr : &*found;
+}
+
+bool is_among(const std::vector<FigureKey>& keys, const std::string& name) {
+  return std::any_of(keys.begin(), keys.end(), [&](const FigureKey& key) { return key.name == name; });
+}
+
+/// Reads the keys of one panel; faults are gathered.
+class PanelReader {
+ public:
+  PanelReader(const Node& node, const Names& names, bool alone, Faults& faults)
+      : node_(node), names_(names), alone_(alone), faults_(faults) {}
+
+  std::optional<Panel> read() {
+    if (!find_kind()) return std::nullopt;
+    for (const auto& entry : node_.entries)
+      if (find_channel(*panel_.kind, entry.key) != nullptr) read_channel(entry);
+    // Options are read in the units of the channels, so they come second.
+    for (const auto& entry : node_.entries)
+      if (find_channel(*panel_.kind, entry.key) == nullptr) read_other(entry);
+    for (const auto& channel : panel_.kind->channels)
+      if (channel.required && node_.find(channel.key) == nullptr)
+        fault(node_.mark, "figure." + channel.key,
+              fmt::format("a plot '{}' needs '{}': {}", panel_.kind->name, channel.key, channel.doc));
+    check_units_of_y();
+    find_recordings();
+    return std::move(panel_);
+  }
+
+ private:
+  void fault(Mark mark, const std::string& subject, const std::string& message) {
+    faults_.add({{names_.file, mark}, subject, message, {}});
+  }
+
+  bool find_kind() {
+    Keys all;
+    for (const auto& kind : plot_kinds()) all.push_back(kind.name);
+    const Node* plot = node_.find("plot");
+    if (plot == nullptr) {
+      fault(node_.mark, "figure", fmt::format("'plot' is missing; it is one of {}", fmt::join(all, ", ")));
+      return false;
+    }
+    for (const auto& kind : plot_kinds())
+      if (plot->is_scalar() && kind.name == plot->text) panel_.kind = &kind;
+    if (panel_.kind == nullptr)
+      fault(plot->mark, "figure.plot",
+            fmt::format("there is no plot '{}'{}; there are: {}", plot->text, did_you_mean(plot->text, all),
+                        fmt::join(all, ", ")));
+    return panel_.kind != nullptr;
+  }
+
+  void read_channel(const Entry& entry) {
+    const Channel& channel = *find_channel(*panel_.kind, entry.key);
+    const std::string subject = "figure." + entry.key;
+    if (entry.value.is_list() && !channel.several)
+      return fault(entry.value.mark, subject,
+                   fmt::format("'{}' takes one expression, not a list", entry.key));
+    if (entry.value.is_list() && entry.value.items.empty())
+      return fault(entry.value.mark, subject, "the list is empty");
+    const std::vector<Node> one{entry.value};
+    for (const auto& item : entry.value.is_list() ? entry.value.items : one)
+      if (auto series = read_series(item, names_, subject, faults_))
+        panel_.series[entry.key].push_back(std::move(*series));
+  }
+
+  void read_other(const Entry& entry) {
+    const std::string& key = entry.key;
+    if (key == "plot" || (alone_ && is_among(picture_keys(), key))) return;
+    if (const Option* option = find_option(*panel_.kind, key)) return read_option(*option, entry.value);
+    if (!is_among(panel_keys(), key) || (key == "boundary" && !panel_.kind->plane)) return unknown(entry);
+    const Node& value = entry.value;
+    if (key == "title") panel_.words[key] = text(value, key);
+    if (key == "where") panel_.where = read_formula(value, names_, "figure.where", faults_);
+    if (key == "equal") panel_.equal = word(value, key, {"true", "false"}) == "true";
+    if (key == "rows") panel_.final_rows = word(value, key, {"all", "final"}) == "final";
+    if (key == "legend") read_legend(value);
+    if (key == "log") read_log(value);
+    if (key == "boundary") read_boundary(value);
+    if (key.ends_with("_range")) read_range(value, key);
+  }
+
+  void unknown(const Entry& entry) {
+    Keys keys{"plot"};
+    for (const auto& key : figure_keys(panel_.kind->name)) keys.push_back(key.name);
+    for (const auto& key : panel_keys())
+      if (key.name != "boundary" || panel_.kind->plane) keys.push_back(key.name);
+    if (alone_)
+      for (const auto& key : picture_keys())
+        if (!is_among(panel_keys(), key.name)) keys.push_back(key.name);
+    add_unknown_key(entry, keys, fmt::format("a plot '{}'", panel_.kind->name), names_, "figure", faults_);
+  }
+
+  std::string text(const Node& node, const std::string& key) {
+    return read_text(node, names_, "figure." + key, faults_);
+  }
+
+  std::string word(const Node& node, const std::string& key, const Keys& allowed) {
+    if (node.is_scalar() && std::find(allowed.begin(), allowed.end(), node.text) != allowed.end())
+      return node.text;
+    fault(node.mark, "figure." + key,
+          fmt::format("'{}' is not allowed; it is one of {}", node.text, fmt::join(allowed, ", ")));
+    return {};
+  }
+
+  /// A number in the unit in which an axis is drawn.
+  std::optional<double> number(const Node& node, const std::string& key, const std::string& axis) {
+    const std::string subject = "figure." + key;
+    const auto read = read_number(node, names_, subject, faults_);
+    if (!read) return std::nullopt;
+    const Series* series = panel_.find(axis);
+    if (series == nullptr) return read->value;
+    check_dimension(*read, series->formula.dimension, fmt::format("'{}'", series->formula.text), node, names_,
+                    subject, faults_);
+    return series->unit.from_si(read->value);
+  }
+
+  void read_option(const Option& option, const Node& node) {
+    if (!option.words.empty()) {
+      panel_.words[option.key] = word(node, option.key, option.words);
+    } else if (option.list) {
+      const std::vector<Node> one{node};
+      for (const auto& item : node.is_list() ? node.items : one)
+        if (const auto value = number(item, option.key, option.axis))
+          panel_.levels[option.key].push_back(*value);
+    } else if (const auto value = number(node, option.key, option.axis)) {
+      panel_.numbers[option.key] = *value;
+    }
+  }
+
+  void read_range(const Node& node, const std::string& key) {
+    const std::string axis = key.substr(0, key.find('_'));
+    if (!node.is_list() || node.items.size() != 2)
+      return fault(node.mark, "figure." + key, "a range is two numbers: [-5 mm, 5 mm]");
+    const auto low = number(node.items[0], key, axis), high = number(node.items[1], key, axis);
+    if (!low || !high) return;
+    if (!(*low < *high)) fault(node.mark, "figure." + key, "the first number of a range is below the second");
+    panel_.ranges[key] = {*low, *high};
+  }
+
+  void read_legend(const Node& node) {
+    const std::vector<Node> one{node};
+    for (const auto& item : node.is_list() ? node.items : one) panel_.legend.push_back(text(item, "legend"));
+  }
+
+  void read_log(const Node& node) {
+    const std::vector<Node> one{node};
+    for (const auto& item : node.is_list() ? node.items : one) {
+      const std::string axis = word(item, "log", {"x", "y", "color"});
+      (axis == "x" ? panel_.log_x : axis == "y" ? panel_.log_y : panel_.log_color) = true;
+    }
+  }
+
+  /// Boundaries are formulas of the plane, not of the record: only x and y are known in them.
+  void read_boundary(const Node& node) {
+    Names plane{names_.file, {{"x", {}, {}}, {"y", {}, {}}}, names_.parameters};
+    const std::vector<Node> one{node};
+    for (const auto& item : node.is_list() ? node.items : one)
+      if (auto formula = read_formula(item, plane, "figure.boundary", faults_))
+        panel_.boundaries.push_back(std::move(*formula));
+  }
+
+  void check_units_of_y() {
+    const auto found = panel_.series.find("y");
+    if (found == panel_.series.end()) return;
+    const Series& first = found->second.front();
+    for (const Series& series : found->second) {
+      // A sum with a bare number has no known unit; it is drawn as the others are.
+      if (series.unit_text.empty() || first.unit_text.empty() || series.unit_text == first.unit_text)
+        continue;
+      fault(series.formula.mark, "figure.y",
+            fmt::format("'{}' is drawn in {}, but '{}' in {}; one axis has one unit: give each a panel",
+                        first.formula.text, first.unit_text, series.formula.text, series.unit_text));
+    }
+  }
+
+  /// Each y is drawn with the other channels, so these must have been recorded together.
+  void find_recordings() {
+    std::vector<const Formula*> shared;
+    if (panel_.where) shared.push_back(&*panel_.where);
+    for (const auto& [key, list] : panel_.series)
+      if (key != "y") shared.push_back(&list.front().formula);
+    const auto y = panel_.series.find("y");
+    if (y == panel_.series.end()) {
+      panel_.recordings = {common_recording(shared, names_, node_, "figure", faults_)};
+      return;
+    }
+    for (const Series& series : y->second) {
+      auto all = shared;
+      all.push_back(&series.formula);
+      panel_.recordings.push_back(common_recording(all, names_, node_, "figure", faults_));
+    }
+  }
+
+  const Node& node_;
+  const Names& names_;
+  bool alone_;
+  Faults& faults_;
+  Panel panel_;
+};
+
+}  // namespace
+
+std::optional<Panel> read_panel(const Node& node, const Names& names, bool alone, Faults& faults) {
+  if (!node.is_map()) {
+    faults.add(
+        {{names.file, node.mark}, "figure", "a figure is a map: {plot: lines, x: time, y: rig.x}", {}});
+    return std::nullopt;
+  }
+  return PanelReader(node, names, alone, faults).read();
+}
+
+}  // namespace stepwire

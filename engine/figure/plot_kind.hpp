@@ -1,0 +1,55 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/figure/figure.hpp"
+
+namespace stepwire {
+
+class Script;
+
+/// A key of a plot whose value is an expression over recorded columns.
+struct Channel {
+  std::string key;
+  std::string doc;
+  bool required = false;
+  bool several = false;  ///< a list is allowed
+};
+
+/// A key of a plot whose value is a number, a list of numbers, or one of some words.
+struct Option {
+  std::string key;
+  std::string doc;
+  std::string axis{};  ///< the channel in whose unit its numbers are drawn; empty: plain numbers
+  bool list = false;   ///< a number or a list of them
+  std::vector<std::string> words{};  ///< the words that are allowed, for an option that is a word
+};
+
+/// One kind of plot: what it reads and how it is drawn. A new kind is one file with one such value, and a
+/// line in the list of plots.cpp.
+struct PlotKind {
+  std::string name;
+  std::string doc;
+  std::vector<Channel> channels;
+  std::vector<Option> options;
+  bool plane = true;  ///< has the axes x and y in a plane, so that boundaries may be drawn
+  void (*draw)(const Panel& panel, std::span<const Recording> recordings, Script& script) = nullptr;
+};
+
+/// All kinds, in the order of the reference.
+const std::vector<PlotKind>& plot_kinds();
+
+PlotKind lines_plot();
+PlotKind xy_plot();
+PlotKind loop_plot();
+PlotKind path_plot();
+PlotKind strip_plot();
+PlotKind map_plot();
+PlotKind field_plot();
+PlotKind space_plot();
+PlotKind box_plot();
+PlotKind histogram_plot();
+
+}  // namespace stepwire

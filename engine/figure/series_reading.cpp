@@ -1,0 +1,69 @@
+#include <fmt/format.h>
+
+#include "engine/figure/number.hpp"
+#include "engine/figure/panel_reading.hpp"
+
+namespace stepwire {
+namespace {
+
+/// Reads the unit behind " in " and checks that the formula can be drawn in it.
+bool read_unit(const Node& node, std::string_view text, std::size_t offset, Series& series,
+               const Names& names, const std::string& subject, Faults& faults) {
+  const auto unit = parse_unit(text);
+  const auto& dimension = series.formula.dimension;
+  std::string message;
+  if (!unit)
+    message = fmt::format("'{}' is no unit", text);
+  else if (dimension && *dimension != unit->dimension)
+    message = fmt::format("'{}' is in {} and cannot be drawn in {}", series.formula.text, si_name(*dimension),
+                          text);
+  if (!message.empty()) {
+    faults.add({place_in(node, offset, names), subject, message, {}});
+    return false;
+  }
+  series.unit = *unit;
+  series.unit_text = std::string(text);
+  return true;
+}
+
+std::optional<Series> read_signal(const Node& node, const Names& names, const std::string& subject,
+                                  Faults& faults) {
+  const std::size_t in = node.is_scalar() ? node.text.rfind(" in ") : std::string::npos;
+  auto formula = in == std::string::npos ? read_formula(node, names, subject, faults)
+                                         : read_formula(node, std::string_view(node.text).substr(0, in), 0,
+                                                        names, subject, faults);
+  if (!formula) return std::nullopt;
+  Series series{*formula, Unit{}, "", formula->text};
+  if (in == std::string::npos) {
+    if (formula->dimension) series.unit_text = si_name(*formula->dimension);
+    return series;
+  }
+  const std::size_t start = node.text.find_first_not_of(' ', in + 4);
+  const std::size_t end = node.text.find_last_not_of(' ') + 1;
+  const std::string_view unit =
+      std::string_view(node.text).substr(std::min(start, end), end - std::min(start, end));
+  if (!read_unit(node, unit, start, series, names, subject, faults)) return std::nullopt;
+  return series;
+}
+
+}  // namespace
+
+std::optional<Series> read_series(const Node& node, const Names& names, const std::string& subject,
+                                  Faults& faults) {
+  if (!node.is_map()) return read_signal(node, names, subject, faults);
+  for (const auto& entry : node.entries)
+    if (entry.key != "signal" && entry.key != "label")
+      add_unknown_key(entry, {"signal", "label"}, subject, names, subject, faults);
+  const Node* signal = node.find("signal");
+  if (signal == nullptr) {
+    faults.add(
+        {{names.file, node.mark}, subject, "'signal' is missing: {signal: rig.x in mm, label: ...}", {}});
+    return std::nullopt;
+  }
+  auto series = read_signal(*signal, names, subject, faults);
+  const Node* label = node.find("label");
+  if (series && label != nullptr) series->label = read_text(*label, names, subject, faults);
+  return series;
+}
+
+}  // namespace stepwire
