@@ -61,9 +61,15 @@ struct Figure {
 /// Reads the value under the key `figure`: one entry or a list. Everything that is wrong goes to `faults`.
 std::vector<Figure> read_figures(const Node& node, const Names& names, Faults& faults);
 
-/// Draws with gnuplot and returns the SVG; the same data give the same bits. Throws SurroundingsError where
-/// gnuplot is missing or refuses.
-std::string draw(const Figure& figure, std::span<const Recording> recordings);
+/// A picture, and what gnuplot had to say about it (empty as a rule).
+struct Drawing {
+  std::string svg;
+  std::string warnings;
+};
+
+/// Draws with gnuplot; the same data give the same bits. Throws SurroundingsError where gnuplot is missing or
+/// fails.
+Drawing draw(const Figure& figure, std::span<const Recording> recordings);
 
 /// A key of figures with its explanation, for reference pages and the schema.
 struct FigureKey {

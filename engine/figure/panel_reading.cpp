@@ -92,7 +92,7 @@ class PanelReader {
     if (const Option* option = find_option(*panel_.kind, key)) return read_option(*option, entry.value);
     if (!is_among(panel_keys(), key) || (key == "boundary" && !panel_.kind->plane)) return unknown(entry);
     const Node& value = entry.value;
-    if (key == "title") panel_.words[key] = text(value, key);
+    if (key == "title" || key.ends_with("_label")) panel_.words[key] = text(value, key);
     if (key == "where") panel_.where = read_formula(value, names_, "figure.where", faults_);
     if (key == "equal") panel_.equal = word(value, key, {"true", "false"}) == "true";
     if (key == "rows") panel_.final_rows = word(value, key, {"all", "final"}) == "final";

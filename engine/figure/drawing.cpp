@@ -1,0 +1,170 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/figure/gnuplot.hpp"
+#include "engine/figure/grid.hpp"
+#include "engine/figure/plot_kind.hpp"
+#include "engine/figure/script.hpp"
+
+namespace stepwire {
+namespace {
+
+constexpr const char* style = R"(reset
+set border 3 lc rgb '#8a8a8a' lw 0.8
+set tics nomirror out scale 0.6 textcolor rgb '#333333'
+set grid back lt 1 lc rgb '#e4e4e4' lw 0.7
+set format '%h'
+set xlabel textcolor rgb '#111111'
+set ylabel textcolor rgb '#111111'
+set zlabel textcolor rgb '#111111'
+set cblabel textcolor rgb '#111111'
+set title textcolor rgb '#111111' font ',14'
+set minussign
+set key noenhanced samplen 2.2 spacing 1.15 textcolor rgb '#222222' font ',12'
+set colorbox noborder
+set palette defined (0 '#3b46b3', 0.15 '#4681f7', 0.28 '#2fb2f4', 0.4 '#35dcb0', 0.52 '#9ae657', \
+  0.64 '#e3d939', 0.76 '#faa339', 0.87 '#ee5a1d', 1 '#b41203') maxcolors 96
+)";
+
+/// Curves where the boundaries of the panel are zero, over the plane that is shown.
+void draw_boundaries(const Panel& panel, Script& script) {
+  constexpr std::size_t cells = 240;
+  const Series *across = panel.find("x"), *up = panel.find("y");
+  for (const Formula& boundary : panel.boundaries) {
+    Grid grid{script.x.low,
+              script.y.low,
+              (script.x.high - script.x.low) / (cells - 1),
+              (script.y.high - script.y.low) / (cells - 1),
+              cells,
+              cells,
+              std::vector<double>(cells * cells)};
+    std::vector<double> values(boundary.columns.size());
+    for (std::size_t row = 0; row < cells; ++row)
+      for (std::size_t column = 0; column < cells; ++column) {
+        const double x = grid.x + static_cast<double>(column) * grid.dx;
+        const double y = grid.y + static_cast<double>(row) * grid.dy;
+        for (std::size_t i = 0; i < values.size(); ++i)
+          values[i] = boundary.columns[i] == "x" ? (across ? across->unit.to_si(x) : x)
+                                                 : (up != nullptr ? up->unit.to_si(y) : y);
+        grid.at(column, row) = boundary.expression(values);
+      }
+    const auto curves = contour(grid, 0.0);
+    if (!curves.empty()) script.plot(script.data(curves) + " using 1:2 with lines lc rgb '#111111' lw 1.6");
+  }
+}
+
+/// The legend stands above the axes while it is short, else beside them: it never covers a curve.
+std::string legend_place(std::size_t titles) {
+  if (titles == 0) return "set key off\n";
+  return titles <= 4 ? "set key outside top center horizontal\n"
+                     : "set key outside right center vertical Left reverse\n";
+}
+
+struct DrawnPanel {
+  std::string commands;
+  double height = 0.0;  ///< pixels
+};
+
+double wanted_height(const Script& script, double width) {
+  if (script.height > 0.0) return script.height;
+  if (script.space) return 0.8 * width;
+  if (!script.panel().equal || script.x.empty() || script.y.empty()) return 0.66 * width;
+  // Room for labels and a colour bar is about 150 pixels across and 80 up.
+  const double ratio = (script.y.high - script.y.low) / (script.x.high - script.x.low);
+  return std::clamp((width - 150.0) * ratio + 80.0, 0.3 * width, 1.2 * width);
+}
+
+DrawnPanel draw_panel(const Panel& panel, std::span<const Recording> recordings, std::size_t index,
+                      double width) {
+  Script script(panel, fmt::format("p{}d", index));
+  const auto title = panel.words.find("title");
+  if (title != panel.words.end()) script.set("set title " + quoted(title->second));
+  panel.kind->draw(panel, recordings, script);
+  draw_boundaries(panel, script);
+  return {legend_place(script.titles()) + script.text(), wanted_height(script, width)};
+}
+
+/// Rows of panels, each as high as its highest panel.
+struct Layout {
+  double width = 0.0, height = 0.0, head = 0.0;
+  std::vector<double> heights;
+};
+
+Layout lay_out(const Figure& figure, const std::vector<DrawnPanel>& panels, double panel_width) {
+  Layout layout{panel_width * figure.columns, 0.0, figure.title.empty() ? 0.0 : 34.0, {}};
+  for (std::size_t i = 0; i < panels.size(); i += static_cast<std::size_t>(figure.columns)) {
+    double height = 0.0;
+    for (std::size_t j = i; j < std::min(panels.size(), i + static_cast<std::size_t>(figure.columns)); ++j)
+      height = std::max(height, panels[j].height);
+    layout.heights.push_back(height);
+    layout.height += height;
+  }
+  if (figure.height > 0) {
+    const double scale = (figure.height - layout.head) / layout.height;
+    for (double& height : layout.heights) height *= scale;
+    layout.height = figure.height - layout.head;
+  }
+  layout.height += layout.head;
+  return layout;
+}
+
+std::string place_panel(const Figure& figure, const Layout& layout, std::size_t index) {
+  const auto columns = static_cast<std::size_t>(figure.columns);
+  double top = layout.head;
+  for (std::size_t row = 0; row < index / columns; ++row) top += layout.heights[row];
+  const double height = layout.heights[index / columns];
+  const double left = static_cast<double>(index % columns) / static_cast<double>(columns);
+  return fmt::format("set origin {:.6f},{:.6f}\nset size {}{:.6f},{:.6f}\n", left,
+                     1.0 - (top + height) / layout.height, figure.panels[index].equal ? "ratio -1 " : "",
+                     1.0 / static_cast<double>(columns), height / layout.height);
+}
+
+void replace_all(std::string& text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+    text.replace(at, from.size(), to);
+}
+
+std::string escaped(std::string text) {
+  replace_all(text, "&", "&amp;");
+  replace_all(text, "<", "&lt;");
+  replace_all(text, ">", "&gt;");
+  return text;
+}
+
+/// What gnuplot does not offer: a list of fonts, crisp cells of maps, and a title that a screen reader says.
+std::string finish(std::string svg, const Figure& figure) {
+  replace_all(svg, "font-family=\"Helvetica\"", "font-family=\"Helvetica, Arial, sans-serif\"");
+  replace_all(svg, "<image ", "<image style='image-rendering:pixelated' ");
+  replace_all(svg, "<title>Gnuplot</title>", "<title>" + escaped(figure.title) + "</title>");
+  return svg;
+}
+
+}  // namespace
+
+Drawing draw(const Figure& figure, std::span<const Recording> recordings) {
+  const double panel_width =
+      figure.width > 0 ? figure.width / figure.columns : (figure.columns == 1 ? 680.0 : 520.0);
+  std::vector<DrawnPanel> panels;
+  for (std::size_t i = 0; i < figure.panels.size(); ++i)
+    panels.push_back(draw_panel(figure.panels[i], recordings, i, panel_width));
+  const Layout layout = lay_out(figure, panels, panel_width);
+  std::string script = fmt::format(
+      "set encoding utf8\nset terminal svg size {:.0f},{:.0f} noenhanced font 'Helvetica,13' background "
+      "'#ffffff'\n"
+      "set multiplot\n",
+      layout.width, layout.height);
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    script += style + place_panel(figure, layout, i);
+    if (i == 0 && !figure.title.empty())
+      script +=
+          fmt::format("set label {} at screen 0.5, screen {:.6f} center font ',15' textcolor rgb '#111111'\n",
+                      quoted(figure.title), 1.0 - 18.0 / layout.height);
+    script += panels[i].commands;
+  }
+  const GnuplotAnswer answer = run_gnuplot(script + "unset multiplot\n");
+  return {finish(answer.output, figure), answer.complaints};
+}
+
+}  // namespace stepwire

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "engine/figure/curve.hpp"
+
+namespace stepwire {
+
+/// Values at the centres of equal cells, row by row from the lowest y; nan where nothing is known.
+struct Grid {
+  double x = 0.0, y = 0.0;    ///< centre of the first cell
+  double dx = 1.0, dy = 1.0;  ///< width and height of a cell
+  std::size_t columns = 0, rows = 0;
+  std::vector<double> values;
+
+  double& at(std::size_t column, std::size_t row) { return values[row * columns + column]; }
+  double at(std::size_t column, std::size_t row) const { return values[row * columns + column]; }
+};
+
+/// Points (x, y, value) as a grid. Points that lie on a lattice keep its cells; others are averaged in about
+/// `cells` cells along the longer side, and gaps between measured cells that are narrower than `gap` are
+/// filled from their neighbours. What lies outside of the measured points stays nan.
+Grid make_grid(const Curve& points, std::size_t cells, double gap);
+
+/// Curves along which the grid, linear between centres, has this value.
+std::vector<Curve> contour(const Grid& grid, double level);
+
+}  // namespace stepwire

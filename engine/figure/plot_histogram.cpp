@@ -1,0 +1,48 @@
+#include <cmath>
+
+#include "engine/figure/plot_tools.hpp"
+
+namespace stepwire {
+namespace {
+
+/// Middle of each bin and the number of values in it.
+Curve bins_of(const std::vector<double>& values, const Extent& extent, std::size_t count) {
+  const double width = (extent.high - extent.low) / static_cast<double>(count);
+  Curve bins{std::vector<std::vector<double>>(2), 0};
+  for (std::size_t i = 0; i < count; ++i)
+    bins.columns[0].push_back(extent.low + (static_cast<double>(i) + 0.5) * width);
+  bins.columns[1].assign(count, 0.0);
+  for (const double value : values) {
+    const auto bin = static_cast<std::size_t>(std::max(0.0, (value - extent.low) / width));
+    bins.columns[1][std::min(bin, count - 1)] += 1.0;
+  }
+  return bins;
+}
+
+void draw_histogram(const Panel& panel, std::span<const Recording> recordings, Script& script) {
+  const Series& x = *panel.find("x");
+  const Curve all = joined(gather(panel, recording_of(panel, recordings), {&x}));
+  script.label("x", x);
+  script.set("set ylabel 'rows'\nset style fill solid 1.0 border lc rgb '#ffffff'\nset grid nox");
+  if (all.columns.empty()) return;
+  const Extent extent = extent_of(all.columns[0]).padded(0.0);
+  const auto count =
+      static_cast<std::size_t>(std::clamp(std::floor(number_or(panel, "bins", 30.0)), 1.0, 1000.0));
+  const Curve bins = bins_of(all.columns[0], extent, count);
+  script.range("x", extent);
+  script.range("y", {0.0, 1.05 * extent_of(bins.columns[1]).high});
+  script.plot(script.data({bins}) + " using 1:2 with boxes fc rgb '" + curve_color(0) + "' lc rgb '#ffffff'");
+}
+
+}  // namespace
+
+PlotKind histogram_plot() {
+  return {"histogram",
+          "how many rows have which value",
+          {{"x", "the value that is counted", true}},
+          {{"bins", "number of bins (30)"}},
+          false,
+          draw_histogram};
+}
+
+}  // namespace stepwire

@@ -1,0 +1,38 @@
+#include "engine/figure/plot_tools.hpp"
+
+namespace stepwire {
+namespace {
+
+constexpr std::size_t point_budget = 4000;  ///< each coloured piece is an element of its own in the picture
+
+void draw_path(const Panel& panel, std::span<const Recording> recordings, Script& script) {
+  const Series &x = *panel.find("x"), &y = *panel.find("y"), &color = *panel.find("color");
+  const Curves all = gather(panel, recording_of(panel, recordings), {&x, &y, &color});
+  std::vector<Curve> curves;
+  for (std::size_t group = 0; group < all.groups.size(); ++group)
+    std::ranges::copy(thinned(all, group, point_budget / all.groups.size()), std::back_inserter(curves));
+  script.cover(curves);
+  script.plane(0.05);
+  script.label("x", x);
+  script.label("y", y);
+  Curves drawn;
+  drawn.curves = curves;
+  const Curve points = joined(drawn);
+  script.color_bar(color, points.columns.empty() ? Extent{} : extent_of(points.columns[2]));
+  script.plot(script.data(curves) + " using 1:2:3 with lines lw 3 lc palette");
+}
+
+}  // namespace
+
+PlotKind path_plot() {
+  return {"path",
+          "a path in the plane whose colour is a third quantity",
+          {{"x", "along the horizontal axis", true},
+           {"y", "along the vertical axis", true},
+           {"color", "shown as colour, with a colour bar", true}},
+          {},
+          true,
+          draw_path};
+}
+
+}  // namespace stepwire

@@ -1,0 +1,89 @@
+#include <cmath>
+#include <limits>
+
+#include "engine/figure/grid.hpp"
+#include "engine/figure/plot_tools.hpp"
+
+namespace stepwire {
+namespace {
+
+constexpr std::size_t cells = 500;
+
+/// Cells of the strip: the mean of all that passes over them; nan where nothing passes.
+class Strip {
+ public:
+  explicit Strip(const Extent& extent) : low_(extent.low), step_((extent.high - extent.low) / cells) {}
+
+  /// Between two rows that follow each other the colour goes over linearly.
+  void pass(double x0, double value0, double x1, double value1) {
+    const std::size_t from = cell(std::min(x0, x1)), to = cell(std::max(x0, x1));
+    for (std::size_t i = from; i <= to; ++i) {
+      const double x = low_ + (static_cast<double>(i) + 0.5) * step_;
+      const double part = x1 == x0 ? 0.0 : std::clamp((x - x0) / (x1 - x0), 0.0, 1.0);
+      sums_[i] += value0 + part * (value1 - value0);
+      counts_[i] += 1.0;
+    }
+  }
+
+  Curve curve() const {
+    Curve result{std::vector<std::vector<double>>(3), 0};
+    for (std::size_t i = 0; i < cells; ++i) {
+      const double value =
+          counts_[i] > 0.0 ? sums_[i] / counts_[i] : std::numeric_limits<double>::quiet_NaN();
+      result.columns[0].push_back(low_ + (static_cast<double>(i) + 0.5) * step_);
+      result.columns[1].push_back(0.5);
+      result.columns[2].push_back(value);
+    }
+    return result;
+  }
+
+ private:
+  std::size_t cell(double x) const {
+    return static_cast<std::size_t>(std::clamp((x - low_) / step_, 0.0, static_cast<double>(cells - 1)));
+  }
+
+  double low_, step_;
+  std::vector<double> sums_ = std::vector<double>(cells, 0.0), counts_ = std::vector<double>(cells, 0.0);
+};
+
+Curve strip_of(const Curves& all, const Extent& extent) {
+  Strip strip(extent);
+  for (const Curve& curve : all.curves) {
+    const auto &x = curve.columns[0], &value = curve.columns[1];
+    strip.pass(x[0], value[0], x[0], value[0]);
+    for (std::size_t i = 1; i < curve.size(); ++i) strip.pass(x[i - 1], value[i - 1], x[i], value[i]);
+  }
+  return strip.curve();
+}
+
+void draw_strip(const Panel& panel, std::span<const Recording> recordings, Script& script) {
+  const Series &x = *panel.find("x"), &color = *panel.find("color");
+  const Curves all = gather(panel, recording_of(panel, recordings), {&x, &color});
+  for (const Curve& curve : all.curves)
+    for (const double value : curve.columns[0]) script.x.add(value);
+  script.x = script.x.padded(0.0);
+  const Curve strip = strip_of(all, script.x);
+  script.y = {0.0, 1.0};
+  script.plane(0.0);
+  script.set(
+      "unset ytics\nset border 1\nset grid noy\nset colorbox horizontal user origin graph 0, graph 1.25 size "
+      "graph 1, graph 0.22");
+  script.set("set cbtics offset 0,0\nunset grid");
+  script.height = 190.0;
+  script.label("x", x);
+  script.color_bar(color, extent_of(strip.columns[2]));
+  script.plot(script.data({strip}) + " using 1:2:3 with image");
+}
+
+}  // namespace
+
+PlotKind strip_plot() {
+  return {"strip",
+          "a strip along x whose colour is a second quantity",
+          {{"x", "along the strip", true}, {"color", "shown as colour, with a colour bar", true}},
+          {},
+          true,
+          draw_strip};
+}
+
+}  // namespace stepwire

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "engine/figure/curve.hpp"
+#include "engine/figure/figure.hpp"
+
+namespace stepwire {
+
+/// Smallest and largest number seen.
+struct Extent {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  void add(double value);
+  bool empty() const { return !(low <= high); }
+  /// Widened by a share of its width on both sides; where it is one point, so that it has a width at all.
+  Extent padded(double share) const;
+};
+
+/// The gnuplot commands of one panel while it is put together.
+class Script {
+ public:
+  /// `name` starts the names of its data blocks, so that panels of one picture do not share them.
+  Script(const Panel& panel, std::string name) : panel_(panel), name_(std::move(name)) {}
+
+  void set(const std::string& command) { commands_ += command + "\n"; }
+  /// Writes curves as a data block, with a gap between them, and returns its name.
+  std::string data(const std::vector<Curve>& curves);
+  /// Takes the first two columns of curves into the extent of the plane.
+  void cover(const std::vector<Curve>& curves);
+  /// Adds something to be plotted: "$a0 using 1:2 with lines", with its text in the legend or none.
+  void plot(const std::string& item, const std::string& title = {});
+
+  /// Labels the axis of a channel with its series.
+  void label(const std::string& axis, const Series& series);
+  /// Sets the range of an axis: the file's, or this.
+  void range(const std::string& axis, const Extent& extent);
+  /// Colour bar of a series whose values lie in this extent.
+  void color_bar(const Series& series, const Extent& extent);
+  /// Ranges of x and y around what is covered, with a little room; equal units where the panel asks for it.
+  void plane(double room);
+
+  /// Pixels that the drawing wants to be high; 0: as usual.
+  double height = 0.0;
+  bool space = false;  ///< three axes
+  Extent x, y;
+
+  const Panel& panel() const { return panel_; }
+  std::size_t titles() const { return titles_; }
+  std::string text() const;
+
+ private:
+  const Panel& panel_;
+  std::string name_, commands_;
+  std::vector<std::string> items_;
+  std::size_t blocks_ = 0, titles_ = 0;
+};
+
+/// A text as gnuplot takes it literally: 'it''s'.
+std::string quoted(const std::string& text);
+
+/// A unit as people print it: mm, N m, m/s², °; "-" where there is none.
+std::string printed_unit(const std::string& unit);
+
+/// Colour of the i-th curve, told apart by colour-blind people too (Okabe and Ito).
+std::string curve_color(std::size_t index);
+
+}  // namespace stepwire
