@@ -1,7 +1,13 @@
 #include "blocks/haptics/register.hpp"
 
+#include "blocks/haptics/interval.hpp"
+#include "blocks/haptics/proportionality.hpp"
+
 namespace stepwire {
 
-void register_haptics(Registry&) {}
+void register_haptics(Registry& registry) {
+  registry.add<Interval>("haptics");
+  registry.add<Proportionality>("haptics");
+}
 
 }  // namespace stepwire

@@ -1,7 +1,17 @@
 #include "blocks/plants/register.hpp"
 
+#include "blocks/plants/bouc_wen.hpp"
+#include "blocks/plants/mass.hpp"
+#include "blocks/plants/mr_damper.hpp"
+#include "blocks/plants/rotary_mr_damper.hpp"
+
 namespace stepwire {
 
-void register_plants(Registry&) {}
+void register_plants(Registry& registry) {
+  registry.add<BoucWen>("plants");
+  registry.add<MRDamper>("plants");
+  registry.add<Mass>("plants");
+  registry.add<RotaryMRDamper>("plants");
+}
 
 }  // namespace stepwire

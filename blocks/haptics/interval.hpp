@@ -1,0 +1,35 @@
+#pragma once
+
+#include <limits>
+
+#include "engine/block/declare.hpp"
+
+namespace stepwire {
+
+/// 1-D resistance map with the authorized region lower <= x <= upper.
+struct Interval {
+  PerElement lower = -std::numeric_limits<double>::infinity();
+  PerElement upper = std::numeric_limits<double>::infinity();
+  Input<> x{};
+  Output<> depth{}, error{};
+
+  void outputs() {
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      const double beyond = beyond_bound(x.coeff(i), lower.coeff(i), upper.coeff(i));
+      error.coeffRef(i) = beyond;
+      depth.coeffRef(i) = beyond < 0.0 ? -beyond : beyond;
+    }
+  }
+
+  void configure(Configure& is);
+
+  static void declare(Declare<Interval>& is);
+
+ private:
+  static double beyond_bound(double x, double lower, double upper) {
+    if (x > upper) return x - upper;
+    return x < lower ? x - lower : 0.0;
+  }
+};
+
+}  // namespace stepwire

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "engine/block/declare.hpp"
+
+namespace stepwire {
+
+/// A point mass: m dv/dt = F, dx/dt = v. With a vector of forces, one motion per element.
+struct Mass {
+  PerElement mass = 1.0;
+  Input<> force{};
+  Output<> position{}, velocity{};
+  State<> position_{}, velocity_{};
+
+  void derivatives() {
+    position_.dot = velocity_;
+    velocity_.dot = force / mass;
+  }
+
+  static void declare(Declare<Mass>& is);
+};
+
+}  // namespace stepwire

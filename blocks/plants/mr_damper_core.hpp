@@ -1,0 +1,128 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+
+#include "blocks/plants/bouc_wen_law.hpp"
+#include "engine/block/declare.hpp"
+
+namespace stepwire {
+
+/// What the linear and the rotary MR damper share: resistance = k0 x + c(i) v + alpha(i) z + f0, with z from
+/// the Bouc-Wen law, and the account of its energy. Displacement is a length or an angle, resistance a force
+/// or a torque.
+///
+/// The energy balance, exact for a current that changes in steps or smoothly:
+///     integral of (c v + alpha z) v = stored + dissipated - switching_work   (all from the start of the run)
+/// with stored = alpha z^2 / (2 A) and switching_work the integral of dalpha/dt z^2 / (2 A): what a change of
+/// the current at z != 0 puts into the stored energy, which no fluid could do.
+struct MRDamperCore {
+  enum class Outside { hold, raw };
+  enum class Integration { solver, exact };
+
+  double A = 1.0, beta = 0.5, gamma = 0.5, n = 1.0;
+  Eigen::VectorXd alpha, c, current_range;
+  double k0 = 0.0, f0 = 0.0;
+  Outside extrapolate = Outside::hold;
+  Integration integration = Integration::solver;
+
+  Input<1> velocity{}, current{}, position{};
+  Output<1> z{}, dissipated{}, stored{}, switching_work{};
+  State<1> evolution{}, loss{}, spring_work{};
+  DiscreteState<1> last_time{}, last_velocity{}, last_current{}, first_stored{}, begun{};
+  Time time{};
+  Notice outside_range{};
+
+  void configure(Configure& is);
+
+  /// A polynomial with its highest power first.
+  static double polynomial(const Eigen::VectorXd& coefficients, double i) {
+    double sum = 0.0;
+    for (Eigen::Index k = 0; k < coefficients.size(); ++k) sum = sum * i + coefficients[k];
+    return sum;
+  }
+
+ protected:
+  /// Energy that went one way since the start of the run, and z, at this instant.
+  struct Account {
+    double z, loss, spring_work;
+  };
+
+  /// The parameters as they act: `scale` turns alpha and c into SI, `stiffening` shortens the pre-sliding
+  /// travel.
+  void prepare(double scale, double stiffening) {
+    law_ = {A * stiffening, beta * stiffening, gamma * stiffening, n};
+    alpha_ = alpha * scale;
+    c_ = c * scale;
+  }
+
+  double resistance() const {
+    const double force =
+        polynomial(c_, acting(current)) * velocity + polynomial(alpha_, acting(current)) * z + f0;
+    return position.connected() ? force + k0 * position : force;
+  }
+
+  void write_account() {
+    const Account now = account();
+    z = now.z;
+    dissipated = now.loss;
+    stored = spring(acting(current)) * now.z * now.z;
+    switching_work = stored - (begun == 0.0 ? stored : first_stored) - now.spring_work;
+  }
+
+  void write_rates() {
+    const bool by_solver = integration == Integration::solver;
+    const double i = acting(current);
+    const double rate = by_solver ? law_.rate(velocity, evolution) : 0.0;
+    evolution.dot = rate;
+    spring_work.dot = 2.0 * spring(i) * evolution * rate;
+    loss.dot =
+        by_solver ? polynomial(c_, i) * velocity * velocity + 2.0 * spring(i) * law_.lost(velocity, evolution)
+                  : 0.0;
+  }
+
+  void remember() {
+    if (!within_range(current)) outside_range.raise(time);
+    if (begun == 0.0) first_stored = stored;
+    begun = 1.0;
+    if (integration == Integration::solver) return;
+    const Account now = account();
+    evolution = now.z;
+    loss = now.loss;
+    spring_work = now.spring_work;
+    last_time = time;
+    last_velocity = velocity;
+    last_current = acting(current);
+  }
+
+  /// A hair beyond the range is still in it: a saturation at its end must not be told.
+  bool within_range(double i) const {
+    const double hair = 1e-9 * (current_range[1] - current_range[0]);
+    return i >= current_range[0] - hair && i <= current_range[1] + hair;
+  }
+
+ private:
+  double acting(double i) const {
+    return extrapolate == Outside::raw ? i : std::clamp(i, current_range[0], current_range[1]);
+  }
+
+  /// alpha / (2 A)
+  double spring(double i) const { return 0.5 * polynomial(alpha_, i) / law_.A; }
+
+  /// With the exact step the states keep the last tick's values and the way since then is gone again at each
+  /// call.
+  Account account() const {
+    if (integration == Integration::solver) return {evolution, loss, spring_work};
+    const double duration = time - last_time, v0 = last_velocity, v1 = velocity;
+    const BoucWenLaw::Travelled way = law_.over(evolution, v0, v1, duration);
+    const double viscous = polynomial(c_, last_current) * duration * (v0 * v0 + v0 * v1 + v1 * v1) / 3.0;
+    const double elastic = spring(last_current);
+    return {way.z, loss + viscous + 2.0 * elastic * way.lost,
+            spring_work + elastic * (way.z - evolution) * (way.z + evolution)};
+  }
+
+  BoucWenLaw law_;
+  Eigen::VectorXd alpha_, c_;
+};
+
+}  // namespace stepwire

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <string>
+
+#include "blocks/plants/mr_damper_core.hpp"
+
+namespace stepwire {
+
+/// In which units a kind of MR damper is declared.
+struct MRDamperUnits {
+  std::string displacement, velocity, resistance, stiffness;
+  std::string per_displacement;  ///< of beta and gamma for n = 1
+  std::string alpha, c;
+};
+
+/// Declares the parameters, ports and states that both MR dampers have.
+template <class Damper>
+void declare_mr_damper(Declare<Damper>& is, const MRDamperUnits& units) {
+  is.template parameter<&Damper::A>({.doc = "initial slope dz/dx of the evolution", .above = 0.0});
+  is.template parameter<&Damper::beta>(
+      {.unit = units.per_displacement,
+       .doc = "factor of |v| |z|^(n-1) z; for n other than 1 a bare SI number",
+       .at_least = 0.0});
+  is.template parameter<&Damper::gamma>(
+      {.unit = units.per_displacement,
+       .doc = "factor of v |z|^n, in the unit of beta; |gamma| must not exceed beta"});
+  is.template parameter<&Damper::n>({.doc = "sharpness of the knee", .at_least = 1.0});
+  is.template parameter<&Damper::alpha>(
+      {.unit = units.alpha, .doc = "alpha(i), a polynomial in the current in amperes, highest power first"});
+  is.template parameter<&Damper::c>(
+      {.unit = units.c, .doc = "c(i), a polynomial in the current in amperes, highest power first"});
+  is.template parameter<&Damper::k0>(
+      {.unit = units.stiffness, .doc = "stiffness beside the damper (a gas spring)"});
+  is.template parameter<&Damper::f0>({.unit = units.resistance, .doc = "constant part of the resistance"});
+  is.template parameter<&Damper::current_range>(
+      {.unit = "A", .doc = "lowest and highest current at which the polynomials were identified"});
+  is.template parameter<&Damper::extrapolate>(
+      {.doc =
+           "outside current_range: hold the coefficients of its nearer end, or evaluate the polynomials raw "
+           "(which are no damper far outside: c turns negative and energy comes out)",
+       .words = {"hold", "raw"}});
+  is.template parameter<&Damper::integration>(
+      {.doc = "how z follows the velocity: by the diagram's solver, for any n, whose step must resolve "
+              "1/((beta + |gamma|) |v|); or, for n = 1, by the exact solution from tick to tick for a "
+              "velocity that goes in a straight line "
+              "between them, which is stable with any step",
+       .words = {"solver", "exact"}});
+
+  is.template input<&Damper::velocity>({.unit = units.velocity, .doc = "velocity v"});
+  is.template input<&Damper::current>({.unit = "A", .doc = "current i in the coil"});
+  is.template input<&Damper::position>(
+      {.unit = units.displacement, .doc = "displacement x; needed where k0 is not 0", .optional = true});
+  is.template output<&Damper::z>({.unit = units.displacement, .doc = "evolutionary variable"});
+  is.template output<&Damper::dissipated>(
+      {.unit = "J", .doc = "energy turned into heat since the start; never falls"});
+  is.template output<&Damper::stored>(
+      {.unit = "J", .doc = "energy stored in the pre-sliding, alpha z^2 / (2 A)"});
+  is.template output<&Damper::switching_work>(
+      {.unit = "J",
+       .doc = "work of current changes, the integral of dalpha/dt z^2 / (2 A). The damper is passive beyond "
+              "it: the "
+              "integral of (c v + alpha z) v is the rise of stored, plus dissipated, minus switching_work"});
+
+  is.template state<&Damper::evolution>({.unit = units.displacement, .doc = "z (exact: at the last tick)"});
+  is.template state<&Damper::loss>(
+      {.unit = "J", .doc = "dissipated energy (exact: at the last tick)", .settable = false});
+  is.template state<&Damper::spring_work>(
+      {.unit = "J", .doc = "integral of alpha z dz / A (exact: at the last tick)", .settable = false});
+  is.template state<&Damper::last_time>({.unit = "s", .doc = "time of the last tick", .settable = false});
+  is.template state<&Damper::last_velocity>(
+      {.unit = units.velocity, .doc = "velocity then", .settable = false});
+  is.template state<&Damper::last_current>(
+      {.unit = "A", .doc = "current then, as it acted", .settable = false});
+  is.template state<&Damper::first_stored>(
+      {.unit = "J", .doc = "stored energy at the start", .settable = false});
+  is.template state<&Damper::begun>({.doc = "1 from the first tick on", .settable = false});
+  is.template clock<&Damper::time>();
+  is.template notice<&Damper::outside_range>(
+      {.doc = "the current leaves the range at which the damper was identified (see 'extrapolate')"});
+}
+
+}  // namespace stepwire
