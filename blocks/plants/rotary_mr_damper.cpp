@@ -6,9 +6,9 @@ namespace stepwire {
 
 namespace {
 
-/// Thesis eq. 8-10, identified with the angle in rad, time in s, current in A; the torque's unit is not
-/// printed and is assumed to be pound-force inch (equations.md's reason: 17.7 at 0.75 A are then the 2 N m of
-/// the transducer).
+/// Thesis eq. 8-10, with the angle in rad, time in s and current in A. The torque's unit is not printed and
+/// assumed to be pound-force inch: the limit of 17.7 at 0.75 A is then the 2 N m of the transducer that was
+/// used.
 void rd_2087_01(RotaryMRDamper& damper) {
   damper.k0 = 0.0;
   damper.A = 2.7789;
