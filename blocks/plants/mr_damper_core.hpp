@@ -48,8 +48,7 @@ struct MRDamperCore {
     double z, loss, spring_work;
   };
 
-  /// The parameters as they act: `scale` turns alpha and c into SI, `stiffening` shortens the pre-sliding
-  /// travel.
+  /// The parameters as they act: `scale` turns alpha and c into SI, `stiffening` shortens the pre-sliding.
   void prepare(double scale, double stiffening) {
     law_ = {A * stiffening, beta * stiffening, gamma * stiffening, n};
     alpha_ = alpha * scale;
@@ -57,8 +56,8 @@ struct MRDamperCore {
   }
 
   double resistance() const {
-    const double force =
-        polynomial(c_, acting(current)) * velocity + polynomial(alpha_, acting(current)) * z + f0;
+    const double i = acting(current);
+    const double force = polynomial(c_, i) * velocity + polynomial(alpha_, i) * z + f0;
     return position.connected() ? force + k0 * position : force;
   }
 
@@ -72,13 +71,11 @@ struct MRDamperCore {
 
   void write_rates() {
     const bool by_solver = integration == Integration::solver;
-    const double i = acting(current);
-    const double rate = by_solver ? law_.rate(velocity, evolution) : 0.0;
+    const double i = acting(current), rate = by_solver ? law_.rate(velocity, evolution) : 0.0;
+    const double stiffness = 2.0 * spring(i), viscous = polynomial(c_, i) * velocity * velocity;
     evolution.dot = rate;
-    spring_work.dot = 2.0 * spring(i) * evolution * rate;
-    loss.dot =
-        by_solver ? polynomial(c_, i) * velocity * velocity + 2.0 * spring(i) * law_.lost(velocity, evolution)
-                  : 0.0;
+    spring_work.dot = stiffness * evolution * rate;
+    loss.dot = by_solver ? viscous + stiffness * law_.lost(velocity, evolution) : 0.0;
   }
 
   void remember() {
@@ -109,8 +106,7 @@ struct MRDamperCore {
   /// alpha / (2 A)
   double spring(double i) const { return 0.5 * polynomial(alpha_, i) / law_.A; }
 
-  /// With the exact step the states keep the last tick's values and the way since then is gone again at each
-  /// call.
+  /// With the exact step the states keep the last tick's values, and each call goes the way since then anew.
   Account account() const {
     if (integration == Integration::solver) return {evolution, loss, spring_work};
     const double duration = time - last_time, v0 = last_velocity, v1 = velocity;
