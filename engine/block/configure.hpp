@@ -26,19 +26,29 @@ class ParameterRefused : public std::runtime_error {
 /// order and memory are: here a block checks its parameters against each other, and says what its declaration left open.
 class Configure {
  public:
-  Configure(std::set<std::string> connected, double period)
-      : connected_(std::move(connected)), period_(period) {}
+  Configure(std::set<std::string> connected, double period, std::map<std::string, Eigen::Index> counts = {})
+      : connected_(std::move(connected)), period_(period), counts_(std::move(counts)) {}
 
   /// Is this optional input fed?
   template <auto input>
   bool connected() const {
     return connected_.contains(std::string(member_name<input>()));
   }
+  /// How many elements does this list of inputs have?
+  template <auto input>
+  Eigen::Index count() const {
+    const auto found = counts_.find(std::string(member_name<input>()));
+    return found == counts_.end() ? 0 : found->second;
+  }
   /// Time between two updates of this block [s].
   double period() const { return period_; }
 
   /// Gives a size that no port or parameter determines, by its letter in the declared shapes.
   void size(const std::string& symbol, Eigen::Index elements) { sizes_[symbol] = elements; }
+  /// Refuses a size, which comes from a wire, below this: there is no element `elements` to work on.
+  void size_at_least(const std::string& symbol, Eigen::Index elements) { least_sizes_[symbol] = elements; }
+  /// Says what a unit variable of the declaration is in this instance, e.g. ("'u", "mm") from a file's header.
+  void unit(const std::string& variable, const std::string& unit) { units_[variable] = unit; }
   /// Says whether this instance's output depends on this input at the same instant.
   template <auto input, auto output>
   void feedthrough(bool depends) {
@@ -64,6 +74,8 @@ class Configure {
   }
 
   const std::map<std::string, Eigen::Index>& sizes() const { return sizes_; }
+  const std::map<std::string, Eigen::Index>& least_sizes() const { return least_sizes_; }
+  const std::map<std::string, std::string>& units() const { return units_; }
   const std::map<std::pair<std::string, std::string>, bool>& feedthrough() const { return feedthrough_; }
   const std::vector<std::pair<std::string, std::string>>& required() const { return required_; }
   bool skips_outputs() const { return skips_outputs_; }
@@ -72,7 +84,9 @@ class Configure {
  private:
   std::set<std::string> connected_;
   double period_;
-  std::map<std::string, Eigen::Index> sizes_;
+  std::map<std::string, Eigen::Index> counts_;
+  std::map<std::string, Eigen::Index> sizes_, least_sizes_;
+  std::map<std::string, std::string> units_;
   std::map<std::pair<std::string, std::string>, bool> feedthrough_;
   std::vector<std::pair<std::string, std::string>> required_;
   bool skips_outputs_ = false, skips_update_ = false;
