@@ -1,7 +1,45 @@
 #include "blocks/math/register.hpp"
 
+#include "blocks/math/abs.hpp"
+#include "blocks/math/atan2.hpp"
+#include "blocks/math/cross.hpp"
+#include "blocks/math/divide.hpp"
+#include "blocks/math/dot.hpp"
+#include "blocks/math/expression.hpp"
+#include "blocks/math/gain.hpp"
+#include "blocks/math/lookup_table.hpp"
+#include "blocks/math/lookup_table_2d.hpp"
+#include "blocks/math/matrix_gain.hpp"
+#include "blocks/math/min_max.hpp"
+#include "blocks/math/norm.hpp"
+#include "blocks/math/polynomial.hpp"
+#include "blocks/math/product.hpp"
+#include "blocks/math/sign.hpp"
+#include "blocks/math/sqrt.hpp"
+#include "blocks/math/sum.hpp"
+#include "blocks/math/trig.hpp"
+
 namespace stepwire {
 
-void register_math(Registry&) {}
+void register_math(Registry& registry) {
+  registry.add<Gain>("math");
+  registry.add<MatrixGain>("math");
+  registry.add<Sum>("math");
+  registry.add<Product>("math");
+  registry.add<Divide>("math");
+  registry.add<Abs>("math");
+  registry.add<Sign>("math");
+  registry.add<Sqrt>("math");
+  registry.add<Trig>("math");
+  registry.add<Atan2>("math");
+  registry.add<MinMax>("math");
+  registry.add<Polynomial>("math");
+  registry.add<ExpressionBlock>("math");
+  registry.add<Norm>("math");
+  registry.add<Dot>("math");
+  registry.add<Cross>("math");
+  registry.add<LookupTable>("math");
+  registry.add<LookupTable2D>("math");
+}
 
 }  // namespace stepwire

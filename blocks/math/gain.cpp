@@ -1,0 +1,12 @@
+#include "blocks/math/gain.hpp"
+
+namespace stepwire {
+
+void Gain::declare(Declare<Gain>& is) {
+  is.block("Gain", {.doc = "Each element times a number: y = gain u. For a matrix see MatrixGain."});
+  is.parameter<&Gain::gain>({.unit = "'k", .doc = "one factor for all elements, or one for each"});
+  is.input<&Gain::u>({.unit = "'u", .doc = "signal"});
+  is.output<&Gain::y>({.unit = "'k 'u", .doc = "gain times u"});
+}
+
+}  // namespace stepwire

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "engine/block/declare.hpp"
+
+namespace stepwire {
+
+/// The least or the greatest of several signals, element by element.
+struct MinMax {
+  enum class Function { min, max };
+
+  Function function = Function::min;
+  Inputs u{};
+  Output<> y{};
+
+  void outputs() {
+    const Eigen::Index inputs = u.count();
+    for (Eigen::Index k = 0; k < y.size(); ++k) {
+      double best = u[0][k];
+      for (Eigen::Index i = 1; i < inputs; ++i) best = better(u[i][k], best);
+      y.coeffRef(k) = best;
+    }
+  }
+
+  double better(double a, double b) const {
+    return function == Function::min ? (a < b ? a : b) : (a > b ? a : b);
+  }
+
+  static void declare(Declare<MinMax>& is);
+};
+
+}  // namespace stepwire

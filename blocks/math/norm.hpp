@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cmath>
+
+#include "engine/block/declare.hpp"
+
+namespace stepwire {
+
+/// The length of a vector: y = sqrt(sum u_k^2), or sum |u_k|, or max |u_k|.
+struct Norm {
+  enum class Kind { euclidean, sum, max };
+
+  Kind kind = Kind::euclidean;
+  Input<> u{};
+  Output<1> y{};
+
+  void outputs() {
+    double squares = 0.0, sum = 0.0, max = 0.0;
+    for (Eigen::Index k = 0; k < u.size(); ++k) {
+      const double size = std::abs(u.coeff(k));
+      squares += size * size;
+      sum += size;
+      max = size <= max ? max : size;  // so that no number stays no number
+    }
+    y = kind == Kind::euclidean ? std::sqrt(squares) : kind == Kind::sum ? sum : max;
+  }
+
+  static void declare(Declare<Norm>& is);
+};
+
+}  // namespace stepwire

@@ -1,0 +1,29 @@
+#include "blocks/math/polynomial.hpp"
+
+#include <fmt/format.h>
+
+namespace stepwire {
+
+void Polynomial::configure(Configure& is) {
+  if (coefficients.size() == 0)
+    is.refuse<&Polynomial::coefficients>("is empty; give at least one, the highest power first");
+  if (hold.size() != 0 && hold.size() != 2)
+    is.refuse<&Polynomial::hold>(fmt::format("has {} numbers; it takes two, [lower, upper]", hold.size()));
+  if (hold.size() == 2 && !(hold[0] < hold[1]))
+    is.refuse<&Polynomial::hold>(
+        fmt::format("[{}, {}] is no range; the lower end comes first", hold[0], hold[1]));
+}
+
+void Polynomial::declare(Declare<Polynomial>& is) {
+  is.block("Polynomial",
+           {.doc = "A polynomial of each element: coefficients [a, b, c] give y = a u^2 + b u + c. "
+                   "Everything is in SI; the coefficients carry the units that this asks for."});
+  is.parameter<&Polynomial::coefficients>({.unit = "*", .doc = "highest power first, as in MATLAB"});
+  is.parameter<&Polynomial::hold>(
+      {.unit = "'u",
+       .doc = "[lower, upper]: beyond this range the argument is held at its end; left out: no limit"});
+  is.input<&Polynomial::u>({.unit = "'u", .doc = "argument"});
+  is.output<&Polynomial::y>({.unit = "*", .doc = "value of the polynomial"});
+}
+
+}  // namespace stepwire

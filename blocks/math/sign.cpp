@@ -1,0 +1,14 @@
+#include "blocks/math/sign.hpp"
+
+namespace stepwire {
+
+void Sign::declare(Declare<Sign>& is) {
+  is.block(
+      "Sign",
+      {.doc = "The sign of each element: 1 above zero, -1 below, 0 at zero. In a feedback it chatters at "
+              "every step; Coulomb and Relay are meant for that."});
+  is.input<&Sign::u>({.unit = "*", .doc = "signal"});
+  is.output<&Sign::y>({.doc = "1, 0 or -1"});
+}
+
+}  // namespace stepwire

@@ -1,0 +1,28 @@
+#include "blocks/math/sum.hpp"
+
+#include <fmt/format.h>
+
+namespace stepwire {
+
+void Sum::configure(Configure& is) {
+  if (signs.find_first_not_of("+-") != std::string::npos)
+    is.refuse<&Sum::signs>(
+        fmt::format("'{}' is not made of + and -; one for each input, e.g. \"+-\"", signs));
+  const Eigen::Index inputs = is.count<&Sum::u>();
+  if (!signs.empty() && static_cast<Eigen::Index>(signs.size()) != inputs)
+    is.refuse<&Sum::signs>(
+        fmt::format("'{}' has {} signs for {} inputs; give one for each", signs, signs.size(), inputs));
+}
+
+void Sum::declare(Declare<Sum>& is) {
+  is.block(
+      "Sum",
+      {.doc = "Adds and subtracts signals element by element. An input of one element counts for every "
+              "element of the others. One input alone is passed on, or negated by the sign -; the elements "
+              "of a vector are added by MatrixGain with [[1, 1, 1]]."});
+  is.parameter<&Sum::signs>({.doc = "a + or - for each input, quoted: \"+-\"; left out: all are added"});
+  is.input<&Sum::u>({.unit = "'u", .doc = "signals, all of one unit"});
+  is.output<&Sum::y>({.unit = "'u", .doc = "the sum"});
+}
+
+}  // namespace stepwire

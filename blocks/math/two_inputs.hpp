@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "engine/block/configure.hpp"
+
+namespace stepwire {
+
+/// Refuses a list of inputs that has not two elements.
+template <auto list>
+void require_two(const Configure& is) {
+  if (is.count<list>() != 2)
+    is.refuse<list>("has " + std::to_string(is.count<list>()) + " elements; it takes two, [first, second]");
+}
+
+}  // namespace stepwire
