@@ -1,0 +1,32 @@
+#include "blocks/routing/select.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace stepwire {
+
+void Select::configure(Configure& is) {
+  from.clear();
+  for (const double index : indices) {
+    if (index != std::floor(index)) is.refuse<&Select::indices>(fmt::format("{} is no whole number", index));
+    from.push_back(static_cast<Eigen::Index>(index) - 1);
+  }
+  is.size("m", indices.size());
+  is.size_at_least("n", static_cast<Eigen::Index>(indices.maxCoeff()));
+}
+
+void Select::declare(Declare<Select>& is) {
+  is.block(
+      "Select",
+      {.doc = "Chosen elements of a vector in a chosen order: y = [u[i], u[j], ...]. An element may come "
+              "more than once."});
+  is.parameter<&Select::indices>({.doc = "which elements, the first of u being 1, e.g. [3, 1]",
+                                  .at_least = 1.0,
+                                  .at_most = 1e6,
+                                  .required = true});
+  is.input<&Select::u>({.unit = "'u", .shape = "n", .doc = "vector"});
+  is.output<&Select::y>({.unit = "'u", .shape = "m", .doc = "the chosen elements"});
+}
+
+}  // namespace stepwire

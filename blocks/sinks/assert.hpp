@@ -1,0 +1,21 @@
+#pragma once
+
+#include "engine/block/declare.hpp"
+
+namespace stepwire {
+
+/// Ends the run when what it is fed is false (zero in any element).
+struct Assert {
+  Input<> u{};
+  Notice failed{};
+  Time t{};
+
+  void update() {
+    for (Eigen::Index k = 0; k < u.size(); ++k)
+      if (u.coeff(k) == 0.0) failed.raise(t);
+  }
+
+  static void declare(Declare<Assert>& is);
+};
+
+}  // namespace stepwire

@@ -1,0 +1,12 @@
+#include "blocks/sinks/terminator.hpp"
+
+namespace stepwire {
+
+void Terminator::declare(Declare<Terminator>& is) {
+  is.block("Terminator",
+           {.doc = "Takes a signal and does nothing with it. No output needs one; it says to a reader that "
+                   "this one is left unused on purpose."});
+  is.input<&Terminator::u>({.unit = "*", .doc = "signal", .feedthrough = false});
+}
+
+}  // namespace stepwire
