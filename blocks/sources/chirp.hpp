@@ -1,0 +1,42 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/block/declare.hpp"
+
+namespace stepwire {
+
+/// A sine whose frequency moves from one value to another in a given time and stays there:
+/// y = amplitude sin(2 pi cycles(t) + phase) + bias, d cycles / dt = the frequency at t.
+struct Chirp {
+  enum class Sweep { linear, exponential };
+
+  double amplitude = 1.0, frequency = 0.1, target_frequency = 1.0, target_time = 10.0, phase = 0.0,
+         bias = 0.0;
+  Sweep sweep = Sweep::linear;
+  Output<1> y{};
+  Time t{};
+
+  void outputs() { y = amplitude * std::sin(2.0 * std::numbers::pi * cycles(t) + phase) + bias; }
+
+  /// Integral of the frequency from 0 to `time`.
+  double cycles(double time) const {
+    const double moving = std::min(time, target_time);
+    return moved(moving) + target_frequency * (time - moving);
+  }
+
+  void configure(Configure& is);
+  static void declare(Declare<Chirp>& is);
+
+ private:
+  double moved(double time) const {
+    const double ratio = target_frequency / frequency;
+    if (sweep == Sweep::exponential && ratio != 1.0)
+      return frequency * target_time / std::log(ratio) * std::expm1(std::log(ratio) * time / target_time);
+    return time * (frequency + 0.5 * (target_frequency - frequency) * time / target_time);
+  }
+};
+
+}  // namespace stepwire

@@ -1,0 +1,11 @@
+#include "blocks/sources/clock.hpp"
+
+namespace stepwire {
+
+void Clock::declare(Declare<Clock>& is) {
+  is.block("Clock", {.doc = "The time of the run: y = t, 0 at its beginning."});
+  is.output<&Clock::y>({.unit = "s", .doc = "time"});
+  is.clock<&Clock::t>();
+}
+
+}  // namespace stepwire

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "engine/block/declare.hpp"
+
+namespace stepwire {
+
+/// The time of the run: y = t.
+struct Clock {
+  Output<1> y{};
+  Time t{};
+
+  void outputs() { y = t; }
+
+  static void declare(Declare<Clock>& is);
+};
+
+}  // namespace stepwire

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "engine/block/declare.hpp"
+
+namespace stepwire {
+
+/// A value that does not change: y = value.
+struct Constant {
+  PerElement value = 1.0;
+  Output<> y{};
+
+  void outputs() { y = value; }
+
+  static void declare(Declare<Constant>& is);
+};
+
+}  // namespace stepwire

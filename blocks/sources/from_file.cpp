@@ -1,0 +1,94 @@
+#include "blocks/sources/from_file.hpp"
+
+#include <fmt/format.h>
+
+#include "blocks/sources/read_samples.hpp"
+
+namespace stepwire {
+
+namespace {
+
+/// A Fourier transform takes rows for evenly spaced; a thousandth of an interval is the rounding of a logger.
+void require_even(const FromFile& block, const Configure& is) {
+  const Samples& samples = block.samples;
+  for (Eigen::Index row = 0; row < samples.rows(); ++row) {
+    const double even = samples.begin() + static_cast<double>(row) * samples.interval;
+    if (std::abs(samples.time[row] - even) > 1e-3 * samples.interval)
+      is.refuse<&FromFile::interpolation>(fmt::format(
+          "band_limited needs evenly spaced rows, but in {} the row at {} s should be at {} s; use linear",
+          block.file.string(), samples.time[row], even));
+  }
+}
+
+void require_inside(const FromFile& block, const Configure& is) {
+  const Samples& samples = block.samples;
+  const double slack = samples.slack();
+  if (block.offset < samples.begin() - slack || block.offset > samples.end() + slack)
+    is.refuse<&FromFile::start_>(fmt::format("{} s is not in the record, which goes from {} s to {} s in {}",
+                                             block.offset, samples.begin(), samples.end(),
+                                             block.file.string()));
+}
+
+}  // namespace
+
+void FromFile::configure(Configure& is) {
+  if (column.empty()) is.refuse<&FromFile::column>("names no column; give one or a list");
+  if (unit.size() > 1 && unit.size() != column.size())
+    is.refuse<&FromFile::unit>(fmt::format("has {} units for {} columns; give one for all or one for each",
+                                           unit.size(), column.size()));
+  samples = read_samples(*this, is);
+  is.size("n", static_cast<Eigen::Index>(column.size()));
+  offset = start_ == -open ? samples.begin() : start_;
+  const bool periodic = interpolation == Interpolation::band_limited || after_end == AfterEnd::repeat;
+  if (!periodic) require_inside(*this, is);
+  if (periodic || after_end == AfterEnd::hold) is.skip_update();
+  smooth.clear();
+  if (interpolation != Interpolation::band_limited) return;
+  require_even(*this, is);
+  for (Eigen::Index k = 0; k < samples.value.rows(); ++k)
+    smooth.emplace_back(samples.value.row(k).transpose());
+}
+
+void FromFile::declare(Declare<FromFile>& is) {
+  is.block(
+      "FromFile",
+      {.doc =
+           "Plays back columns of a data file (CSV with a header line, or MAT): y at t is the record at t + "
+           "start. "
+           "Numbers become SI by their column's unit. band_limited takes the record for whole periods of a "
+           "periodic signal without content above half of the sample rate, and gives that signal between the "
+           "rows "
+           "to 2e-13 of its amplitude."});
+  is.parameter<&FromFile::file>(
+      {.doc = "path of a .csv or .mat file, beside the diagram or data/...", .required = true});
+  is.parameter<&FromFile::column>(
+      {.doc = "name of the column, or a list of names for a vector", .required = true});
+  is.parameter<&FromFile::unit>(
+      {.doc = "of the columns: one for all or one for each; left out: as the header says "
+              "(`x [mm]`), SI where it says nothing"});
+  is.parameter<&FromFile::time>(
+      {.doc = "column with the times, which must increase; in s unless its header says else"});
+  is.parameter<&FromFile::sample_time>(
+      {.unit = "s",
+       .doc = "time between rows, the first one being at 0, in place of a column of "
+              "times; 0: there is such a column",
+       .at_least = 0.0});
+  is.parameter<&FromFile::from>({.unit = "s", .doc = "rows before this time of the record are left out"});
+  is.parameter<&FromFile::to>({.unit = "s", .doc = "rows after this time of the record are left out"});
+  is.parameter<&FromFile::start_>(
+      {.unit = "s", .doc = "time of the record at which the run begins; left out: its first row in use"});
+  is.parameter<&FromFile::interpolation>(
+      {.doc = "between the rows: a straight line, the row before, or the periodic "
+              "band-limited signal through evenly spaced rows",
+       .words = {"linear", "hold", "band_limited"}});
+  is.parameter<&FromFile::after_end>(
+      {.doc = "after the last row: refuse (ends the run), hold it, or repeat: the first row "
+              "follows one mean interval after the last; band_limited repeats always",
+       .words = {"refuse", "hold", "repeat"}});
+  is.output<&FromFile::y>({.unit = "'u", .doc = "the record"});
+  is.notice<&FromFile::ended>(
+      {.doc = "the record is over; give after_end or an earlier stop", .ends_run = true});
+  is.clock<&FromFile::t>();
+}
+
+}  // namespace stepwire

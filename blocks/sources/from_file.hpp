@@ -1,0 +1,70 @@
+#pragma once
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "blocks/sources/band_limited.hpp"
+#include "blocks/sources/samples.hpp"
+#include "engine/block/declare.hpp"
+
+namespace stepwire {
+
+/// Columns of a data file, played back: y(t) is the record at t + start, held, straight, or band-limited
+/// between rows.
+struct FromFile {
+  enum class Interpolation { linear, hold, band_limited };
+  enum class AfterEnd { refuse, hold, repeat };
+  static constexpr double open = std::numeric_limits<double>::infinity();
+
+  std::filesystem::path file{};
+  std::vector<std::string> column{}, unit{};
+  std::string time = "time";
+  double sample_time = 0.0, from = -open, to = open, start_ = -open;
+  Interpolation interpolation = Interpolation::linear;
+  AfterEnd after_end = AfterEnd::refuse;
+  Output<> y{};
+  Notice ended{};
+  Time t{};
+  Samples samples{};
+  std::vector<BandLimited> smooth{};  ///< of each column, where band-limited
+  double offset = 0.0;                ///< instant of the record that is time 0 of the run [s]
+
+  void outputs() {
+    if (interpolation == Interpolation::band_limited) {
+      const double turns = (t + offset - samples.begin()) / samples.period();
+      for (Eigen::Index k = 0; k < y.size(); ++k) y.coeffRef(k) = smooth[static_cast<std::size_t>(k)](turns);
+    } else if (interpolation == Interpolation::hold) {
+      y = samples.value.col(samples.row_at(place(t + offset + samples.slack())));
+    } else {
+      straight(place(t + offset));
+    }
+  }
+  void update() {
+    if (t + offset > samples.end() + samples.slack()) ended.raise(t);
+  }
+
+  void configure(Configure& is);
+  static void declare(Declare<FromFile>& is);
+
+ private:
+  double place(double instant) const {
+    return after_end == AfterEnd::repeat ? samples.wrapped(instant) : instant;
+  }
+
+  /// After the last row comes the first one again, or nothing new.
+  void straight(double instant) {
+    const Eigen::Index row = samples.row_at(instant), last = samples.rows() - 1;
+    const Eigen::Index next = row < last ? row + 1 : after_end == AfterEnd::repeat ? 0 : last;
+    const double length = row < last ? samples.time.coeff(next) - samples.time.coeff(row) : samples.interval;
+    const double share = std::clamp((instant - samples.time.coeff(row)) / length, 0.0, 1.0);
+    for (Eigen::Index k = 0; k < y.size(); ++k) {
+      const double here = samples.value.coeff(k, row);
+      y.coeffRef(k) = here + share * (samples.value.coeff(k, next) - here);
+    }
+  }
+};
+
+}  // namespace stepwire

@@ -1,0 +1,116 @@
+#include "blocks/sources/multisine.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+#include <vector>
+
+#include "blocks/sources/random.hpp"
+
+namespace stepwire {
+
+namespace {
+
+constexpr double two_pi = 2.0 * std::numbers::pi;
+constexpr double most_lines = 100'000;
+
+/// Phases that keep the crest low: phi_k = -2 pi sum_{j<k} (k - j) p_j, p the share of each line in the
+/// power.
+Eigen::ArrayXd schroeder_phases(const Eigen::ArrayXd& amplitudes) {
+  const Eigen::ArrayXd share = amplitudes.square() / amplitudes.square().sum();
+  Eigen::ArrayXd phases(amplitudes.size());
+  double turns = 0.0, power = 0.0;
+  for (Eigen::Index k = 0; k < phases.size(); ++k) {
+    turns += power;
+    power += share[k];
+    phases[k] = -two_pi * (turns - std::floor(turns));
+  }
+  return phases;
+}
+
+}  // namespace
+
+void Multisine::configure(Configure& is) {
+  lay_lines(is);
+  lay_amplitudes(is);
+  lay_phases(is);
+}
+
+void Multisine::lay_lines(const Configure& is) {
+  if (frequencies.size() > 0) {
+    omega = two_pi * frequencies.array();
+    return;
+  }
+  if (highest < lowest)
+    is.refuse<&Multisine::highest>(
+        fmt::format("{} Hz is below the lowest frequency, {} Hz", highest, lowest));
+  const double near = 1e-9, first = std::ceil(lowest * period - near),
+               last = std::floor(highest * period + near);
+  if (last - first > most_lines) is.refuse<&Multisine::period>("makes more than 100000 lines; shorten it");
+  std::vector<double> found;
+  for (double harmonic = std::max(first, 1.0); harmonic <= last; ++harmonic)
+    if (lines == Lines::all || std::fmod(harmonic, 2.0) == 1.0) found.push_back(two_pi * harmonic / period);
+  if (found.empty())
+    is.refuse<&Multisine::period>(fmt::format(
+        "no multiple of 1/period = {} Hz that `lines` allows lies from {} Hz to {} Hz; lengthen the period",
+        1.0 / period, lowest, highest));
+  omega = Eigen::Map<const Eigen::ArrayXd>(found.data(), static_cast<Eigen::Index>(found.size()));
+}
+
+void Multisine::lay_amplitudes(const Configure& is) {
+  if (amplitude.size() != 1 && amplitude.size() != omega.size())
+    is.refuse<&Multisine::amplitude>(fmt::format(
+        "has {} values for {} lines; give one for all or one for each", amplitude.size(), omega.size()));
+  a = amplitude.array();
+  if (amplitude.size() == 1) a = Eigen::ArrayXd::Constant(omega.size(), amplitude[0]);
+  if (!(a != 0.0).any()) is.refuse<&Multisine::amplitude>("is zero in every line; at least one must not be");
+  if (rms > 0.0) a *= rms / std::sqrt(0.5 * a.square().sum());
+}
+
+void Multisine::lay_phases(const Configure& is) {
+  if (phases.size() > 0 && phases.size() != omega.size())
+    is.refuse<&Multisine::phases>(
+        fmt::format("has {} values for {} lines; give one for each", phases.size(), omega.size()));
+  if (phases.size() > 0) {
+    phi = phases.array();
+  } else if (phase == Phase::schroeder) {
+    phi = schroeder_phases(a);
+  } else {
+    phi = Eigen::ArrayXd::Zero(omega.size());
+    for (Eigen::Index k = 0; phase == Phase::random && k < phi.size(); ++k)
+      phi[k] = two_pi *
+               to_unit_interval(random_bits(static_cast<std::uint64_t>(seed), static_cast<std::uint64_t>(k)));
+  }
+}
+
+void Multisine::declare(Declare<Multisine>& is) {
+  is.block("Multisine",
+           {.doc = "A sum of cosines at chosen frequencies, y = sum a_k cos(2 pi f_k t + phi_k): a "
+                   "broad-band excitation. "
+                   "The frequencies are the multiples of 1/period from lowest to highest, or `frequencies`.",
+            .source =
+                "Schroeder: Synthesis of low-peak-factor signals, IEEE Trans. Inf. Theory 16, 1970, eq. 11"});
+  is.parameter<&Multisine::period>({.unit = "s", .doc = "after which the signal repeats", .above = 0.0});
+  is.parameter<&Multisine::lowest>({.unit = "Hz", .doc = "no line lies below", .at_least = 0.0});
+  is.parameter<&Multisine::highest>({.unit = "Hz", .doc = "no line lies above", .above = 0.0});
+  is.parameter<&Multisine::lines>(
+      {.doc = "all multiples of 1/period, or the odd ones only (to tell even nonlinearities)",
+       .words = {"all", "odd"}});
+  is.parameter<&Multisine::frequencies>(
+      {.unit = "Hz", .doc = "of each line, in place of period, lowest, highest and lines", .above = 0.0});
+  is.parameter<&Multisine::amplitude>({.unit = "'u", .doc = "of the lines: one number, or one for each"});
+  is.parameter<&Multisine::rms>(
+      {.unit = "'u",
+       .doc = "if above 0, all amplitudes are scaled so that the signal has this rms",
+       .at_least = 0.0});
+  is.parameter<&Multisine::phase>({.doc = "schroeder: low peaks; random: even over the circle, from the "
+                                          "seed; zero: all cosines begin at their peak",
+                                   .words = {"schroeder", "random", "zero"}});
+  is.parameter<&Multisine::phases>({.unit = "rad", .doc = "of each line, in place of `phase`"});
+  is.parameter<&Multisine::seed>({.doc = "of the random phases; a whole number"});
+  is.output<&Multisine::y>({.unit = "'u", .doc = "the sum"});
+  is.clock<&Multisine::t>();
+}
+
+}  // namespace stepwire

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "engine/block/declare.hpp"
+
+namespace stepwire {
+
+/// A sum of cosines, y = sum_k a_k cos(2 pi f_k t + phi_k): a broad-band excitation whose spectrum is chosen.
+struct Multisine {
+  enum class Lines { all, odd };
+  enum class Phase { schroeder, random, zero };
+
+  double period = 1.0, lowest = 1.0, highest = 10.0, rms = 0.0;
+  Lines lines = Lines::all;
+  Eigen::VectorXd frequencies{}, amplitude = Eigen::VectorXd::Ones(1), phases{};
+  Phase phase = Phase::schroeder;
+  std::int64_t seed = 0;
+  Output<1> y{};
+  Time t{};
+  Eigen::ArrayXd omega{}, a{}, phi{};  ///< of each line: 2 pi f [rad/s], amplitude, phase [rad]
+
+  void outputs() {
+    double sum = 0.0;
+    for (Eigen::Index k = 0; k < omega.size(); ++k)
+      sum += a.coeff(k) * std::cos(omega.coeff(k) * t + phi.coeff(k));
+    y = sum;
+  }
+
+  void configure(Configure& is);
+  static void declare(Declare<Multisine>& is);
+
+ private:
+  void lay_lines(const Configure& is);
+  void lay_amplitudes(const Configure& is);
+  void lay_phases(const Configure& is);
+};
+
+}  // namespace stepwire

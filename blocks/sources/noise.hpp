@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "blocks/sources/random.hpp"
+#include "engine/block/declare.hpp"
+
+namespace stepwire {
+
+/// White noise, one independent sample per tick and element: y = mean + deviation w, w of mean 0 and
+/// variance 1.
+struct Noise {
+  enum class Distribution { normal, uniform };
+
+  std::int64_t seed = 0;
+  Distribution distribution = Distribution::normal;
+  PerElement mean = 0.0, deviation = 1.0, power = 0.0;
+  Output<> y{};
+  DiscreteState<1> sample{};
+  Period period{};
+  Eigen::ArrayXd spread{};  ///< standard deviation of a sample
+
+  void start() { spread = (power > 0.0).select((power / period).sqrt(), deviation); }
+  void outputs() {
+    for (Eigen::Index k = 0; k < y.size(); ++k) y.coeffRef(k) = mean.coeff(k) + spread.coeff(k) * standard(k);
+  }
+  void update() { sample = sample + 1.0; }
+
+  /// Depends on the seed, the element and the number of the sample alone, so that a run can go on from
+  /// anywhere.
+  double standard(Eigen::Index element) const {
+    const std::uint64_t stream =
+        random_bits(static_cast<std::uint64_t>(seed), static_cast<std::uint64_t>(element));
+    const double even =
+        to_unit_interval(random_bits(stream, static_cast<std::uint64_t>(static_cast<double>(sample))));
+    constexpr double width = 3.4641016151377545871;  // sqrt(12): then the variance is 1
+    return distribution == Distribution::uniform ? width * (even - 0.5) : normal_quantile(even);
+  }
+
+  void configure(Configure& is);
+  static void declare(Declare<Noise>& is);
+};
+
+}  // namespace stepwire

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cmath>
+
+#include "blocks/sources/instant.hpp"
+#include "engine/block/declare.hpp"
+
+namespace stepwire {
+
+/// A train of rectangles: y = bias + amplitude in the first `width` of each period, else y = bias; from
+/// `delay` on.
+struct Pulse {
+  PerElement amplitude = 1.0, period = 1.0, width = 0.5, delay = 0.0, bias = 0.0;
+  Output<> y{};
+  Time t{};
+
+  void outputs() {
+    for (Eigen::Index k = 0; k < y.size(); ++k)
+      y.coeffRef(k) = bias.coeff(k) + (high(k) ? amplitude.coeff(k) : 0.0);
+  }
+
+  /// Edges are compared as instants of the run, since that is where their rounding is known.
+  bool high(Eigen::Index k) const {
+    const double first = delay.coeff(k), length = period.coeff(k);
+    if (!reached(t, first)) return false;
+    double begin = first + length * std::floor((t - first) / length);
+    if (reached(t, begin + length)) begin += length;
+    return !reached(t, begin + width.coeff(k) * length);
+  }
+
+  static void declare(Declare<Pulse>& is);
+};
+
+}  // namespace stepwire

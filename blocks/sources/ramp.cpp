@@ -1,0 +1,14 @@
+#include "blocks/sources/ramp.hpp"
+
+namespace stepwire {
+
+void Ramp::declare(Declare<Ramp>& is) {
+  is.block("Ramp", {.doc = "Grows steadily from one instant on: y = initial + slope max(0, t - start)."});
+  is.parameter<&Ramp::slope>({.unit = "'u/s", .doc = "growth per second; may be negative"});
+  is.parameter<&Ramp::start_>({.unit = "s", .doc = "instant from which it grows"});
+  is.parameter<&Ramp::initial>({.unit = "'u", .doc = "value until then"});
+  is.output<&Ramp::y>({.unit = "'u", .doc = "the ramp"});
+  is.clock<&Ramp::t>();
+}
+
+}  // namespace stepwire

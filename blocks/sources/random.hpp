@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace stepwire {
+
+/// The finaliser of SplitMix64 (Steele, Lea, Flood: Fast splittable pseudorandom number generators, 2014).
+inline std::uint64_t mix_bits(std::uint64_t bits) {
+  bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9u;
+  bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebu;
+  return bits ^ (bits >> 31);
+}
+
+/// Number `counter` of the sequence SplitMix64 with this seed.
+inline std::uint64_t random_bits(std::uint64_t seed, std::uint64_t counter) {
+  return mix_bits(seed + (counter + 1) * 0x9e3779b97f4a7c15u);
+}
+
+/// Evenly distributed in (0, 1), both ends excluded, in steps of 2^-52.
+inline double to_unit_interval(std::uint64_t bits) {
+  return (static_cast<double>(bits >> 12) + 0.5) * 0x1.0p-52;
+}
+
+/// Natural logarithm from exact operations only, since libraries differ in the last bit and seeds must not.
+inline double portable_log(double x) {
+  int exponent = 0;
+  double mantissa = std::frexp(x, &exponent);
+  if (mantissa < 0.70710678118654752) mantissa *= 2.0, --exponent;
+  const double s = (mantissa - 1.0) / (mantissa + 1.0);
+  double sum = 0.0;
+  for (int odd = 25; odd >= 1; odd -= 2) sum = sum * s * s + 1.0 / odd;
+  return 2.0 * s * sum + exponent * 0.69314718055994530942;
+}
+
+/// The number that a standard normal variable stays below with this probability, to 1e-16 relative
+/// (Wichura: The percentage points of the normal distribution, Applied Statistics 37, 1988, algorithm AS
+/// 241).
+double normal_quantile(double probability);
+
+}  // namespace stepwire

@@ -1,0 +1,144 @@
+#include "blocks/sources/read_samples.hpp"
+
+#include <fmt/format.h>
+
+#include "engine/table/file.hpp"
+#include "engine/unit/unit.hpp"
+
+namespace stepwire {
+
+namespace {
+
+constexpr Dimension time_dimension{{0.0, 0.0, 1.0}};
+
+Table read_file(const FromFile& asked, const Configure& is) {
+  try {
+    return read_table(asked.file.string());
+  } catch (const TableError& error) {
+    is.refuse<&FromFile::file>(error.what());
+  }
+}
+
+/// Where a number stands: "press.csv:17" for the 16th row below the header, "press.mat: element 16 of t".
+std::string place_of(const FromFile& asked, const Column& column, std::size_t row) {
+  if (asked.file.extension() == ".mat")
+    return fmt::format("{}: element {} of {}", asked.file.string(), row + 1, column.name);
+  return fmt::format("{}:{}: {}", asked.file.string(), row + 2, column.name);
+}
+
+std::string names_of(const Table& table) {
+  std::string names;
+  for (const Column& column : table.columns) names += (names.empty() ? "" : ", ") + column.name;
+  return names;
+}
+
+template <auto parameter>
+const Column& find_column(const FromFile& asked, const Configure& is, const Table& table,
+                          const std::string& name, const char* cure) {
+  const Column* column = table.find(name);
+  if (!column)
+    is.refuse<parameter>(
+        fmt::format("{} has no column '{}'; it has: {}{}", asked.file.string(), name, names_of(table), cure));
+  for (std::size_t row = 0; row < column->values.size(); ++row)
+    if (!std::isfinite(column->values[row]))
+      is.refuse<parameter>(fmt::format("{} is {}; every row must be a finite number",
+                                       place_of(asked, *column, row), column->values[row]));
+  return *column;
+}
+
+template <auto parameter>
+Unit read_unit(const Configure& is, const std::string& text) {
+  const auto unit = parse_unit(text);
+  if (!unit)
+    is.refuse<parameter>(fmt::format("'{}' is no unit; name the one of the column, as `unit: mm`", text));
+  return *unit;
+}
+
+/// Times of all rows [s]. A column without a unit is in seconds.
+Eigen::ArrayXd times(const FromFile& asked, const Configure& is, const Table& table, std::size_t rows) {
+  if (asked.sample_time > 0.0) {
+    const auto count = static_cast<Eigen::Index>(rows);
+    return asked.sample_time * Eigen::ArrayXd::LinSpaced(count, 0.0, static_cast<double>(count - 1));
+  }
+  const Column& column = find_column<&FromFile::time>(asked, is, table, asked.time,
+                                                      "; name the one with the times, or give sample_time");
+  const Unit unit = read_unit<&FromFile::time>(is, column.unit.empty() ? "s" : column.unit);
+  if (unit.dimension != time_dimension)
+    is.refuse<&FromFile::time>(
+        fmt::format("column '{}' is in {}, not in a unit of time", column.name, column.unit));
+  for (std::size_t row = 1; row < column.values.size(); ++row)
+    if (!(column.values[row] > column.values[row - 1]))
+      is.refuse<&FromFile::time>(fmt::format("{} is {}, after {} in the row before; times must increase",
+                                             place_of(asked, column, row), column.values[row],
+                                             column.values[row - 1]));
+  Eigen::ArrayXd result(static_cast<Eigen::Index>(column.values.size()));
+  for (Eigen::Index row = 0; row < result.size(); ++row)
+    result[row] = unit.to_si(column.values[static_cast<std::size_t>(row)]);
+  return result;
+}
+
+/// The unit of a column: as the block says, else as the header says, else SI.
+std::string unit_of(const FromFile& asked, const Column& column, std::size_t index) {
+  if (asked.unit.empty()) return column.unit;
+  return asked.unit.size() == 1 ? asked.unit.front() : asked.unit[index];
+}
+
+/// Rows from `first` on of one column into a row of the matrix.
+void fill(const FromFile& asked, const Configure& is, const Column& column, std::size_t index,
+          Eigen::Index first, Samples& samples) {
+  const std::string text = unit_of(asked, column, index);
+  const Unit unit = read_unit<&FromFile::unit>(is, text);
+  for (Eigen::Index row = 0; row < samples.rows(); ++row)
+    samples.value(static_cast<Eigen::Index>(index), row) =
+        unit.to_si(column.values[static_cast<std::size_t>(first + row)]);
+}
+
+/// The output's unit is that of the columns where they all have one and the same; a vector of several has
+/// none.
+void tell_unit(const FromFile& asked, Configure& is, const std::vector<const Column*>& columns) {
+  const std::string text = unit_of(asked, *columns.front(), 0);
+  if (text.empty()) return;
+  for (std::size_t i = 1; i < columns.size(); ++i)
+    if (parse_unit(unit_of(asked, *columns[i], i))->dimension != parse_unit(text)->dimension) return;
+  is.unit("'u", text);
+}
+
+Samples cut(const FromFile& asked, const Configure& is, const Eigen::ArrayXd& time, Eigen::Index& first) {
+  const double slack = 1e-6 * (time[time.size() - 1] - time[0]) / static_cast<double>(time.size());
+  const auto below = [&](double limit) {
+    return std::count_if(time.begin(), time.end(), [&](double t) { return t < limit; });
+  };
+  first = below(asked.from - slack);
+  const Eigen::Index count = below(asked.to + slack) - first;
+  if (count < 2)
+    is.refuse<&FromFile::file>(fmt::format("{} has {} rows in use, from {} s to {} s; two or more are needed",
+                                           asked.file.string(), std::max<Eigen::Index>(count, 0), time[0],
+                                           time[time.size() - 1]));
+  Samples samples;
+  samples.time = time.segment(first, count);
+  samples.interval = (samples.end() - samples.begin()) / static_cast<double>(count - 1);
+  return samples;
+}
+
+}  // namespace
+
+Samples read_samples(const FromFile& asked, Configure& is) {
+  const Table table = read_file(asked, is);
+  std::vector<const Column*> columns;
+  for (const std::string& name : asked.column)
+    columns.push_back(&find_column<&FromFile::column>(asked, is, table, name, ""));
+  const Eigen::ArrayXd time = times(asked, is, table, columns.front()->values.size());
+  for (const Column* column : columns)
+    if (static_cast<Eigen::Index>(column->values.size()) != time.size())
+      is.refuse<&FromFile::column>(fmt::format("{}: {} has {} rows, but there are {} times",
+                                               asked.file.string(), column->name, column->values.size(),
+                                               time.size()));
+  Eigen::Index first = 0;
+  Samples samples = cut(asked, is, time, first);
+  samples.value.resize(static_cast<Eigen::Index>(columns.size()), samples.rows());
+  for (std::size_t i = 0; i < columns.size(); ++i) fill(asked, is, *columns[i], i, first, samples);
+  tell_unit(asked, is, columns);
+  return samples;
+}
+
+}  // namespace stepwire

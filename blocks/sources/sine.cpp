@@ -1,0 +1,15 @@
+#include "blocks/sources/sine.hpp"
+
+namespace stepwire {
+
+void Sine::declare(Declare<Sine>& is) {
+  is.block("Sine", {.doc = "A sine wave: y = amplitude sin(2 pi frequency t + phase) + bias."});
+  is.parameter<&Sine::amplitude>({.unit = "'u", .doc = "half of the distance between the peaks"});
+  is.parameter<&Sine::frequency>({.unit = "Hz", .doc = "periods per second (not radians)"});
+  is.parameter<&Sine::phase>({.unit = "rad", .doc = "angle at t = 0; a cosine has 90 deg"});
+  is.parameter<&Sine::bias>({.unit = "'u", .doc = "mean value"});
+  is.output<&Sine::y>({.unit = "'u", .doc = "the wave"});
+  is.clock<&Sine::t>();
+}
+
+}  // namespace stepwire
