@@ -4,16 +4,19 @@
 
 namespace stepwire {
 
-/// Numbers into one vector: y = [u1, u2, ...].
+/// Numbers and vectors into one vector, one behind the other: y = [u1, u2, ...].
 struct Mux {
   Inputs u{};
   Output<> y{};
 
   void outputs() {
-    for (Eigen::Index k = 0; k < y.size(); ++k) y.coeffRef(k) = u[k][0];
+    Eigen::Index next = 0;
+    for (Eigen::Index i = 0; i < u.count(); ++i) {
+      const auto piece = u.view(i);
+      for (Eigen::Index k = 0; k < piece.size(); ++k) y.coeffRef(next++) = piece.coeff(k);
+    }
   }
 
-  void configure(Configure& is) { is.size("n", is.count<&Mux::u>()); }
   static void declare(Declare<Mux>& is);
 };
 
