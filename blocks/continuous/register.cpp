@@ -1,11 +1,21 @@
 #include "blocks/continuous/register.hpp"
 
+#include "blocks/continuous/derivative.hpp"
+#include "blocks/continuous/integrator.hpp"
 #include "blocks/continuous/lag.hpp"
+#include "blocks/continuous/pid.hpp"
+#include "blocks/continuous/state_space.hpp"
+#include "blocks/continuous/transfer_function.hpp"
 
 namespace stepwire {
 
 void register_continuous(Registry& registry) {
+  registry.add<Derivative>("continuous");
+  registry.add<Integrator>("continuous");
   registry.add<Lag>("continuous");
+  registry.add<PID>("continuous");
+  registry.add<StateSpace>("continuous");
+  registry.add<TransferFunction>("continuous");
 }
 
 }  // namespace stepwire

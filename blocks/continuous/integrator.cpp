@@ -1,0 +1,41 @@
+#include "blocks/continuous/integrator.hpp"
+
+namespace stepwire {
+
+void Integrator::declare(Declare<Integrator>& is) {
+  is.block(
+      "Integrator",
+      {.doc =
+           "Integral of the input: dx/dt = u, y = x. At a limit the integration stops until u points inward, "
+           "so nothing winds up. A reset acts at a step: the output shows it at once, and the integration "
+           "goes on from there."});
+  is.parameter<&Integrator::lower>({.unit = "'u s", .doc = "lowest value; none where left out"});
+  is.parameter<&Integrator::upper>({.unit = "'u s", .doc = "highest value; none where left out"});
+  is.parameter<&Integrator::trigger>(
+      {.doc = "what of the reset signal resets: it becomes true (rising), false (falling), either, or it is "
+              "true "
+              "(level: held until it is false again). True is above 0; there is no edge at the first step",
+       .words = {"rising", "falling", "either", "level"}});
+  is.input<&Integrator::u>({.unit = "'u", .doc = "rate of change", .feedthrough = false});
+  is.input<&Integrator::reset>({.unit = "*", .doc = "resets all elements", .optional = true});
+  is.input<&Integrator::value>({.unit = "'u s",
+                                .doc = "what a reset goes to; the initial value where nothing is wired",
+                                .optional = true});
+  is.output<&Integrator::y, &Integrator::x>({.unit = "'u s", .doc = "the integral, within the limits"});
+  is.state<&Integrator::x>({.unit = "'u s", .doc = "the integral"});
+  is.state<&Integrator::home>({.unit = "'u s", .doc = "initial value", .settable = false});
+  is.state<&Integrator::side>({.doc = "last reset signal: -1 false, 1 true, 0 none yet", .settable = false});
+}
+
+void Integrator::configure(Configure& is) {
+  require_order<&Integrator::lower, &Integrator::upper>(*this, is);
+  limited = limits(lower, upper);
+  resets = is.connected<&Integrator::reset>();
+  if (!resets && is.connected<&Integrator::value>())
+    is.require<&Integrator::reset>("a value to reset to is wired");
+  if (limited || resets) return;
+  is.skip_outputs();
+  is.skip_update();
+}
+
+}  // namespace stepwire

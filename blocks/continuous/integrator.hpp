@@ -1,0 +1,69 @@
+#pragma once
+
+#include <algorithm>
+
+#include "engine/block/declare.hpp"
+#include "engine/block/limits.hpp"
+
+namespace stepwire {
+
+/// Integral of its input: dx/dt = u, y = x, within limits and with a reset where they are asked for.
+struct Integrator {
+  enum class Trigger { rising, falling, either, level };
+
+  PerElement lower = -unlimited, upper = unlimited;
+  Trigger trigger = Trigger::rising;
+  Input<> u{};
+  Input<1> reset{};
+  Input<> value{};
+  Output<> y{};
+  State<> x{};
+  DiscreteState<> home{};   // what a reset goes back to where no value is wired
+  DiscreteState<1> side{};  // of the reset signal at the last tick: -1 false, 1 true, 0 none seen yet
+
+  bool limited = false, resets = false;
+
+  void outputs() {
+    const bool now = resetting();
+    for (Eigen::Index i = 0; i < y.size(); ++i) y.coeffRef(i) = limit(now ? target(i) : x.coeff(i), i);
+  }
+
+  void derivatives() {
+    if (!limited && !resets) {
+      x.dot = u;
+      return;
+    }
+    const bool held = resets && trigger == Trigger::level && reset > 0.0;
+    for (Eigen::Index i = 0; i < x.size(); ++i) x.dot.coeffRef(i) = held ? 0.0 : gated(u.coeff(i), i);
+  }
+
+  void update() {
+    const bool now = resetting();
+    for (Eigen::Index i = 0; i < x.size(); ++i) x.coeffRef(i) = limit(now ? target(i) : x.coeff(i), i);
+    if (resets) side = reset > 0.0 ? 1.0 : -1.0;
+  }
+
+  void configure(Configure& is);
+  void start() { home = x; }
+  static void declare(Declare<Integrator>& is);
+
+ private:
+  bool resetting() const {
+    if (!resets) return false;
+    const bool high = reset > 0.0;
+    if (trigger == Trigger::level) return high;
+    const bool rose = side < 0.0 && high, fell = side > 0.0 && !high;
+    return (rose && trigger != Trigger::falling) || (fell && trigger != Trigger::rising);
+  }
+  double target(Eigen::Index i) const { return value.connected() ? value.coeff(i) : home.coeff(i); }
+  double limit(double number, Eigen::Index i) const {
+    return std::clamp(number, lower.coeff(i), upper.coeff(i));
+  }
+  double gated(double rate, Eigen::Index i) const {
+    const bool outward =
+        (x.coeff(i) >= upper.coeff(i) && rate > 0.0) || (x.coeff(i) <= lower.coeff(i) && rate < 0.0);
+    return outward ? 0.0 : rate;
+  }
+};
+
+}  // namespace stepwire

@@ -1,0 +1,50 @@
+#include "blocks/continuous/pid.hpp"
+
+namespace stepwire {
+
+namespace {
+
+void declare_parameters(Declare<PID>& is) {
+  is.parameter<&PID::kp>({.unit = "'k", .doc = "proportional gain"});
+  is.parameter<&PID::ki>({.unit = "'k/s", .doc = "integral gain"});
+  is.parameter<&PID::kd>({.unit = "'k s", .doc = "derivative gain"});
+  is.parameter<&PID::tau>({.unit = "s", .doc = "time constant of the derivative filter", .above = 0.0});
+  is.parameter<&PID::lower>({.unit = "'k 'u", .doc = "lowest output; none where left out"});
+  is.parameter<&PID::upper>({.unit = "'k 'u", .doc = "highest output; none where left out"});
+  is.parameter<&PID::integral_lower>({.unit = "'k 'u", .doc = "lowest integral part; none where left out"});
+  is.parameter<&PID::integral_upper>({.unit = "'k 'u", .doc = "highest integral part; none where left out"});
+  is.parameter<&PID::anti_windup>({.doc = "what the integral part does while the output is at a limit: goes "
+                                          "on (none), stops where it would push "
+                                          "further out (clamping), or follows the output, di/dt = ki e + (y "
+                                          "- wanted) / tracking (back_calculation)",
+                                   .words = {"none", "clamping", "back_calculation"}});
+  is.parameter<&PID::tracking>({.unit = "s", .doc = "time constant of back_calculation", .above = 0.0});
+  is.parameter<&PID::weight_p>({.doc = "share of the reference that the proportional part sees"});
+  is.parameter<&PID::weight_d>(
+      {.doc = "share of the reference that the derivative part sees; 0: no kick at a step"});
+}
+
+}  // namespace
+
+void PID::declare(Declare<PID>& is) {
+  is.block("PID",
+           {.doc = "Continuous PID controller in parallel form: y = kp e + ki int(e) + kd de/dt filtered by "
+                   "1 / (tau s + 1), within limits. u is the error e, reference minus measurement.",
+            .source = "Åström, Hägglund, Advanced PID Control, 2006, sections 3.3 to 3.5"});
+  declare_parameters(is);
+  is.input<&PID::u>({.unit = "'u", .doc = "error, reference minus measurement"});
+  is.input<&PID::reference>({.unit = "'u", .doc = "needed only for weights other than 1", .optional = true});
+  is.output<&PID::y>({.unit = "'k 'u", .doc = "command"});
+  is.state<&PID::integral>({.unit = "'k 'u", .doc = "integral part"});
+  is.state<&PID::filter>({.unit = "'u", .doc = "what the derivative part sees, filtered", .settable = false});
+}
+
+void PID::configure(Configure& is) {
+  require_order<&PID::lower, &PID::upper>(*this, is);
+  require_order<&PID::integral_lower, &PID::integral_upper>(*this, is);
+  if ((weight_p != 1.0).any() || (weight_d != 1.0).any())
+    is.require<&PID::reference>("a weight other than 1 needs it");
+  if (!limits(integral_lower, integral_upper)) is.skip_update();
+}
+
+}  // namespace stepwire

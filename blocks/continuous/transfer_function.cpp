@@ -1,0 +1,31 @@
+#include "blocks/continuous/transfer_function.hpp"
+
+namespace stepwire {
+
+void TransferFunction::declare(Declare<TransferFunction>& is) {
+  is.block("TransferFunction",
+           {.doc = "Y(s) / U(s) = numerator / denominator for one signal. Coefficients stand highest power "
+                   "of s first: "
+                   "[1, 0.2, 4] is s^2 + 0.2 s + 4. The numerator's degree may not exceed the denominator's. "
+                   "Units are "
+                   "not checked through it.",
+            .source = "controllable canonical form, e.g. Ogata, Modern Control Engineering, section 9-2"});
+  is.parameter<&TransferFunction::numerator>({.unit = "*", .doc = "coefficients, highest power of s first"});
+  is.parameter<&TransferFunction::denominator>(
+      {.unit = "*", .doc = "coefficients, highest power of s first"});
+  is.input<&TransferFunction::u>(
+      {.unit = "*", .doc = "input; felt at once only where both degrees are equal"});
+  is.output<&TransferFunction::y>({.unit = "*", .doc = "output"});
+  is.state<&TransferFunction::x>(
+      {.unit = "*", .shape = "n", .doc = "states of the canonical form, highest derivative first"});
+}
+
+void TransferFunction::configure(Configure& is) {
+  const std::string problem = Rational::problem_of(numerator, denominator);
+  if (!problem.empty()) is.refuse<&TransferFunction::denominator>(problem);
+  form = Rational(numerator, denominator);
+  is.size("n", form.order());
+  is.feedthrough<&TransferFunction::u, &TransferFunction::y>(form.direct != 0.0);
+}
+
+}  // namespace stepwire

@@ -1,0 +1,31 @@
+#include "blocks/discrete/discrete_transfer_function.hpp"
+
+namespace stepwire {
+
+void DiscreteTransferFunction::declare(Declare<DiscreteTransferFunction>& is) {
+  using Block = DiscreteTransferFunction;
+  is.block(
+      "DiscreteTransferFunction",
+      {.doc =
+           "Y(z) / U(z) = numerator / denominator for one signal. Coefficients stand highest power of z "
+           "first: "
+           "[1, -0.9] is z - 0.9. The numerator's degree may not exceed the denominator's. The default is a "
+           "delay by one period. Units are not checked through it.",
+       .source = "controllable canonical form, e.g. Ogata, Discrete-Time Control Systems, section 5-2"});
+  is.parameter<&Block::numerator>({.unit = "*", .doc = "coefficients, highest power of z first"});
+  is.parameter<&Block::denominator>({.unit = "*", .doc = "coefficients, highest power of z first"});
+  is.input<&Block::u>({.unit = "*", .doc = "input; felt at once only where both degrees are equal"});
+  is.output<&Block::y>({.unit = "*", .doc = "output"});
+  is.state<&Block::x>({.unit = "*", .shape = "n", .doc = "states of the canonical form, newest first"});
+}
+
+void DiscreteTransferFunction::configure(Configure& is) {
+  using Block = DiscreteTransferFunction;
+  const std::string problem = Rational::problem_of(numerator, denominator);
+  if (!problem.empty()) is.refuse<&Block::denominator>(problem);
+  form = Rational(numerator, denominator);
+  is.size("n", form.order());
+  is.feedthrough<&Block::u, &Block::y>(form.direct != 0.0);
+}
+
+}  // namespace stepwire

@@ -1,0 +1,15 @@
+#include "blocks/discrete/zero_order_hold.hpp"
+
+namespace stepwire {
+
+void ZeroOrderHold::declare(Declare<ZeroOrderHold>& is) {
+  is.block(
+      "ZeroOrderHold",
+      {.doc = "Samples its input at its own ticks (`every`) and holds it until the next: y(t) = u(k T) for "
+              "k T <= t < (k+1) T. Without `every` it holds from step to step.",
+       .timing = Timing::discrete});
+  is.input<&ZeroOrderHold::u>({.unit = "'u", .doc = "signal to sample"});
+  is.output<&ZeroOrderHold::y>({.unit = "'u", .doc = "the last sample"});
+}
+
+}  // namespace stepwire

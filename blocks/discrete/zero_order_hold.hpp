@@ -1,0 +1,17 @@
+#pragma once
+
+#include "engine/block/declare.hpp"
+
+namespace stepwire {
+
+/// Samples its input at its own period and holds it in between.
+struct ZeroOrderHold {
+  Input<> u{};
+  Output<> y{};
+
+  void outputs() { y = u; }
+
+  static void declare(Declare<ZeroOrderHold>& is);
+};
+
+}  // namespace stepwire
