@@ -54,6 +54,7 @@ struct DiagramBlock {
   std::vector<Mark> parameter_marks;
   std::vector<std::optional<Dimension>> parameter_dimensions;  ///< of each parameter, where written with a unit
   std::vector<InitialValue> initial;
+  std::vector<std::pair<std::string, Dimension>> known_units;  ///< unit variables that the block itself fixes: ("'u", mm)
   std::optional<double> every;  ///< period [s]
   Mark every_mark;
 
@@ -117,7 +118,7 @@ struct StopCondition {
   Origin origin;
 };
 
-/// A checked diagram: names resolved, parts opened, parameters in their blocks, units agreeing.
+/// A checked diagram: names resolved, parts opened, parameters in their blocks.
 struct Diagram {
   std::string file, title, caption;
   double step = 0.0;  ///< [s]
@@ -133,7 +134,7 @@ struct Diagram {
   std::vector<UnitDemand> unit_demands;
   std::vector<RecordRequest> records;
   std::vector<DiagramParameter> parameters;
-  std::vector<std::vector<std::optional<Dimension>>> output_dimensions;  ///< [block][output], where known
+  std::vector<std::vector<std::optional<Dimension>>> output_dimensions;  ///< [block][output], where known; see infer_units
   std::vector<std::vector<std::optional<Dimension>>> state_dimensions;   ///< [block][state], where known
   std::optional<Sweep> sweep;
   std::optional<StopCondition> stop_when;

@@ -5,7 +5,6 @@
 #include "engine/diagram/head.hpp"
 #include "engine/diagram/open.hpp"
 #include "engine/diagram/resolve.hpp"
-#include "engine/diagram/units.hpp"
 
 namespace stepwire {
 
@@ -78,7 +77,6 @@ Diagram build(Loader& loader, const Document& document, const std::vector<Settin
     read_stop_condition(root, resolver, report);
     demand_units(root, resolver, report);
     settings.report_unused(report);
-    if (report.faults().empty()) infer_units(report);
   }
   report.faults().throw_if_any();
   return diagram;

@@ -121,6 +121,11 @@ class Inference {
       equation.constant = equation.constant / *block.parameter_dimensions[i];
       add(std::move(equation), "the number");
     }
+    for (const auto& [variable, dimension] : block.known_units) {
+      Equation equation = start(block.origin, index, "", {false, {}, {{variable.substr(1), 1.0}}});
+      equation.constant = equation.constant / dimension;
+      add(std::move(equation), "what it reads");
+    }
     for (const InitialValue& initial : block.initial) {
       const auto& expression = units.states[static_cast<std::size_t>(initial.state)];
       if (!initial.dimension || expression.any) continue;

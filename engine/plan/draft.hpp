@@ -15,6 +15,7 @@ struct Draft {
   struct Block {
     std::map<std::pair<std::string, std::string>, bool> feedthrough;  ///< what configure() said
     std::map<std::string, Eigen::Index> sizes;                        ///< sizes that configure() gave
+    std::map<std::string, Eigen::Index> least_sizes;                  ///< below which it refuses a size
     bool computes = false;  ///< has outputs() to call
     bool updates = false;
     bool in_stages = false;  ///< do derivatives depend on its outputs?

@@ -1,5 +1,6 @@
 #include "engine/plan/plan.hpp"
 
+#include "engine/diagram/units.hpp"
 #include "engine/plan/draft.hpp"
 
 namespace stepwire {
@@ -35,6 +36,7 @@ Plan make_plan(Diagram diagram) {
   plan_rates(draft);
   configure_blocks(draft);
   draft.report.faults().throw_if_any();
+  infer_units(draft.report);
   plan_shapes(draft);
   draft.report.faults().throw_if_any();
   const std::vector<int> order = plan_order(draft);

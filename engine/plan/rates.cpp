@@ -109,6 +109,20 @@ void require_solver(Draft& draft) {
                                           block.type().name));
 }
 
+/// What a block may ask in configure().
+Configure what_is_known(const Draft& draft, std::size_t index) {
+  const DiagramBlock& block = draft.plan.diagram.blocks[index];
+  std::set<std::string> connected;
+  std::map<std::string, Eigen::Index> counts;
+  for (std::size_t input = 0; input < block.inputs.size(); ++input) {
+    const InputSpec& spec = block.type().inputs[input];
+    if (!block.inputs[input].empty()) connected.insert(spec.name);
+    if (spec.list) counts[spec.name] = static_cast<Eigen::Index>(block.inputs[input].size());
+  }
+  const double period = static_cast<double>(draft.plan.blocks[index].rate.ticks) * draft.plan.diagram.step;
+  return Configure(std::move(connected), period, std::move(counts));
+}
+
 }  // namespace
 
 void plan_rates(Draft& draft) {
@@ -130,10 +144,7 @@ void configure_blocks(Draft& draft) {
     made.computes = type.run_outputs != nullptr;
     made.updates = type.run_update != nullptr;
     if (!type.configure) continue;
-    std::set<std::string> connected;
-    for (std::size_t input = 0; input < type.inputs.size(); ++input)
-      if (!block.inputs[input].empty()) connected.insert(type.inputs[input].name);
-    Configure is(std::move(connected), static_cast<double>(draft.plan.blocks[i].rate.ticks) * draft.diagram().step);
+    Configure is = what_is_known(draft, i);
     try {
       type.configure(block.block.get(), is);
     } catch (const ParameterRefused& refused) {
@@ -147,6 +158,9 @@ void configure_blocks(Draft& draft) {
       draft.report.add(block.origin, block.name, fmt::format("the input '{}' is missing ({})", input, reason));
     made.feedthrough = is.feedthrough();
     made.sizes = is.sizes();
+    made.least_sizes = is.least_sizes();
+    for (const auto& [variable, unit] : is.units())
+      if (const auto parsed = parse_unit(unit)) block.known_units.emplace_back(variable, parsed->dimension);
     made.computes = made.computes && !is.skips_outputs();
     made.updates = made.updates && !is.skips_update();
   }

@@ -21,6 +21,7 @@ class Shapes {
     for (std::size_t i = 0; i < draft_.blocks.size(); ++i) declare(i);
     for (std::size_t i = 0; i < draft_.blocks.size(); ++i) connect(i);
     settle();
+    for (std::size_t i = 0; i < draft_.blocks.size(); ++i) refuse_small(i);
     for (std::size_t i = 0; i < draft_.blocks.size(); ++i) store(i);
   }
 
@@ -161,6 +162,15 @@ class Shapes {
     for (; next_open_ < sizes_.count(); ++next_open_)
       if (!sizes_.value(next_open_)) return sizes_.set(next_open_, 1);
     return false;
+  }
+
+  void refuse_small(std::size_t index) {
+    const DiagramBlock& block = draft_.diagram().blocks[index];
+    for (const auto& [name, least] : draft_.blocks[index].least_sizes) {
+      const Eigen::Index size = sizes_.value(symbol(index, name)).value_or(1);
+      if (size < least)
+        draft_.report.add(block.origin, block.name, fmt::format("is fed {} elements; it needs at least {}", size, least));
+    }
   }
 
   void store(std::size_t index) {
