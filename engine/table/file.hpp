@@ -22,7 +22,8 @@ class TableError : public std::runtime_error {
 Table read_csv(const std::string& path);
 
 /// Every real vector of a MATLAB file (level 4, 5 or 7.3), one column each; a matrix gives columns "name(1)",
-/// "name(2)", ... Columns may differ in length here. Errors as read_csv.
+/// "name(2)", ... Columns may differ in length here. Errors as read_csv. A damaged
+/// file is an error, except that inside a file of level 7.3 only the HDF5 library can tell.
 Table read_mat(const std::string& path);
 
 /// By the ending of the path: .csv or .mat; TableError for others.
