@@ -1,0 +1,123 @@
+#include "engine/cli/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "engine/cli/commands.hpp"
+#include "engine/cli/interrupt.hpp"
+#include "engine/cli/version.hpp"
+
+namespace stepwire {
+
+namespace {
+
+void add_work_options(CLI::App& verb, RunCommand& command, std::vector<std::string>& settings, std::string& stop, bool& large) {
+  verb.add_option("FILE", command.files, "diagram files")->required();
+  verb.add_option("--set", settings, "a parameter in place of the file's: name=value; reaches into parts (rig.mass=2kg)")->allow_extra_args(false);
+  verb.add_option("--stop", stop, "stop time in place of the file's, e.g. 2s");
+  verb.add_flag("--large", large, "read files above 8 MB");
+  verb.add_flag("--units", command.units, "print the unit of every wire");
+  verb.add_flag("--json", command.json, "print the result as JSON");
+}
+
+/// "name=value" as a setting; throws CLI::ValidationError for anything else.
+Setting parse_setting(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == 0 || equals == std::string::npos || equals + 1 == text.size())
+    throw CLI::ValidationError("--set " + text, "must be written name=value, e.g. --set rig.mass=2kg");
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+/// All verbs with what they fill in.
+class CommandLine {
+ public:
+  explicit CommandLine(const Registry& registry) : registry_(registry) {
+    app_.require_subcommand(1);
+    app_.set_version_flag("--version", "stepwire " + program_version());
+    add_run();
+    add_check();
+    add_thesis();
+    add_blocks();
+    add_schema();
+  }
+
+  ExitCode run(int argc, char** argv) {
+    try {
+      app_.parse(argc, argv);
+      return action_();
+    } catch (const CLI::ParseError& error) {
+      return app_.exit(error) == 0 ? ExitCode::done : ExitCode::wrong;
+    }
+  }
+
+ private:
+  void add_run() {
+    CLI::App* verb = app_.add_subcommand("run", "run diagram files, judge their claims");
+    verb->footer("Example:\n  stepwire run lag.yaml --set tau=0.2s --stop 2s --out out/lag");
+    add_work_options(*verb, run_, settings_, stop_, large_);
+    verb->add_option("--out", run_.out, "folder for signals.csv, signals.mat, pictures, claims.json, run.json");
+    verb->callback([this] { action_ = [this] { return run_or_check(); }; });
+  }
+
+  void add_check() {
+    CLI::App* verb = app_.add_subcommand("check", "do all that run does before the first step");
+    verb->footer("Example:\n  stepwire check diagrams/examples/*.yaml");
+    add_work_options(*verb, run_, settings_, stop_, large_);
+    verb->callback([this] {
+      run_.check_only = true;
+      action_ = [this] { return run_or_check(); };
+    });
+  }
+
+  void add_thesis() {
+    CLI::App* verb = app_.add_subcommand("thesis", "make the figures of the thesis and a page that shows them");
+    verb->footer("Example:\n  stepwire thesis --only fig15,fig31 --out out/thesis");
+    verb->add_option("--only", thesis_.only, "beginnings of file names, e.g. fig15,fig31")->delimiter(',');
+    verb->add_option("--out", thesis_.out, "folder of the page")->capture_default_str();
+    thesis_.diagrams = std::string(STEPWIRE_DIAGRAMS) + "/thesis";
+    verb->callback([this] { action_ = [this] { return run_thesis(thesis_, registry_); }; });
+  }
+
+  void add_blocks() {
+    CLI::App* verb = app_.add_subcommand("blocks", "list the blocks, or explain one");
+    verb->footer("Example:\n  stepwire blocks PID\n  stepwire blocks --markdown > blocks.md");
+    verb->add_option("NAME", blocks_.name, "a block");
+    verb->add_flag("--json", blocks_.json, "as JSON");
+    verb->add_flag("--markdown", blocks_.markdown, "as Markdown");
+    verb->callback([this] { action_ = [this] { return show_blocks(blocks_, registry_); }; });
+  }
+
+  void add_schema() {
+    CLI::App* verb = app_.add_subcommand("schema", "print the JSON schema of diagram files, for editors");
+    verb->footer("Example:\n  stepwire schema > stepwire.schema.json\n  # first line of a diagram file:\n"
+                 "  # yaml-language-server: $schema=stepwire.schema.json");
+    verb->callback([this] { action_ = [this] { return show_schema(registry_); }; });
+  }
+
+  ExitCode run_or_check() {
+    for (const std::string& text : settings_) run_.options.settings.push_back(parse_setting(text));
+    if (!stop_.empty()) run_.options.stop = stop_;
+    if (large_) run_.options.limits.bytes = std::size_t{4} << 30;
+    return run_files(run_, registry_);
+  }
+
+  const Registry& registry_;
+  CLI::App app_{"Block diagrams in text, run at a fixed step."};
+  RunCommand run_;
+  ThesisCommand thesis_;
+  BlocksCommand blocks_;
+  std::vector<std::string> settings_;
+  std::string stop_;
+  bool large_ = false;
+  std::function<ExitCode()> action_;
+};
+
+}  // namespace
+
+int run_command_line(int argc, char** argv, const Registry& registry) {
+  catch_interrupts();
+  return static_cast<int>(CommandLine(registry).run(argc, argv));
+}
+
+}  // namespace stepwire

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/block/registry.hpp"
+#include "engine/cli/work.hpp"
+
+namespace stepwire {
+
+struct RunCommand {
+  std::vector<std::string> files;
+  WorkOptions options;
+  std::string out;  ///< folder; empty: nothing is written
+  bool json = false;
+  bool units = false;
+  bool check_only = false;
+};
+
+struct ThesisCommand {
+  std::vector<std::string> only;  ///< beginnings of file names: "fig15"
+  std::string diagrams;           ///< folder with the diagram files
+  std::string out = "out/thesis";
+};
+
+struct BlocksCommand {
+  std::string name;
+  bool json = false;
+  bool markdown = false;
+};
+
+/// `run` and `check`.
+ExitCode run_files(const RunCommand& command, const Registry& registry);
+/// `thesis`: every figure, and the page that shows them.
+ExitCode run_thesis(const ThesisCommand& command, const Registry& registry);
+/// `blocks`.
+ExitCode show_blocks(const BlocksCommand& command, const Registry& registry);
+/// `schema`.
+ExitCode show_schema(const Registry& registry);
+
+}  // namespace stepwire

@@ -1,0 +1,33 @@
+#include "engine/cli/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace stepwire {
+
+namespace {
+
+constexpr int width = 32;
+
+}  // namespace
+
+Progress::Progress(std::string label) : label_(std::move(label)), on_terminal_(isatty(STDERR_FILENO) == 1) {}
+
+Progress::~Progress() {
+  if (on_terminal_ && last_permille_ >= 0) fmt::print(stderr, "\r\x1b[K");
+}
+
+void Progress::show(double fraction, const std::string& what) {
+  const std::lock_guard lock(mutex_);
+  const int permille = static_cast<int>(1000.0 * std::clamp(fraction, 0.0, 1.0));
+  if (!on_terminal_ || (permille == last_permille_ && what.empty())) return;
+  last_permille_ = std::max(permille, last_permille_);
+  const int full = width * last_permille_ / 1000;
+  fmt::print(stderr, "\r\x1b[K{} [{:=<{}}{: <{}}] {:3} % {}", label_, "", full, "", width - full, last_permille_ / 10, what);
+  std::fflush(stderr);
+}
+
+}  // namespace stepwire

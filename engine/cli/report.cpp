@@ -1,0 +1,58 @@
+#include "engine/cli/report.hpp"
+
+#include <fmt/format.h>
+
+#include <new>
+
+#include "engine/document/error.hpp"
+#include "engine/table/file.hpp"
+
+namespace stepwire {
+
+std::string outcome_text(const Work& work, const Outcome& outcome) {
+  const Diagram& diagram = work.job.plan.diagram;
+  const std::size_t runs = std::max<std::size_t>(1, work.job.points.size());
+  std::string text = fmt::format("{}\n  {}: {} blocks, {}{} ticks, {:.3g} s\n", diagram.title.empty() ? work.file : diagram.title,
+                                 work.file, diagram.blocks.size(), runs > 1 ? fmt::format("{} runs, ", runs) : "", outcome.result.ticks,
+                                 outcome.seconds);
+  for (const Verdict& verdict : outcome.verdicts)
+    text += fmt::format("  {} {}: {} ({}){}{}\n", verdict.holds ? "ok  " : verdict.fails() ? "FAIL" : "note", verdict.that, verdict.shown,
+                        verdict.check, verdict.note.empty() ? "" : "; " + verdict.note,
+                        verdict.disagrees.empty() ? "" : fmt::format("; {}: {}", verdict.word(), verdict.disagrees));
+  for (const RaisedNotice& notice : outcome.result.notices)
+    text += fmt::format("  note {}: {} (first at {:.6g} s)\n", notice.block, notice.text, notice.time);
+  return text;
+}
+
+std::string units_text(const Diagram& diagram) {
+  std::string text;
+  for (std::size_t b = 0; b < diagram.blocks.size(); ++b) {
+    const DiagramBlock& block = diagram.blocks[b];
+    for (std::size_t o = 0; o < block.type().outputs.size(); ++o) {
+      const auto& dimension = diagram.output_dimensions[b][o];
+      const std::string port = block.type().outputs.size() == 1 ? block.name : block.name + "." + block.type().outputs[o].name;
+      text += fmt::format("  {:<40} {}\n", port, dimension ? si_name(*dimension) : "not known");
+    }
+  }
+  return text;
+}
+
+ExitCode guarded(const std::function<ExitCode()>& action) {
+  try {
+    return action();
+  } catch (const Error& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return ExitCode::wrong;
+  } catch (const TableError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return ExitCode::wrong;
+  } catch (const SurroundingsError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return ExitCode::surroundings;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "there is not enough memory for this run; record fewer signals or give 'record' an 'every'\n");
+    return ExitCode::surroundings;
+  }
+}
+
+}  // namespace stepwire

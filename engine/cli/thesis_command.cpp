@@ -1,0 +1,137 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <thread>
+
+#include "engine/cli/commands.hpp"
+#include "engine/cli/interrupt.hpp"
+#include "engine/cli/output.hpp"
+#include "engine/cli/progress.hpp"
+#include "engine/cli/report.hpp"
+#include "engine/figure/gallery.hpp"
+#include "engine/table/file.hpp"
+
+namespace stepwire {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool wanted(const std::string& stem, const std::vector<std::string>& only) {
+  return only.empty() || std::any_of(only.begin(), only.end(), [&](const std::string& start) { return stem.starts_with(start); });
+}
+
+std::vector<fs::path> figure_files(const ThesisCommand& command) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(command.diagrams, error))
+    if (entry.path().extension() == ".yaml" && wanted(entry.path().stem().string(), command.only)) files.push_back(entry.path());
+  if (error) throw SurroundingsError(fmt::format("{}: {}", command.diagrams, error.message()));
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::string label_of(const Diagram& diagram) {
+  if (diagram.thesis_figure) return fmt::format("Figure {}", *diagram.thesis_figure);
+  if (diagram.thesis_table) return fmt::format("Table {}", *diagram.thesis_table);
+  return "";
+}
+
+void describe(const Work& work, GalleryEntry& entry) {
+  const Diagram& diagram = work.job.plan.diagram;
+  entry.label = label_of(diagram);
+  entry.title = diagram.title;
+  entry.caption = diagram.caption;
+  for (const DiagramParameter& parameter : diagram.parameters)
+    if (parameter.assumed) entry.assumptions.push_back({parameter.name, parameter.text, parameter.doc});
+}
+
+/// Makes the figures, several at a time; each entry stands at its file's place.
+class Maker {
+ public:
+  Maker(const ThesisCommand& command, const Registry& registry, std::vector<fs::path> files)
+      : command_(command), registry_(registry), files_(std::move(files)), entries_(files_.size()), codes_(files_.size(), ExitCode::done) {}
+
+  void run() {
+    std::vector<std::jthread> threads;
+    const std::size_t count = std::min<std::size_t>(files_.size(), std::max(1u, std::thread::hardware_concurrency()));
+    for (std::size_t i = 0; i < count; ++i) threads.emplace_back([this] { work(); });
+  }
+
+  const std::vector<GalleryEntry>& entries() const { return entries_; }
+  ExitCode code() const {
+    ExitCode code = ExitCode::done;
+    for (ExitCode one : codes_) code = worst(code, one);
+    return code;
+  }
+
+ private:
+  void work() {
+    for (std::size_t i = next_++; i < files_.size() && !interrupted(); i = next_++) {
+      codes_[i] = make(files_[i], entries_[i]);
+      progress_.show(static_cast<double>(++done_) / static_cast<double>(files_.size()), files_[i].stem().string());
+    }
+  }
+
+  ExitCode make(const fs::path& file, GalleryEntry& entry) {
+    const std::string stem = file.stem().string();
+    entry.title = stem;
+    entry.folder = stem;
+    entry.diagram = fs::proximate(file, command_.out).generic_string();
+    entry.error = "could not be run; the terminal says why";
+    return guarded([&] {
+      const Work work = prepare(registry_, file.string(), {});
+      describe(work, entry);
+      RunOptions options;
+      options.interrupt = &interrupted();
+      options.threads = 1;  // the figures themselves are made in parallel
+      const Outcome outcome = carry_out(work, options);
+      for (const RunFault& fault : outcome.result.faults) fmt::print(stderr, "{}\n", fault.fault.text());
+      entry.verdicts = outcome.verdicts;
+      for (const std::string& picture : write_outputs((fs::path(command_.out) / stem).string(), work, outcome))
+        entry.pictures.push_back(stem + "/" + picture);
+      entry.error = outcome.result.faults.empty() ? "" : outcome.result.faults.front().fault.message;
+      return outcome.code;
+    });
+  }
+
+  const ThesisCommand& command_;
+  const Registry& registry_;
+  std::vector<fs::path> files_;
+  std::vector<GalleryEntry> entries_;
+  std::vector<ExitCode> codes_;
+  std::atomic<std::size_t> next_ = 0, done_ = 0;
+  Progress progress_{"thesis"};
+};
+
+void summarise(const Maker& maker) {
+  for (const GalleryEntry& entry : maker.entries())
+    for (const Verdict& verdict : entry.verdicts)
+      if (!verdict.holds) fmt::print("{}: {}: {}: {} ({})\n", entry.folder, verdict.word(), verdict.that, verdict.shown, verdict.check);
+}
+
+}  // namespace
+
+ExitCode run_thesis(const ThesisCommand& command, const Registry& registry) {
+  return guarded([&] {
+    const auto files = figure_files(command);
+    if (files.empty()) {
+      fmt::print(stderr, "no diagram file in {} begins with {}\n", command.diagrams, fmt::join(command.only, " or "));
+      return ExitCode::wrong;
+    }
+    Maker maker(command, registry, files);
+    maker.run();
+    summarise(maker);
+    const std::string page = (fs::path(command.out) / "index.html").string();
+    write_file(page, gallery_page({"The thesis, figure by figure",
+                                   "Every picture was computed by the diagram file beside it. What the thesis says of a figure stands under it as "
+                                   "claims, checked on the recorded signals. What the text does not give is listed as assumed.",
+                                   maker.entries()}));
+    fmt::print("{} diagram files; see {}\n", files.size(), page);
+    return interrupted() ? ExitCode::interrupted : maker.code();
+  });
+}
+
+}  // namespace stepwire

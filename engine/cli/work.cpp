@@ -1,0 +1,80 @@
+#include "engine/cli/work.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "engine/record/recorder.hpp"
+
+namespace stepwire {
+
+namespace {
+
+void add_swept_names(const Job& job, Names& names) {
+  if (job.points.empty()) return;
+  for (const Sweep::Axis& axis : job.plan.diagram.sweep->axes) {
+    std::optional<Dimension> dimension;
+    for (const DiagramParameter& parameter : job.plan.diagram.parameters)
+      if (parameter.name == axis.parameter) dimension = parameter.dimension;
+    names.columns.push_back({axis.parameter, dimension, std::nullopt});
+  }
+}
+
+/// What figures and claims of a file may name.
+Names names_of(const Job& job) {
+  const Diagram& diagram = job.plan.diagram;
+  Names names{diagram.file, {}, {}};
+  names.columns.push_back({"time", parse_unit("s")->dimension, std::nullopt});
+  add_swept_names(job, names);
+  for (std::size_t r = 0; r < diagram.records.size(); ++r) {
+    const auto columns = recorded_columns(job.plan, diagram.records[r]);
+    for (std::size_t i = 1; i < columns.size(); ++i) names.columns.push_back({columns[i].name, columns[i].dimension, r});
+  }
+  for (const DiagramParameter& parameter : diagram.parameters)
+    if (const double* number = std::get_if<double>(&parameter.value.content)) names.parameters.push_back({parameter.name, *number});
+  return names;
+}
+
+Verdict not_judged(const Claim& claim, const std::string& why) {
+  Verdict verdict;
+  verdict.that = claim.that;
+  verdict.check = claim.check;
+  verdict.value = std::numeric_limits<double>::quiet_NaN();
+  verdict.shown = "none";
+  verdict.disagrees = claim.disagrees;
+  verdict.note = why;
+  return verdict;
+}
+
+}  // namespace
+
+Work prepare(const Registry& registry, const std::string& file, const WorkOptions& options) {
+  Loader loader(registry, options.limits);
+  Work work{file, make_job(loader, file, options.settings, options.stop), {}, {}};
+  const Names names = names_of(work.job);
+  Faults faults;
+  const Diagram& diagram = work.job.plan.diagram;
+  if (diagram.figure.kind != Node::Kind::empty) work.figures = read_figures(diagram.figure, names, faults);
+  if (diagram.claims.kind != Node::Kind::empty) work.claims = read_claims(diagram.claims, names, faults);
+  faults.throw_if_any();
+  return work;
+}
+
+Outcome carry_out(const Work& work, const RunOptions& options) {
+  Outcome outcome;
+  const auto start = std::chrono::steady_clock::now();
+  outcome.result = run_job(work.job, options);
+  outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const bool early = !outcome.result.faults.empty() || outcome.result.interrupted;
+  for (const Claim& claim : work.claims)
+    outcome.verdicts.push_back(early ? not_judged(claim, "the run ended early") : judge(claim, outcome.result.recordings));
+  for (const Verdict& verdict : outcome.verdicts) {
+    if (verdict.fails() && !early) outcome.code = worst(outcome.code, ExitCode::claim_fails);
+    if (verdict.surprises()) outcome.code = worst(outcome.code, ExitCode::wrong);
+  }
+  if (!outcome.result.faults.empty()) outcome.code = worst(outcome.code, ExitCode::wrong);
+  if (outcome.result.interrupted) outcome.code = ExitCode::interrupted;
+  return outcome;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/cli/exit_code.hpp"
+#include "engine/diagram/load.hpp"
+#include "engine/figure/claim.hpp"
+#include "engine/figure/figure.hpp"
+#include "engine/run/run.hpp"
+
+namespace stepwire {
+
+/// A diagram file with all that could be found wrong before its first step looked at.
+struct Work {
+  std::string file;
+  Job job;
+  std::vector<Figure> figures;
+  std::vector<Claim> claims;
+};
+
+/// What a call asks of each file.
+struct WorkOptions {
+  std::vector<Setting> settings;
+  std::optional<std::string> stop;
+  DocumentLimits limits;
+};
+
+/// Loads, plans, and reads figures and claims. Throws Error with everything that is wrong, SurroundingsError.
+Work prepare(const Registry& registry, const std::string& file, const WorkOptions& options);
+
+/// What became of a file.
+struct Outcome {
+  RunResult result;
+  std::vector<Verdict> verdicts;
+  double seconds = 0.0;  ///< of the run itself, without loading and drawing
+  ExitCode code = ExitCode::done;
+};
+
+/// Runs and judges. Claims about a run that ended early are not judged and do not hold.
+Outcome carry_out(const Work& work, const RunOptions& options);
+
+}  // namespace stepwire
