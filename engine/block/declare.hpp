@@ -128,7 +128,7 @@ class Declare {
     using Access = ParameterAccess<MemberType<member>>;
     ParameterSpec spec{std::string(member_name<member>()), Access::kind, is.unit, is.shape, is.doc,
                        {is.above, is.below, is.at_least, is.at_most}, is.words, is.required};
-    if (Access::kind == ParameterKind::per_element && spec.shape.empty()) spec.shape = "n";
+    if (Access::kind == ParameterKind::per_element && spec.shape.empty()) spec.shape.assign(1, 'n');
     spec.set = [](void* block, const Value& value) { Access::set(of<member>(block), value); };
     spec.get = [](const void* block) { return Access::get(static_cast<const Block*>(block)->*member); };
     type_.parameters.push_back(std::move(spec));

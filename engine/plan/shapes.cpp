@@ -176,7 +176,11 @@ class Shapes {
   void store(std::size_t index) {
     DiagramBlock& block = draft_.diagram().blocks[index];
     Draft::Block& made = draft_.blocks[index];
-    const auto size = [&](const std::string& shape) { return sizes_.value(symbol(index, shape)).value_or(1); };
+    const auto factor = [&](const std::string& name) { return sizes_.value(symbol(index, name)).value_or(1); };
+    const auto size = [&](const std::string& shape) {  // "k x n": k rows of n elements, one behind the other
+      const std::size_t times = shape.find(" x ");
+      return times == std::string::npos ? factor(shape) : factor(shape.substr(0, times)) * factor(shape.substr(times + 3));
+    };
     for (const OutputSpec& spec : block.type().outputs) made.output_sizes.push_back(size(spec.shape));
     for (const StateSpec& spec : block.type().states) made.state_sizes.push_back(size(spec.shape));
     for (const InputSpec& spec : block.type().inputs)
