@@ -1,7 +1,5 @@
 #include "blocks/continuous/state_space.hpp"
 
-#include <fmt/format.h>
-
 namespace stepwire {
 
 void StateSpace::declare(Declare<StateSpace>& is) {
@@ -12,17 +10,13 @@ void StateSpace::declare(Declare<StateSpace>& is) {
   is.parameter<&StateSpace::B>({.unit = "*", .shape = "n x m", .doc = "input matrix", .required = true});
   is.parameter<&StateSpace::C>({.unit = "*", .shape = "p x n", .doc = "output matrix", .required = true});
   is.parameter<&StateSpace::D>(
-      {.unit = "*", .doc = "p x m, what passes straight through; zero where left out"});
+      {.unit = "*", .shape = "p x m", .doc = "what passes straight through; zero where left out"});
   is.input<&StateSpace::u>({.unit = "*", .shape = "m", .doc = "inputs"});
   is.output<&StateSpace::y>({.unit = "*", .shape = "p", .doc = "outputs"});
   is.state<&StateSpace::x>({.unit = "*", .shape = "n", .doc = "states"});
 }
 
 void StateSpace::configure(Configure& is) {
-  const bool fits = D.rows() == C.rows() && D.cols() == B.cols();
-  if (D.size() > 0 && !fits)
-    is.refuse<&StateSpace::D>(fmt::format("it is {} x {}; with this B and C it must be {} x {}", D.rows(),
-                                          D.cols(), C.rows(), B.cols()));
   direct = !D.isZero(0.0);
   is.feedthrough<&StateSpace::u, &StateSpace::y>(direct);
 }

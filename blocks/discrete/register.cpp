@@ -1,7 +1,23 @@
 #include "blocks/discrete/register.hpp"
 
+#include "blocks/discrete/delay.hpp"
+#include "blocks/discrete/discrete_integrator.hpp"
+#include "blocks/discrete/discrete_pid.hpp"
+#include "blocks/discrete/discrete_transfer_function.hpp"
+#include "blocks/discrete/moving_average.hpp"
+#include "blocks/discrete/unit_delay.hpp"
+#include "blocks/discrete/zero_order_hold.hpp"
+
 namespace stepwire {
 
-void register_discrete(Registry&) {}
+void register_discrete(Registry& registry) {
+  registry.add<Delay>("discrete");
+  registry.add<DiscreteIntegrator>("discrete");
+  registry.add<DiscretePID>("discrete");
+  registry.add<DiscreteTransferFunction>("discrete");
+  registry.add<MovingAverage>("discrete");
+  registry.add<UnitDelay>("discrete");
+  registry.add<ZeroOrderHold>("discrete");
+}
 
 }  // namespace stepwire

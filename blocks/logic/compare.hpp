@@ -1,0 +1,44 @@
+#pragma once
+
+#include "engine/block/declare.hpp"
+
+namespace stepwire {
+
+/// Is `u` less than, equal to, ... `to`? 1 where it is, 0 where not.
+struct Compare {
+  enum class Relation { less, less_equal, greater, greater_equal, equal, not_equal };
+  static constexpr int relations = 6;  // each is also known by its sign, in the same order behind the words
+
+  Relation operator_ = Relation::less;
+  Input<> u{}, to{};
+  Output<> y{};
+
+  Relation relation = Relation::less;
+
+  void outputs() {
+    for (Eigen::Index i = 0; i < y.size(); ++i) y.coeffRef(i) = holds(u.coeff(i), to.coeff(i)) ? 1.0 : 0.0;
+  }
+
+  void configure(Configure&) { relation = static_cast<Relation>(static_cast<int>(operator_) % relations); }
+  static void declare(Declare<Compare>& is);
+
+ private:
+  bool holds(double a, double b) const {
+    switch (relation) {
+      case Relation::less:
+        return a < b;
+      case Relation::less_equal:
+        return a <= b;
+      case Relation::greater:
+        return a > b;
+      case Relation::greater_equal:
+        return a >= b;
+      case Relation::equal:
+        return a == b;
+      default:
+        return a != b;
+    }
+  }
+};
+
+}  // namespace stepwire

@@ -1,0 +1,17 @@
+#include "blocks/logic/edge_detect.hpp"
+
+namespace stepwire {
+
+void EdgeDetect::declare(Declare<EdgeDetect>& is) {
+  is.block(
+      "EdgeDetect",
+      {.doc = "1 at the one tick at which the input becomes true (rising), false (falling), or either; 0 "
+              "at all others. True is above 0. There is no edge at the first tick."});
+  is.parameter<&EdgeDetect::edge>({.doc = "which edges", .words = {"rising", "falling", "either"}});
+  is.input<&EdgeDetect::u>({.unit = "*", .doc = "signal"});
+  is.output<&EdgeDetect::y>({.doc = "1 or 0"});
+  is.state<&EdgeDetect::side>(
+      {.doc = "input at the last tick: -1 false, 1 true, 0 none yet", .settable = false});
+}
+
+}  // namespace stepwire

@@ -1,0 +1,21 @@
+#include "blocks/logic/logic.hpp"
+
+namespace stepwire {
+
+void Logic::declare(Declare<Logic>& is) {
+  is.block("Logic",
+           {.doc = "Joins truths to 1 or 0. An input is true where it is above 0. `xor` is true where an odd "
+                   "number of inputs is true, `xnor` where an even number is; `not` takes one input."});
+  is.parameter<&Logic::operator_>({.doc = "how the inputs are joined",
+                                   .words = {"and", "or", "not", "nand", "nor", "xor", "xnor"},
+                                   .required = true});
+  is.input<&Logic::u>({.unit = "*", .doc = "truths"});
+  is.output<&Logic::y>({.doc = "1 or 0"});
+}
+
+void Logic::configure(Configure& is) {
+  if (operator_ == Operator::not_ && is.count<&Logic::u>() > 1)
+    is.refuse<&Logic::operator_>("'not' takes one input; for several, 'nor' or 'nand' is meant");
+}
+
+}  // namespace stepwire

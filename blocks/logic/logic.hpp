@@ -1,0 +1,43 @@
+#pragma once
+
+#include "engine/block/declare.hpp"
+
+namespace stepwire {
+
+/// Joins truths: 1 where its operator holds for its inputs, 0 where not. True is above 0.
+struct Logic {
+  enum class Operator { and_, or_, not_, nand, nor, xor_, xnor };
+
+  Operator operator_ = Operator::and_;
+  Inputs u{};
+  Output<> y{};
+
+  void outputs() {
+    for (Eigen::Index k = 0; k < y.size(); ++k) y.coeffRef(k) = holds(k) ? 1.0 : 0.0;
+  }
+
+  static void declare(Declare<Logic>& is);
+  void configure(Configure& is);
+
+ private:
+  bool holds(Eigen::Index k) const {
+    Eigen::Index truths = 0;
+    for (Eigen::Index i = 0; i < u.count(); ++i) truths += u[i][k] > 0.0;
+    switch (operator_) {
+      case Operator::and_:
+        return truths == u.count();
+      case Operator::nand:
+        return truths != u.count();
+      case Operator::or_:
+        return truths > 0;
+      case Operator::xor_:
+        return truths % 2 == 1;
+      case Operator::xnor:
+        return truths % 2 == 0;
+      default:
+        return truths == 0;
+    }
+  }
+};
+
+}  // namespace stepwire

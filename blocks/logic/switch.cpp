@@ -1,0 +1,19 @@
+#include "blocks/logic/switch.hpp"
+
+namespace stepwire {
+
+void Switch::declare(Declare<Switch>& is) {
+  is.block(
+      "Switch",
+      {.doc = "Passes `then` on where control > threshold (or as `criterion` says), `else` where not. Both "
+              "inputs are computed all the time; the other one is not used."});
+  is.parameter<&Switch::threshold>({.unit = "'c", .doc = "what control is compared to"});
+  is.parameter<&Switch::criterion>({.doc = "relation of control to the threshold that passes `then` on",
+                                    .words = {"greater", "greater_equal", "not_equal"}});
+  is.input<&Switch::control>({.unit = "'c", .doc = "decides"});
+  is.input<&Switch::then>({.unit = "'u", .doc = "passed on where the criterion holds"});
+  is.input<&Switch::else_>({.unit = "'u", .doc = "passed on where it does not"});
+  is.output<&Switch::y>({.unit = "'u", .doc = "one of the two"});
+}
+
+}  // namespace stepwire

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "engine/block/declare.hpp"
+
+namespace stepwire {
+
+/// Passes one of two inputs on, as a third one says.
+struct Switch {
+  enum class Criterion { greater, greater_equal, not_equal };
+
+  double threshold = 0.0;
+  Criterion criterion = Criterion::greater;
+  Input<1> control{};
+  Input<> then{}, else_{};
+  Output<> y{};
+
+  void outputs() {
+    if (holds()) {
+      y = then;
+    } else {
+      y = else_;
+    }
+  }
+
+  static void declare(Declare<Switch>& is);
+
+ private:
+  bool holds() const {
+    switch (criterion) {
+      case Criterion::greater:
+        return control > threshold;
+      case Criterion::greater_equal:
+        return control >= threshold;
+      default:
+        return control != threshold;
+    }
+  }
+};
+
+}  // namespace stepwire

@@ -1,0 +1,20 @@
+#include "blocks/nonlinear/coulomb.hpp"
+
+namespace stepwire {
+
+void Coulomb::declare(Declare<Coulomb>& is) {
+  is.block(
+      "Coulomb",
+      {.doc =
+           "Coulomb and viscous friction: y = coulomb sign(u) + viscous u with sign(0) = 0, or with "
+           "tanh(u / smoothing) for the sign. Without smoothing a body at rest is not held: the sign flips "
+           "from step to step. y points along u; subtract it from the forces."});
+  is.parameter<&Coulomb::coulomb>({.unit = "'f", .doc = "dry friction", .at_least = 0.0});
+  is.parameter<&Coulomb::viscous>({.unit = "'f/'v", .doc = "viscous friction per speed", .at_least = 0.0});
+  is.parameter<&Coulomb::smoothing>(
+      {.unit = "'v", .doc = "speed at which 76 % of the dry friction act; 0: all at once", .at_least = 0.0});
+  is.input<&Coulomb::u>({.unit = "'v", .doc = "speed"});
+  is.output<&Coulomb::y>({.unit = "'f", .doc = "friction, with the sign of the speed"});
+}
+
+}  // namespace stepwire

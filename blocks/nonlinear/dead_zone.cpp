@@ -1,0 +1,14 @@
+#include "blocks/nonlinear/dead_zone.hpp"
+
+namespace stepwire {
+
+void DeadZone::declare(Declare<DeadZone>& is) {
+  is.block("DeadZone",
+           {.doc = "Zero while lower <= u <= upper; u - upper above the zone, u - lower below it."});
+  is.parameter<&DeadZone::lower>({.unit = "'u", .doc = "lower end of the zone"});
+  is.parameter<&DeadZone::upper>({.unit = "'u", .doc = "upper end of the zone"});
+  is.input<&DeadZone::u>({.unit = "'u", .doc = "signal"});
+  is.output<&DeadZone::y>({.unit = "'u", .doc = "how far the signal lies outside of the zone, with sign"});
+}
+
+}  // namespace stepwire

@@ -1,0 +1,14 @@
+#include "blocks/nonlinear/quantizer.hpp"
+
+namespace stepwire {
+
+void Quantizer::declare(Declare<Quantizer>& is) {
+  is.block("Quantizer",
+           {.doc = "The nearest multiple of the interval: y = interval floor(u / interval + 1/2). Halfway it "
+                   "goes up, towards plus infinity: 0.5 to 1 and -0.5 to 0."});
+  is.parameter<&Quantizer::interval>({.unit = "'u", .doc = "distance of two levels", .above = 0.0});
+  is.input<&Quantizer::u>({.unit = "'u", .doc = "signal"});
+  is.output<&Quantizer::y>({.unit = "'u", .doc = "the signal in whole intervals"});
+}
+
+}  // namespace stepwire

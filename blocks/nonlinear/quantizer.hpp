@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cmath>
+
+#include "engine/block/declare.hpp"
+
+namespace stepwire {
+
+/// The nearest multiple of an interval: y = interval floor(u / interval + 1/2).
+struct Quantizer {
+  PerElement interval = 1.0;
+  Input<> u{};
+  Output<> y{};
+
+  void outputs() {
+    for (Eigen::Index i = 0; i < y.size(); ++i)
+      y.coeffRef(i) = interval.coeff(i) * std::floor(u.coeff(i) / interval.coeff(i) + 0.5);
+  }
+
+  static void declare(Declare<Quantizer>& is);
+};
+
+}  // namespace stepwire

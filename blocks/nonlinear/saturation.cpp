@@ -1,0 +1,13 @@
+#include "blocks/nonlinear/saturation.hpp"
+
+namespace stepwire {
+
+void Saturation::declare(Declare<Saturation>& is) {
+  is.block("Saturation", {.doc = "The input within limits: y = min(max(u, lower), upper)."});
+  is.parameter<&Saturation::lower>({.unit = "'u", .doc = "lowest output; none where left out"});
+  is.parameter<&Saturation::upper>({.unit = "'u", .doc = "highest output; none where left out"});
+  is.input<&Saturation::u>({.unit = "'u", .doc = "signal to limit"});
+  is.output<&Saturation::y>({.unit = "'u", .doc = "the signal within the limits"});
+}
+
+}  // namespace stepwire
