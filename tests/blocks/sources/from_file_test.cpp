@@ -1,0 +1,145 @@
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include "engine/table/file.hpp"
+#include "tests/support/run_text.hpp"
+
+using namespace stepwire;
+
+namespace {
+
+/// A folder that is gone when the test is over.
+struct Folder {
+  std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("stepwire_from_file_" + std::to_string(::getpid()));
+  ~Folder() { std::filesystem::remove_all(path); }
+
+  std::string file(const std::string& name, const std::string& content) const {
+    write_file((path / name).string(), content);
+    return (path / name).string();
+  }
+};
+
+/// `y` of a FromFile with these keys, at every 0.1 s up to `stop`.
+std::vector<double> played(const std::string& file, const std::string& keys, const std::string& stop) {
+  return column(run_text("step: 0.1 s\nstop: " + stop + "\nblocks:\n  y: {block: FromFile, file: '" + file +
+                         "', " + keys + "}\nrecord: [y]\n"),
+                "y");
+}
+
+std::string refused(const std::string& file, const std::string& keys) {
+  return error_of("step: 0.1 s\nstop: 0.3 s\nblocks:\n  y: {block: FromFile, file: '" + file + "', " + keys +
+                  "}\nrecord: [y]\n");
+}
+
+void require_near(const std::vector<double>& values, const std::vector<double>& expected) {
+  REQUIRE(values.size() == expected.size());
+  for (std::size_t i = 0; i < values.size(); ++i) REQUIRE(values[i] == Approx(expected[i]).margin(1e-12));
+}
+
+const char* const record = "time [ms],x [mm],F_N\n1000,0,5\n1200,4000,7\n1400,2000,9\n";
+
+}  // namespace
+
+TEST_CASE("a record is played from its first row, straight between rows, in SI by its header") {
+  const Folder folder;
+  const std::string file = folder.file("press.csv", record);
+  require_near(played(file, "column: x", "0.4 s"), {0, 2, 4, 3, 2});
+  require_near(played(file, "column: F_N", "0.4 s"), {5, 6, 7, 8, 9});
+  require_near(played(file, "column: F_N, unit: kN", "0.4 s"), {5000, 6000, 7000, 8000, 9000});
+}
+
+TEST_CASE("a held record changes at its rows and not a tick late") {
+  const Folder folder;
+  const std::string file = folder.file("press.csv", record);
+  require_near(played(file, "column: x, interpolation: hold", "0.4 s"), {0, 0, 4, 4, 2});
+}
+
+TEST_CASE("a record may end the run, be held, or be repeated") {
+  const Folder folder;
+  const std::string file = folder.file("press.csv", record);
+  require_near(played(file, "column: x, after_end: hold", "0.7 s"), {0, 2, 4, 3, 2, 2, 2, 2});
+  // The first row follows one mean interval, 0.2 s, after the last.
+  require_near(played(file, "column: x, after_end: repeat", "0.8 s"), {0, 2, 4, 3, 2, 1, 0, 2, 4});
+  require_near(played(file, "column: x, after_end: repeat, interpolation: hold", "0.8 s"),
+               {0, 0, 4, 4, 2, 2, 0, 0, 4});
+}
+
+TEST_CASE("a run may begin inside of a record, and a part of it may be used") {
+  const Folder folder;
+  const std::string file = folder.file("press.csv", record);
+  require_near(played(file, "column: x, start: 1.1 s", "0.3 s"), {2, 4, 3, 2});
+  require_near(played(file, "column: x, from: 1.2 s", "0.2 s"), {4, 3, 2});
+  require_near(played(file, "column: x, to: 1.2 s, after_end: hold", "0.3 s"), {0, 2, 4, 4});
+}
+
+TEST_CASE("two columns of a MAT file without times are a vector over the sample time") {
+  const Folder folder;
+  const Table table{{{"u", "", {1, 2, 3, 4}}, {"v", "", {10, 20, 30, 40}}}};
+  write_mat((folder.path / "uv.mat").string(), table);
+  const Table run = run_text(
+      "step: 0.1 s\nstop: 0.3 s\nblocks:\n  uv: {block: FromFile, file: '" +
+      (folder.path / "uv.mat").string() +
+      "', column: [u, v], sample_time: 0.1 s}\n  v: {block: Select, u: uv, indices: [2]}\nrecord: [v]\n");
+  require_near(column(run, "v"), {10, 20, 30, 40});
+}
+
+TEST_CASE("a band-limited record is its periodic signal between the rows") {
+  const Folder folder;
+  const auto signal = [](double t) {
+    return 1.0 + 2.0 * std::sin(2.0 * M_PI * t) + std::cos(6.0 * M_PI * t);
+  };
+  Table rows{{{"time", "s", {}}, {"u", "", {}}}};
+  for (int i = 0; i < 8; ++i) {
+    rows.columns[0].values.push_back(i / 8.0);
+    rows.columns[1].values.push_back(signal(i / 8.0));
+  }
+  const std::string file = folder.file("u.csv", csv_text(rows));
+  const auto y = played(file, "column: u, interpolation: band_limited", "2 s");
+  for (std::size_t i = 0; i < y.size(); ++i)
+    REQUIRE(y[i] == Approx(signal(static_cast<double>(i) * 0.1)).margin(1e-12));
+}
+
+TEST_CASE("what is wrong in a record is told with the file and the row") {
+  const Folder folder;
+  const std::string good = folder.file("press.csv", record);
+  REQUIRE_THAT(refused(good, "column: y"), Catch::Contains("no column 'y'") && Catch::Contains("x, F_N"));
+  REQUIRE_THAT(refused(good, "column: x, time: t"),
+               Catch::Contains("no column 't'") && Catch::Contains("sample_time"));
+  REQUIRE_THAT(refused(good, "column: x, start: 3 s"), Catch::Contains("3 s is not in the record"));
+  REQUIRE_THAT(refused(good, "column: x, unit: furlongs of string"), Catch::Contains("is no unit"));
+  const std::string back = folder.file("back.csv", "time,x\n0,1\n0.2,2\n0.1,3\n");
+  REQUIRE_THAT(refused(back, "column: x"), Catch::Contains("back.csv:4") && Catch::Contains("must increase"));
+  const std::string hole = folder.file("hole.csv", "time,x\n0,1\n0.2,nan\n0.3,3\n");
+  REQUIRE_THAT(refused(hole, "column: x"), Catch::Contains("hole.csv:3") && Catch::Contains("finite"));
+  const std::string uneven = folder.file("uneven.csv", "time,x\n0,1\n0.2,2\n0.3,3\n");
+  REQUIRE_THAT(refused(uneven, "column: x, interpolation: band_limited"), Catch::Contains("evenly spaced"));
+}
+
+TEST_CASE("a run that is longer than its record ends and says so") {
+  const Folder folder;
+  const std::string file = folder.file("press.csv", record);
+  const Table run = run_text("step: 0.1 s\nstop: 2 s\nblocks:\n  y: {block: FromFile, file: '" + file +
+                             "', column: x}\nrecord: [y]\n");
+  REQUIRE(column(run, "time").back() == Approx(0.5));
+}
+
+TEST_CASE("a measured record of a press is read") {
+  const char* data = std::getenv("STEPWIRE_DATA");
+  if (!data || !*data) {
+    WARN("skipped: STEPWIRE_DATA is not set");
+    return;
+  }
+  const Table run = run_text(R"(
+step: 1 ms
+stop: 1 s
+blocks:
+  x: {block: FromFile, file: data/mr_damper_press/5mm3Hz_0A.csv, column: x_mm, unit: mm, time: t_s}
+record: [x]
+)");
+  REQUIRE(column(run, "x").front() == Approx(-0.029924).epsilon(1e-12));  // the first row as the file has it
+}
