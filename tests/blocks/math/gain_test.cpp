@@ -11,14 +11,14 @@ stop: 1 s
 blocks:
   u: {block: Constant, value: [3, 4]}
   one: {block: Gain, gain: 10, u: 2.5}
-  all: {block: Gain, gain: 2, u: u}
+  both: {block: Gain, gain: 2, u: u}
   each: {block: Gain, gain: [-1, 0], u: u}
-  all_length: {block: Norm, u: all}
+  both_length: {block: Norm, u: both}
   each_length: {block: Norm, u: each}
-record: [one, all_length, each_length]
+record: [one, both_length, each_length]
 )");
   REQUIRE(column(run, "one").back() == 25.0);
-  REQUIRE(column(run, "all_length").back() == 10.0);
+  REQUIRE(column(run, "both_length").back() == 10.0);
   REQUIRE(column(run, "each_length").back() == 3.0);
 }
 

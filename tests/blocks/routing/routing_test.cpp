@@ -11,10 +11,10 @@ stop: 2 s
 blocks:
   t: {block: Ramp}
   pair: {block: Constant, value: [5, 7]}
-  all: {block: Mux, u: [t, pair, -1]}
-  split: {block: Demux, sizes: [1, 2, 1], u: all}
+  joined: {block: Mux, u: [t, pair, -1]}
+  split: {block: Demux, sizes: [1, 2, 1], u: joined}
   seven: {block: Select, indices: [2], u: split.y2}
-  turned: {block: Select, indices: [4, 1, 1], u: all}
+  turned: {block: Select, indices: [4, 1, 1], u: joined}
   sum: {block: MatrixGain, gain: [[1, 10, 100]], u: turned}
 record: [split.y1, split.y3, seven, sum]
 )");
@@ -30,7 +30,8 @@ TEST_CASE("elements that are not there are refused") {
                     ", u: u}\n  end: {block: Terminator, u: y" + (block.find("Demux") == 7 ? ".y1" : "") +
                     "}\nrecord: [u]\n");
   };
-  REQUIRE_THAT(refused("block: Select, indices: [3]"), Catch::Contains("y.u") && Catch::Contains("3"));
+  REQUIRE_THAT(refused("block: Select, indices: [3]"),
+               Catch::Contains("y: is fed 2 elements; it needs at least 3"));
   REQUIRE_THAT(refused("block: Select, indices: [0]"), Catch::Contains("y.indices"));
   REQUIRE_THAT(refused("block: Select, indices: [1.5]"), Catch::Contains("y.indices"));
   REQUIRE_THAT(refused("block: Demux, sizes: [1, 2]"), Catch::Contains("y.u") && Catch::Contains("3"));
