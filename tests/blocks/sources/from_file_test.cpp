@@ -122,8 +122,8 @@ TEST_CASE("what is wrong in a record is told with the file and the row") {
 
 TEST_CASE("a run that is longer than its record ends after its last row and says so") {
   const Folder folder;
-  REQUIRE_THAT(refused(folder.file("short.csv", "time,x\n0,1\n0.2,2\n"), "column: x"),
-               Catch::Contains("y: the record is over") && Catch::Contains("at 0.3"));
+  REQUIRE_THAT(refused(folder.file("short.csv", "time,x\n0,1\n0.1,2\n"), "column: x"),
+               Catch::Contains("y: the record is over") && Catch::Contains("at 0.2 s"));
 }
 
 TEST_CASE("a measured record of a press is read") {
