@@ -20,6 +20,12 @@ void require_even(const FromFile& block, const Configure& is) {
   }
 }
 
+void require_start(const FromFile& block, const Configure& is) {
+  if (std::abs(block.offset) > 1e12)
+    is.refuse<&FromFile::start_>(
+        fmt::format("{} s is no time of a record; stay within 1e12 s", block.offset));
+}
+
 void require_inside(const FromFile& block, const Configure& is) {
   const Samples& samples = block.samples;
   const double slack = samples.slack();
@@ -40,6 +46,7 @@ void FromFile::configure(Configure& is) {
   is.size("n", static_cast<Eigen::Index>(column.size()));
   offset = start_ == -open ? samples.begin() : start_;
   const bool periodic = interpolation == Interpolation::band_limited || after_end == AfterEnd::repeat;
+  require_start(*this, is);
   if (!periodic) require_inside(*this, is);
   if (periodic || after_end == AfterEnd::hold) is.skip_update();
   smooth.clear();

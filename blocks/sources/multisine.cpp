@@ -13,7 +13,7 @@ namespace stepwire {
 namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
-constexpr double most_lines = 100'000;
+constexpr double most_lines = 100'000, most_harmonics = 1e15;
 
 /// Phases that keep the crest low: phi_k = -2 pi sum_{j<k} (k - j) p_j, p the share of each line in the
 /// power.
@@ -47,7 +47,9 @@ void Multisine::lay_lines(const Configure& is) {
         fmt::format("{} Hz is below the lowest frequency, {} Hz", highest, lowest));
   const double near = 1e-9, first = std::ceil(lowest * period - near),
                last = std::floor(highest * period + near);
-  if (last - first > most_lines) is.refuse<&Multisine::period>("makes more than 100000 lines; shorten it");
+  if (!(last <= most_harmonics) || last - first > most_lines)
+    is.refuse<&Multisine::period>(
+        "makes more than 100000 lines, or lines beyond the 1e15th harmonic; shorten it");
   std::vector<double> found;
   for (double harmonic = std::max(first, 1.0); harmonic <= last; ++harmonic)
     if (lines == Lines::all || std::fmod(harmonic, 2.0) == 1.0) found.push_back(two_pi * harmonic / period);

@@ -10,6 +10,8 @@ namespace stepwire {
 namespace {
 
 constexpr Dimension time_dimension{{0.0, 0.0, 1.0}};
+constexpr double longest = 1e12,
+                 shortest = 1e-12;  // [s]; far beyond, places in the record would not be numbers
 
 Table read_file(const FromFile& asked, const Configure& is) {
   try {
@@ -117,6 +119,10 @@ Samples cut(const FromFile& asked, const Configure& is, const Eigen::ArrayXd& ti
   Samples samples;
   samples.time = time.segment(first, count);
   samples.interval = (samples.end() - samples.begin()) / static_cast<double>(count - 1);
+  if (!(samples.interval >= shortest && samples.begin() >= -longest && samples.end() <= longest))
+    is.refuse<&FromFile::time>(
+        fmt::format("{}: times beyond {} s, or closer than {} s in the mean, are no record",
+                    asked.file.string(), longest, shortest));
   return samples;
 }
 

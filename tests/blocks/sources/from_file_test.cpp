@@ -112,6 +112,9 @@ TEST_CASE("what is wrong in a record is told with the file and the row") {
                Catch::Contains("no column 't'") && Catch::Contains("sample_time"));
   REQUIRE_THAT(refused(good, "column: x, start: 3 s"), Catch::Contains("3 s is not in the record"));
   REQUIRE_THAT(refused(good, "column: x, unit: furlongs of string"), Catch::Contains("is no unit"));
+  REQUIRE_THAT(refused(good, "column: x, start: 1e300 s, after_end: repeat"), Catch::Contains("y.start"));
+  const std::string endless = folder.file("endless.csv", "time,x\n-1e308,1\n1e308,2\n");
+  REQUIRE_THAT(refused(endless, "column: x"), Catch::Contains("are no record"));
   const std::string back = folder.file("back.csv", "time,x\n0,1\n0.2,2\n0.1,3\n");
   REQUIRE_THAT(refused(back, "column: x"), Catch::Contains("back.csv:4") && Catch::Contains("must increase"));
   const std::string hole = folder.file("hole.csv", "time,x\n0,1\n0.2,nan\n0.3,3\n");

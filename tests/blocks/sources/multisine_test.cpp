@@ -67,6 +67,8 @@ TEST_CASE("a multisine without a line is refused with what would help") {
   const std::string frame = "step: 1 ms\nstop: 1 s\nrecord: [y]\nblocks:\n  y: ";
   REQUIRE_THAT(error_of(frame + "{block: Multisine, period: 0.1 s, lowest: 11 Hz, highest: 19 Hz}\n"),
                Catch::Contains("y.period") && Catch::Contains("lengthen"));
+  REQUIRE_THAT(error_of(frame + "{block: Multisine, period: 1e300 s, lowest: 1e299 Hz, highest: 1e300 Hz}\n"),
+               Catch::Contains("y.period") && Catch::Contains("shorten"));
   REQUIRE_THAT(error_of(frame + "{block: Multisine, amplitude: [1, 2]}\n"),
                Catch::Contains("2 values for 10 lines"));
 }
