@@ -1,0 +1,102 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "tests/support/run_text.hpp"
+
+using namespace stepwire;
+
+namespace {
+
+const std::string head = "step: 1 ms\nstop: 4 s\nsolver: rk4\nblocks:\n";
+
+}  // namespace
+
+// scipy 1.10.1: plant 1 / (s^2 + s + 1), controller C = 3 + 2/s + s/(0.05 s + 1);
+// signal.step((num C, den C den plant + num C), T=linspace(0, 4, 4001)), at 0.5, 1, 2, 4 s
+TEST_CASE("A loop closed by a PID controller agrees with SciPy") {
+  const Table table = run_text(head + R"(  e: {block: Sum, signs: "+-", u: [1, plant]}
+  pid: {block: PID, kp: 3, ki: 2, kd: 1, tau: 50 ms, u: e}
+  plant: {block: TransferFunction, numerator: [1], denominator: [1, 1, 1], u: pid}
+record: [plant]
+)");
+  const auto& y = column(table, "plant");
+  CHECK(y[500] == Approx(0.5550656490133479).epsilon(1e-8));
+  CHECK(y[1000] == Approx(0.9974239957079603).epsilon(1e-8));
+  CHECK(y[2000] == Approx(1.082980784469895).epsilon(1e-8));
+  CHECK(y[4000] == Approx(0.9434948343010551).epsilon(1e-8));
+}
+
+TEST_CASE("Of a ramp, the parts of a PID controller are ramp, parabola and filtered step") {
+  const Table table = run_text(head + R"(  e: {block: Ramp, slope: 2}
+  pid: {block: PID, kp: 3, ki: 0.5, kd: 4, tau: 100 ms, u: e, initial: 10}
+record: [pid]
+)");
+  const auto& time = column(table, "time");
+  for (std::size_t k = 0; k < time.size(); k += 50) {
+    const double t = time[k];
+    const double expected = 6.0 * t + 10.0 + 0.5 * t * t + 8.0 * (1.0 - std::exp(-t / 0.1));
+    CHECK(column(table, "pid")[k] == Approx(expected).epsilon(1e-9));
+  }
+}
+
+namespace {
+
+/// The error is 1 for 2 s and -1 from then on; kp = 1, ki = 2, so the output reaches its limit of 2 at 0.5 s.
+std::vector<double> integral_of(const std::string& anti_windup) {
+  const Table table = run_text(head + R"(  e: {block: Step, time: 2, before: 1, after: -1, every: 1 ms}
+  pid: {block: PID, kp: 1, ki: 2, upper: 2, u: e, anti_windup: )" +
+                               anti_windup + "}\nrecord: [pid, pid.integral]\n");
+  for (double y : column(table, "pid")) CHECK(y <= 2.0);
+  return column(table, "pid.integral");
+}
+
+}  // namespace
+
+TEST_CASE("Without anti-windup the integral part goes on while the output is at its limit") {
+  const auto integral = integral_of("none");
+  CHECK(integral[2000] == Approx(4.0));
+  CHECK(integral[4000] == Approx(0.0).margin(1e-9));
+}
+
+TEST_CASE("Clamping stops the integral part at the limit and lets it leave at once") {
+  const auto integral = integral_of("clamping");
+  CHECK(integral[500] == Approx(1.0));
+  CHECK(integral[2000] == Approx(1.0).margin(2.1e-3));  // to a step of 1 ms
+  CHECK(integral[2500] == Approx(integral[2000] - 1.0));
+}
+
+TEST_CASE("Back calculation settles where what comes in is what is taken away") {
+  // di/dt = 2 + (2 - 1 - i) / 0.25 from i = 1 at 0.5 s on: i = 1.5 - 0.5 exp(-(t - 0.5) / 0.25)
+  const auto integral = integral_of("back_calculation, tracking: 250 ms");
+  CHECK(integral[500] == Approx(1.0));
+  CHECK(integral[750] == Approx(1.5 - 0.5 * std::exp(-1.0)).epsilon(1e-5));
+  CHECK(integral[2000] == Approx(1.5 - 0.5 * std::exp(-6.0)).epsilon(1e-5));
+}
+
+TEST_CASE("The integral part has limits of its own") {
+  const Table table = run_text(head + R"(  e: {block: Step, time: 2, before: 1, after: -1, every: 1 ms}
+  pid: {block: PID, kp: 1, ki: 2, u: e, integral_lower: -0.5, integral_upper: 0.25}
+record: [pid]
+)");
+  const auto& y = column(table, "pid");
+  CHECK(y[100] == Approx(1.2));
+  CHECK(y[1500] == Approx(1.25));
+  CHECK(y[2100] == Approx(-1.0 + 0.25 - 0.2));
+  CHECK(y[4000] == Approx(-1.5));
+}
+
+TEST_CASE("Weights let the proportional and derivative parts see less of the reference") {
+  const Table table = run_text(head + R"(  r: {block: Constant, value: 2}
+  m: {block: Ramp, slope: 1}
+  e: {block: Sum, signs: "+-", u: [r, m]}
+  pid: {block: PID, kp: 3, kd: 5, tau: 100 ms, weight_p: 0.25, weight_d: 0, u: e, reference: r}
+record: [pid]
+)");
+  const auto& time = column(table, "time");
+  for (std::size_t k = 0; k < time.size(); k += 50) {
+    const double t = time[k];
+    CHECK(column(table, "pid")[k] == Approx(3.0 * (0.5 - t) - 5.0 * (1.0 - std::exp(-t / 0.1))).margin(1e-9));
+  }
+  CHECK_THAT(error_of(head + "  pid: {block: PID, weight_d: 0, u: 1}\n"),
+             Catch::Contains("'reference' is missing"));
+}

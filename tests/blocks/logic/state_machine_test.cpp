@@ -1,0 +1,81 @@
+#include <catch2/catch.hpp>
+
+#include "tests/support/run_text.hpp"
+
+using namespace stepwire;
+
+namespace {
+
+using Numbers = std::vector<double>;
+
+const std::string head =
+    "step: 1\nstop: 9\nblocks:\n  t: {block: Clock}\n  x: {block: Gain, gain: 1 mm/s, u: t}\n";
+
+std::string refusal(const std::string& keys, const std::string& inputs = "[x, t]") {
+  return error_of(head + "  m:\n    block: StateMachine\n    u: " + inputs + "\n" + keys);
+}
+
+}  // namespace
+
+TEST_CASE("A guard reads inputs with units, the time in its state, and stands in the order of the file") {
+  const Table table = run_text(head + R"(  m:
+    block: StateMachine
+    u: [x, t]
+    initial: idle
+    states:
+      done: {output: [0, -1]}
+      idle: {to: {push: "u1 >= 2 mm"}}
+      push: {output: [1, 5 mm], to: {hold: "after >= 3 s", done: "after >= 3 s"}}
+      hold: {output: [2, 0], to: {done: "u2 >= 7", push: "u2 > 100"}}
+record: [m.state, m.y]
+)");
+  CHECK(column(table, "m.state") == Numbers{1, 1, 2, 2, 2, 3, 3, 0, 0, 0});
+  CHECK(column(table, "m.y.1") == Numbers{0, 0, 1, 1, 1, 2, 2, 0, 0, 0});
+  CHECK(column(table, "m.y.2") == Numbers{0, 0, 5e-3, 5e-3, 5e-3, 0, 0, -1, -1, -1});
+}
+
+TEST_CASE("A machine without inputs and outputs counts the time in its states") {
+  const Table table = run_text(R"(
+step: 1
+stop: 9
+blocks:
+  m: {block: StateMachine, states: {red: {to: {green: "after >= 3"}}, green: {to: {red: "after >= 2"}}}}
+record: [m.state, m.y]
+)");
+  CHECK(column(table, "m.state") == Numbers{0, 0, 0, 1, 1, 0, 0, 0, 1, 1});
+  CHECK(column(table, "m.y") == Numbers(10, 0.0));
+}
+
+TEST_CASE("One input is also called u, and a slower machine acts at its own ticks") {
+  const Table table = run_text(R"(
+step: 1
+stop: 9
+blocks:
+  t: {block: Clock}
+  m: {block: StateMachine, u: t, every: 3, states: {low: {output: 4, to: {high: "u > 3.5"}}, high: {output: 7}}}
+record: [m.y]
+)");
+  CHECK(column(table, "m.y") == Numbers{4, 4, 4, 4, 4, 4, 7, 7, 7, 7});
+}
+
+TEST_CASE("What is wrong with a state machine is said at its place") {
+  // The states stand on line 11 of the text, behind the two lines of the head.
+  CHECK_THAT(refusal("    states: {a: {to: {b: u1 > 1}}, c: {}}\n"),
+             Catch::Contains("leads to 'b', which is none"));
+  CHECK_THAT(refusal("    states: {a: {to: {b: u1 > 1}}, b: {}, c: {}}\n"),
+             Catch::Contains("no transition leads to state 'c' from 'a'"));
+  CHECK_THAT(refusal("    states: {a: {to: {b: u3 > 1}}, b: {}}\n"),
+             Catch::Contains("u3") && Catch::Contains("u1 to u2"));
+  CHECK_THAT(refusal("    states: {a: {to: {b: u1 >}}, b: {}}\n"),
+             Catch::Contains("the guard from 'a' to 'b'"));
+  CHECK_THAT(refusal("    states: {a: {too: {b: u1 > 1}}, b: {}}\n"), Catch::Contains("has no 'too'"));
+  CHECK_THAT(refusal("    states: {a: {output: [1, 2], to: {b: u1 > 1}}, b: {output: [1]}}\n"),
+             Catch::Contains("state 'b' has 1 outputs and one before has 2"));
+  CHECK_THAT(refusal("    states: {a: {output: fast}}\n"),
+             Catch::Contains("'fast' in the output of state 'a'"));
+  CHECK_THAT(refusal("    initial: z\n    states: {a: {}}\n"),
+             Catch::Contains("m.initial") && Catch::Contains("'z'"));
+  CHECK_THAT(refusal("    states: {}\n"), Catch::Contains("must be a map of states"));
+  const std::string placed = refusal("    states:\n      a:\n        to:\n          b: u1 > 1\n");
+  CHECK_THAT(placed, Catch::Contains("test.yaml:13:14") || Catch::Contains(":13:14"));
+}
