@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/figure/number.hpp"
 
@@ -14,6 +15,16 @@ std::vector<double> drawn_values(const Series& series, const Recording& recordin
   std::vector<double> values = evaluate(series.formula, recording);
   for (double& value : values) value = series.unit.from_si(value);
   return values;
+}
+
+/// A logarithmic axis has no place for what is not above zero.
+bool is_logarithmic(const Panel& panel, const Series* channel) {
+  const auto among = [&](const std::string& key) {
+    const auto found = panel.series.find(key);
+    return found != panel.series.end() && channel >= found->second.data() &&
+           channel < found->second.data() + found->second.size();
+  };
+  return (panel.log_x && among("x")) || (panel.log_y && among("y")) || (panel.log_color && among("color"));
 }
 
 /// Rows as they are found, with what decides about their curve.
@@ -37,9 +48,13 @@ Source read_source(const Panel& panel, const Recording& recording,
     for (std::size_t row = 0; row < rows; ++row)
       source.drawn[row] = where[row] != 0.0 && !std::isnan(where[row]);
   }
-  for (const auto& column : source.columns)
-    for (std::size_t row = 0; row < rows; ++row)
-      source.drawn[row] = source.drawn[row] && std::isfinite(column[row]);
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    const double least = is_logarithmic(panel, channels[i]) ? 0.0 : -std::numeric_limits<double>::infinity();
+    for (std::size_t row = 0; row < rows; ++row) {
+      const double value = source.columns[i][row];
+      source.drawn[row] = source.drawn[row] && std::isfinite(value) && value > least;
+    }
+  }
   source.first.assign(rows, false);
   for (const std::size_t start : recording.starts)
     if (start < rows) source.first[start] = true;
@@ -114,45 +129,17 @@ std::vector<std::string> labels_of(const Series& by, const std::vector<double>& 
   return labels;
 }
 
-/// Rows of a stretch that must stay: both ends, and the extremes of each column.
-void keep_extremes(const Curve& curve, std::size_t begin, std::size_t end, std::vector<std::size_t>& rows) {
-  std::vector<std::size_t> kept{begin};
-  for (const auto& column : curve.columns) {
-    const auto from = column.begin() + static_cast<std::ptrdiff_t>(begin);
-    const auto to = column.begin() + static_cast<std::ptrdiff_t>(end);
-    const auto [low, high] = std::minmax_element(from, to);
-    kept.push_back(static_cast<std::size_t>(low - column.begin()));
-    kept.push_back(static_cast<std::size_t>(high - column.begin()));
-  }
-  std::sort(kept.begin(), kept.end());
-  kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
-  rows.insert(rows.end(), kept.begin(), kept.end());
-}
-
 }  // namespace
 
 Curves gather(const Panel& panel, const Recording& recording, const std::vector<const Series*>& channels) {
   Source source = read_source(panel, recording, channels);
   if (panel.final_rows) keep_final_rows(source);
   Curves result;
+  result.logarithmic = panel.log_x || panel.log_y;
   result.groups = find_groups(source);
   result.curves = panel.final_rows ? one_for_each_group(source, result.groups)
                                    : one_for_each_stretch(source, result.groups);
   if (const Series* by = panel.find("by")) result.labels = labels_of(*by, result.groups, recording);
-  return result;
-}
-
-Curve decimate(const Curve& curve, std::size_t limit) {
-  const std::size_t rows = curve.size();
-  if (rows <= limit) return curve;
-  const std::size_t stretches = std::max<std::size_t>(1, limit / (2 * curve.columns.size() + 1));
-  std::vector<std::size_t> kept;
-  for (std::size_t i = 0; i < stretches; ++i)
-    keep_extremes(curve, i * rows / stretches, (i + 1) * rows / stretches, kept);
-  if (kept.back() != rows - 1) kept.push_back(rows - 1);
-  Curve result{std::vector<std::vector<double>>(curve.columns.size()), curve.group};
-  for (std::size_t i = 0; i < curve.columns.size(); ++i)
-    for (const std::size_t row : kept) result.columns[i].push_back(curve.columns[i][row]);
   return result;
 }
 

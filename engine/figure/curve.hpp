@@ -21,6 +21,7 @@ struct Curve {
 struct Curves {
   std::vector<Curve> curves;
   std::vector<double> groups;       ///< values of `by`, ascending; one element where there is none
+  bool logarithmic = false;         ///< on an axis of the panel, so that straight lines are not straight
   std::vector<std::string> labels;  ///< "0.1 A", one for each group; empty where there is no `by`
 };
 
@@ -28,9 +29,5 @@ struct Curves {
 /// finite, and where the value of `by` changes. With `rows: final` each run gives one row, and the runs are
 /// joined.
 Curves gather(const Panel& panel, const Recording& recording, const std::vector<const Series*>& channels);
-
-/// At most about `limit` rows of a curve, in their order, among them the smallest and largest of every column
-/// in every stretch, so that no peak is lost.
-Curve decimate(const Curve& curve, std::size_t limit);
 
 }  // namespace stepwire

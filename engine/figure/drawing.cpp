@@ -19,7 +19,7 @@ set format '%h'
 set xlabel textcolor rgb '#111111'
 set ylabel textcolor rgb '#111111'
 set zlabel textcolor rgb '#111111'
-set cblabel textcolor rgb '#111111'
+set cblabel textcolor rgb '#111111' offset 1.2,0
 set title textcolor rgb '#111111' font ',14'
 set minussign
 set key noenhanced samplen 2.2 spacing 1.15 textcolor rgb '#222222' font ',12'
@@ -32,6 +32,7 @@ set palette defined (0 '#3b46b3', 0.15 '#4681f7', 0.28 '#2fb2f4', 0.4 '#35dcb0',
 void draw_boundaries(const Panel& panel, Script& script) {
   constexpr std::size_t cells = 240;
   const Series *across = panel.find("x"), *up = panel.find("y");
+  if (script.x.empty() || script.y.empty()) return;
   for (const Formula& boundary : panel.boundaries) {
     Grid grid{script.x.low,
               script.y.low,
@@ -55,16 +56,19 @@ void draw_boundaries(const Panel& panel, Script& script) {
   }
 }
 
+constexpr std::size_t most_above = 4;
+
 /// The legend stands above the axes while it is short, else beside them: it never covers a curve.
 std::string legend_place(std::size_t titles) {
   if (titles == 0) return "set key off\n";
-  return titles <= 4 ? "set key outside top center horizontal\n"
-                     : "set key outside right center vertical Left reverse\n";
+  return titles <= most_above ? "set key outside top center horizontal Left reverse\n"
+                              : "set key outside right center vertical Left reverse\n";
 }
 
 struct DrawnPanel {
   std::string commands;
   double height = 0.0;  ///< pixels
+  std::size_t titles = 0;
 };
 
 double wanted_height(const Script& script, double width) {
@@ -76,14 +80,16 @@ double wanted_height(const Script& script, double width) {
   return std::clamp((width - 150.0) * ratio + 80.0, 0.3 * width, 1.2 * width);
 }
 
-DrawnPanel draw_panel(const Panel& panel, std::span<const Recording> recordings, std::size_t index,
+DrawnPanel draw_panel(const Figure& figure, std::span<const Recording> recordings, std::size_t index,
                       double width) {
+  const Panel& panel = figure.panels[index];
   Script script(panel, fmt::format("p{}d", index));
+  script.share = 1.0 / static_cast<double>(figure.panels.size());
   const auto title = panel.words.find("title");
   if (title != panel.words.end()) script.set("set title " + quoted(title->second));
   panel.kind->draw(panel, recordings, script);
   draw_boundaries(panel, script);
-  return {legend_place(script.titles()) + script.text(), wanted_height(script, width)};
+  return {legend_place(script.titles()) + script.text(), wanted_height(script, width), script.titles()};
 }
 
 /// Rows of panels, each as high as its highest panel.
@@ -108,6 +114,19 @@ Layout lay_out(const Figure& figure, const std::vector<DrawnPanel>& panels, doub
   }
   layout.height += layout.head;
   return layout;
+}
+
+/// Panels above each other have their axes in line; not where a legend stands beside one of them.
+std::string margins(const Figure& figure, const std::vector<DrawnPanel>& panels) {
+  if (figure.columns != 1 || panels.size() < 2) return {};
+  bool colored = false;
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    if (panels[i].titles > most_above || figure.panels[i].kind->name == "3d") return {};
+    colored = colored || figure.panels[i].find("color") != nullptr;
+  }
+  // A colour bar of its own place leaves the axes as wide as those without one.
+  return fmt::format("set lmargin 10\nset rmargin {}\n{}", colored ? 15 : 3,
+                     "set colorbox user origin graph 1.02, graph 0 size graph 0.035, graph 1\n");
 }
 
 std::string place_panel(const Figure& figure, const Layout& layout, std::size_t index) {
@@ -148,7 +167,7 @@ Drawing draw(const Figure& figure, std::span<const Recording> recordings) {
       figure.width > 0 ? figure.width / figure.columns : (figure.columns == 1 ? 680.0 : 520.0);
   std::vector<DrawnPanel> panels;
   for (std::size_t i = 0; i < figure.panels.size(); ++i)
-    panels.push_back(draw_panel(figure.panels[i], recordings, i, panel_width));
+    panels.push_back(draw_panel(figure, recordings, i, panel_width));
   const Layout layout = lay_out(figure, panels, panel_width);
   std::string script = fmt::format(
       "set encoding utf8\nset terminal svg size {:.0f},{:.0f} noenhanced font 'Helvetica,13' background "
@@ -156,7 +175,7 @@ Drawing draw(const Figure& figure, std::span<const Recording> recordings) {
       "set multiplot\n",
       layout.width, layout.height);
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    script += style + place_panel(figure, layout, i);
+    script += style + margins(figure, panels) + place_panel(figure, layout, i);
     if (i == 0 && !figure.title.empty())
       script +=
           fmt::format("set label {} at screen 0.5, screen {:.6f} center font ',15' textcolor rgb '#111111'\n",

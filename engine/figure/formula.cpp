@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "engine/figure/homogeneity.hpp"
+#include "engine/figure/number.hpp"
 
 namespace stepwire {
 namespace {
@@ -34,15 +35,14 @@ std::string unknown_parameter(const std::string& name, const Names& names) {
   std::vector<std::string> all;
   for (const auto& parameter : names.parameters) all.push_back(parameter.name);
   if (all.empty()) return fmt::format("there is no parameter '{}'; this diagram has none", name);
-  return fmt::format("there is no parameter '{}'{}; there are: {}", name, did_you_mean(name, all),
-                     fmt::join(all, ", "));
+  return fmt::format("there is no parameter '{}'{}", name, nearest_or_all(name, all, "there are"));
 }
 
 std::string unknown_column(const std::string& name, const Names& names) {
   std::vector<std::string> all;
   for (const auto& column : names.columns) all.push_back(column.name);
-  return fmt::format("'{}' is not recorded{}; recorded are: {}", name, did_you_mean(name, all),
-                     fmt::join(all, ", "));
+  if (names.plane) return fmt::format("'{}' is no coordinate of the plane; there are: x, y", name);
+  return fmt::format("'{}' is not recorded{}", name, nearest_or_all(name, all, "recorded are"));
 }
 
 Substituted substitute(std::string_view text, const Names& names) {
@@ -80,9 +80,10 @@ Expression parse(std::string_view text, const Names& names) {
   } catch (const ExpressionError& error) {
     const std::size_t position = substituted.origin_of(error.position);
     const std::string name = name_at(text, position);
-    const bool unknown = !name.empty() &&
-                         std::string_view(error.what()).find(name) != std::string_view::npos &&
-                         names.find(name) == nullptr;
+    const std::size_t behind = text.find_first_not_of(' ', position + name.size());
+    const bool function = behind != std::string_view::npos && text[behind] == '(';
+    const bool unknown = !name.empty() && !function && names.find(name) == nullptr &&
+                         std::string_view(error.what()).find(name) != std::string_view::npos;
     throw ExpressionError(unknown ? unknown_column(name, names) : error.what(), position);
   }
 }

@@ -58,61 +58,90 @@ Grid average(const Curve& points, const Axis& x, const Axis& y) {
   return grid;
 }
 
-using Mask = std::vector<bool>;
-
-/// One pass of a square or cross over a mask: grows what is `value` by one cell. Outside of the grid is
-/// false.
-Mask grown(const Grid& grid, const Mask& mask, bool value, bool square) {
-  Mask result = mask;
-  const auto columns = static_cast<long>(grid.columns), rows = static_cast<long>(grid.rows);
-  for (long row = 0; row < rows; ++row)
-    for (long column = 0; column < columns; ++column)
-      for (long dy = -1; dy <= 1; ++dy)
-        for (long dx = -1; dx <= 1; ++dx) {
-          if (!square && dx != 0 && dy != 0) continue;
-          const long r = row + dy, c = column + dx;
-          const bool inside = r >= 0 && c >= 0 && r < rows && c < columns;
-          // Beyond the edge nothing grows and nothing shrinks: measured cells may lie on it.
-          if (inside && mask[static_cast<std::size_t>(r * columns + c)] == value)
-            result[static_cast<std::size_t>(row * columns + column)] = value;
-        }
-  return result;
-}
-
-/// Fills unknown cells of `wanted` with the mean of their known neighbours, ring by ring.
-void fill(Grid& grid, const Mask& wanted) {
-  const auto columns = static_cast<long>(grid.columns), rows = static_cast<long>(grid.rows);
-  for (bool changed = true; changed;) {
-    changed = false;
-    const std::vector<double> before = grid.values;
-    for (long row = 0; row < rows; ++row)
-      for (long column = 0; column < columns; ++column) {
-        const auto cell = static_cast<std::size_t>(row * columns + column);
-        if (!wanted[cell] || !std::isnan(before[cell])) continue;
-        double sum = 0.0, weight = 0.0;
-        for (long r = std::max(0L, row - 1); r <= std::min(rows - 1, row + 1); ++r)
-          for (long c = std::max(0L, column - 1); c <= std::min(columns - 1, column + 1); ++c) {
-            const double value = before[static_cast<std::size_t>(r * columns + c)];
-            if (std::isnan(value)) continue;
-            const double share = r == row || c == column ? 2.0 : 1.0;
-            sum += share * value;
-            weight += share;
-          }
-        if (weight == 0.0) continue;
-        grid.values[cell] = sum / weight;
-        changed = true;
-      }
+/// Which cells are known, with an empty margin around the grid.
+class Mask {
+ public:
+  Mask(const Grid& grid, long margin)
+      : margin_(margin),
+        columns_(static_cast<long>(grid.columns) + 2 * margin),
+        rows_(static_cast<long>(grid.rows) + 2 * margin),
+        cells_(static_cast<std::size_t>(columns_ * rows_), false) {
+    for (std::size_t row = 0; row < grid.rows; ++row)
+      for (std::size_t column = 0; column < grid.columns; ++column)
+        cells_[index(column, row)] = !std::isnan(grid.at(column, row));
   }
+
+  bool at(std::size_t column, std::size_t row) const { return cells_[index(column, row)]; }
+
+  /// Gives all cells within a disk around a cell that is `value` this value.
+  void grow(bool value) {
+    const std::vector<bool> before = cells_;
+    for (long row = margin_ / 2; row < rows_ - margin_ / 2; ++row)
+      for (long column = margin_ / 2; column < columns_ - margin_ / 2; ++column)
+        if (before[static_cast<std::size_t>(row * columns_ + column)] == value) spread(column, row, value);
+  }
+
+ private:
+  void spread(long column, long row, bool value) {
+    const long reach = margin_ / 2;
+    for (long dy = -reach; dy <= reach; ++dy)
+      for (long dx = -reach; dx <= reach; ++dx)
+        if (dx * dx + dy * dy <= reach * reach)
+          cells_[static_cast<std::size_t>((row + dy) * columns_ + column + dx)] = value;
+  }
+
+  std::size_t index(std::size_t column, std::size_t row) const {
+    return static_cast<std::size_t>((static_cast<long>(row) + margin_) * columns_ +
+                                    static_cast<long>(column) + margin_);
+  }
+
+  long margin_, columns_, rows_;
+  std::vector<bool> cells_;
+};
+
+/// Sum over known neighbours and their weight.
+struct Neighbours {
+  double sum = 0.0, weight = 0.0;
+};
+
+Neighbours neighbours(const Grid& grid, std::size_t column, std::size_t row) {
+  Neighbours found;
+  const auto add = [&](std::size_t c, std::size_t r) {
+    const double value = grid.at(c, r);
+    if (std::isnan(value)) return;
+    found.sum += value;
+    found.weight += 1.0;
+  };
+  if (column > 0) add(column - 1, row);
+  if (column + 1 < grid.columns) add(column + 1, row);
+  if (row > 0) add(column, row - 1);
+  if (row + 1 < grid.rows) add(column, row + 1);
+  return found;
 }
 
-/// Closes gaps: cells that lie between known ones, at most `reach` cells from them (grown, then shrunk as
-/// far).
-void close_gaps(Grid& grid, int reach) {
-  Mask known(grid.values.size());
-  for (std::size_t i = 0; i < known.size(); ++i) known[i] = !std::isnan(grid.values[i]);
-  for (int i = 0; i < reach; ++i) known = grown(grid, known, true, i % 2 == 0);
-  for (int i = 0; i < reach; ++i) known = grown(grid, known, false, i % 2 == 0);
-  fill(grid, known);
+/// Fills cells from their neighbours and smooths them until they lie as a stretched skin between the measured
+/// ones.
+void fill(Grid& grid, const std::vector<std::size_t>& cells) {
+  constexpr int sweeps = 150;
+  for (int sweep = 0; sweep < sweeps; ++sweep)
+    for (const std::size_t cell : cells) {
+      const Neighbours found = neighbours(grid, cell % grid.columns, cell / grid.columns);
+      if (found.weight > 0.0) grid.values[cell] = found.sum / found.weight;
+    }
+}
+
+/// Closes gaps that a disk of this radius, in cells, cannot enter from outside of the measured points.
+void close_gaps(Grid& grid, long reach) {
+  if (reach < 1) return;
+  Mask mask(grid, 2 * reach);
+  mask.grow(true);
+  mask.grow(false);
+  std::vector<std::size_t> cells;
+  for (std::size_t row = 0; row < grid.rows; ++row)
+    for (std::size_t column = 0; column < grid.columns; ++column)
+      if (mask.at(column, row) && std::isnan(grid.at(column, row)))
+        cells.push_back(row * grid.columns + column);
+  fill(grid, cells);
 }
 
 }  // namespace
@@ -128,8 +157,8 @@ Grid make_grid(const Curve& points, std::size_t cells, double gap) {
     return width > 0.0 ? width / static_cast<double>(cells) : 1.0;
   };
   Grid grid = average(points, cut(points.columns[0], step(across)), cut(points.columns[1], step(up)));
-  const int reach = static_cast<int>(std::ceil(0.5 * gap / std::min(grid.dx, grid.dy)));
-  close_gaps(grid, std::clamp(reach, 0, static_cast<int>(cells)));
+  const double reach = std::ceil(0.5 * gap / std::min(grid.dx, grid.dy));
+  close_gaps(grid, static_cast<long>(std::clamp(reach, 0.0, 0.5 * static_cast<double>(cells))));
   return grid;
 }
 

@@ -30,6 +30,7 @@ struct Names {
   std::string file;  ///< for the places of faults
   std::vector<RecordedName> columns;
   std::vector<KnownParameter> parameters{};
+  bool plane = false;  ///< the columns are the coordinates of a plane, not records
 
   const RecordedName* find(std::string_view name) const;
 };

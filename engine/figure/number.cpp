@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdlib>
 
 #include "engine/figure/formula.hpp"
@@ -15,6 +17,10 @@ std::string unit_after_number(const std::string& text) {
   std::string unit(end);
   unit.erase(0, std::min(unit.find_first_not_of(' '), unit.size()));
   return unit;
+}
+
+std::string unit_phrase(const Dimension& dimension) {
+  return dimension == Dimension{} ? "has no unit" : "is in " + si_name(dimension);
 }
 
 }  // namespace
@@ -47,8 +53,8 @@ void check_dimension(const WantedNumber& number, const std::optional<Dimension>&
   if (!number.dimension || !dimension || *number.dimension == *dimension) return;
   faults.add({{names.file, node.mark},
               subject,
-              fmt::format("{} is in {}, but {} is in {}", number.text, si_name(*number.dimension), what,
-                          si_name(*dimension)),
+              fmt::format("{} {}, but {} {}", number.text, unit_phrase(*number.dimension), what,
+                          unit_phrase(*dimension)),
               {}});
 }
 
@@ -59,8 +65,18 @@ void add_unknown_key(const Entry& entry, const std::vector<std::string>& known, 
     message +=
         "; it looks like a piece of an expression: put an expression with a comma or a colon in quotes";
   else
-    message += fmt::format("{}; it has: {}", did_you_mean(entry.key, known), fmt::join(known, ", "));
+    message += nearest_or_all(entry.key, known, "it has");
   faults.add({{names.file, entry.mark}, subject, message, {}});
+}
+
+std::string nearest_or_all(const std::string& word, const std::vector<std::string>& names, std::string what) {
+  constexpr std::size_t most = 24;
+  const std::string nearest = did_you_mean(word, names);
+  if (!nearest.empty())
+    what.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(what.front())));
+  const auto end = names.begin() + static_cast<std::ptrdiff_t>(std::min(most, names.size()));
+  return fmt::format("{} {}: {}{}", nearest.empty() ? ";" : nearest, what,
+                     fmt::join(names.begin(), end, ", "), names.size() > most ? ", ..." : "");
 }
 
 std::string read_text(const Node& node, const Names& names, const std::string& subject, Faults& faults) {

@@ -67,8 +67,7 @@ class PanelReader {
       if (plot->is_scalar() && kind.name == plot->text) panel_.kind = &kind;
     if (panel_.kind == nullptr)
       fault(plot->mark, "figure.plot",
-            fmt::format("there is no plot '{}'{}; there are: {}", plot->text, did_you_mean(plot->text, all),
-                        fmt::join(all, ", ")));
+            fmt::format("there is no plot '{}'{}", plot->text, nearest_or_all(plot->text, all, "there are")));
     return panel_.kind != nullptr;
   }
 
@@ -175,7 +174,7 @@ class PanelReader {
 
   /// Boundaries are formulas of the plane, not of the record: only x and y are known in them.
   void read_boundary(const Node& node) {
-    Names plane{names_.file, {{"x", {}, {}}, {"y", {}, {}}}, names_.parameters};
+    Names plane{names_.file, {{"x", {}, {}}, {"y", {}, {}}}, names_.parameters, true};
     const std::vector<Node> one{node};
     for (const auto& item : node.is_list() ? node.items : one)
       if (auto formula = read_formula(item, plane, "figure.boundary", faults_))

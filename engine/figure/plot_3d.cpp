@@ -5,16 +5,21 @@
 namespace stepwire {
 namespace {
 
-constexpr std::size_t point_budget = 4000;
+constexpr double point_budget = 4000.0;
 
 void draw_space(const Panel& panel, std::span<const Recording> recordings, Script& script) {
   const Series* color = panel.find("color");
   std::vector<const Series*> channels{panel.find("x"), panel.find("y"), panel.find("z")};
   if (color != nullptr) channels.push_back(color);
   const Curves all = gather(panel, recording_of(panel, recordings), channels);
+  const auto budget = static_cast<std::size_t>(point_budget * script.share);
+  const auto style = panel.words.find("style");
+  const bool points_only = style != panel.words.end() && style->second == "points";
   std::vector<Curve> curves;
   for (std::size_t group = 0; group < all.groups.size(); ++group)
-    std::ranges::copy(thinned(all, group, point_budget / all.groups.size()), std::back_inserter(curves));
+    std::ranges::copy(points_only ? cut(all, group, budget / all.groups.size())
+                                  : thinned(all, group, budget / all.groups.size(), color != nullptr),
+                      std::back_inserter(curves));
   const Curve points = joined(all);
   const char* axes[] = {"x", "y", "z"};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -29,8 +34,7 @@ void draw_space(const Panel& panel, std::span<const Recording> recordings, Scrip
   script.set("set xlabel rotate parallel\nset ylabel rotate parallel\nset zlabel rotate parallel");
   script.set("set grid x y z vertical\nset tics scale 0.4");
   if (panel.equal) script.set("set view equal xyz");
-  const auto style = panel.words.find("style");
-  const bool points_only = style != panel.words.end() && style->second == "points";
+  if (curves.empty()) return;
   script.plot(fmt::format("{} using 1:2:3{} with {} {}", script.data(curves), color != nullptr ? ":4" : "",
                           points_only ? "points pt 7 ps 0.45" : "lines lw 2.2",
                           color != nullptr ? "lc palette" : "lc rgb '" + curve_color(0) + "'"));

@@ -70,9 +70,9 @@ void draw_boxes(const Panel& panel, std::span<const Recording> recordings, Scrip
   script.set(tics(samples));
   script.set("set boxwidth 0.5\nset style fill solid 1.0 border lc rgb '#0072B2'\nset grid nox");
   const std::string block = script.data({boxes_of(samples)});
-  script.plot(block +
-              " using 1:3:2:6:5 with candlesticks fc rgb '#cfe3f1' lc rgb '#0072B2' lw 1.3 whiskerbars 0.5");
-  script.plot(block + " using 1:4:4:4:4 with candlesticks lc rgb '#111111' lw 2.4", "median");
+  script.plot(block + " using 1:3:2:6:5 with candlesticks fc rgb '#cfe3f1' lc rgb '#0072B2' lw 1.3", {},
+              " whiskerbars 0.5");
+  script.plot(block + " using ($1-0.25):4:(0.5):(0) with vectors nohead lc rgb '#111111' lw 2.4", "median");
   script.plot(block + " using 1:7 with points pt 3 ps 0.9 lw 1.5 lc rgb '#D55E00'", "mean");
 }
 

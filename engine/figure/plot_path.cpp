@@ -3,14 +3,15 @@
 namespace stepwire {
 namespace {
 
-constexpr std::size_t point_budget = 4000;  ///< each coloured piece is an element of its own in the picture
+constexpr double point_budget = 4000.0;  ///< each coloured piece is an element of its own in the picture
 
 void draw_path(const Panel& panel, std::span<const Recording> recordings, Script& script) {
   const Series &x = *panel.find("x"), &y = *panel.find("y"), &color = *panel.find("color");
   const Curves all = gather(panel, recording_of(panel, recordings), {&x, &y, &color});
+  const auto budget = static_cast<std::size_t>(point_budget * script.share);
   std::vector<Curve> curves;
   for (std::size_t group = 0; group < all.groups.size(); ++group)
-    std::ranges::copy(thinned(all, group, point_budget / all.groups.size()), std::back_inserter(curves));
+    std::ranges::copy(thinned(all, group, budget / all.groups.size(), true), std::back_inserter(curves));
   script.cover(curves);
   script.plane(0.05);
   script.label("x", x);
@@ -19,7 +20,7 @@ void draw_path(const Panel& panel, std::span<const Recording> recordings, Script
   drawn.curves = curves;
   const Curve points = joined(drawn);
   script.color_bar(color, points.columns.empty() ? Extent{} : extent_of(points.columns[2]));
-  script.plot(script.data(curves) + " using 1:2:3 with lines lw 3 lc palette");
+  if (!curves.empty()) script.plot(script.data(curves) + " using 1:2:3 with lines lw 3 lc palette");
 }
 
 }  // namespace

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 
@@ -8,6 +10,7 @@ namespace stepwire {
 namespace {
 
 constexpr std::size_t cells = 500;
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// Cells of the strip: the mean of all that passes over them; nan where nothing passes.
 class Strip {
@@ -27,13 +30,13 @@ class Strip {
 
   Curve curve() const {
     Curve result{std::vector<std::vector<double>>(3), 0};
-    for (std::size_t i = 0; i < cells; ++i) {
-      const double value =
-          counts_[i] > 0.0 ? sums_[i] / counts_[i] : std::numeric_limits<double>::quiet_NaN();
-      result.columns[0].push_back(low_ + (static_cast<double>(i) + 0.5) * step_);
-      result.columns[1].push_back(0.5);
-      result.columns[2].push_back(value);
-    }
+    // Two rows of cells: gnuplot draws no picture of a single one.
+    for (const double y : {0.25, 0.75})
+      for (std::size_t i = 0; i < cells; ++i) {
+        result.columns[0].push_back(low_ + (static_cast<double>(i) + 0.5) * step_);
+        result.columns[1].push_back(y);
+        result.columns[2].push_back(counts_[i] > 0.0 ? sums_[i] / counts_[i] : nothing);
+      }
     return result;
   }
 
@@ -50,10 +53,18 @@ Curve strip_of(const Curves& all, const Extent& extent) {
   Strip strip(extent);
   for (const Curve& curve : all.curves) {
     const auto &x = curve.columns[0], &value = curve.columns[1];
-    strip.pass(x[0], value[0], x[0], value[0]);
+    if (curve.size() == 1) strip.pass(x[0], value[0], x[0], value[0]);
     for (std::size_t i = 1; i < curve.size(); ++i) strip.pass(x[i - 1], value[i - 1], x[i], value[i]);
   }
   return strip.curve();
+}
+
+/// A round step with which a short colour bar has two to five marks.
+double few_steps(double width) {
+  const double power = std::pow(10.0, std::floor(std::log10(0.4 * width)));
+  for (const double step : {5.0, 2.0})
+    if (step * power <= 0.45 * width) return step * power;
+  return power;
 }
 
 void draw_strip(const Panel& panel, std::span<const Recording> recordings, Script& script) {
@@ -61,17 +72,19 @@ void draw_strip(const Panel& panel, std::span<const Recording> recordings, Scrip
   const Curves all = gather(panel, recording_of(panel, recordings), {&x, &color});
   for (const Curve& curve : all.curves)
     for (const double value : curve.columns[0]) script.x.add(value);
+  script.label("x", x);
+  if (all.curves.empty()) return;
   script.x = script.x.padded(0.0);
   const Curve strip = strip_of(all, script.x);
   script.y = {0.0, 1.0};
   script.plane(0.0);
-  script.set(
-      "unset ytics\nset border 1\nset grid noy\nset colorbox horizontal user origin graph 0, graph 1.25 size "
-      "graph 1, graph 0.22");
-  script.set("set cbtics offset 0,0\nunset grid");
-  script.height = 190.0;
-  script.label("x", x);
-  script.color_bar(color, extent_of(strip.columns[2]));
+  script.set("unset ytics\nset border 1\nunset grid");
+  // The label of the colour bar stands beside the strip and must not be longer than that is high.
+  script.height = std::clamp(70.0 + 8.0 * static_cast<double>(color.axis_label().size()), 170.0, 320.0);
+  const Extent shown = extent_of(strip.columns[2]);
+  script.color_bar(color, shown);
+  if (!panel.ranges.contains("color_range") && shown.high > shown.low)
+    script.set(fmt::format("set cbtics {:.6g}", few_steps(shown.high - shown.low)));
   script.plot(script.data({strip}) + " using 1:2:3 with image");
 }
 

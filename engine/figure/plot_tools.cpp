@@ -5,8 +5,7 @@
 namespace stepwire {
 namespace {
 
-constexpr std::size_t point_budget = 20000;  ///< of a panel, so that a picture stays below some 500 kB
-constexpr std::size_t curve_budget = 2500;
+constexpr double point_budget = 14000.0;  ///< of a picture, so that it stays below some 300 kB
 constexpr std::size_t most_in_legend = 8;
 
 std::string legend_text(const Panel& panel, const Series& y, const Curves& curves, std::size_t group,
@@ -30,7 +29,7 @@ Series common_label(const std::vector<Series>& all) {
 
 /// A later curve is thinner, so that one that lies below it is still seen.
 std::string look(const Panel& panel, std::size_t entry) {
-  const std::string width = entry == 0 ? "2.4" : "1.6";
+  const std::string width = entry == 0 && panel.series.at("y").size() > 1 ? "2.4" : "1.6";
   const std::string with = panel.final_rows ? "linespoints pt 7 ps 0.5" : "lines";
   return fmt::format("with {} lw {}", with, width);
 }
@@ -40,10 +39,14 @@ Curve with_group_value(Curve curve, const Curves& all) {
   return curve;
 }
 
+std::size_t rows_for(const Script& script, std::size_t parts) {
+  return static_cast<std::size_t>(point_budget * script.share / static_cast<double>(parts));
+}
+
 /// Many groups: the value of `by` is shown as a colour.
 void draw_by_color(const Panel& panel, const Curves& all, Script& script) {
   for (std::size_t group = 0; group < all.groups.size(); ++group) {
-    auto curves = thinned(all, group, point_budget / all.groups.size());
+    auto curves = thinned(all, group, rows_for(script, all.groups.size()));
     script.cover(curves);
     for (Curve& curve : curves) curve = with_group_value(std::move(curve), all);
     script.plot(script.data(curves) + " using 1:2:3 " + look(panel, 1) + " lc palette");
@@ -54,7 +57,8 @@ void draw_by_color(const Panel& panel, const Curves& all, Script& script) {
 void draw_in_legend(const Panel& panel, const Series& y, const Curves& all, std::size_t& entry,
                     Script& script) {
   for (std::size_t group = 0; group < all.groups.size(); ++group, ++entry) {
-    const auto curves = thinned(all, group, std::min(point_budget / all.groups.size(), curve_budget));
+    const auto curves =
+        thinned(all, group, rows_for(script, panel.series.at("y").size() * all.groups.size()));
     script.cover(curves);
     script.plot(fmt::format("{} using 1:2 {} lc rgb '{}'", script.data(curves), look(panel, entry),
                             curve_color(entry)),
@@ -63,20 +67,6 @@ void draw_in_legend(const Panel& panel, const Series& y, const Curves& all, std:
 }
 
 }  // namespace
-
-std::vector<Curve> thinned(const Curves& all, std::size_t group, std::size_t budget) {
-  std::size_t rows = 0;
-  for (const Curve& curve : all.curves)
-    if (curve.group == group) rows += curve.size();
-  std::vector<Curve> result;
-  for (const Curve& curve : all.curves) {
-    if (curve.group != group) continue;
-    // Each curve has its share; a short one still needs enough rows for its shape.
-    const std::size_t share = rows <= budget ? curve.size() : budget * curve.size() / rows;
-    result.push_back(decimate(curve, std::max<std::size_t>(share, 24)));
-  }
-  return result;
-}
 
 Curve joined(const Curves& all) {
   Curve result;

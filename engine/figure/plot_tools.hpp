@@ -7,11 +7,9 @@
 #include "engine/figure/curve.hpp"
 #include "engine/figure/plot_kind.hpp"
 #include "engine/figure/script.hpp"
+#include "engine/figure/thinning.hpp"
 
 namespace stepwire {
-
-/// Curves of a group, thinned so that all of them together have at most about `budget` rows.
-std::vector<Curve> thinned(const Curves& all, std::size_t group, std::size_t budget);
 
 /// All rows of all curves as one.
 Curve joined(const Curves& all);

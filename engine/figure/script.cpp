@@ -48,8 +48,8 @@ std::string Script::data(const std::vector<Curve>& curves) {
     for (std::size_t row = 0; row < curve.size(); ++row)
       for (std::size_t i = 0; i < curve.columns.size(); ++i)
         fmt::format_to(out, "{:.7g}{}", curve.columns[i][row], i + 1 < curve.columns.size() ? ' ' : '\n');
-    // An empty line makes gnuplot lift its pen.
-    if (&curve != &curves.back()) commands_ += '\n';
+    // Two empty lines make gnuplot lift its pen; after one alone it would tie curves in space to a net.
+    if (&curve != &curves.back()) commands_ += "\n\n";
   }
   commands_ += "EOD\n";
   return block;
@@ -62,8 +62,8 @@ void Script::cover(const std::vector<Curve>& curves) {
   }
 }
 
-void Script::plot(const std::string& item, const std::string& title) {
-  items_.push_back(item + (title.empty() ? " notitle" : " title " + quoted(title)));
+void Script::plot(const std::string& item, const std::string& title, const std::string& behind) {
+  items_.push_back(item + (title.empty() ? " notitle" : " title " + quoted(title)) + behind);
   if (!title.empty()) ++titles_;
 }
 
@@ -101,6 +101,11 @@ void Script::plane(double room) {
 }
 
 std::string Script::text() const {
+  if (items_.empty())
+    return commands_ +
+           "set xrange [0:1]\nset yrange [0:1]\nunset logscale\nset xtics autofreq\n"
+           "set label 'no rows to draw' at graph 0.5, graph 0.5 center textcolor rgb '#555555'\nplot 2 "
+           "notitle\n";
   const std::string verb = space ? "splot " : "plot ";
   return commands_ + verb + fmt::format("{}", fmt::join(items_, ", \\\n  ")) + "\n";
 }

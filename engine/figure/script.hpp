@@ -32,7 +32,8 @@ class Script {
   /// Takes the first two columns of curves into the extent of the plane.
   void cover(const std::vector<Curve>& curves);
   /// Adds something to be plotted: "$a0 using 1:2 with lines", with its text in the legend or none.
-  void plot(const std::string& item, const std::string& title = {});
+  /// What gnuplot wants behind the title goes `behind`.
+  void plot(const std::string& item, const std::string& title = {}, const std::string& behind = {});
 
   /// Labels the axis of a channel with its series.
   void label(const std::string& axis, const Series& series);
@@ -46,6 +47,7 @@ class Script {
   /// Pixels that the drawing wants to be high; 0: as usual.
   double height = 0.0;
   bool space = false;  ///< three axes
+  double share = 1.0;  ///< part of the picture's size, in bytes, that this panel may take
   Extent x, y;
 
   const Panel& panel() const { return panel_; }
