@@ -170,7 +170,8 @@ Drawing draw(const Figure& figure, std::span<const Recording> recordings) {
     panels.push_back(draw_panel(figure, recordings, i, panel_width));
   const Layout layout = lay_out(figure, panels, panel_width);
   std::string script = fmt::format(
-      "set encoding utf8\nset terminal svg size {:.0f},{:.0f} noenhanced font 'Helvetica,13' background "
+      "set encoding utf8\nset terminal svg size {:.0f},{:.0f} noenhanced rounded font 'Helvetica,13' "
+      "background "
       "'#ffffff'\n"
       "set multiplot\n",
       layout.width, layout.height);

@@ -1,16 +1,21 @@
+#include <limits>
+
 #include "engine/figure/grid.hpp"
 #include "engine/figure/plot_tools.hpp"
 
 namespace stepwire {
 namespace {
 
+/// Centres and values of all cells; an empty row or column is added where there is one alone, which gnuplot
+/// refuses.
 Curve points_of(const Grid& grid) {
   Curve points{std::vector<std::vector<double>>(3), 0};
-  for (std::size_t row = 0; row < grid.rows; ++row)
-    for (std::size_t column = 0; column < grid.columns; ++column) {
+  for (std::size_t row = 0; row < std::max<std::size_t>(grid.rows, 2); ++row)
+    for (std::size_t column = 0; column < std::max<std::size_t>(grid.columns, 2); ++column) {
+      const bool known = row < grid.rows && column < grid.columns;
       points.columns[0].push_back(grid.x + static_cast<double>(column) * grid.dx);
       points.columns[1].push_back(grid.y + static_cast<double>(row) * grid.dy);
-      points.columns[2].push_back(grid.at(column, row));
+      points.columns[2].push_back(known ? grid.at(column, row) : std::numeric_limits<double>::quiet_NaN());
     }
   return points;
 }

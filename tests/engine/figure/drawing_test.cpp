@@ -1,0 +1,134 @@
+#include <catch2/catch.hpp>
+#include <cstdlib>
+
+#include "engine/figure/gnuplot.hpp"
+#include "engine/table/surroundings.hpp"
+#include "tests/engine/figure/samples.hpp"
+
+using namespace stepwire;
+using namespace stepwire::testing;
+
+namespace {
+
+bool gnuplot_is_missing() {
+  if (has_gnuplot()) return false;
+  WARN("gnuplot is not installed; nothing was drawn");
+  return true;
+}
+
+std::string drawn(const std::string& text, int rows = 200) {
+  const auto read = figures_of(text);
+  INFO(read.faults);
+  REQUIRE(read.faults.empty());
+  const Drawing drawing = draw(read.figures.at(0), sample_recordings({0.1, 0.2, 0.3}, rows));
+  CHECK(drawing.warnings == "");
+  return drawing.svg;
+}
+
+/// Whether a text is XML: read by the document's own parser, since every element is opened and closed.
+bool is_well_formed(const std::string& svg) {
+  std::vector<std::string> open;
+  for (std::size_t at = 0; (at = svg.find('<', at)) != std::string::npos; ++at) {
+    if (svg.compare(at, 4, "<!--") == 0) {
+      at = svg.find("-->", at);
+      continue;
+    }
+    const std::size_t end = svg.find('>', at);
+    if (end == std::string::npos) return false;
+    if (svg[at + 1] == '?' || svg[at + 1] == '!' || svg[end - 1] == '/') continue;
+    const bool closes = svg[at + 1] == '/';
+    const std::size_t start = at + (closes ? 2 : 1);
+    const std::string name = svg.substr(start, svg.find_first_of(" \t\n>", start) - start);
+    if (!closes)
+      open.push_back(name);
+    else if (open.empty() || open.back() != name)
+      return false;
+    else
+      open.pop_back();
+  }
+  return open.empty() && svg.find("</svg>") != std::string::npos;
+}
+
+const std::vector<std::string> every_kind{
+    "{plot: lines, x: time, y: [rig.x in mm, {signal: 2*rig.x in mm, label: twice}]}",
+    "{plot: lines, x: time, y: rig.x in mm, by: current}",
+    "{plot: lines, x: current, y: push.force, rows: final, log: [x, y]}",
+    "{plot: xy, x: rig.x in mm, y: rig.v in mm/s}",
+    "{plot: loop, x: rig.x in mm, y: push.force, by: current}",
+    "{plot: path, x: rig.x in mm, y: time, color: push.force, boundary: [x - 0.5 mm, y - x*1000 - 0.2]}",
+    "{plot: strip, x: rig.x in mm, color: push.force in N}",
+    "{plot: map, x: rig.x in mm, y: current, color: rig.v, contour: [0, 1 mm/s]}",
+    "{plot: field, x: rig.x in mm, y: current in mA, u: rig.v, v: rig.v}",
+    "{plot: 3d, x: rig.x in mm, y: rig.v in mm/s, z: current, color: time}",
+    "{plot: 3d, x: rig.x in mm, y: rig.v in mm/s, z: current, style: points, equal: true}",
+    "{plot: box, y: rig.x in mm, by: current}",
+    "{plot: histogram, x: rig.x in mm}"};
+
+}  // namespace
+
+TEST_CASE("every kind of plot is a well-formed picture with the units of its axes") {
+  if (gnuplot_is_missing()) return;
+  for (const auto& text : every_kind) {
+    INFO(text);
+    const std::string svg = drawn(text);
+    CHECK(is_well_formed(svg));
+    CHECK(svg.size() < 500'000);
+    if (text.find("current, y") == std::string::npos) CHECK_THAT(svg, Catch::Contains("[mm]"));
+  }
+}
+
+TEST_CASE("every kind of plot is drawn where no row is left, or a single one") {
+  if (gnuplot_is_missing()) return;
+  for (const std::string where : {"time < 0", "time == 0", "time == 0 && current < 0.15"})
+    for (auto text : every_kind) {
+      text.insert(text.size() - 1, ", where: \"" + where + "\"");
+      INFO(text);
+      CHECK(is_well_formed(drawn(text)));
+    }
+}
+
+TEST_CASE("the same data give the same bits") {
+  if (gnuplot_is_missing()) return;
+  for (const auto& text : every_kind) CHECK(drawn(text) == drawn(text));
+}
+
+TEST_CASE("texts are shown as they are written") {
+  if (gnuplot_is_missing()) return;
+  const std::string svg = drawn(
+      "{plot: lines, x: time, y: {signal: rig.x, label: \"a_b^2 {x} <&>\"}, title: \"it's `date` $HOME "
+      "@x\"}");
+  CHECK_THAT(svg, Catch::Contains("a_b^2 {x} &lt;&amp;> [m]"));
+  CHECK_THAT(svg, Catch::Contains("`date` $HOME @x"));
+}
+
+TEST_CASE("panels share a picture, each with its title") {
+  if (gnuplot_is_missing()) return;
+  const std::string svg = drawn(
+      "{title: all, columns: 2, panels: [{plot: lines, x: time, y: rig.x, title: left one}, {plot: strip, x: "
+      "rig.x in "
+      "mm, color: push.force, title: right one}, {plot: box, y: rig.v, title: last one}]}");
+  for (const std::string text : {">all<", ">left one<", ">right one<", ">last one<"})
+    CHECK_THAT(svg, Catch::Contains(text));
+}
+
+TEST_CASE("a large record gives a small picture") {
+  if (gnuplot_is_missing()) return;
+  CHECK(drawn("{plot: lines, x: time, y: \"rig.x*sin(1e7*time*time)\"}", 100'000).size() < 500'000);
+  CHECK(drawn("{plot: path, x: time, y: rig.x, color: \"sin(1e7*time*time)\"}", 100'000).size() < 500'000);
+}
+
+TEST_CASE("what gnuplot complains of is told") {
+  if (gnuplot_is_missing()) return;
+  CHECK_THROWS_WITH(run_gnuplot("plot nonsense of mine\n"), Catch::Contains("gnuplot failed: "));
+  CHECK(run_gnuplot("printerr 'careful'\n").complaints == "careful");
+  CHECK(run_gnuplot("print 'x'\n").output.empty());
+}
+
+TEST_CASE("a missing gnuplot is a fault of the surroundings that names the package") {
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", "/nonexistent", 1);
+  CHECK_FALSE(has_gnuplot());
+  CHECK_THROWS_AS(run_gnuplot(""), SurroundingsError);
+  CHECK_THROWS_WITH(run_gnuplot(""), "gnuplot is not installed; on Debian it is the package gnuplot-nox");
+  ::setenv("PATH", path.c_str(), 1);
+}
