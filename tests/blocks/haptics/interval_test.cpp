@@ -9,7 +9,7 @@ namespace {
 
 Table over_x(const std::string& map) {
   return run_text(
-      "step: 1 ms\nstop: 20 s\nblocks:\n  x: {block: Ramp, slope: 1 mm/s, bias: -10 mm}\n  map: {block: "
+      "step: 1 ms\nstop: 20 s\nblocks:\n  x: {block: Ramp, slope: 1 mm/s, initial: -10 mm}\n  map: {block: "
       "Interval, x: x" +
       map + "}\nrecord: {every: 0.5 s, signals: [x, map.depth, map.error]}\n");
 }

@@ -10,7 +10,7 @@ namespace {
 /// Force of the RD-1097-01 after a long steady motion, by either integration.
 double steady_force(const std::string& speed, const std::string& current, const std::string& more = "") {
   const Table table = run_text(
-      "step: 0.1 ms\nstop: 1 s\nblocks:\n  damper: {block: MRDamper, preset: rd-1097-01, velocity: " + speed +
+      "step: 0.1 ms\nstop: 1 s\nsolver: rk4\nblocks:\n  damper: {block: MRDamper, preset: rd-1097-01, velocity: " + speed +
       ", current: " + current + more + "}\nrecord: [damper.force]\n");
   return column(table, "damper.force").back();
 }
@@ -23,7 +23,7 @@ stop: 1 s
 solver: rk4
 blocks:
   velocity: {block: Sine, amplitude: 0.1005 m/s, frequency: 4 Hz, phase: 1.0}
-  current:  {block: Pulse, amplitude: 0.35 A, period: 0.14 s, width: 0.5}
+  current:  {block: Pulse, amplitude: 0.35 A, period: 0.14 s, width: 0.5, every: 1 ms}
   damper:   {block: MRDamper, velocity: velocity, current: current, initial: 2 mm, integration: )" +
          integration + R"(}
   power:    {block: Product, u: [damper.force, velocity]}
@@ -87,6 +87,7 @@ TEST_CASE("Without changes of current no switching work is booked") {
   const Table table = run_text(R"(
 step: 0.1 ms
 stop: 0.5 s
+solver: rk4
 blocks:
   velocity: {block: Sine, amplitude: 0.1 m/s, frequency: 4 Hz}
   damper:   {block: MRDamper, velocity: velocity, current: 0.2 A, initial: 3 mm}
@@ -121,6 +122,7 @@ TEST_CASE("A stiffness and an offset add to the damper's force") {
   const Table table = run_text(R"(
 step: 1 ms
 stop: 0.1 s
+solver: rk4
 blocks:
   damper: {block: MRDamper, velocity: 0 m/s, current: 0 A, position: 3 mm, k0: -1 N/mm, f0: 50 N}
 record: [damper.force]
@@ -139,7 +141,7 @@ TEST_CASE("Parameters in millimetres, newtons and seconds are those of the prese
 TEST_CASE("What is no damper is refused with the reason") {
   const auto error = [](const std::string& parameters) {
     return error_of(
-        "step: 1 ms\nstop: 1 s\nblocks:\n  damper: {block: MRDamper, velocity: 0 m/s, current: 0 A, " +
+        "step: 1 ms\nstop: 1 s\nsolver: rk4\nblocks:\n  damper: {block: MRDamper, velocity: 0 m/s, current: 0 A, " +
         parameters + "}\n");
   };
   CHECK_THAT(error("A: 0"), Catch::Contains("damper.A"));

@@ -13,7 +13,7 @@ constexpr double lbf_in = 0.1129848290276167;  // 4.4482216152605 N times 0.0254
 double torque(const std::string& current, const std::string& time = "10 s", const std::string& more = "") {
   const Table table = run_text(
       "step: 1 ms\nstop: " + time +
-      "\nblocks:\n  brake: {block: RotaryMRDamper, preset: rd-2087-01, velocity: 1 rad/s, current: " +
+      "\nsolver: rk4\nblocks:\n  brake: {block: RotaryMRDamper, preset: rd-2087-01, velocity: 1 rad/s, current: " +
       current + more + "}\nrecord: [brake.torque]\n");
   return column(table, "brake.torque").back();
 }
@@ -54,6 +54,7 @@ TEST_CASE("Scaled pre-sliding stores the energy that a slip of one z limit allow
   const Table table = run_text(R"(
 step: 1 ms
 stop: 5 s
+solver: rk4
 blocks:
   brake: {block: RotaryMRDamper, velocity: 1 rad/s, current: 0.75 A, presliding_scale: 20}
 record: [brake.stored]
