@@ -34,8 +34,7 @@ record: [element]
 }
 
 TEST_CASE("A Bouc-Wen element takes parameters that make no passive element") {
-  CHECK(
-      error_of(
-          "step: 1 ms\nstop: 1 s\nsolver: rk4\nblocks:\n  e: {block: BoucWen, velocity: 1, A: -1, beta: 0.1, gamma: -3}\n")
-          .empty());
+  CHECK(error_of("step: 1 ms\nstop: 1 s\nsolver: rk4\nblocks:\n  e: {block: BoucWen, velocity: 1, A: -1, "
+                 "beta: 0.1, gamma: -3}\n")
+            .empty());
 }

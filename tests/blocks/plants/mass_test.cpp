@@ -22,6 +22,7 @@ record: [mass.position, mass.velocity]
 }
 
 TEST_CASE("A mass without inertia is refused") {
-  CHECK_THAT(error_of("step: 1 ms\nstop: 1 s\nsolver: rk4\nblocks:\n  m: {block: Mass, force: 1 N, mass: 0 kg}\n"),
-             Catch::Contains("m.mass") && Catch::Contains("above 0"));
+  CHECK_THAT(
+      error_of("step: 1 ms\nstop: 1 s\nsolver: rk4\nblocks:\n  m: {block: Mass, force: 1 N, mass: 0 kg}\n"),
+      Catch::Contains("m.mass") && Catch::Contains("above 0"));
 }

@@ -10,8 +10,9 @@ namespace {
 /// Force of the RD-1097-01 after a long steady motion, by either integration.
 double steady_force(const std::string& speed, const std::string& current, const std::string& more = "") {
   const Table table = run_text(
-      "step: 0.1 ms\nstop: 1 s\nsolver: rk4\nblocks:\n  damper: {block: MRDamper, preset: rd-1097-01, velocity: " + speed +
-      ", current: " + current + more + "}\nrecord: [damper.force]\n");
+      "step: 0.1 ms\nstop: 1 s\nsolver: rk4\nblocks:\n  damper: {block: MRDamper, preset: rd-1097-01, "
+      "velocity: " +
+      speed + ", current: " + current + more + "}\nrecord: [damper.force]\n");
   return column(table, "damper.force").back();
 }
 
@@ -141,7 +142,8 @@ TEST_CASE("Parameters in millimetres, newtons and seconds are those of the prese
 TEST_CASE("What is no damper is refused with the reason") {
   const auto error = [](const std::string& parameters) {
     return error_of(
-        "step: 1 ms\nstop: 1 s\nsolver: rk4\nblocks:\n  damper: {block: MRDamper, velocity: 0 m/s, current: 0 A, " +
+        "step: 1 ms\nstop: 1 s\nsolver: rk4\nblocks:\n  damper: {block: MRDamper, velocity: 0 m/s, current: "
+        "0 A, " +
         parameters + "}\n");
   };
   CHECK_THAT(error("A: 0"), Catch::Contains("damper.A"));

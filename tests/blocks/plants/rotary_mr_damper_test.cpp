@@ -11,10 +11,10 @@ constexpr double lbf_in = 0.1129848290276167;  // 4.4482216152605 N times 0.0254
 
 /// Torque while turning at 1 rad/s, after this many seconds.
 double torque(const std::string& current, const std::string& time = "10 s", const std::string& more = "") {
-  const Table table = run_text(
-      "step: 1 ms\nstop: " + time +
-      "\nsolver: rk4\nblocks:\n  brake: {block: RotaryMRDamper, preset: rd-2087-01, velocity: 1 rad/s, current: " +
-      current + more + "}\nrecord: [brake.torque]\n");
+  const Table table = run_text("step: 1 ms\nstop: " + time +
+                               "\nsolver: rk4\nblocks:\n  brake: {block: RotaryMRDamper, preset: rd-2087-01, "
+                               "velocity: 1 rad/s, current: " +
+                               current + more + "}\nrecord: [brake.torque]\n");
   return column(table, "brake.torque").back();
 }
 
