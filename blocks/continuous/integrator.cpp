@@ -24,6 +24,8 @@ void Integrator::declare(Declare<Integrator>& is) {
   is.output<&Integrator::y, &Integrator::x>({.unit = "'u s", .doc = "the integral, within the limits"});
   is.state<&Integrator::x>({.unit = "'u s", .doc = "the integral"});
   is.state<&Integrator::home>({.unit = "'u s", .doc = "initial value", .settable = false});
+  is.state<&Integrator::stop>(
+      {.doc = "1 at the upper and -1 at the lower limit at the last tick, 0 between", .settable = false});
   is.state<&Integrator::side>({.doc = "last reset signal: -1 false, 1 true, 0 none yet", .settable = false});
 }
 

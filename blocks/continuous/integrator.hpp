@@ -19,6 +19,7 @@ struct Integrator {
   Output<> y{};
   State<> x{};
   DiscreteState<> home{};   // what a reset goes back to where no value is wired
+  DiscreteState<> stop{};   // 1 at the upper and -1 at the lower limit at the last tick, 0 between
   DiscreteState<1> side{};  // of the reset signal at the last tick: -1 false, 1 true, 0 none seen yet
 
   bool limited = false, resets = false;
@@ -39,7 +40,10 @@ struct Integrator {
 
   void update() {
     const bool now = resetting();
-    for (Eigen::Index i = 0; i < x.size(); ++i) x.coeffRef(i) = limit(now ? target(i) : x.coeff(i), i);
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      x.coeffRef(i) = limit(now ? target(i) : x.coeff(i), i);
+      stop.coeffRef(i) = x.coeff(i) >= upper.coeff(i) ? 1.0 : x.coeff(i) <= lower.coeff(i) ? -1.0 : 0.0;
+    }
     if (resets) side = reset > 0.0 ? 1.0 : -1.0;
   }
 
@@ -59,11 +63,8 @@ struct Integrator {
   double limit(double number, Eigen::Index i) const {
     return std::clamp(number, lower.coeff(i), upper.coeff(i));
   }
-  double gated(double rate, Eigen::Index i) const {
-    const bool outward =
-        (x.coeff(i) >= upper.coeff(i) && rate > 0.0) || (x.coeff(i) <= lower.coeff(i) && rate < 0.0);
-    return outward ? 0.0 : rate;
-  }
+  /// A limit holds for whole steps: found in the middle of one, it would spoil the solver's order.
+  double gated(double rate, Eigen::Index i) const { return stop.coeff(i) * rate > 0.0 ? 0.0 : rate; }
 };
 
 }  // namespace stepwire

@@ -30,10 +30,10 @@ step: 1 s
 stop: 4 s
 blocks:
   next: {block: Gain, gain: 2, u: z}
-  z: {block: DiscreteTransferFunction, u: next, initial: [1, 0]}
+  z: {block: DiscreteTransferFunction, u: next, initial: 1}
 record: [z]
 )");
-  CHECK(column(table, "z") == std::vector<double>{0, 0, 0, 0, 0});
+  CHECK(column(table, "z") == std::vector<double>{1, 2, 4, 8, 16});
 }
 
 TEST_CASE("A discrete lag follows a step geometrically") {

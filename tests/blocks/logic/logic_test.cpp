@@ -8,16 +8,15 @@ namespace {
 
 /// What a block gives for t = 0, 1, ..., where a = 0 1 0 1 ... and b = 0 0 1 1 ...
 std::vector<double> truth_table(const std::string& keys) {
-  return column(run_text(R"(
+  const std::string inputs = R"x(
 step: 1
 stop: 3
 blocks:
   t: {block: Clock}
   a: {block: Expression, expression: "mod(u, 2)", u: t}
   b: {block: Expression, expression: "u >= 2", u: t}
-  y: {)" + keys + "
-}\nrecord: [y]\n"),
-                "y");
+)x";
+  return column(run_text(inputs + "  y: {" + keys + "}\nrecord: [y]\n"), "y");
 }
 
 std::vector<double> over_time(int stop, const std::string& expression, const std::string& keys) {

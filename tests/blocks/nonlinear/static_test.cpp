@@ -114,5 +114,5 @@ record: [f, energy]
   const double pi = std::acos(-1.0), w = 2.0 * pi;
   CHECK(column(table, "energy").back() == Approx((4.0 * 0.3 * 5.0 + pi * 0.09 * 2.0) / w).epsilon(1e-6));
   CHECK(table.find("f")->unit == "N");
-  CHECK(table.find("energy")->unit == "J");
+  CHECK(table.find("energy")->unit == "N m");
 }
