@@ -113,10 +113,28 @@ class Shapes {
     return source.block < 0 ? std::optional(source.constant.size()) : sizes_.value(output_size(source));
   }
 
-  /// Lists follow from their elements. Where elements wait for each other (a loop), what is still open is a scalar.
+  /// Lists follow from their elements. What no open list could tell any more is a scalar, and where lists wait for each
+  /// other (a loop), so is one of them.
   void settle() {
+    while (settle_lists()) {
+    }
+    settle_scalars();
     while (settle_lists() || settle_one_scalar()) {
     }
+  }
+
+  int size_of_list(std::size_t index, std::size_t input) {
+    const std::string& shape = draft_.type(index).inputs[input].shape;
+    return symbol(index, shape.starts_with('+') ? shape.substr(1) : shape);
+  }
+
+  void settle_scalars() {
+    std::vector<int> waiting;
+    for (const auto& [index, input] : lists_) waiting.push_back(size_of_list(index, input));
+    std::vector<bool> waits(static_cast<std::size_t>(sizes_.count()), false);
+    for (int size : waiting) waits[static_cast<std::size_t>(sizes_.root(size))] = true;
+    for (int size = 0; size < sizes_.count(); ++size)
+      if (!sizes_.value(size) && !waits[static_cast<std::size_t>(sizes_.root(size))]) sizes_.set(size, 1);
   }
 
   bool settle_lists() {
@@ -140,7 +158,7 @@ class Shapes {
       sum += size.value_or(0);
       most = std::max(most, size.value_or(1));
     }
-    const int own = symbol(index, total ? spec.shape.substr(1) : spec.shape);
+    const int own = size_of_list(index, input);
     const Eigen::Index size = total ? sum : std::max(most, sizes_.value(own).value_or(1));
     const std::string subject = block.name + "." + spec.name;
     if (!sizes_.set(own, size))

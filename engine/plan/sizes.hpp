@@ -21,10 +21,10 @@ class Sizes {
   bool set(int size, Eigen::Index value);
   /// False if both are known and differ.
   bool join(int a, int b);
-
- private:
+  /// One of all sizes that are equal to this one, the same for each of them.
   int root(int size);
 
+ private:
   std::vector<int> parents_;
   std::vector<std::optional<Eigen::Index>> values_;
 };
