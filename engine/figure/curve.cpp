@@ -17,14 +17,23 @@ std::vector<double> drawn_values(const Series& series, const Recording& recordin
   return values;
 }
 
+/// The key under which a panel has a channel: x, y, color, ...
+std::string key_of(const Panel& panel, const Series* channel) {
+  for (const auto& [key, list] : panel.series)
+    for (const Series& series : list)
+      if (&series == channel) return key;
+  return {};
+}
+
 /// A logarithmic axis has no place for what is not above zero.
-bool is_logarithmic(const Panel& panel, const Series* channel) {
-  const auto among = [&](const std::string& key) {
-    const auto found = panel.series.find(key);
-    return found != panel.series.end() && channel >= found->second.data() &&
-           channel < found->second.data() + found->second.size();
-  };
-  return (panel.log_x && among("x")) || (panel.log_y && among("y")) || (panel.log_color && among("color"));
+bool is_logarithmic(const Panel& panel, const std::string& key) {
+  return (panel.log_x && key == "x") || (panel.log_y && key == "y") || (panel.log_color && key == "color");
+}
+
+double shown_width(const Panel& panel, const std::string& key) {
+  const auto range = panel.ranges.find(key + "_range");
+  return range == panel.ranges.end() ? std::numeric_limits<double>::infinity()
+                                     : range->second[1] - range->second[0];
 }
 
 /// Rows as they are found, with what decides about their curve.
@@ -49,7 +58,8 @@ Source read_source(const Panel& panel, const Recording& recording,
       source.drawn[row] = where[row] != 0.0 && !std::isnan(where[row]);
   }
   for (std::size_t i = 0; i < channels.size(); ++i) {
-    const double least = is_logarithmic(panel, channels[i]) ? 0.0 : -std::numeric_limits<double>::infinity();
+    const double least =
+        is_logarithmic(panel, key_of(panel, channels[i])) ? 0.0 : -std::numeric_limits<double>::infinity();
     for (std::size_t row = 0; row < rows; ++row) {
       const double value = source.columns[i][row];
       source.drawn[row] = source.drawn[row] && std::isfinite(value) && value > least;
@@ -136,6 +146,7 @@ Curves gather(const Panel& panel, const Recording& recording, const std::vector<
   if (panel.final_rows) keep_final_rows(source);
   Curves result;
   result.logarithmic = panel.log_x || panel.log_y;
+  for (const Series* channel : channels) result.shown.push_back(shown_width(panel, key_of(panel, channel)));
   result.groups = find_groups(source);
   result.curves = panel.final_rows ? one_for_each_group(source, result.groups)
                                    : one_for_each_stretch(source, result.groups);

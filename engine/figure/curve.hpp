@@ -20,8 +20,9 @@ struct Curve {
 /// All curves of one y of a panel, and what tells them apart.
 struct Curves {
   std::vector<Curve> curves;
-  std::vector<double> groups;       ///< values of `by`, ascending; one element where there is none
-  bool logarithmic = false;         ///< on an axis of the panel, so that straight lines are not straight
+  std::vector<double> groups;  ///< values of `by`, ascending; one element where there is none
+  bool logarithmic = false;    ///< on an axis of the panel, so that straight lines are not straight
+  std::vector<double> shown;   ///< width of the range that the file gives for each column; infinite if none
   std::vector<std::string> labels;  ///< "0.1 A", one for each group; empty where there is no `by`
 };
 

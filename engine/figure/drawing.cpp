@@ -163,8 +163,8 @@ std::string finish(std::string svg, const Figure& figure) {
 }  // namespace
 
 Drawing draw(const Figure& figure, std::span<const Recording> recordings) {
-  const double panel_width =
-      figure.width > 0 ? figure.width / figure.columns : (figure.columns == 1 ? 680.0 : 520.0);
+  const double usual = figure.columns == 1 ? 680.0 : figure.columns == 2 ? 520.0 : 400.0;
+  const double panel_width = figure.width > 0 ? static_cast<double>(figure.width) / figure.columns : usual;
   std::vector<DrawnPanel> panels;
   for (std::size_t i = 0; i < figure.panels.size(); ++i)
     panels.push_back(draw_panel(figure, recordings, i, panel_width));

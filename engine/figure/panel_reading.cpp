@@ -46,6 +46,7 @@ class PanelReader {
         fault(node_.mark, "figure." + channel.key,
               fmt::format("a plot '{}' needs '{}': {}", panel_.kind->name, channel.key, channel.doc));
     check_units_of_y();
+    check_legend();
     find_recordings();
     return std::move(panel_);
   }
@@ -193,6 +194,16 @@ class PanelReader {
             fmt::format("'{}' is drawn in {}, but '{}' in {}; one axis has one unit: give each a panel",
                         first.formula.text, first.unit_text, series.formula.text, series.unit_text));
     }
+  }
+
+  /// Without `by` there is one curve for each y, however many runs there are.
+  void check_legend() {
+    const auto y = panel_.series.find("y");
+    if (y == panel_.series.end() || panel_.series.contains("by") || panel_.legend.size() <= y->second.size())
+      return;
+    fault(node_.find("legend")->mark, "figure.legend",
+          fmt::format("there are {} texts, but only {} in 'y'; 'by' with a swept parameter tells runs apart",
+                      panel_.legend.size(), y->second.size()));
   }
 
   /// Each y is drawn with the other channels, so these must have been recorded together.

@@ -92,6 +92,7 @@ void keep_colors(const std::vector<double>& color, double step, std::vector<bool
   }
 }
 
+/// Width of each column as it is drawn: of its values, or of the range that is shown of them.
 std::vector<double> widths_of(const Curves& all) {
   std::vector<double> low, high;
   for (const Curve& curve : all.curves) {
@@ -103,7 +104,10 @@ std::vector<double> widths_of(const Curves& all) {
         high[i] = std::max(high[i], value);
       }
   }
-  for (std::size_t i = 0; i < low.size(); ++i) high[i] = high[i] > low[i] ? high[i] - low[i] : 1.0;
+  for (std::size_t i = 0; i < low.size(); ++i) {
+    high[i] = high[i] > low[i] ? high[i] - low[i] : 1.0;
+    if (i < all.shown.size()) high[i] = std::min(high[i], all.shown[i]);
+  }
   return high;
 }
 

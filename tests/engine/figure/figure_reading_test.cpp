@@ -82,6 +82,10 @@ TEST_CASE("what a figure asks wrongly is told with its place") {
   CHECK_THAT(
       faults_of("{plot: lines, x: time, y: rig.x, colour: 3}"),
       Catch::StartsWith("d.yaml:1:34: figure: a plot 'lines' has no 'colour'; it has: plot, x, y, by, "));
+  CHECK(faults_of("{plot: lines, x: time, y: rig.x, legend: [a, b]}") ==
+        "d.yaml:1:42: figure.legend: there are 2 texts, but only 1 in 'y'; 'by' with a swept parameter tells "
+        "runs "
+        "apart\n");
   CHECK(faults_of("[3]") == "d.yaml:1:2: figure: a figure is a map: {plot: lines, x: time, y: rig.x}\n");
 }
 

@@ -42,7 +42,7 @@ TEST_CASE("a thinned curve keeps a peak of one row among a million") {
   CHECK(few.columns[0].back() == 1.0);
   CHECK(std::is_sorted(few.columns[0].begin(), few.columns[0].end()));
 
-  const Curves all{{curve}, {0.0}, false, {}};
+  const Curves all{{curve}, {0.0}, false, {}, {}};
   const Curve thin = thinned(all, 0, 2000).at(0);
   CHECK(thin.size() <= 2000);
   CHECK(*std::max_element(thin.columns[1].begin(), thin.columns[1].end()) == 7.0);
@@ -73,11 +73,20 @@ TEST_CASE("a straight path whose colour changes is cut where the colour does") {
   CHECK(simple.columns[0][1] > 500.0);
 }
 
+TEST_CASE("a curve is as fine as the part of its axis that is shown needs") {
+  Curve curve = sine(5000);
+  curve.columns[1].back() = 1000.0;
+  const Curves whole{{curve}, {0.0}, false, {}, {}};
+  const Curves part{{curve}, {0.0}, false, {1.0, 2.0}, {}};
+  CHECK(thinned(whole, 0, 5000).at(0).size() < 30);
+  CHECK(thinned(part, 0, 5000).at(0).size() > 100);
+}
+
 TEST_CASE("points are cut to their share without regard to shape") {
   Curve line{{{}, {}}, 0};
   for (int i = 0; i < 100; ++i)
     for (auto& column : line.columns) column.push_back(i);
-  const Curves all{{line, line}, {0.0}, false, {}};
+  const Curves all{{line, line}, {0.0}, false, {}, {}};
   CHECK(cut(all, 0, 1000).at(0).size() == 100);
   CHECK(cut(all, 0, 100).at(0).size() >= 20);
   CHECK(thinned(all, 0, 1000).at(0).size() == 2);
