@@ -11,18 +11,19 @@ namespace stepwire {
 struct Integrator {
   enum class Trigger { rising, falling, either, level };
 
+  // What every step needs lies together; most integrators have neither limits nor a reset.
+  Input<> u{};
+  State<> x{};
+  bool limited = false, resets = false;
+
   PerElement lower = -unlimited, upper = unlimited;
   Trigger trigger = Trigger::rising;
-  Input<> u{};
   Input<1> reset{};
   Input<> value{};
   Output<> y{};
-  State<> x{};
   DiscreteState<> home{};   // what a reset goes back to where no value is wired
   DiscreteState<> stop{};   // 1 at the upper and -1 at the lower limit at the last tick, 0 between
   DiscreteState<1> side{};  // of the reset signal at the last tick: -1 false, 1 true, 0 none seen yet
-
-  bool limited = false, resets = false;
 
   void outputs() {
     const bool now = resetting();

@@ -140,8 +140,10 @@ class Declare {
     InputSpec spec{std::string(member_name<member>()), is.unit, detail::shape_of<Port>(is.shape), is.doc,
                    is.feedthrough, is.optional, std::is_same_v<Port, Inputs>, is.multiply_units};
     if constexpr (std::is_same_v<Port, Inputs>) {
-      spec.bind = [](void* block, const double* data, Eigen::Index size) { of<member>(block).add(data, size); };
-      spec.unbind = [](void* block) { of<member>(block).clear(); };
+      spec.bind_list = [](void* block, const Inputs::Element* elements, Eigen::Index count) {
+        of<member>(block).bind(elements, count);
+      };
+      spec.unbind = [](void* block) { of<member>(block).bind(nullptr, 0); };
     } else {
       spec.bind = [](void* block, const double* data, Eigen::Index size) { of<member>(block).bind(data, size); };
       spec.unbind = [](void* block) { of<member>(block).bind(nullptr, detail::unbound_size<Port>); };

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/block/value.hpp"
+#include "engine/signal/input.hpp"
 
 namespace stepwire {
 
@@ -50,7 +51,8 @@ struct InputSpec {
   bool optional = false;
   bool list = false;
   bool multiply_units = false;  ///< a list whose unit variable stands for the product of its elements' units
-  void (*bind)(void* block, const double* data, Eigen::Index size) = nullptr;  ///< called once per element of a list
+  void (*bind)(void* block, const double* data, Eigen::Index size) = nullptr;  ///< null for a list
+  void (*bind_list)(void* block, const Inputs::Element* elements, Eigen::Index count) = nullptr;  ///< null otherwise
   void (*unbind)(void* block) = nullptr;
 };
 

@@ -71,6 +71,10 @@ Simulation::~Simulation() {
 }
 
 void Simulation::bind() {
+  std::size_t elements = 0;
+  for (const PlannedBlock& block : plan_.blocks)
+    for (const auto& slots : block.inputs) elements += slots.size();
+  list_elements_.reserve(elements);  // blocks point into it, so it must not grow
   for (int block : plan_.memory_order) bind_block(static_cast<std::size_t>(block));
   for (std::size_t b = 0; b < plan_.blocks.size(); ++b) {
     const auto& specs = plan_.diagram.blocks[b].type().notices;
@@ -85,8 +89,16 @@ void Simulation::bind_block(std::size_t index) {
   double* values = workspace_.values.data();
   void* block = memory(index);
   for (std::size_t i = 0; i < type.inputs.size(); ++i) {
-    type.inputs[i].unbind(block);
-    for (const SignalSlot& slot : planned.inputs[i]) type.inputs[i].bind(block, values + slot.offset, slot.size);
+    const auto& slots = planned.inputs[i];
+    if (type.inputs[i].list) {
+      const Inputs::Element* first = list_elements_.data() + list_elements_.size();
+      for (const SignalSlot& slot : slots) list_elements_.push_back({values + slot.offset, slot.size});
+      type.inputs[i].bind_list(block, first, static_cast<Eigen::Index>(slots.size()));
+    } else if (slots.empty()) {
+      type.inputs[i].unbind(block);
+    } else {
+      type.inputs[i].bind(block, values + slots.front().offset, slots.front().size);
+    }
   }
   for (std::size_t o = 0; o < type.outputs.size(); ++o)
     type.outputs[o].bind(block, values + planned.outputs[o].offset, planned.outputs[o].size);

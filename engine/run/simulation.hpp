@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/plan/plan.hpp"
+#include "engine/signal/input.hpp"
 #include "engine/solve/solver.hpp"
 
 namespace stepwire {
@@ -85,6 +86,7 @@ class Simulation {
   const Plan& plan_;
   std::unique_ptr<Solver> solver_;  ///< none where nothing is continuous
   Workspace workspace_;
+  std::vector<Inputs::Element> list_elements_;  ///< of all list inputs, in the order of blocks in memory
   std::unique_ptr<std::byte, FreeBlocks> blocks_;
   std::unique_ptr<Equations> equations_;
   std::vector<char> due_;  ///< for each of the plan's periods

@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <new>
-#include <vector>
 
 #include "engine/signal/signal.hpp"
 
@@ -38,28 +37,25 @@ class Inputs {
  public:
   struct Element {
     const double* data;
-    Eigen::Index stride;  ///< 0 for one element that stands for all
-    double operator[](Eigen::Index i) const { return data[i * stride]; }
+    Eigen::Index size;
+    /// Element i of the signal; the only one where it has but one.
+    double operator[](Eigen::Index i) const { return data[size == 1 ? 0 : i]; }
   };
 
-  Eigen::Index count() const { return static_cast<Eigen::Index>(elements_.size()); }
-  const Element& operator[](Eigen::Index input) const { return elements_[static_cast<std::size_t>(input)]; }
+  Eigen::Index count() const { return count_; }
+  const Element& operator[](Eigen::Index input) const { return elements_[input]; }
   Eigen::Map<const Eigen::ArrayXd> view(Eigen::Index input) const {
-    return {(*this)[input].data, sizes_[static_cast<std::size_t>(input)]};
+    return {elements_[input].data, elements_[input].size};
   }
-
-  void add(const double* data, Eigen::Index size) {
-    elements_.push_back({data, size == 1 ? 0 : 1});
-    sizes_.push_back(size);
-  }
-  void clear() {
-    elements_.clear();
-    sizes_.clear();
+  /// The elements stay where they are: beside those of the blocks that run before and after, which is fast to walk.
+  void bind(const Element* elements, Eigen::Index count) {
+    elements_ = elements;
+    count_ = count;
   }
 
  private:
-  std::vector<Element> elements_;
-  std::vector<Eigen::Index> sizes_;
+  const Element* elements_ = nullptr;
+  Eigen::Index count_ = 0;
 };
 
 }  // namespace stepwire

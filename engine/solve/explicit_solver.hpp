@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <vector>
 
 #include "engine/solve/solver.hpp"
 #include "engine/solve/tableau.hpp"
@@ -16,16 +16,17 @@ class ExplicitSolver : public Solver {
  private:
   /// One weight that is not 0: most of a tableau is.
   struct Term {
-    Eigen::Index stage;
+    std::size_t stage;
     double weight;
   };
-  void combine(Eigen::Map<Eigen::VectorXd>& x, const std::vector<Term>& terms, double step) const;
+  void combine(double* x, const std::vector<Term>& terms, double step) const;
+  double* slope(std::size_t stage) { return slopes_.data() + stage * start_.size(); }
 
   std::vector<double> c_;
   std::vector<std::vector<Term>> rows_;
   std::vector<Term> b_;
-  Eigen::VectorXd start_;
-  Eigen::MatrixXd slopes_;  ///< a column for each stage
+  std::vector<double> start_;
+  std::vector<double> slopes_;  ///< of all stages, one behind the other
 };
 
 }  // namespace stepwire
