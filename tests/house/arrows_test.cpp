@@ -33,7 +33,7 @@ const std::map<std::string, Folders> arrows{
     {"cli", {"run", "figure", "describe", "realtime", "generate", "identify"}},
 };
 
-const Folders seen_by_blocks{"signal", "block", "expression", "table"};
+const Folders seen_by_blocks{"signal", "block", "expression", "table", "unit"};
 
 void reach(const std::string& folder, Folders& seen) {
   if (!seen.insert(folder).second || !arrows.contains(folder)) return;
