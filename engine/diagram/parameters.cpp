@@ -45,7 +45,8 @@ std::optional<WrittenValue> ValueReader::read_scalar(const Node& node, const std
   if (text.starts_with('=')) return read_expression(node, subject);
   if (const auto quantity = parse_quantity(text)) return WrittenValue{{quantity->value}, quantity->dimension, text};
   if (text == "true" || text == "false") return WrittenValue{{text == "true"}, {}, text};
-  return WrittenValue{{text}, {}, text};
+  const auto filled = fill_in(node, subject);  // a path such as data/$name.csv
+  return filled ? std::optional(WrittenValue{{*filled}, {}, *filled}) : std::nullopt;
 }
 
 std::optional<WrittenValue> ValueReader::read_expression(const Node& node, const std::string& subject) const {

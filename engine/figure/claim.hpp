@@ -38,6 +38,8 @@ struct Claim {
   std::vector<Formula> values;  ///< one; two for rising (value, over) and fit (model, measured)
   std::optional<Formula> where;
   double time = 0.0;  ///< for at, in s
+  bool each_run = false;     ///< judged for every run of a sweep, the worst is shown; always so for final and at
+  bool free_offset = false;  ///< fit: the mean of measured - model is added to the model first
   Comparison comparison;
   std::string
       disagrees;  ///< why this statement of the source is known not to hold; empty: it is expected to hold
@@ -66,7 +68,7 @@ struct Verdict {
 /// Reads the value under the key `claims`: a list of claims. Everything that is wrong goes to `faults`.
 std::vector<Claim> read_claims(const Node& node, const Names& names, Faults& faults);
 
-/// Judges a claim on what was recorded. `final` and `at` are judged for every run, the worst is shown.
+/// Judges a claim on what was recorded.
 Verdict judge(const Claim& claim, std::span<const Recording> recordings);
 
 }  // namespace stepwire

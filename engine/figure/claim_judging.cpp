@@ -27,6 +27,7 @@ Rows rows_of(const Claim& claim, const Recording& recording) {
     throw Unjudged("no time was recorded");
   rows.selected.assign(rows.value.size(), true);
   rows.starts = recording.starts;
+  rows.free_offset = claim.free_offset;
   if (!claim.where) return rows;
   const auto where = evaluate(*claim.where, recording);
   // A condition that is nan is not met.
@@ -56,11 +57,21 @@ std::size_t row_looked_at(const Claim& claim, const Rows& rows, std::size_t run)
   return nearest;
 }
 
+bool has_one_row(const Claim& claim) { return claim.reduction == Reduction::final || claim.reduction == Reduction::at; }
+
+double value_of_run(const Claim& claim, const Rows& rows, std::size_t run) {
+  if (has_one_row(claim)) return rows.value[row_looked_at(claim, rows, run)];
+  const Rows own = rows.of_run(run);
+  if (std::find(own.selected.begin(), own.selected.end(), true) == own.selected.end())
+    throw Unjudged(fmt::format("no row of run {} is selected", run + 1));
+  return reduce(claim.reduction, own);
+}
+
 /// The value of the run that comes off worst.
 double worst_run(const Claim& claim, const Rows& rows) {
   double worst = std::numeric_limits<double>::quiet_NaN(), margin = std::numeric_limits<double>::infinity();
   for (std::size_t run = 0; run < rows.starts.size(); ++run) {
-    const double value = rows.value[row_looked_at(claim, rows, run)];
+    const double value = value_of_run(claim, rows, run);
     const double found = claim.comparison.margin(value);
     if (run > 0 && found >= margin) continue;
     worst = value;
@@ -73,14 +84,13 @@ double value_of(const Claim& claim, const Rows& rows) {
   if (rows.value.empty()) throw Unjudged("no row was recorded");
   if (std::find(rows.selected.begin(), rows.selected.end(), true) == rows.selected.end())
     throw Unjudged(fmt::format("'{}' selects no row", claim.where->text));
-  if (claim.reduction == Reduction::final || claim.reduction == Reduction::at) return worst_run(claim, rows);
+  if (claim.each_run) return worst_run(claim, rows);
   return reduce(claim.reduction, rows);
 }
 
 std::string shown_text(const Claim& claim, double value, std::size_t runs) {
   std::string text = value_text(claim, value);
-  const bool by_run = claim.reduction == Reduction::final || claim.reduction == Reduction::at;
-  if (by_run && runs > 1) text += fmt::format(", the worst of {} runs", runs);
+  if (claim.each_run && runs > 1) text += fmt::format(", the worst of {} runs", runs);
   return text;
 }
 

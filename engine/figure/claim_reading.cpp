@@ -14,7 +14,7 @@ using Keys = std::vector<std::string>;
 
 const Keys claim_keys{"that",   "where",    "final",    "max",     "min",      "mean", "rms",
                       "spread", "fraction", "count",    "at",      "rising",   "fit",  "equals",
-                      "within", "at_most",  "at_least", "between", "disagrees"};
+                      "within", "at_most",  "at_least", "between", "disagrees", "each_run", "offset"};
 const Keys comparison_keys{"equals", "at_most", "at_least", "between"};
 
 /// Reads one claim; faults are gathered, so that what it returns after a fault is of no use.
@@ -36,6 +36,7 @@ class Reader {
       claim_.disagrees = read_text(*why, names_, "claims.disagrees", faults_);
     if (const Node* where = node_.find("where")) claim_.where = formula(*where, "claims.where");
     read_reduction();
+    read_options();
     read_comparison();
     finish();
     return std::move(claim_);
@@ -84,6 +85,20 @@ class Reader {
       default:
         add_value(&entry->value);
     }
+  }
+
+  void read_options() {
+    claim_.each_run = claim_.reduction == Reduction::final || claim_.reduction == Reduction::at;
+    if (const Node* each = node_.find("each_run")) {
+      if (each->text != "true" && each->text != "false")
+        fault(each->mark, "claims.each_run", fmt::format("'{}' is neither true nor false", each->text));
+      claim_.each_run = claim_.each_run || each->text == "true";
+    }
+    const Node* offset = node_.find("offset");
+    if (offset == nullptr) return;
+    if (offset->text != "free" || claim_.reduction != Reduction::fit)
+      fault(offset->mark, "claims.offset", "is 'offset: free', beside 'fit' only: the mean difference is not counted as an error");
+    claim_.free_offset = true;
   }
 
   void add_value(const Node* node) {

@@ -79,8 +79,12 @@ double rising_edges(const Rows& rows) {
 }
 
 /// 100 (1 - |model - measured| / |measured - mean|).
-double fit_percent(const std::vector<double>& model, const std::vector<double>& measured) {
+double fit_percent(std::vector<double> model, const std::vector<double>& measured, bool free_offset) {
   const double mean = mean_of(measured);
+  if (free_offset) {
+    const double offset = mean - mean_of(model);
+    for (double& value : model) value += offset;
+  }
   double error = 0.0, variation = 0.0;
   for (std::size_t i = 0; i < model.size(); ++i) {
     error += (model[i] - measured[i]) * (model[i] - measured[i]);
@@ -90,6 +94,15 @@ double fit_percent(const std::vector<double>& model, const std::vector<double>& 
 }
 
 }  // namespace
+
+Rows Rows::of_run(std::size_t run) const {
+  const auto piece = [&](const auto& all) {
+    using List = std::remove_cvref_t<decltype(all)>;
+    if (all.empty()) return List{};
+    return List(all.begin() + static_cast<std::ptrdiff_t>(starts[run]), all.begin() + static_cast<std::ptrdiff_t>(run_end(run)));
+  };
+  return {piece(value), piece(other), piece(time), piece(selected), {0}, free_offset};
+}
 
 double reduce(Reduction reduction, const Rows& rows) {
   const std::vector<double> values = selected(rows.value, rows);
@@ -111,7 +124,7 @@ double reduce(Reduction reduction, const Rows& rows) {
     case Reduction::rising:
       return rank_correlation(values, selected(rows.other, rows));
     case Reduction::fit:
-      return fit_percent(values, selected(rows.other, rows));
+      return fit_percent(values, selected(rows.other, rows), rows.free_offset);
     case Reduction::final:
     case Reduction::at:
       break;

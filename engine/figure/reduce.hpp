@@ -15,7 +15,10 @@ struct Rows {
   std::vector<double> time;
   std::vector<bool> selected;
   std::vector<std::size_t> starts;
+  bool free_offset = false;  ///< fit: the mean difference is no error
 
+  /// One run by itself.
+  Rows of_run(std::size_t run) const;
   std::size_t run_end(std::size_t run) const {
     return run + 1 < starts.size() ? starts[run + 1] : value.size();
   }
