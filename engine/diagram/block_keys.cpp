@@ -1,6 +1,6 @@
-#include <algorithm>
+#include "engine/diagram/block_keys.hpp"
 
-#include "engine/diagram/open.hpp"
+#include <algorithm>
 
 namespace stepwire {
 

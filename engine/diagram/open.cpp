@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "engine/diagram/block_keys.hpp"
 #include "engine/diagram/keys.hpp"
 
 namespace stepwire {

@@ -50,10 +50,4 @@ class Opener {
   std::vector<std::string> open_files_;
 };
 
-/// Every key that a block of this type may have in a file.
-std::vector<std::string> keys_of(const BlockType& type);
-
-/// The key that gives a state its initial value: `initial` for the only settable one, else `initial_x`.
-std::string initial_key(const BlockType& type, const StateSpec& state);
-
 }  // namespace stepwire

@@ -29,7 +29,7 @@ const std::map<std::string, Folders> arrows{
     {"realtime", {"run"}},
     {"generate", {"plan"}},
     {"identify", {"run"}},
-    {"describe", {"diagram", "table"}},
+    {"describe", {"diagram", "table", "figure", "solve"}},
     {"cli", {"run", "figure", "describe", "realtime", "generate", "identify"}},
 };
 

@@ -1,0 +1,96 @@
+#include "engine/describe/schema_figure.hpp"
+
+#include "engine/describe/schema_values.hpp"
+#include "engine/figure/panel_reading.hpp"
+#include "engine/figure/plot_kind.hpp"
+
+namespace stepwire {
+
+namespace {
+
+Json series_schema() {
+  Json properties = Json::object().set(
+      "signal", explained(schema_ref("expression"), "expression, with `in UNIT` behind it"));
+  properties.set("label", explained(schema_ref("text"), "text at the axis or in the legend, without unit"));
+  return explained(any_of({schema_ref("expression"), closed_map(std::move(properties), {"signal"})}),
+                   "an expression over recorded columns, in the unit wanted: rig.x in mm");
+}
+
+Json channel_schema(const Channel& channel) {
+  const Json series = schema_ref("series");
+  return explained(channel.several ? one_or_list_of(series) : series, channel.doc);
+}
+
+Json option_schema(const Option& option) {
+  if (!option.words.empty()) return explained(one_word_of(option.words), option.doc);
+  const Json number = schema_ref("number");
+  return explained(option.list ? one_or_list_of(number) : number, option.doc);
+}
+
+/// What a key of every panel or picture holds.
+Json common_schema(const std::string& key) {
+  if (key.ends_with("_range")) return pair_of(schema_ref("number"));
+  if (key == "where") return schema_ref("expression");
+  if (key == "rows") return one_word_of({"all", "final"});
+  if (key == "equal") return Json::object().set("type", "boolean");
+  if (key == "log") return one_or_list_of(one_word_of({"x", "y", "color"}));
+  if (key == "legend" || key == "boundary") return one_or_list_of(schema_ref("text"));
+  if (key == "size") return pair_of(Json::object().set("type", "integer"));
+  if (key == "columns") return Json::object().set("type", "integer").set("minimum", 1).set("maximum", 6);
+  if (key == "panels") return list_of(schema_ref("panel")).set("minItems", 1);
+  return schema_ref("text");
+}
+
+void add_keys(Json& properties, const std::vector<FigureKey>& keys, const std::string& without = "") {
+  for (const FigureKey& key : keys)
+    if (key.name != without) properties.set(key.name, explained(common_schema(key.name), key.doc));
+}
+
+/// Keys of one plot; alone in its picture it has the picture's keys too.
+Json plot_schema(const PlotKind& kind, bool alone) {
+  Json properties = Json::object().set("plot", Json::object().set("const", kind.name));
+  std::vector<std::string> required{"plot"};
+  add_keys(properties, panel_keys(), kind.plane ? "" : "boundary");
+  if (alone) add_keys(properties, picture_keys(), "panels");
+  for (const Channel& channel : kind.channels) {
+    properties.set(channel.key, channel_schema(channel));
+    if (channel.required) required.push_back(channel.key);
+  }
+  for (const Option& option : kind.options) properties.set(option.key, option_schema(option));
+  return explained(closed_map(std::move(properties), required), kind.doc);
+}
+
+/// Picks the plot's own definition by the key `plot`.
+Json plot_choice(const std::string& prefix) {
+  Json names = Json::list(), choices = Json::list();
+  for (const PlotKind& kind : plot_kinds()) {
+    names.push(constant(kind.name, kind.doc));
+    Json properties = Json::object().set("plot", Json::object().set("const", kind.name));
+    Json condition =
+        Json::object().set("properties", std::move(properties)).set("required", Json::list({"plot"}));
+    choices.push(Json::object().set("if", std::move(condition)).set("then", schema_ref(prefix + kind.name)));
+  }
+  Json plot = Json::object().set("anyOf", std::move(names)).set("description", "kind of plot");
+  Json panel =
+      Json::object().set("type", "object").set("properties", Json::object().set("plot", std::move(plot)));
+  return panel.set("required", Json::list({"plot"})).set("allOf", std::move(choices));
+}
+
+}  // namespace
+
+void add_figure_definitions(Json& definitions) {
+  definitions.set("series", series_schema());
+  for (const PlotKind& kind : plot_kinds()) {
+    definitions.set("plot." + kind.name, plot_schema(kind, true));
+    definitions.set("panel." + kind.name, plot_schema(kind, false));
+  }
+  definitions.set("panel", plot_choice("panel."));
+  definitions.set("plot", plot_choice("plot."));
+  Json properties = Json::object();
+  add_keys(properties, picture_keys());
+  definitions.set("panels", closed_map(std::move(properties), {"panels"}));
+  Json figure = Json::object().set("if", Json::object().set("required", Json::list({"panels"})));
+  definitions.set("figure", figure.set("then", schema_ref("panels")).set("else", schema_ref("plot")));
+}
+
+}  // namespace stepwire
