@@ -1,0 +1,112 @@
+// What every block must do in a run, whatever it computes; checked in diagrams made from the declarations.
+#include <catch2/catch.hpp>
+
+#include "tests/blocks/contract_rig.hpp"
+#include "tests/support/allocations.hpp"
+
+using namespace stepwire;
+
+namespace {
+
+/// Calls `check` with every plan in which the library's blocks are tried.
+template <class Check>
+void for_every_plan(const Check& check) {
+  for (const BlockType* type : library().types())
+    for (const Wiring& wiring : wirings_of(*type)) {
+      INFO(wiring.text);
+      std::optional<Plan> plan;
+      REQUIRE_NOTHROW(plan = plan_of(wiring));
+      if (plan) check(*plan);
+    }
+}
+
+void run_to(Simulation& simulation, std::int64_t tick) {
+  while (simulation.tick() < tick && simulation.healthy()) {
+    simulation.evaluate();
+    simulation.advance();
+  }
+}
+
+std::vector<double> region(const Simulation& simulation, std::size_t first, std::size_t count) {
+  const double* start = simulation.values() + first;
+  return {start, start + count};
+}
+
+/// All that lasts from tick to tick: states and notices.
+std::vector<double> memory_of(const Simulation& simulation) {
+  const Layout& layout = simulation.plan().layout;
+  std::vector<double> memory = region(simulation, layout.states, layout.state_count);
+  for (double number : region(simulation, layout.discrete, layout.discrete_count)) memory.push_back(number);
+  for (double number : region(simulation, layout.notices, layout.notice_count)) memory.push_back(number);
+  return memory;
+}
+
+}  // namespace
+
+TEST_CASE("every block runs with neutral inputs") {
+  for (const BlockType* type : library().types()) {
+    const Wiring wiring = wirings_of(*type).front();
+    INFO(wiring.text);
+    std::optional<Plan> plan;
+    REQUIRE_NOTHROW(plan = plan_of(wiring));
+    Simulation simulation(*plan);
+    run_to(simulation, plan->steps);
+    simulation.evaluate();
+    if (const auto fault = simulation.fault()) FAIL_CHECK(fault->fault.text());
+    CHECK(simulation.finished());
+  }
+}
+
+TEST_CASE("no block allocates in a step") {
+  for_every_plan([](const Plan& plan) {
+    Simulation simulation(plan);
+    const long before = allocations();
+    run_to(simulation, plan.steps);
+    const long after = allocations();
+    CHECK(after == before);
+  });
+}
+
+TEST_CASE("outputs() has no side effect: evaluated twice, a tick has the same bits, and no state has moved") {
+  for_every_plan([](const Plan& plan) {
+    Simulation simulation(plan);
+    for (std::int64_t tick = 0; tick < plan.steps && simulation.healthy(); ++tick) {
+      const std::vector<double> memory = memory_of(simulation);
+      simulation.evaluate();
+      const std::vector<double> first = numbers_of(simulation);
+      CHECK(same_bits(memory_of(simulation), memory));
+      simulation.evaluate();
+      CHECK(same_bits(numbers_of(simulation), first));
+      simulation.advance();
+    }
+  });
+}
+
+TEST_CASE("two runs give the same bits") {
+  for_every_plan([](const Plan& plan) {
+    Simulation one(plan), other(plan);
+    run_to(one, plan.steps);
+    run_to(other, plan.steps);
+    CHECK(same_bits(numbers_of(one), numbers_of(other)));
+    other.reset();
+    run_to(other, plan.steps);
+    CHECK(same_bits(numbers_of(one), numbers_of(other)));
+  });
+}
+
+TEST_CASE("a run goes on from a kept moment with the same bits, also in another simulation") {
+  for_every_plan([](const Plan& plan) {
+    Simulation simulation(plan), fresh(plan);
+    run_to(simulation, plan.steps / 2);
+    if (!simulation.healthy()) return;
+    const Workspace kept = simulation.workspace();
+    run_to(simulation, plan.steps);
+    const std::vector<double> end = numbers_of(simulation);
+    simulation.restore(kept);
+    run_to(simulation, plan.steps);
+    CHECK(same_bits(numbers_of(simulation), end));
+    fresh.restore(kept);
+    run_to(fresh, plan.steps);
+    CHECK(same_bits(numbers_of(fresh), end));
+  });
+}

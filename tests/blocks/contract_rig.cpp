@@ -1,0 +1,184 @@
+#include "tests/blocks/contract_rig.hpp"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "blocks/register.hpp"
+#include "engine/diagram/load.hpp"
+
+namespace stepwire {
+
+namespace {
+
+/// Values of parameters that their declaration alone does not give, or with whose defaults a block does
+/// nothing.
+const std::map<std::string, std::string> contract_values{
+    {"Delay.delay", "5 ms"},
+    {"Demux.sizes", "[1, 2]"},
+    {"FromFile.column", "x"},
+    {"FromFile.file", "contract_record.csv"},
+    {"Hysteresis.lower", "0.6"},
+    {"MatrixGain.gain", "[[1, 2], [3, 4]]"},
+    {"MovingAverage.window", "5 ms"},
+    {"Select.indices", "[2, 1]"},
+    {"Interval.lower", "-1"},
+    {"Interval.upper", "0.5"},
+    {"Proportionality.maximum", "5"},
+    {"Proportionality.offset", "1"},
+    {"Proportionality.slope", "2"},
+    {"StateMachine.states",
+     "{idle: {output: [1], to: {busy: \"after >= 3 ms\"}}, "
+     "busy: {output: [2], to: {idle: \"after >= 6 ms || u1 > 1.2\"}}}"},
+    {"StateSpace.A", "[[-1, 2], [0, -3]]"},
+    {"StateSpace.B", "[[1], [1]]"},
+    {"StateSpace.C", "[[1, 1]]"},
+};
+
+/// Sizes that an input needs where nothing else fixes them.
+const std::map<std::string, int> contract_sizes{{"Cross.u", 3}, {"Demux.u", 3}, {"Select.u", 3}};
+
+/// Optional inputs that the values above need.
+const std::set<std::string> contract_inputs{"StateMachine.u"};
+
+std::string value_given(const BlockType& type, const ParameterSpec& spec) {
+  const std::string name = type.name + "." + spec.name;
+  if (const auto known = contract_values.find(name); known != contract_values.end()) return known->second;
+  if (spec.kind == ParameterKind::word && !spec.words.empty()) return "\"" + spec.words.front() + "\"";
+  if (spec.kind == ParameterKind::number || spec.kind == ParameterKind::integer ||
+      spec.kind == ParameterKind::per_element)
+    return fmt::format("{}", spec.range.at_least.value_or(1.0));
+  throw std::logic_error("give a value for " + name + " in contract_values");
+}
+
+/// Writes the blocks that feed the inputs, and the keys of the inputs.
+class Feeds {
+ public:
+  std::string feed(const BlockType& type, const InputSpec& input) {
+    const auto size = contract_sizes.find(type.name + "." + input.name);
+    const int elements = size == contract_sizes.end() ? 1 : size->second;
+    if (!input.list) return one(elements);
+    const std::string first = one(elements);
+    return "[" + first + ", " + one(elements) + "]";
+  }
+  const std::string& blocks() const { return blocks_; }
+
+ private:
+  std::string one(int elements) {
+    std::string start = fmt::format("{}", 0.5 + 0.05 * count_);
+    if (elements > 1) start = fmt::format("[{}, 0.7, 0.3]", start);
+    const std::string name = fmt::format("feed_{}", count_++);
+    blocks_ += fmt::format("  {}: {{block: Lag, u: 1, tau: 20 ms, initial: {}}}\n", name, start);
+    return name;
+  }
+
+  int count_ = 0;
+  std::string blocks_;
+};
+
+bool is_fed(const BlockType& type, const InputSpec& input, bool optional_inputs) {
+  return !input.optional || optional_inputs || contract_inputs.contains(type.name + "." + input.name);
+}
+
+bool is_given(const BlockType& type, const ParameterSpec& spec) {
+  return spec.required || contract_values.contains(type.name + "." + spec.name);
+}
+
+std::string diagram_text(const BlockType& type, bool optional_inputs, const std::string& more) {
+  Feeds feeds;
+  std::string keys = "block: " + type.name;
+  for (const InputSpec& input : type.inputs)
+    if (is_fed(type, input, optional_inputs))
+      keys += fmt::format(", {}: {}", input.name, feeds.feed(type, input));
+  for (const ParameterSpec& spec : type.parameters)
+    if (is_given(type, spec) && !more.starts_with(", " + spec.name + ":"))
+      keys += fmt::format(", {}: {}", spec.name, value_given(type, spec));
+  return fmt::format(
+      "stepwire: 1\ntitle: {}\nstep: 1 ms\nstop: 20 ms\nsolver: rk4\nblocks:\n{}  tested: {{{}{}}}\n",
+      type.name, feeds.blocks(), keys, more);
+}
+
+bool has_optional_input(const BlockType& type) {
+  for (const InputSpec& input : type.inputs)
+    if (input.optional) return true;
+  return false;
+}
+
+void add_choices(const BlockType& type, bool optional_inputs, std::vector<Wiring>& wirings) {
+  for (const ParameterSpec& spec : type.parameters)
+    for (const std::string& word : spec.words)
+      wirings.push_back(
+          {diagram_text(type, optional_inputs, fmt::format(", {}: \"{}\"", spec.name, word)), true});
+  for (const PresetSpec& preset : type.presets)
+    wirings.push_back({diagram_text(type, optional_inputs, ", preset: " + preset.name)});
+}
+
+}  // namespace
+
+const Registry& library() {
+  static const Registry registry = all_blocks();
+  return registry;
+}
+
+std::vector<Wiring> wirings_of(const BlockType& type) {
+  std::vector<Wiring> wirings{{diagram_text(type, false, "")}};
+  add_choices(type, false, wirings);
+  if (!has_optional_input(type)) return wirings;
+  wirings.push_back({diagram_text(type, true, "")});
+  add_choices(type, true, wirings);
+  return wirings;
+}
+
+std::optional<Plan> plan_of(const Wiring& wiring) {
+  Loader loader(library());
+  const auto beside = std::filesystem::path(STEPWIRE_SOURCE_DIR) / "tests" / "blocks" / "contract.yaml";
+  try {
+    return make_plan(loader.load_text(wiring.text, beside.string()));
+  } catch (const Error&) {
+    if (!wiring.may_be_refused) throw;
+    return std::nullopt;
+  }
+}
+
+std::size_t tested_in(const Plan& plan) {
+  for (std::size_t i = 0; i < plan.diagram.blocks.size(); ++i)
+    if (plan.diagram.blocks[i].name == "tested") return i;
+  throw std::logic_error("the diagram has no block 'tested'");
+}
+
+bool feeds_through(const Plan& plan, std::size_t input, std::size_t output) {
+  const DiagramBlock& block = plan.diagram.blocks[tested_in(plan)];
+  const BlockType& type = block.type();
+  if (!type.configure) return type.inputs[input].feedthrough;
+  std::set<std::string> connected;
+  std::map<std::string, Eigen::Index> counts;
+  for (std::size_t i = 0; i < type.inputs.size(); ++i) {
+    if (!block.inputs[i].empty()) connected.insert(type.inputs[i].name);
+    counts[type.inputs[i].name] = static_cast<Eigen::Index>(block.inputs[i].size());
+  }
+  AnyBlock copy = block.block;
+  Configure is(connected, plan.diagram.step, counts);
+  type.configure(copy.get(), is);
+  const auto said = is.feedthrough().find({type.inputs[input].name, type.outputs[output].name});
+  return said == is.feedthrough().end() ? type.inputs[input].feedthrough : said->second;
+}
+
+std::vector<double> numbers_of(const Simulation& simulation) {
+  return simulation.workspace().values;
+}
+
+std::vector<double> output_of(const Simulation& simulation, std::size_t output) {
+  const Plan& plan = simulation.plan();
+  const SignalSlot& slot = plan.blocks[tested_in(plan)].outputs[output];
+  const double* first = simulation.values() + slot.offset;
+  return {first, first + slot.size};
+}
+
+bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+}  // namespace stepwire

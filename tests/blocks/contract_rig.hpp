@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/block/registry.hpp"
+#include "engine/run/simulation.hpp"
+
+namespace stepwire {
+
+/// Every block of the library.
+const Registry& library();
+
+/// One way to use a block: which optional inputs are fed, which word is chosen.
+struct Wiring {
+  std::string text;  ///< the diagram; the block is called `tested`, what feeds it feed_0, feed_1, ...
+  bool may_be_refused = false;  ///< a word may not go with the other values
+};
+
+/// The diagrams in which a block is tried, made from its declaration: each input is fed by a Lag on its way
+/// from about a half to 1, required parameters have a value that is allowed.
+std::vector<Wiring> wirings_of(const BlockType& type);
+
+/// Plans a wiring; nothing where it is refused and may be. Throws Error where it must not be.
+std::optional<Plan> plan_of(const Wiring& wiring);
+
+/// Index of the block `tested` in its plan.
+std::size_t tested_in(const Plan& plan);
+
+/// Does this output follow this input at the same instant, as declaration and configure() say?
+bool feeds_through(const Plan& plan, std::size_t input, std::size_t output);
+
+/// All numbers of a run, and of one output of the tested block.
+std::vector<double> numbers_of(const Simulation& simulation);
+std::vector<double> output_of(const Simulation& simulation, std::size_t output);
+
+/// Are these the same bits?
+bool same_bits(const std::vector<double>& a, const std::vector<double>& b);
+
+}  // namespace stepwire

@@ -1,0 +1,48 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "tests/diagrams/diagram_files.hpp"
+#include "tests/support/allocations.hpp"
+
+using namespace stepwire;
+
+namespace {
+
+constexpr std::int64_t fewest_steps = 10'000;
+
+/// Requests for memory of one run after its first tick; adds its steps to `steps`.
+long requests_of_run(Simulation& simulation, std::int64_t& steps) {
+  simulation.reset();
+  simulation.evaluate();
+  simulation.advance();
+  const long before = allocations();
+  while (!simulation.finished() && simulation.healthy() && steps < fewest_steps) {
+    simulation.evaluate();
+    simulation.advance();
+    ++steps;
+  }
+  return allocations() - before;
+}
+
+}  // namespace
+
+TEST_CASE("requests for memory are counted, those of matrices too") {
+  const long before = allocations();
+  const auto number = std::make_unique<double>(1.0);
+  const Eigen::VectorXd vector = Eigen::VectorXd::Constant(100, *number);
+  const long after = allocations();
+  CHECK(vector.sum() == 100.0);
+  CHECK(after - before == 2);
+}
+
+TEST_CASE("no diagram asks for memory in ten thousand steps") {
+  for_every_diagram([](const Plan& plan) {
+    Simulation simulation(plan);
+    std::int64_t steps = 0;
+    long requests = 0;
+    for (int run = 0; run < 1000 && steps < fewest_steps; ++run)
+      requests += requests_of_run(simulation, steps);
+    CHECK(steps == fewest_steps);
+    CHECK(requests == 0);
+  });
+}

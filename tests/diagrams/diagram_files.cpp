@@ -1,0 +1,63 @@
+#include "tests/diagrams/diagram_files.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cstring>
+#include <filesystem>
+
+#include "blocks/register.hpp"
+#include "engine/table/surroundings.hpp"
+
+namespace stepwire {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> files_to_run() {
+  std::vector<std::string> files;
+  for (const char* folder : {"examples", "thesis"})
+    for (const auto& entry : fs::directory_iterator(fs::path(STEPWIRE_SOURCE_DIR) / "diagrams" / folder))
+      if (entry.path().extension() == ".yaml") files.push_back(entry.path().string());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+void check_file(const std::string& file, const std::function<void(const Plan& plan)>& check) {
+  static const Registry registry = all_blocks();
+  Loader loader(registry);
+  const Job job = make_job(loader, file);
+  check(job.plan);
+  if (job.points.empty()) return;
+  check(job.points.front().plan);
+  check(job.points.back().plan);
+}
+
+}  // namespace
+
+void for_every_diagram(const std::function<void(const Plan& plan)>& check) {
+  for (const std::string& file : files_to_run()) {
+    INFO(file);
+    try {
+      check_file(file, check);
+    } catch (const SurroundingsError& error) {
+      WARN("skipped: " << error.what());
+    }
+  }
+}
+
+std::uint64_t fingerprint(Simulation& simulation, std::int64_t last) {
+  std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a over all numbers of all ticks
+  while (simulation.healthy() && simulation.tick() < last) {
+    simulation.evaluate();
+    for (double number : simulation.workspace().values) {
+      std::uint64_t bits;
+      std::memcpy(&bits, &number, sizeof bits);
+      hash = (hash ^ bits) * 0x100000001b3;
+    }
+    simulation.advance();
+  }
+  return hash;
+}
+
+}  // namespace stepwire
