@@ -1,14 +1,45 @@
 #include <fmt/format.h>
 
 #include "engine/cli/commands.hpp"
+#include "engine/describe/block_json.hpp"
+#include "engine/describe/block_markdown.hpp"
+#include "engine/describe/block_page.hpp"
+#include "engine/describe/diagram_schema.hpp"
+#include "engine/document/error.hpp"
 
 namespace stepwire {
 
-ExitCode show_blocks(const BlocksCommand& command, const Registry& registry) {
-  for (const std::string& name : registry.names()) fmt::print("{}\n", name);
-  return command.name.empty() ? ExitCode::done : ExitCode::wrong;
+namespace {
+
+std::string one_block(const BlocksCommand& command, const BlockType& type) {
+  if (command.json) return block_json(type).text() + "\n";
+  return command.markdown ? block_markdown(type) : block_page(type);
 }
 
-ExitCode show_schema(const Registry&) { return ExitCode::wrong; }
+std::string all_of(const BlocksCommand& command, const Registry& registry) {
+  if (command.json) return blocks_json(registry).text() + "\n";
+  return command.markdown ? blocks_markdown(registry) : block_list(registry);
+}
+
+}  // namespace
+
+ExitCode show_blocks(const BlocksCommand& command, const Registry& registry) {
+  if (command.name.empty()) {
+    fmt::print("{}", all_of(command, registry));
+    return ExitCode::done;
+  }
+  const BlockType* type = registry.find(command.name);
+  if (!type) {
+    fmt::print(stderr, "there is no block '{}'{}\n", command.name, did_you_mean(command.name, registry.names()));
+    return ExitCode::wrong;
+  }
+  fmt::print("{}", one_block(command, *type));
+  return ExitCode::done;
+}
+
+ExitCode show_schema(const Registry& registry) {
+  fmt::print("{}\n", diagram_schema(registry).text());
+  return ExitCode::done;
+}
 
 }  // namespace stepwire
