@@ -24,7 +24,7 @@ struct OneOfAll2D {
   Input<> u{};
   Inputs more{};
   Output<1> y{};
-  State<1> x{};
+  State<1> level{};
   DiscreteState<1> held{};
   Notice late{};
 
@@ -47,8 +47,8 @@ void OneOfAll2D::declare(Declare<OneOfAll2D>& is) {
   is.parameter<&OneOfAll2D::file>({.doc = "which file", .required = true});
   is.input<&OneOfAll2D::u>({.unit = "'u", .doc = "signal", .feedthrough = false});
   is.input<&OneOfAll2D::more>({.unit = "*", .doc = "other signals", .optional = true});
-  is.output<&OneOfAll2D::y, &OneOfAll2D::x>({.unit = "'u", .doc = "value"});
-  is.state<&OneOfAll2D::x>({.unit = "'u", .doc = "memory", .initial = 3.0});
+  is.output<&OneOfAll2D::y, &OneOfAll2D::level>({.unit = "'u", .doc = "value"});
+  is.state<&OneOfAll2D::level>({.unit = "'u", .doc = "memory", .initial = 3.0});
   is.state<&OneOfAll2D::held>({.doc = "what was", .settable = false});
   is.notice<&OneOfAll2D::late>({.doc = "too late", .ends_run = true});
   is.preset<shorten>("short", "a shorter one");
@@ -90,7 +90,7 @@ TEST_CASE("a page for the terminal says all that is declared, no line too wide")
   for (const char* piece :
        {"source       a book\n", "timing       continuous", "on more\n", "  length  number", "4 mm",
         "above 0, at most 10 mm", "none", "hard", "soft, hard", "required", "list of signals, optional",
-        "any", "value (the state x)\n", "initial", "  held", "ends the run  too late\n", "  short",
+        "any", "value (the state level)\n", "initial", "  held", "ends the run  too late\n", "  short",
         "a shorter one\n", "A unit with a quote"})
     has(page, piece);
   CHECK(page.ends_with(
@@ -132,7 +132,7 @@ TEST_CASE("the JSON of a block is complete, with numbers in SI") {
   CHECK(block.at("parameters").at(2).at("words") == json({"soft", "hard"}));
   CHECK(block.at("inputs").at(0).at("feedthrough") == false);
   CHECK(block.at("inputs").at(1).at("optional") == true);
-  CHECK(block.at("outputs").at(0).at("state") == "x");
+  CHECK(block.at("outputs").at(0).at("state") == "level");
   CHECK(block.at("states").at(0).at("initial") == 3.0);
   CHECK(block.at("states").at(0).at("key") == "initial");
   CHECK(block.at("states").at(1).at("key") == nullptr);
