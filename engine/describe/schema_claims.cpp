@@ -61,12 +61,19 @@ void add_claim_definition(Json& definitions) {
   Json one_reduction = choice_among(reductions(), properties);
   Json one_comparison = choice_among(comparisons(), properties);
   properties.set("within", expression("tolerance of `equals`: 0.1 N, or relative: 1 %"));
+  properties.set(
+      "each_run",
+      explained(Json::object().set("type", "boolean"),
+                "true: judged for every run of a sweep, the worst is shown; always so for final and at"));
+  properties.set("offset", explained(one_word_of({"free"}), "beside fit: the mean difference is no error"));
   properties.set("disagrees",
                  explained(schema_ref("text"), "why a statement of the thesis is known not to hold"));
   Json claim = closed_map(std::move(properties), {"that"});
   claim.set("allOf", Json::list({std::move(one_reduction), std::move(one_comparison)}));
-  definitions.set("claim",
-                  claim.set("dependentRequired", Json::object().set("within", Json::list({"equals"}))));
+  definitions.set(
+      "claim",
+      claim.set("dependentRequired",
+                Json::object().set("within", Json::list({"equals"})).set("offset", Json::list({"fit"}))));
 }
 
 }  // namespace stepwire

@@ -115,6 +115,9 @@ TEST_CASE("a part takes any key, since its keys stand in its own file") {
 TEST_CASE("a claim has one reduction and one comparison, and within goes with equals") {
   const std::string lag = "  a: {block: Lag, u: 1}";
   CHECK(faults_of(diagram(lag, "claims: [{that: x, final: a, equals: 2/3, within: 1e-3}]")) == "");
+  CHECK(faults_of(diagram(
+            lag, "claims: [{that: x, fit: [a, a], offset: free, each_run: true, at_least: 90}]")) == "");
+  CHECK(faults_of(diagram(lag, "claims: [{that: x, final: a, offset: free, at_least: 90}]")) != "");
   CHECK(faults_of(diagram(lag, "claims: [{that: x, final: a, max: a, equals: 1}]")) != "");
   CHECK(faults_of(diagram(lag, "claims: [{that: x, final: a}]")) != "");
   CHECK(faults_of(diagram(lag, "claims: [{that: x, final: a, at_most: 1, within: 1}]")) != "");
