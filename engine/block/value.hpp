@@ -15,7 +15,7 @@ struct ValueEntry;
 struct Value {
   using List = std::vector<Value>;
   using Map = std::vector<ValueEntry>;
-  std::variant<double, bool, std::string, Eigen::VectorXd, Eigen::MatrixXd, List, Map> content = 0.0;
+  std::variant<double, bool, std::string, Eigen::VectorXd, Eigen::MatrixXd, List, Map> content;  ///< the number 0 unless told
   int line = 0;    ///< in the file that wrote it, from 1; 0 where no file did
   int column = 0;
 
