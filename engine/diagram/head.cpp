@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/diagram/keys.hpp"
@@ -70,6 +71,8 @@ void read_thesis(const Scope& scope, Report& report) {
   if (const Node* section = thesis->find("section")) diagram.thesis_section = section->text;
 }
 
+constexpr std::size_t most_runs = 100'000;  // of a sweep; each is planned before the first one starts
+
 std::string setting_text(const Node& node) { return node.quoted ? fmt::format("\"{}\"", node.text) : node.text; }
 
 std::vector<std::string> read_range(const Node& map, const std::string& name, const Scope& scope, Report& report) {
@@ -87,8 +90,8 @@ std::vector<std::string> read_range(const Node& map, const std::string& name, co
     numbers.push_back(*number);
   }
   const double count = numbers[2];
-  if (count < 2 || count != std::floor(count) || count > 1e6) {
-    report.add(scope.at(map.mark), "sweep." + name, "'count' must be a whole number from 2 to 1000000");
+  if (count < 2 || count != std::floor(count) || count > most_runs) {
+    report.add(scope.at(map.mark), "sweep." + name, fmt::format("'count' must be a whole number from 2 to {}", most_runs));
     return {};
   }
   std::vector<std::string> values;
@@ -108,17 +111,27 @@ void read_axis(const Entry& entry, Sweep& sweep, const Scope& scope, Report& rep
   sweep.axes.push_back({entry.key, std::move(values), scope.at(entry.mark)});
 }
 
+/// Runs of a grid, or of pairs; a double holds more of them than anybody could want.
+double run_count(const Sweep& sweep) {
+  double count = 1.0;
+  for (const Sweep::Axis& axis : sweep.axes) {
+    const auto values = static_cast<double>(axis.values.size());
+    count = sweep.together ? std::max(count, values) : count * values;
+  }
+  return count;
+}
+
 void read_sweep(const Scope& scope, Report& report) {
   const Node* node = scope.document->root.find("sweep");
   if (!node) return;
   if (!node->is_map()) return report.add(scope.at(node->mark), "sweep", "must be a map of parameter: {from, to, count} or {values: [..]}");
   Sweep sweep;
+  if (const Node* together = node->find("together")) sweep.together = together->text == "true";
   for (const Entry& entry : node->entries) {
-    if (entry.key == "together") {
-      sweep.together = entry.value.text == "true";
-    } else {
-      read_axis(entry, sweep, scope, report);
-    }
+    if (entry.key != "together") read_axis(entry, sweep, scope, report);
+    if (run_count(sweep) > most_runs)
+      return report.add(scope.at(node->mark), "sweep",
+                        fmt::format("makes {} runs or more; at most {} are made", run_count(sweep), most_runs));
   }
   for (const Sweep::Axis& axis : sweep.axes)
     if (sweep.together && axis.values.size() != sweep.axes.front().values.size())
@@ -191,6 +204,10 @@ void read_head(const Scope& scope, Settings& settings, Report& report) {
   read_time(scope, settings, report, "step", diagram.step, diagram.step_origin);
   read_time(scope, settings, report, "stop", diagram.stop, diagram.stop_origin);
   read_thesis(scope, report);
+}
+
+void read_head_of_file(const Scope& scope, Report& report) {
+  Diagram& diagram = report.diagram();
   read_sweep(scope, report);
   if (const Node* figure = scope.document->root.find("figure")) diagram.figure = *figure;
   if (const Node* claims = scope.document->root.find("claims")) diagram.claims = *claims;

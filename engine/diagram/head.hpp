@@ -6,9 +6,10 @@
 
 namespace stepwire {
 
-/// Reads title, step, stop, solver, thesis, caption, sweep of the diagram itself. Settings may replace step, stop and
-/// solver.
+/// Reads title, step, stop, solver, thesis, caption of the diagram itself. Settings may replace step, stop and solver.
 void read_head(const Scope& scope, Settings& settings, Report& report);
+/// Reads what is of the file and of no single run: sweep, figures, claims.
+void read_head_of_file(const Scope& scope, Report& report);
 
 /// Refuses keys that no diagram file has; also asked of parts.
 void check_head_keys(const Scope& scope, Report& report);

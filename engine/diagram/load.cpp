@@ -57,7 +57,9 @@ void demand_units(const Scope& scope, const Resolver& resolver, Report& report) 
     if (named.part) demand_units(*named.part, resolver, report);
 }
 
-Diagram build(Loader& loader, const Document& document, const std::vector<Setting>& given) {
+enum class Extent { whole_file, one_run };
+
+Diagram build(Loader& loader, const Document& document, const std::vector<Setting>& given, Extent extent = Extent::whole_file) {
   Diagram diagram;
   diagram.file = document.file;
   diagram.scopes.push_back({document.file, "", {-1, {}}});
@@ -70,6 +72,7 @@ Diagram build(Loader& loader, const Document& document, const std::vector<Settin
   if (document.root.is_map()) {
     opener.open(root, {});
     read_head(root, settings, report);
+    if (extent == Extent::whole_file) read_head_of_file(root, report);
     const Resolver resolver(report);
     for (const PendingInput& pending : opener.pending()) connect(pending, resolver, report);
     require_inputs(report);
@@ -90,8 +93,17 @@ const Document& Loader::document(const std::string& path) {
   return *slot;
 }
 
+void Loader::add(Document document) {
+  auto& slot = documents_[document.file];
+  slot = std::make_unique<Document>(std::move(document));
+}
+
 Diagram Loader::load(const std::string& path, const std::vector<Setting>& settings) {
   return build(*this, document(path), settings);
+}
+
+Diagram Loader::load_point(const std::string& path, const std::vector<Setting>& settings) {
+  return build(*this, document(path), settings, Extent::one_run);
 }
 
 Diagram Loader::load_text(std::string_view text, const std::string& file, const std::vector<Setting>& settings) {

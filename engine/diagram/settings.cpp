@@ -6,7 +6,7 @@ namespace stepwire {
 
 Settings::Settings(const std::vector<Setting>& settings, Report& report) {
   for (const Setting& setting : settings) {
-    const std::string source = fmt::format("--set {}={}", setting.name, setting.value);
+    const std::string& source = setting.written;
     auto& scopes = report.diagram().scopes;
     scopes.push_back({source, "", {-1, {}}});
     const Origin origin{static_cast<int>(scopes.size()) - 1, {}};

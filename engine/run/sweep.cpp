@@ -110,6 +110,13 @@ class Pool {
   std::exception_ptr failure_;
 };
 
+/// " (in the run with speed=3)".
+std::string which_run(const SweepPoint& point) {
+  std::string text;
+  for (const Setting& setting : point.settings) text += fmt::format("{}{}={}", text.empty() ? "" : ", ", setting.name, setting.value);
+  return fmt::format(" (in the run with {})", text);
+}
+
 RunResult pool(const Job& job, std::vector<RunResult> results) {
   const Sweep& sweep = *job.plan.diagram.sweep;
   RunResult all;
@@ -120,7 +127,10 @@ RunResult pool(const Job& job, std::vector<RunResult> results) {
       add_swept(one.recordings[r], sweep, job.points[point], indices(sweep, point));
       append(all.recordings[r], std::move(one.recordings[r]));
     }
-    all.faults.insert(all.faults.end(), one.faults.begin(), one.faults.end());
+    for (RunFault& fault : one.faults) {
+      fault.fault.message += which_run(job.points[point]);
+      all.faults.push_back(std::move(fault));
+    }
     for (RaisedNotice& notice : one.notices) {
       const bool told = std::any_of(all.notices.begin(), all.notices.end(),
                                     [&](const RaisedNotice& n) { return n.block == notice.block && n.text == notice.text; });
@@ -132,11 +142,14 @@ RunResult pool(const Job& job, std::vector<RunResult> results) {
   return all;
 }
 
-std::vector<Setting> settings_of(const Sweep& sweep, std::size_t point) {
+std::vector<Setting> settings_of(const Sweep& sweep, std::size_t point, const std::string& file) {
   std::vector<Setting> settings;
   const auto index = indices(sweep, point);
-  for (std::size_t axis = 0; axis < sweep.axes.size(); ++axis)
-    settings.push_back({sweep.axes[axis].parameter, sweep.axes[axis].values[index[axis]]});
+  for (std::size_t axis = 0; axis < sweep.axes.size(); ++axis) {
+    const std::string& name = sweep.axes[axis].parameter;
+    const std::string& value = sweep.axes[axis].values[index[axis]];
+    settings.push_back({name, value, fmt::format("{}: sweep {}={}", file, name, value)});
+  }
   return settings;
 }
 
@@ -144,15 +157,15 @@ std::vector<Setting> settings_of(const Sweep& sweep, std::size_t point) {
 
 Job make_job(Loader& loader, const std::string& path, const std::vector<Setting>& settings, std::optional<std::string> stop) {
   std::vector<Setting> all = settings;
-  if (stop) all.push_back({"stop", *stop});
+  if (stop) all.push_back({"stop", *stop, "--stop " + *stop});
   Job job{make_plan(loader.load(path, all)), {}};
   static_cast<void>(Simulation(job.plan));  // a block's start() may find what no plan shows
   const auto& sweep = job.plan.diagram.sweep;
   for (std::size_t point = 0; sweep && point < point_count(*sweep); ++point) {
-    SweepPoint made{settings_of(*sweep, point), {}};
+    SweepPoint made{settings_of(*sweep, point, job.plan.diagram.file), {}};
     std::vector<Setting> with_point = all;
     for (const Setting& setting : made.settings) with_point.push_back(setting);
-    made.plan = make_plan(loader.load(path, with_point));
+    made.plan = make_plan(loader.load_point(path, with_point));
     job.points.push_back(std::move(made));
   }
   return job;
