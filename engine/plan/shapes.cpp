@@ -11,6 +11,15 @@ namespace stepwire {
 
 namespace {
 
+/// Of all ports and states together: beyond, a delay or a chain of Mux blocks was meant to be shorter.
+constexpr Eigen::Index most_numbers = Eigen::Index{1} << 26;
+
+/// a b, but no more than what is refused anyway.
+Eigen::Index bounded_product(Eigen::Index a, Eigen::Index b) {
+  const double product = static_cast<double>(a) * static_cast<double>(b);
+  return product > static_cast<double>(most_numbers) ? most_numbers + 1 : a * b;
+}
+
 /// Finds the size of every port and state. A list input takes elements of one size or of one element; with the shape
 /// "+m" each element has its own size and m is their sum.
 class Shapes {
@@ -155,7 +164,7 @@ class Shapes {
     for (const Source& source : block.inputs[input]) {
       const auto size = size_of(source);
       if (!size && (total || most == 1)) return false;
-      sum += size.value_or(0);
+      sum = std::min(sum + size.value_or(0), most_numbers + 1);
       most = std::max(most, size.value_or(1));
     }
     const int own = size_of_list(index, input);
@@ -197,14 +206,29 @@ class Shapes {
     const auto factor = [&](const std::string& name) { return sizes_.value(symbol(index, name)).value_or(1); };
     const auto size = [&](const std::string& shape) {  // "k x n": k rows of n elements, one behind the other
       const std::size_t times = shape.find(" x ");
-      return times == std::string::npos ? factor(shape) : factor(shape.substr(0, times)) * factor(shape.substr(times + 3));
+      return times == std::string::npos ? factor(shape) : bounded_product(factor(shape.substr(0, times)), factor(shape.substr(times + 3)));
     };
     for (const OutputSpec& spec : block.type().outputs) made.output_sizes.push_back(size(spec.shape));
     for (const StateSpec& spec : block.type().states) made.state_sizes.push_back(size(spec.shape));
     for (const InputSpec& spec : block.type().inputs)
       made.input_sizes.push_back(size(spec.list && spec.shape.starts_with('+') ? spec.shape.substr(1) : spec.shape));
+    if (!fits(block, made)) return;
     for (const ParameterSpec& spec : block.type().parameters)
       if (spec.kind == ParameterKind::per_element) expand(block, spec, size(spec.shape));
+  }
+
+  /// Refuses the block with which it becomes too much.
+  bool fits(const DiagramBlock& block, const Draft::Block& made) {
+    if (total_ > most_numbers) return false;
+    Eigen::Index own = 0;
+    for (const auto* sizes : {&made.output_sizes, &made.state_sizes, &made.input_sizes})
+      for (Eigen::Index size : *sizes) own += std::clamp<Eigen::Index>(size, 0, most_numbers + 1);
+    total_ += own;
+    if (total_ <= most_numbers) return true;
+    draft_.report.add(block.origin, block.name,
+                      fmt::format("needs {}{} numbers for its ports and states; all blocks together may have {}",
+                                  own > most_numbers ? "more than " : "", std::min(own, most_numbers), most_numbers));
+    return false;
   }
 
   static void expand(DiagramBlock& block, const ParameterSpec& spec, Eigen::Index size) {
@@ -219,6 +243,7 @@ class Shapes {
   std::vector<std::vector<std::pair<std::string, int>>> symbols_;
   std::vector<std::pair<std::size_t, std::size_t>> lists_;
   int next_open_ = 0;
+  Eigen::Index total_ = 0;
 };
 
 }  // namespace
