@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "engine/record/recorder.hpp"
+#include "engine/run/memory.hpp"
 #include "engine/run/run.hpp"
 
 namespace stepwire {
@@ -159,6 +160,7 @@ Job make_job(Loader& loader, const std::string& path, const std::vector<Setting>
   std::vector<Setting> all = settings;
   if (stop) all.push_back({"stop", *stop, "--stop " + *stop});
   Job job{make_plan(loader.load(path, all)), {}};
+  require_solver_memory(job.plan);
   static_cast<void>(Simulation(job.plan));  // a block's start() may find what no plan shows
   const auto& sweep = job.plan.diagram.sweep;
   for (std::size_t point = 0; sweep && point < point_count(*sweep); ++point) {
@@ -168,6 +170,7 @@ Job make_job(Loader& loader, const std::string& path, const std::vector<Setting>
     made.plan = make_plan(loader.load_point(path, with_point));
     job.points.push_back(std::move(made));
   }
+  require_memory(job);
   return job;
 }
 
