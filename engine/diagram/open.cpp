@@ -13,6 +13,7 @@ namespace stepwire {
 namespace {
 
 constexpr int deepest_nesting = 32;
+constexpr std::size_t most_parts = 100'000;  // files that use the next one twice make many of few
 
 std::string normal_path(const std::string& path) { return std::filesystem::path(path).lexically_normal().string(); }
 
@@ -208,10 +209,20 @@ void Opener::open_part(Scope& scope, const Entry& entry, const Node& path) {
   const std::string file = part_path(scope.document->file, path.text);
   const std::string full = scope.prefix + entry.key;
   const auto circle = std::find(open_files_.begin(), open_files_.end(), file);
-  if (circle != open_files_.end() || open_files_.size() >= deepest_nesting)
+  if (circle == open_files_.end() && open_files_.size() >= deepest_nesting)
+    return report_.add(scope.at(path.mark), full, fmt::format("parts in parts go at most {} deep", deepest_nesting));
+  if (circle != open_files_.end())
     return report_.add(scope.at(path.mark), full,
                        fmt::format("this file contains itself: {} -> {}; a part cannot use a file that uses it",
                                    fmt::join(circle, open_files_.end(), " -> "), file));
+  // A pipe or a device would keep us waiting, or never end.
+  std::error_code none;
+  const auto status = std::filesystem::status(file, none);
+  if (std::filesystem::is_other(status)) return report_.add(scope.at(path.mark), full, fmt::format("{} is no file", file));
+  if (report_.diagram().scopes.size() >= most_parts) {
+    report_.add(scope.at(path.mark), full, fmt::format("the diagram has more than {} parts", most_parts));
+    report_.faults().throw_if_any();
+  }
   auto& named = scope.names[entry.key];
   named.part = std::make_unique<Scope>();
   named.mark = entry.mark;

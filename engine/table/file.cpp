@@ -63,6 +63,11 @@ void write_and_rename(const fs::path& target, std::string_view content, const st
 }  // namespace
 
 std::string read_file(const std::string& path) {
+  std::error_code none;
+  const fs::file_status status = fs::status(path, none);
+  if (fs::is_directory(status)) refuse(path, EISDIR);
+  // A pipe would keep us waiting, and a device need not end.
+  if (fs::is_other(status)) throw SurroundingsError(fmt::format("{}: this is no regular file", path));
   const File file(std::fopen(path.c_str(), "rb"));
   if (!file) refuse(path, errno);
   std::string content;
