@@ -50,6 +50,10 @@ Verdict not_judged(const Claim& claim, const std::string& why) {
 
 Work prepare(const Registry& registry, const std::string& file, const WorkOptions& options) {
   Loader loader(registry, options.limits);
+  return prepare(loader, file, options);
+}
+
+Work prepare(Loader& loader, const std::string& file, const WorkOptions& options) {
   Work work{file, make_job(loader, file, options.settings, options.stop), {}, {}};
   const Names names = names_of(work.job);
   Faults faults;

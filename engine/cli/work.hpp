@@ -28,6 +28,7 @@ struct WorkOptions {
 };
 
 /// Loads, plans, and reads figures and claims. Throws Error with everything that is wrong, SurroundingsError.
+Work prepare(Loader& loader, const std::string& file, const WorkOptions& options);
 Work prepare(const Registry& registry, const std::string& file, const WorkOptions& options);
 
 /// What became of a file.

@@ -1,15 +1,70 @@
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
+#include <filesystem>
 #include <string_view>
 
-#include "engine/document/document.hpp"
+#include "blocks/register.hpp"
+#include "engine/cli/work.hpp"
+#include "engine/table/surroundings.hpp"
 
-// Any text must give a tree or an Error; anything else that is thrown ends the program, and that is a find.
+namespace {
+
+using namespace stepwire;
+namespace fs = std::filesystem;
+
+// A folder that is not there, so that nothing but the parts below is found beside the text.
+const std::string folder = "/nonexistent/stepwire-fuzz/";
+constexpr std::size_t most_runs = 8, most_numbers = 1 << 20;
+
+std::vector<Document> read_parts() {
+  std::vector<Document> parts;
+  for (const auto& entry : fs::directory_iterator(STEPWIRE_SOURCE_DIR "/diagrams/parts")) {
+    parts.push_back(read_document(entry.path().string()));
+    parts.back().file = folder + "parts/" + entry.path().filename().string();
+  }
+  return parts;
+}
+
+/// Would making all its runs only take long?
+bool is_large(const Diagram& diagram) {
+  std::size_t runs = 1;
+  if (diagram.sweep)
+    for (const Sweep::Axis& axis : diagram.sweep->axes) runs *= std::min(axis.values.size(), most_runs + 1);
+  return runs > most_runs;
+}
+
+void step(const Plan& plan) {
+  if (plan.layout.size > most_numbers) return;
+  Simulation simulation(plan);
+  for (int tick = 0; tick < 3; ++tick) {
+    simulation.evaluate();
+    if (!simulation.healthy() || simulation.finished()) break;
+    simulation.advance();
+  }
+  static_cast<void>(simulation.fault());
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerInitialize(int*, char***) {
+  ::unsetenv("STEPWIRE_DATA");
+  return 0;
+}
+
+// Any text must give a diagram that can be stepped, or an Error; anything else that is thrown ends the program, and that is a find.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  static const Registry registry = all_blocks();
+  static const std::vector<Document> parts = read_parts();
+  const std::string file = folder + "fuzz/fuzz.yaml";
   try {
-    stepwire::parse_document(text, "fuzz.yaml");
-  } catch (const stepwire::Error&) {
+    Loader loader(registry);
+    for (const Document& part : parts) loader.add(part);
+    loader.add(parse_document({reinterpret_cast<const char*>(data), size}, file));
+    if (is_large(loader.load(file))) return 0;
+    step(prepare(loader, file, {}).job.plan);
+  } catch (const Error&) {
+  } catch (const SurroundingsError&) {
   }
   return 0;
 }
