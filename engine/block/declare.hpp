@@ -163,7 +163,7 @@ class Declare {
   template <auto member, auto state>
   void output(OutputOptions is) {
     output<member>(std::move(is));
-    type_.outputs.back().state = member_name<state>();
+    type_.outputs.back().state = std::string(member_name<state>());
   }
 
   template <auto member>
