@@ -46,11 +46,23 @@ std::optional<Quantity> swept_number(const Sweep::Axis& axis, std::size_t index,
   return number ? std::optional(Quantity{*number, parameter->dimension}) : std::nullopt;
 }
 
+/// Which axes have numbers only; where one value is a word, all values of the axis are.
+std::vector<bool> numeric_axes(const Job& job, const Sweep& sweep) {
+  std::vector<bool> numeric(sweep.axes.size(), true);
+  for (std::size_t point = 0; point < job.points.size(); ++point) {
+    const auto index = indices(sweep, point);
+    for (std::size_t axis = 0; axis < sweep.axes.size(); ++axis)
+      if (!swept_number(sweep.axes[axis], index[axis], job.points[point].plan.diagram)) numeric[axis] = false;
+  }
+  return numeric;
+}
+
 /// Adds the swept parameters of one point to its recording, behind the time.
-void add_swept(Recording& recording, const Sweep& sweep, const SweepPoint& point, const std::vector<std::size_t>& index) {
+void add_swept(Recording& recording, const Sweep& sweep, const SweepPoint& point, const std::vector<std::size_t>& index,
+               const std::vector<bool>& numeric) {
   const std::size_t rows = recording.table.rows();
   for (std::size_t axis = 0; axis < sweep.axes.size(); ++axis) {
-    const auto number = swept_number(sweep.axes[axis], index[axis], point.plan.diagram);
+    const auto number = numeric[axis] ? swept_number(sweep.axes[axis], index[axis], point.plan.diagram) : std::nullopt;
     const double shown = number ? number->value : static_cast<double>(index[axis]);
     Column column{sweep.axes[axis].parameter, "", std::vector<double>(rows, shown)};
     if (number && number->dimension) column.unit = si_name(*number->dimension);
@@ -120,12 +132,13 @@ std::string which_run(const SweepPoint& point) {
 
 RunResult pool(const Job& job, std::vector<RunResult> results) {
   const Sweep& sweep = *job.plan.diagram.sweep;
+  const std::vector<bool> numeric = numeric_axes(job, sweep);
   RunResult all;
   all.recordings.resize(job.plan.diagram.records.size());
   for (std::size_t point = 0; point < results.size(); ++point) {
     RunResult& one = results[point];
     for (std::size_t r = 0; r < one.recordings.size(); ++r) {
-      add_swept(one.recordings[r], sweep, job.points[point], indices(sweep, point));
+      add_swept(one.recordings[r], sweep, job.points[point], indices(sweep, point), numeric);
       append(all.recordings[r], std::move(one.recordings[r]));
     }
     for (RunFault& fault : one.faults) {
