@@ -17,13 +17,38 @@ std::string numbered(const std::string& stem, std::size_t index, const std::stri
   return index == 0 ? stem + ending : fmt::format("{}-{}{}", stem, index + 1, ending);
 }
 
-/// Swept words stand in their column as numbers; a table for people has the words.
+/// A swept word as it is meant, without the quotes of its file.
+std::string unquoted(const std::string& word) {
+  const bool quoted = word.size() > 1 && word.front() == '"' && word.back() == '"';
+  return quoted ? word.substr(1, word.size() - 2) : word;
+}
+
+ColumnWords words_of(const Recording& recording) {
+  ColumnWords words;
+  for (const Words& column : recording.words)
+    for (const std::string& text : column.texts) words[column.column].push_back(unquoted(text));
+  return words;
+}
+
+/// Swept words stand in their column as numbers: a MAT file keeps these, a table for people has the words.
 void write_recordings(const std::string& folder, const RunResult& result) {
   for (std::size_t i = 0; i < result.recordings.size(); ++i) {
     const Table& table = result.recordings[i].table;
-    write_csv(folder + "/" + numbered("signals", i, ".csv"), table);
+    write_csv(folder + "/" + numbered("signals", i, ".csv"), table, words_of(result.recordings[i]));
     write_mat(folder + "/" + numbered("signals", i, ".mat"), table);
   }
+}
+
+/// What was varied, in the order in which a MAT file numbers words from 0.
+Json sweep_json(const Job& job) {
+  if (job.points.empty()) return {};
+  Json axes = Json::list();
+  for (const Sweep::Axis& axis : job.plan.diagram.sweep->axes) {
+    Json values = Json::list();
+    for (const std::string& value : axis.values) values.push(unquoted(value));
+    axes.push(Json::object().set("parameter", axis.parameter).set("values", std::move(values)));
+  }
+  return axes;
 }
 
 Json parameter_value(const DiagramParameter& parameter) {
@@ -75,6 +100,7 @@ Json run_json(const Work& work, const Outcome& outcome) {
       .set("step", diagram.step)
       .set("stop", diagram.stop)
       .set("solver", diagram.solver.empty() ? Json() : Json(diagram.solver))
+      .set("sweep", sweep_json(work.job))
       .set("runs", work.job.points.empty() ? std::size_t{1} : work.job.points.size())
       .set("ticks", outcome.result.ticks)
       .set("blocks", diagram.blocks.size())

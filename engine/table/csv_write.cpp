@@ -9,16 +9,18 @@
 namespace stepwire {
 namespace {
 
-void append_title(std::string& text, const Column& column) {
-  const std::string title =
-      column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit);
-  if (title.find_first_of(",;\t\"\n\r") == std::string::npos) {
-    text += title;
+void append_word(std::string& text, const std::string& word) {
+  if (word.find_first_of(",;\t\"\n\r") == std::string::npos) {
+    text += word;
     return;
   }
   text += '"';
-  for (const char c : title) text += c == '"' ? "\"\"" : std::string(1, c);
+  for (const char c : word) text += c == '"' ? "\"\"" : std::string(1, c);
   text += '"';
+}
+
+void append_title(std::string& text, const Column& column) {
+  append_word(text, column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit));
 }
 
 void append_number(std::string& text, double value) {
@@ -28,6 +30,30 @@ void append_number(std::string& text, double value) {
   }
   std::array<char, 32> digits{};
   text.append(digits.data(), std::to_chars(digits.begin(), digits.end(), value).ptr);
+}
+
+using WordsOfColumns = std::vector<const std::vector<std::string>*>;
+
+WordsOfColumns words_of(const Table& table, const ColumnWords& words) {
+  WordsOfColumns result;
+  for (const Column& column : table.columns) {
+    const auto found = words.find(column.name);
+    result.push_back(found == words.end() ? nullptr : &found->second);
+  }
+  return result;
+}
+
+void append_row(std::string& text, const Table& table, const WordsOfColumns& words, std::size_t row) {
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    const double value = table.columns[i].values[row];
+    if (i > 0) text += ',';
+    if (words[i]) {
+      append_word(text, words[i]->at(static_cast<std::size_t>(value)));
+    } else {
+      append_number(text, value);
+    }
+  }
+  text += '\n';
 }
 
 void check_lengths(const Table& table) {
@@ -40,7 +66,7 @@ void check_lengths(const Table& table) {
 
 }  // namespace
 
-std::string csv_text(const Table& table) {
+std::string csv_text(const Table& table, const ColumnWords& words) {
   check_lengths(table);
   std::string text;
   text.reserve(table.rows() * table.columns.size() * 12);
@@ -49,13 +75,8 @@ std::string csv_text(const Table& table) {
     append_title(text, column);
   }
   text += '\n';
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    for (const Column& column : table.columns) {
-      if (&column != &table.columns.front()) text += ',';
-      append_number(text, column.values[row]);
-    }
-    text += '\n';
-  }
+  const WordsOfColumns by_column = words_of(table, words);
+  for (std::size_t row = 0; row < table.rows(); ++row) append_row(text, table, by_column, row);
   return text;
 }
 

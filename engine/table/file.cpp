@@ -80,6 +80,14 @@ std::string read_file(const std::string& path) {
   return content;
 }
 
+void require_folder(const std::string& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) refuse(path, error.value());
+  if (!fs::is_directory(path, error)) refuse(path, ENOTDIR);
+  if (::access(path.c_str(), W_OK | X_OK) != 0) refuse(path, errno);
+}
+
 void write_file(const std::string& path, std::string_view content) {
   make_folder_of(path);
   // A link stays a link: what it points to is replaced. What is no plain file, such as /dev/stdout, cannot be

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/table/surroundings.hpp"
 #include "engine/table/table.hpp"
@@ -29,9 +31,12 @@ Table read_mat(const std::string& path);
 /// By the ending of the path: .csv or .mat; TableError for others.
 Table read_table(const std::string& path);
 
+/// Words that the numbers 0, 1, ... of a column stand for, by the column's name.
+using ColumnWords = std::map<std::string, std::vector<std::string>>;
+
 /// Comma, header "name [unit]", numbers in the shortest form that reads back to the same bits; nan and inf as
-/// such. Throws TableError for columns of different lengths.
-std::string csv_text(const Table& table);
+/// such; words where a column has them. Throws TableError for columns of different lengths.
+std::string csv_text(const Table& table, const ColumnWords& words = {});
 
 /// Variables are named as the columns with what MATLAB does not allow replaced by '_' (made unique), doubles,
 /// one column vector each; beside them the cell arrays "names" and "units" in the same order.
@@ -40,12 +45,16 @@ void write_mat(const std::string& path, const Table& table);
 /// All bytes of a file. Throws SurroundingsError with the system's reason.
 std::string read_file(const std::string& path);
 
+/// Makes a folder and those above it; one that is there must take new files. Throws SurroundingsError with the system's
+/// reason.
+void require_folder(const std::string& path);
+
 /// Writes to a temporary name beside `path`, then renames, so that no half file is ever seen under `path`.
 /// Missing folders are made; what is no plain file ("/dev/stdout") is written as it is. Throws
 /// SurroundingsError with the system's reason.
 void write_file(const std::string& path, std::string_view content);
-inline void write_csv(const std::string& path, const Table& table) {
-  write_file(path, csv_text(table));
+inline void write_csv(const std::string& path, const Table& table, const ColumnWords& words = {}) {
+  write_file(path, csv_text(table, words));
 }
 
 }  // namespace stepwire
