@@ -14,6 +14,11 @@ constexpr double longest = 1e12,
                  shortest = 1e-12;  // [s]; far beyond, places in the record would not be numbers
 
 Table read_file(const FromFile& asked, const Configure& is) {
+  std::error_code none;
+  if (!std::filesystem::exists(asked.file, none))
+    is.refuse<&FromFile::file>(fmt::format("there is no file {}", asked.file.string()));
+  if (!std::filesystem::is_regular_file(asked.file, none))
+    is.refuse<&FromFile::file>(fmt::format("{} is no file that holds a table", asked.file.string()));
   try {
     return read_table(asked.file.string());
   } catch (const TableError& error) {

@@ -160,11 +160,12 @@ std::string ValueReader::resolve_file(const std::string& text, const Node& node,
   const fs::path path(text);
   if (path.is_absolute()) return path.string();
   if (path.begin() != path.end() && *path.begin() == "data") {
-    const char* folder = std::getenv("STEPWIRE_DATA");
-    if (folder && *folder) return (fs::path(folder) / path.lexically_relative("data")).string();
-    const Fault fault = report_.diagram().fault(at(node.mark), subject,
-                                                fmt::format("'{}' is in the data folder; set STEPWIRE_DATA to that folder", text));
-    throw SurroundingsError(fault.text());
+    const char* named = std::getenv("STEPWIRE_DATA");
+    const std::string folder = named ? named : "";
+    std::error_code none;
+    if (fs::is_directory(folder, none)) return (fs::path(folder) / path.lexically_relative("data")).string();
+    const std::string why = folder.empty() ? "set STEPWIRE_DATA to that folder" : fmt::format("STEPWIRE_DATA is '{}', which is no folder", folder);
+    throw SurroundingsError(report_.diagram().fault(at(node.mark), subject, fmt::format("'{}' is in the data folder; {}", text, why)).text());
   }
   const std::string& file = report_.diagram().scopes[static_cast<std::size_t>(scope_)].file;
   return (fs::path(file).parent_path() / path).string();

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "engine/plan/draft.hpp"
+#include "engine/table/surroundings.hpp"
 
 namespace stepwire {
 
@@ -153,6 +154,8 @@ void configure_blocks(Draft& draft) {
       if (refused.line > 0) mark = {refused.line, refused.column};
       if (mark.line == 0) mark = block.origin.mark;
       draft.report.add({block.origin.scope, mark}, block.name + "." + refused.parameter, refused.what());
+    } catch (const SurroundingsError& error) {
+      throw SurroundingsError(draft.diagram().fault(block.origin, block.name, error.what()).text());
     }
     for (const auto& [input, reason] : is.required())
       draft.report.add(block.origin, block.name, fmt::format("the input '{}' is missing ({})", input, reason));
