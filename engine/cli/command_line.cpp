@@ -1,22 +1,30 @@
 #include "engine/cli/command_line.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 
 #include "engine/cli/commands.hpp"
 #include "engine/cli/interrupt.hpp"
+#include "engine/cli/report.hpp"
 #include "engine/cli/version.hpp"
 
 namespace stepwire {
 
 namespace {
 
+constexpr DocumentLimits large_limits{.bytes = std::size_t{512} << 20, .depth = 64, .nodes = 64'000'000};
+
 void add_work_options(CLI::App& verb, RunCommand& command, std::vector<std::string>& settings, std::string& stop, bool& large) {
   verb.add_option("FILE", command.files, "diagram files")->required();
   verb.add_option("--set", settings, "a parameter in place of the file's: name=value; reaches into parts (rig.mass=2kg)")->allow_extra_args(false);
   verb.add_option("--stop", stop, "stop time in place of the file's, e.g. 2s");
-  verb.add_flag("--large", large, "read files above 8 MB");
+  verb.add_flag("--large", large, "read files above 8 MB, up to 512 MB");
   verb.add_flag("--units", command.units, "print the unit of every wire");
   verb.add_flag("--json", command.json, "print the result as JSON");
 }
@@ -34,6 +42,9 @@ class CommandLine {
  public:
   explicit CommandLine(const Registry& registry) : registry_(registry) {
     app_.require_subcommand(1);
+    app_.failure_message([](const CLI::App*, const CLI::Error& error) {
+      return fmt::format("stepwire: {}; stepwire --help and stepwire VERB --help tell more\n", error.what());
+    });
     app_.set_version_flag("--version", "stepwire " + program_version());
     add_run();
     add_check();
@@ -98,7 +109,7 @@ class CommandLine {
   ExitCode run_or_check() {
     for (const std::string& text : settings_) run_.options.settings.push_back(parse_setting(text));
     if (!stop_.empty()) run_.options.stop = stop_;
-    if (large_) run_.options.limits.bytes = std::size_t{4} << 30;
+    if (large_) run_.options.limits = large_limits;
     return run_files(run_, registry_);
   }
 
@@ -113,11 +124,24 @@ class CommandLine {
   std::function<ExitCode()> action_;
 };
 
+/// A caller may close a standard stream; the first file that is opened then would take its place and get what is printed.
+void fill_standard_streams() {
+  for (int stream = ::open("/dev/null", O_RDWR); stream >= 0; stream = ::open("/dev/null", O_RDWR)) {
+    if (stream <= STDERR_FILENO) continue;
+    ::close(stream);
+    return;
+  }
+}
+
 }  // namespace
 
 int run_command_line(int argc, char** argv, const Registry& registry) {
+  fill_standard_streams();
   catch_interrupts();
-  return static_cast<int>(CommandLine(registry).run(argc, argv));
+  const ExitCode code = guarded([&] { return CommandLine(registry).run(argc, argv); });
+  if (std::fflush(stdout) == 0) return static_cast<int>(code);
+  fmt::print(stderr, "what was to be printed is lost: {}\n", std::strerror(errno));
+  return static_cast<int>(worst(code, ExitCode::surroundings));
 }
 
 }  // namespace stepwire

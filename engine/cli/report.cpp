@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <new>
+#include <stdexcept>
+#include <system_error>
 
 #include "engine/document/error.hpp"
 #include "engine/table/file.hpp"
@@ -37,6 +40,13 @@ std::string units_text(const Diagram& diagram) {
   return text;
 }
 
+void print_faults(const RunResult& result) {
+  constexpr std::size_t most_shown = 10;
+  const auto& faults = result.faults;
+  for (std::size_t i = 0; i < std::min(faults.size(), most_shown); ++i) fmt::print(stderr, "{}\n", faults[i].fault.text());
+  if (faults.size() > most_shown) fmt::print(stderr, "and {} more runs of the sweep ended early\n", faults.size() - most_shown);
+}
+
 ExitCode guarded(const std::function<ExitCode()>& action) {
   try {
     return action();
@@ -48,6 +58,12 @@ ExitCode guarded(const std::function<ExitCode()>& action) {
     return ExitCode::wrong;
   } catch (const SurroundingsError& error) {
     fmt::print(stderr, "{}\n", error.what());
+    return ExitCode::surroundings;
+  } catch (const std::system_error& error) {  // of files and of threads
+    fmt::print(stderr, "{}\n", error.what());
+    return ExitCode::surroundings;
+  } catch (const std::length_error&) {  // a container that was asked for more than any memory has
+    fmt::print(stderr, "this run needs more memory than there can be\n");
     return ExitCode::surroundings;
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "there is not enough memory for this run; record fewer signals or give 'record' an 'every'\n");

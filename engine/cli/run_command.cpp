@@ -1,12 +1,14 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <map>
 
 #include "engine/cli/commands.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/output.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/report.hpp"
+#include "engine/table/file.hpp"
 
 namespace stepwire {
 
@@ -18,48 +20,66 @@ std::string folder_of(const RunCommand& command, const std::string& file) {
   return (std::filesystem::path(command.out) / std::filesystem::path(file).stem()).string();
 }
 
-ExitCode check(const Work& work, const RunCommand& command) {
+/// Files of one name in different folders would write over each other.
+bool folders_differ(const RunCommand& command) {
+  std::map<std::string, std::string> files;
+  for (const std::string& file : command.files) {
+    const auto [first, is_new] = files.emplace(folder_of(command, file), file);
+    if (is_new || command.out.empty()) continue;
+    fmt::print(stderr, "{} and {} would both be written to {}; give each a call with its own --out\n", first->second, file, first->first);
+    return false;
+  }
+  return true;
+}
+
+ExitCode check(const Work& work, const RunCommand& command, Json& results) {
   const Diagram& diagram = work.job.plan.diagram;
+  if (command.json) {
+    Json result = Json::object().set("file", work.file).set("blocks", diagram.blocks.size()).set("claims", work.claims.size());
+    results.push(result.set("figures", work.figures.size()));
+    return ExitCode::done;
+  }
   if (command.units) fmt::print("{}", units_text(diagram));
-  if (!command.json)
-    fmt::print("{}: {} blocks, {} claims, {} figures: nothing wrong\n", work.file, diagram.blocks.size(), work.claims.size(),
-               work.figures.size());
+  fmt::print("{}: {} blocks, {} claims, {} figures: nothing wrong\n", work.file, diagram.blocks.size(), work.claims.size(),
+             work.figures.size());
   return ExitCode::done;
 }
 
+Outcome carry_out_visibly(const Work& work) {
+  Progress progress(std::filesystem::path(work.file).filename().string());
+  RunOptions options;
+  options.interrupt = &interrupted();
+  options.progress = [&](double fraction) { progress.show(fraction); };
+  return carry_out(work, options);
+}
+
 ExitCode run(const Work& work, const RunCommand& command, Json& results) {
-  Outcome outcome;
-  {
-    Progress progress(std::filesystem::path(work.file).filename().string());
-    RunOptions options;
-    options.interrupt = &interrupted();
-    options.progress = [&](double fraction) { progress.show(fraction); };
-    outcome = carry_out(work, options);
-  }
-  for (const RunFault& fault : outcome.result.faults) fmt::print(stderr, "{}\n", fault.fault.text());
-  if (command.units) fmt::print("{}", units_text(work.job.plan.diagram));
+  const std::string folder = command.out.empty() ? "" : folder_of(command, work.file);
+  if (!folder.empty()) require_folder(folder);  // better now than after an hour
+  const Outcome outcome = carry_out_visibly(work);
+  print_faults(outcome.result);
+  if (!folder.empty()) write_outputs(folder, work, outcome);
   if (command.json) {
     results.push(run_json(work, outcome).set("claims", claims_json(work, outcome)));
-  } else {
-    fmt::print("{}", outcome_text(work, outcome));
+    return outcome.code;
   }
-  if (command.out.empty()) return outcome.code;
-  const std::string folder = folder_of(command, work.file);
-  write_outputs(folder, work, outcome);
-  if (!command.json) fmt::print("  written to {}\n", folder);
+  if (command.units) fmt::print("{}", units_text(work.job.plan.diagram));
+  fmt::print("{}", outcome_text(work, outcome));
+  if (!folder.empty()) fmt::print("  written to {}\n", folder);
   return outcome.code;
 }
 
 }  // namespace
 
 ExitCode run_files(const RunCommand& command, const Registry& registry) {
+  if (!folders_differ(command)) return ExitCode::wrong;
   ExitCode code = ExitCode::done;
   Json results = Json::list();
   for (const std::string& file : command.files) {
     if (interrupted()) break;
     code = worst(code, guarded([&] {
                    const Work work = prepare(registry, file, command.options);
-                   return command.check_only ? check(work, command) : run(work, command, results);
+                   return command.check_only ? check(work, command, results) : run(work, command, results);
                  }));
   }
   if (command.json) fmt::print("{}\n", results.text());

@@ -88,7 +88,7 @@ class Maker {
       options.interrupt = &interrupted();
       options.threads = 1;  // the figures themselves are made in parallel
       const Outcome outcome = carry_out(work, options);
-      for (const RunFault& fault : outcome.result.faults) fmt::print(stderr, "{}\n", fault.fault.text());
+      print_faults(outcome.result);
       entry.verdicts = outcome.verdicts;
       for (const std::string& picture : write_outputs((fs::path(command_.out) / stem).string(), work, outcome))
         entry.pictures.push_back(stem + "/" + picture);
@@ -121,6 +121,7 @@ ExitCode run_thesis(const ThesisCommand& command, const Registry& registry) {
       fmt::print(stderr, "no diagram file in {} begins with {}\n", command.diagrams, fmt::join(command.only, " or "));
       return ExitCode::wrong;
     }
+    require_folder(command.out);
     Maker maker(command, registry, files);
     maker.run();
     summarise(maker);
