@@ -84,7 +84,10 @@ class Definitions {
     if (!written) return std::nullopt;
     if (!written->dimension) written->dimension = file_dimension;
     const std::string complaint = unit_complaint(written->dimension, file_dimension);
-    if (!complaint.empty()) report_.add(value_origin_, full, fmt::format("{} {}", written->text, complaint));
+    if (!complaint.empty()) {
+      report_.add(value_origin_, full, fmt::format("{} {}", written->text, complaint));
+      written->dimension = file_dimension;  // so that it is not told again at every use
+    }
     if (!in_range(entry, *written, full)) return std::nullopt;
     list(full, entry, *written, set);
     return written;

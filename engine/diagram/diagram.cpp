@@ -4,8 +4,9 @@ namespace stepwire {
 
 Fault Diagram::fault(const Origin& origin, std::string subject, std::string message) const {
   Fault fault{place(origin), std::move(subject), std::move(message), {}};
-  for (int scope = origin.scope; scope != 0; scope = scopes[static_cast<std::size_t>(scope)].used_at.scope)
-    fault.used_by.push_back(place(scopes[static_cast<std::size_t>(scope)].used_at));
+  const auto user_of = [this](int scope) { return scopes[static_cast<std::size_t>(scope)].used_at; };
+  // Neither the file itself nor a setting is used by anything.
+  for (Origin user = user_of(origin.scope); user.scope >= 0; user = user_of(user.scope)) fault.used_by.push_back(place(user));
   return fault;
 }
 
