@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -54,6 +55,7 @@ class CommandLine {
   }
 
   ExitCode run(int argc, char** argv) {
+    if (argc > 1 && *argv[1] != '-' && !is_verb(argv[1])) return refuse_verb(argv[1]);
     try {
       app_.parse(argc, argv);
       return action_();
@@ -63,6 +65,22 @@ class CommandLine {
   }
 
  private:
+  std::vector<std::string> verbs() const {
+    std::vector<std::string> names;
+    for (const CLI::App* verb : app_.get_subcommands([](const CLI::App*) { return true; })) names.push_back(verb->get_name());
+    return names;
+  }
+
+  bool is_verb(const std::string& word) const {
+    const auto known = verbs();
+    return std::find(known.begin(), known.end(), word) != known.end();
+  }
+
+  ExitCode refuse_verb(const std::string& word) const {
+    fmt::print(stderr, "stepwire: there is no '{}'{}; there are: {}\n", word, did_you_mean(word, verbs()), fmt::join(verbs(), ", "));
+    return ExitCode::wrong;
+  }
+
   void add_run() {
     CLI::App* verb = app_.add_subcommand("run", "run diagram files, judge their claims");
     verb->footer("Example:\n  stepwire run lag.yaml --set tau=0.2s --stop 2s --out out/lag");

@@ -46,6 +46,13 @@ std::optional<Quantity> swept_number(const Sweep::Axis& axis, std::size_t index,
   return number ? std::optional(Quantity{*number, parameter->dimension}) : std::nullopt;
 }
 
+/// " (in the run with speed=3)".
+std::string which_run(const SweepPoint& point) {
+  std::string text;
+  for (const Setting& setting : point.settings) text += fmt::format("{}{}={}", text.empty() ? "" : ", ", setting.name, setting.value);
+  return fmt::format(" (in the run with {})", text);
+}
+
 /// Which axes have numbers only; where one value is a word, all values of the axis are.
 std::vector<bool> numeric_axes(const Job& job, const Sweep& sweep) {
   std::vector<bool> numeric(sweep.axes.size(), true);
@@ -123,13 +130,6 @@ class Pool {
   std::exception_ptr failure_;
 };
 
-/// " (in the run with speed=3)".
-std::string which_run(const SweepPoint& point) {
-  std::string text;
-  for (const Setting& setting : point.settings) text += fmt::format("{}{}={}", text.empty() ? "" : ", ", setting.name, setting.value);
-  return fmt::format(" (in the run with {})", text);
-}
-
 RunResult pool(const Job& job, std::vector<RunResult> results) {
   const Sweep& sweep = *job.plan.diagram.sweep;
   const std::vector<bool> numeric = numeric_axes(job, sweep);
@@ -162,9 +162,20 @@ std::vector<Setting> settings_of(const Sweep& sweep, std::size_t point, const st
   for (std::size_t axis = 0; axis < sweep.axes.size(); ++axis) {
     const std::string& name = sweep.axes[axis].parameter;
     const std::string& value = sweep.axes[axis].values[index[axis]];
-    settings.push_back({name, value, fmt::format("{}: sweep {}={}", file, name, value)});
+    settings.push_back({name, value, file});
   }
   return settings;
+}
+
+Plan plan_point(Loader& loader, const std::string& path, std::vector<Setting> settings, const SweepPoint& point) {
+  settings.insert(settings.end(), point.settings.begin(), point.settings.end());
+  try {
+    return make_plan(loader.load_point(path, settings));
+  } catch (const Error& error) {
+    std::vector<Fault> faults = error.faults();
+    for (Fault& fault : faults) fault.message += which_run(point);
+    throw Error(std::move(faults));
+  }
 }
 
 }  // namespace
@@ -178,9 +189,7 @@ Job make_job(Loader& loader, const std::string& path, const std::vector<Setting>
   const auto& sweep = job.plan.diagram.sweep;
   for (std::size_t point = 0; sweep && point < point_count(*sweep); ++point) {
     SweepPoint made{settings_of(*sweep, point, job.plan.diagram.file), {}};
-    std::vector<Setting> with_point = all;
-    for (const Setting& setting : made.settings) with_point.push_back(setting);
-    made.plan = make_plan(loader.load_point(path, with_point));
+    made.plan = plan_point(loader, path, all, made);
     job.points.push_back(std::move(made));
   }
   require_memory(job);
