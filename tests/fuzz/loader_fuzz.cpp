@@ -52,7 +52,8 @@ extern "C" int LLVMFuzzerInitialize(int*, char***) {
   return 0;
 }
 
-// Any text must give a diagram that can be stepped, or an Error; anything else that is thrown ends the program, and that is a find.
+// Any text must give a diagram that can be stepped, or an Error; anything else that is thrown ends the
+// program, and that is a find.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const Registry registry = all_blocks();
   static const std::vector<Document> parts = read_parts();

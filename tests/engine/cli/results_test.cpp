@@ -1,0 +1,195 @@
+#include <catch2/catch.hpp>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "engine/table/file.hpp"
+#include "tests/engine/cli/program.hpp"
+
+using Catch::Contains;
+using nlohmann::json;
+
+namespace {
+
+std::set<std::string> names_in(const std::string& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    names.insert(entry.path().filename().string());
+  return names;
+}
+
+std::vector<std::string> keys_of(const json& object) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : object.items()) keys.push_back(key);
+  return keys;
+}
+
+const std::string words_yaml =
+    "stepwire: 1\ntitle: two ways\nstep: 1 ms\nstop: 3 ms\nparameters:\n  way: {value: linear}\nblocks:\n"
+    "  table: {block: FromFile, file: rows.csv, column: x, interpolation: $way}\nrecord: [table]\n"
+    "sweep: {way: {values: [hold, \"linear\"]}}\n";
+
+}  // namespace
+
+TEST_CASE("run --out writes all that a run leaves, and nothing else") {
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml);
+  const Done done = run_program(folder, {"run", "lag.yaml", "--out", "deep/out"});
+  REQUIRE(done.code == 0);
+  CHECK(names_in(folder.path("deep/out")) ==
+        std::set<std::string>{"signals.csv", "signals.mat", "figure.svg", "claims.json", "run.json"});
+  CHECK_THAT(content_of(folder.path("deep/out/figure.svg")), Contains("<svg") && Contains("</svg>"));
+}
+
+TEST_CASE("signals.csv and signals.mat hold the same bits, those of the closed form") {
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml);
+  REQUIRE(run_program(folder, {"run", "lag.yaml", "--out", "out"}).code == 0);
+  const auto lines = lines_of(content_of(folder.path("out/signals.csv")));
+  CHECK(lines.front() == "time [s],reference,lag");
+  CHECK(lines.size() == 502);
+  CHECK(lines[1] == "0,1,0");
+  CHECK_THAT(lines[3], Catch::StartsWith("0.002,1,0.0198"));
+  const auto csv = stepwire::read_table(folder.path("out/signals.csv"));
+  const auto mat = stepwire::read_table(folder.path("out/signals.mat"));
+  REQUIRE(mat.find("lag") != nullptr);
+  CHECK(csv.find("lag")->values == mat.find("lag")->values);
+  CHECK(csv.find("time")->values == mat.find("time")->values);
+  CHECK(std::abs(csv.find("lag")->values.back() - (1.0 - std::exp(-5.0))) < 1e-9);
+}
+
+TEST_CASE("claims.json and run.json have the fields that scripts read") {
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml);
+  REQUIRE(
+      run_program(folder, {"run", "lag.yaml", "--out", "out", "--set", "tau=50ms", "--stop", "1s"}).code ==
+      0);
+  const json claims = json::parse(content_of(folder.path("out/claims.json")));
+  REQUIRE(claims.size() == 1);
+  CHECK(keys_of(claims[0]) == std::vector<std::string>{"check", "figure", "file", "holds", "that", "value"});
+  CHECK(claims[0]["figure"].is_null());
+  CHECK(claims[0]["holds"] == true);
+  CHECK(claims[0]["check"] == "final lag >= 0.9");
+  const json run = json::parse(content_of(folder.path("out/run.json")));
+  CHECK(keys_of(run) == std::vector<std::string>{"blocks", "compiler", "duration", "faults", "file", "hash",
+                                                 "interrupted", "notices", "parameters", "runs", "solver",
+                                                 "step", "stop", "sweep", "ticks", "title", "version"});
+  CHECK(run["step"] == 0.001);
+  CHECK(run["stop"] == 1.0);
+  CHECK(run["solver"] == "rk4");
+  CHECK(run["interrupted"] == false);
+  CHECK(run["sweep"].is_null());
+  const json& tau = run["parameters"][0];
+  CHECK(tau["name"] == "tau");
+  CHECK(tau["value"] == 0.05);
+  CHECK(tau["unit"] == "s");
+  CHECK(tau["set"] == true);
+}
+
+TEST_CASE("the hash changes with a parameter and not with a comment") {
+  const Scratch folder;
+  const auto hash_of = [&](const std::string& yaml, const std::vector<std::string>& more = {}) {
+    folder.file("lag.yaml", yaml);
+    std::vector<std::string> arguments{"run", "lag.yaml", "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const std::string hash = json::parse(run_program(folder, arguments).out)[0]["hash"];
+    CHECK(hash.size() == 16);
+    return hash;
+  };
+  const std::string hash = hash_of(lag_yaml);
+  CHECK(hash_of("# a comment\n" + lag_yaml) == hash);
+  CHECK(hash_of(lag_yaml, {"--set", "tau=0.1000001s"}) != hash);
+  CHECK(hash_of(lag_yaml, {"--stop", "0.499s"}) != hash);
+  CHECK(hash_of(lag_yaml, {"--set", "tau=100ms"}) == hash);
+}
+
+TEST_CASE("with --json standard output is JSON and nothing else, whatever else is asked for") {
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml);
+  folder.file("bad.yaml", "stepwire: 1\n");
+  for (const std::string verb : {"run", "check"}) {
+    const Done done = run_program(folder, {verb, "lag.yaml", "bad.yaml", "--json", "--units"});
+    CHECK(done.code == 2);
+    const json results = json::parse(done.out);
+    REQUIRE(results.size() == 1);
+    CHECK(results[0]["file"] == "lag.yaml");
+  }
+  const Done done = run_program(folder, {"run", "lag.yaml", "--json", "--out", "out"});
+  CHECK(json::parse(done.out)[0]["claims"][0]["holds"] == true);
+}
+
+TEST_CASE("--units prints the unit of every wire") {
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml);
+  CHECK_THAT(run_program(folder, {"check", "lag.yaml", "--units"}).out,
+             Contains("  lag ") && Contains("  reference "));
+}
+
+TEST_CASE("several files get a folder each") {
+  const Scratch folder;
+  folder.file("a.yaml", lag_yaml);
+  folder.file("b.yaml", lag_yaml);
+  REQUIRE(run_program(folder, {"run", "a.yaml", "b.yaml", "--out", "out"}).code == 0);
+  CHECK(names_in(folder.path("out")) == std::set<std::string>{"a", "b"});
+  CHECK(names_in(folder.path("out/b")).contains("run.json"));
+}
+
+TEST_CASE("files of one name do not write over each other") {
+  const Scratch folder;
+  std::filesystem::create_directory(folder.path("x"));
+  folder.file("a.yaml", lag_yaml);
+  folder.file("x/a.yaml", lag_yaml);
+  const Done done = run_program(folder, {"run", "a.yaml", "x/a.yaml", "--out", "out"});
+  CHECK(done.code == 2);
+  CHECK_THAT(done.err, Contains("a.yaml and x/a.yaml would both be written to out/a"));
+  CHECK_FALSE(std::filesystem::exists(folder.path("out")));
+  CHECK(run_program(folder, {"run", "a.yaml", "x/a.yaml"}).code == 0);
+}
+
+TEST_CASE("an old result is replaced file by file, and what is not ours stays") {
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml);
+  std::filesystem::create_directory(folder.path("out"));
+  folder.file("out/signals.csv", "old");
+  folder.file("out/notes.txt", "mine");
+  REQUIRE(run_program(folder, {"run", "lag.yaml", "--out", "out"}).code == 0);
+  CHECK_THAT(content_of(folder.path("out/signals.csv")), Catch::StartsWith("time [s],"));
+  CHECK(content_of(folder.path("out/notes.txt")) == "mine");
+}
+
+TEST_CASE("swept words stand as words in signals.csv and as their numbers in signals.mat") {
+  const Scratch folder;
+  folder.file("rows.csv", "time [s],x\n0,1\n1,2\n");
+  folder.file("a.yaml", words_yaml);
+  const Done done = run_program(folder, {"run", "a.yaml", "--out", "out"});
+  INFO(done.err);
+  REQUIRE(done.code == 0);
+  const auto lines = lines_of(content_of(folder.path("out/signals.csv")));
+  REQUIRE(lines.size() == 9);
+  CHECK(lines[0] == "time [s],way,table");
+  CHECK(lines[4] == "0.003,hold,1");
+  CHECK(lines[8] == "0.003,linear,1.003");
+  CHECK(stepwire::read_table(folder.path("out/signals.mat")).find("way")->values ==
+        std::vector<double>{0, 0, 0, 0, 1, 1, 1, 1});
+  const json run = json::parse(content_of(folder.path("out/run.json")));
+  CHECK(run["sweep"][0]["parameter"] == "way");
+  CHECK(run["sweep"][0]["values"] == json({"hold", "linear"}));
+}
+
+TEST_CASE("--set reaches into parts and blocks, and the last one counts") {
+  const Scratch folder;
+  folder.file("rig.yaml",
+              "stepwire: 1\ntitle: rig\nparameters:\n  mass: {value: 1 kg}\ninputs:\n  force: {unit: "
+              "N}\noutputs:\n  v: body.velocity\n"
+              "blocks:\n  body: {block: Mass, force: force, mass: $mass}\n");
+  folder.file("a.yaml",
+              "stepwire: 1\ntitle: a\nstep: 1 ms\nstop: 1 s\nsolver: rk4\nblocks:\n  rig: {diagram: "
+              "rig.yaml, force: 1 N}\nrecord: [rig.v]\n"
+              "claims:\n  - {that: it moves, final: rig.v, equals: 0.5 m/s, within: 1e-9}\n");
+  CHECK(run_program(folder, {"run", "a.yaml"}).code == 1);
+  CHECK(run_program(folder, {"run", "a.yaml", "--set", "rig.mass=2kg"}).code == 0);
+  CHECK(run_program(folder, {"run", "a.yaml", "--set", "rig.body.mass=2 kg"}).code == 0);
+  CHECK(run_program(folder, {"run", "a.yaml", "--set", "rig.mass=7kg", "--set", "rig.mass=2000 g"}).code ==
+        0);
+}
