@@ -10,22 +10,9 @@
 
 namespace stepwire {
 
-namespace {
-
-constexpr int deepest_nesting = 32;
-constexpr std::size_t most_parts = 100'000;  // files that use the next one twice make many of few
-
-std::string normal_path(const std::string& path) { return std::filesystem::path(path).lexically_normal().string(); }
-
-std::string part_path(const std::string& user, const std::string& path) {
-  return normal_path((std::filesystem::path(user).parent_path() / path).string());
-}
-
-}  // namespace
-
 void Opener::open(Scope& scope, const Overrides& overrides) {
   const Node& root = scope.document->root;
-  open_files_.push_back(normal_path(scope.document->file));
+  open_files_.push_back(std::filesystem::path(scope.document->file).lexically_normal().string());
   declare_ports(scope);
   define_parameters(scope, overrides, settings_, report_);
   const Node* blocks = root.find("blocks");
@@ -39,49 +26,28 @@ void Opener::open(Scope& scope, const Overrides& overrides) {
   open_files_.pop_back();
 }
 
-void Opener::declare_ports(Scope& scope) {
-  const auto dimension_of = [&](const Entry& port) -> std::optional<Dimension> {
-    const Node* unit = port.value.is_map() ? port.value.find("unit") : nullptr;
-    if (!unit) return std::nullopt;
-    if (const auto parsed = parse_unit(unit->text)) return parsed->dimension;
-    report_.add(scope.at(unit->mark), port.key, fmt::format("'{}' is no unit", unit->text));
-    return std::nullopt;
-  };
-  if (const Node* inputs = scope.document->root.find("inputs"))
-    for (const Entry& port : inputs->entries) {
-      if (port.value.is_map()) refuse_unknown_keys(port.value, {"unit", "doc", "default"}, port.key, scope, report_);
-      auto& declared = scope.inputs[port.key];
-      declared.dimension = dimension_of(port);
-      declared.fallback = port.value.is_map() ? port.value.find("default") : nullptr;
-      declared.mark = port.mark;
-    }
-  if (const Node* outputs = scope.document->root.find("outputs"))
-    for (const Entry& port : outputs->entries) {
-      if (port.value.is_map()) refuse_unknown_keys(port.value, {"signal", "unit", "doc"}, port.key, scope, report_);
-      const Node* signal = port.value.is_map() ? port.value.find("signal") : &port.value;
-      if (!signal) report_.add(scope.at(port.value.mark), port.key, "has no 'signal:'");
-      scope.outputs[port.key] = {signal, dimension_of(port), port.mark};
-    }
+void Opener::fail(Scope& scope, const Entry& entry, const Mark& mark, std::string message) {
+  scope.failed.insert(entry.key);
+  report_.add(scope.at(mark), scope.prefix + entry.key, std::move(message));
 }
 
 void Opener::open_block(Scope& scope, const Entry& entry) {
-  const std::string full = scope.prefix + entry.key;
   const Node& map = entry.value;
   if (!is_name(entry.key) || entry.key == "time" || entry.key == "all")
-    return report_.add(scope.at(entry.mark), full,
-                       "is no name for a block; use letters, digits and '_' ('time' and 'all' have a meaning of their own)");
-  if (!map.is_map()) return report_.add(scope.at(map.mark), full, "must be a map such as {block: Gain, gain: 2, u: source}");
+    return fail(scope, entry, entry.mark,
+                "is no name for a block; use letters, digits and '_' ('time' and 'all' have a meaning of their own)");
+  if (!map.is_map()) return fail(scope, entry, map.mark, "must be a map such as {block: Gain, gain: 2, u: source}");
   if (scope.inputs.contains(entry.key))
-    return report_.add(scope.at(entry.mark), full, "is also the name of an input of this part; choose another");
+    return fail(scope, entry, entry.mark, "is also the name of an input of this part; choose another");
   const Node* kind = map.find("block");
   const Node* part = map.find("diagram");
   if (part && !kind) return open_part(scope, entry, *part);
-  if (!kind || part) return report_.add(scope.at(map.mark), full, "needs either 'block:' (a kind) or 'diagram:' (a file)");
+  if (!kind || part) return fail(scope, entry, map.mark, "needs either 'block:' (a kind) or 'diagram:' (a file)");
   const BlockType* type = loader_.registry().find(kind->text);
   if (!type)
-    return report_.add(scope.at(kind->mark), full,
-                       fmt::format("there is no block '{}'{}; 'stepwire blocks' lists them", kind->text,
-                                   did_you_mean(kind->text, loader_.registry().names())));
+    return fail(scope, entry, kind->mark,
+                fmt::format("there is no block '{}'{}", kind->text,
+                            did_you_mean(kind->text, loader_.registry().names(), "'stepwire blocks' lists them")));
   make_block(scope, entry, *type);
 }
 
@@ -114,8 +80,8 @@ void Opener::apply_preset(Scope& scope, const Node& map, DiagramBlock& block) {
     names.push_back(known.name);
   }
   report_.add(scope.at(preset->mark), block.name + ".preset",
-              fmt::format("there is no preset '{}'{}; {} has: {}", *wanted, did_you_mean(*wanted, names), type.name,
-                          fmt::join(names, ", ")));
+              fmt::format("there is no preset '{}'{}", *wanted,
+                          did_you_mean(*wanted, names, fmt::format("{} has: {}", type.name, fmt::join(names, ", ")))));
 }
 
 int Opener::state_of_key(const BlockType& type, const std::string& key) const {
@@ -139,7 +105,8 @@ void Opener::read_key(Scope& scope, const Entry& key, DiagramBlock& block, int i
   if (const int state = state_of_key(type, key.key); state >= 0) return read_initial(scope, key.value, block, state);
   const auto known = keys_of(type);
   report_.add(scope.at(key.mark), block.name,
-              fmt::format("{} has no '{}'{}. It has: {}", type.name, key.key, did_you_mean(key.key, known), fmt::join(known, ", ")));
+              fmt::format("{} has no '{}'{}", type.name, key.key,
+                          did_you_mean(key.key, known, fmt::format("It has: {}", fmt::join(known, ", ")))));
 }
 
 void Opener::read_settings(Scope& scope, DiagramBlock& block, const std::string& full) {
@@ -203,67 +170,6 @@ void Opener::require_parameters(const Scope& scope, const Node& map, const Diagr
     if (spec.required && block.parameter_marks[i].line == 0 && !map.find(spec.name))
       report_.add(scope.at(map.mark), block.name, fmt::format("'{}' is missing ({})", spec.name, spec.doc));
   }
-}
-
-void Opener::open_part(Scope& scope, const Entry& entry, const Node& path) {
-  const std::string file = part_path(scope.document->file, path.text);
-  const std::string full = scope.prefix + entry.key;
-  const auto circle = std::find(open_files_.begin(), open_files_.end(), file);
-  if (circle == open_files_.end() && open_files_.size() >= deepest_nesting)
-    return report_.add(scope.at(path.mark), full, fmt::format("parts in parts go at most {} deep", deepest_nesting));
-  if (circle != open_files_.end())
-    return report_.add(scope.at(path.mark), full,
-                       fmt::format("this file contains itself: {} -> {}; a part cannot use a file that uses it",
-                                   fmt::join(circle, open_files_.end(), " -> "), file));
-  // A pipe or a device would keep us waiting, or never end.
-  std::error_code none;
-  const auto status = std::filesystem::status(file, none);
-  if (std::filesystem::is_other(status)) return report_.add(scope.at(path.mark), full, fmt::format("{} is no file", file));
-  if (report_.diagram().scopes.size() >= most_parts) {
-    report_.add(scope.at(path.mark), full, fmt::format("the diagram has more than {} parts", most_parts));
-    report_.faults().throw_if_any();
-  }
-  auto& named = scope.names[entry.key];
-  named.part = std::make_unique<Scope>();
-  named.mark = entry.mark;
-  Scope& part = *named.part;
-  Diagram& diagram = report_.diagram();
-  part.index = static_cast<int>(diagram.scopes.size());
-  part.parent = &scope;
-  part.prefix = full + ".";
-  diagram.scopes.push_back({file, part.prefix, scope.at(path.mark)});
-  try {
-    part.document = &loader_.document(file);
-  } catch (const Error& error) {
-    const Fault& first = error.faults().front();
-    const bool inside = first.place.mark.line > 0;
-    report_.add(inside ? part.at(first.place.mark) : scope.at(path.mark), full, first.message);
-    scope.names.erase(entry.key);
-    return;
-  }
-  Overrides overrides{&scope, {}};
-  std::vector<std::string> known;
-  if (const Node* parameters = part.document->root.find("parameters"))
-    for (const Entry& parameter : parameters->entries) known.push_back(parameter.key);
-  const Node* inputs = part.document->root.find("inputs");
-  for (const Entry& key : entry.value.entries) {
-    if (key.key == "diagram") continue;
-    if (inputs && inputs->find(key.key)) {
-      part.inputs[key.key].fed_by = &key.value;
-    } else if (std::find(known.begin(), known.end(), key.key) != known.end()) {
-      overrides.values[key.key] = &key.value;
-    } else {
-      std::vector<std::string> all = known;
-      if (inputs)
-        for (const Entry& port : inputs->entries) all.push_back(port.key);
-      report_.add(scope.at(key.mark), full,
-                  fmt::format("{} has no '{}'{}. It has: {}", path.text, key.key, did_you_mean(key.key, all), fmt::join(all, ", ")));
-    }
-  }
-  open(part, overrides);
-  for (const auto& [name, port] : part.inputs)
-    if (!port.fed_by && !port.fallback)
-      report_.add(scope.at(entry.value.mark), full, fmt::format("the input '{}' is missing", name));
 }
 
 }  // namespace stepwire

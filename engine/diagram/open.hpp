@@ -31,8 +31,18 @@ class Opener {
 
  private:
   void declare_ports(Scope& scope);
+  /// Reports what is wrong with a block or part that cannot be made, and keeps silent about what is wired to it.
+  void fail(Scope& scope, const Entry& entry, const Mark& mark, std::string message);
   void open_block(Scope& scope, const Entry& entry);
+  void declare_input(Scope& scope, const Entry& port);
+  void declare_output(Scope& scope, const Entry& port);
+  std::optional<Dimension> declared_unit(const Scope& scope, const Entry& port);
   void open_part(Scope& scope, const Entry& entry, const Node& path);
+  bool refuse_nesting(Scope& scope, const Entry& entry, const Node& path, const std::string& file);
+  /// Reads the part's file; false, and a fault, where that cannot be.
+  bool read_part(Scope& scope, const Entry& entry, const Node& path, Scope& part);
+  /// Hands the keys of the using file to the part's inputs, and returns those for its parameters.
+  Overrides feed(const Scope& scope, const Entry& entry, const Node& path, Scope& part);
   void make_block(Scope& scope, const Entry& entry, const BlockType& type);
   void apply_preset(Scope& scope, const Node& map, DiagramBlock& block);
   void read_key(Scope& scope, const Entry& key, DiagramBlock& block, int index);

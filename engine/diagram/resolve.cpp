@@ -44,7 +44,7 @@ std::optional<SignalRef> Resolver::signal(const std::string& text, const Scope& 
 std::optional<Source> Resolver::element(const Node& node, const Scope& scope, Query query) const {
   if (node.kind == Node::Kind::empty) return refuse(query, "is fed by nothing; name a block or give a number");
   const bool number = node.is_list() || node.is_map() || node.text.starts_with('$') || node.text.starts_with('=') ||
-                      (!node.quoted && parse_quantity(node.text));
+                      (!node.quoted && (parse_quantity(node.text) || means_not_finite(node.text)));
   if (!number) return reference(node.text, scope, std::move(query));
   const ValueReader reader(scope.parameters, report_, scope.index);
   ParameterSpec spec;
@@ -63,6 +63,7 @@ std::optional<Source> Resolver::reference(const std::string& text, const Scope& 
   const std::string rest = dot == std::string::npos ? "" : text.substr(dot + 1);
   if (scope.inputs.contains(first) && rest.empty()) return port(scope, first, std::move(query));
   const auto found = scope.names.find(first);
+  if (found == scope.names.end() && scope.failed.contains(first)) return std::nullopt;
   if (found == scope.names.end())
     return refuse(query, fmt::format("there is no block '{}'{}", first, did_you_mean(first, scope.block_names())));
   if (found->second.part) return of_part(rest, *found->second.part, std::move(query));
@@ -102,8 +103,10 @@ std::optional<Source> Resolver::of_block(const std::string& rest, int block, con
     source.output = encode_state(state);
     return source;
   }
-  return refuse(query, fmt::format("{} has no output '{}'{}. It has: {}", type.name, rest,
-                                   did_you_mean(rest, output_names(type)), fmt::join(output_names(type), ", ")));
+  const auto names = output_names(type);
+  if (names.empty()) return refuse(query, fmt::format("'{}' is a {}, which has no output", found.name, type.name));
+  return refuse(query, fmt::format("{} has no output '{}'{}", type.name, rest,
+                                   did_you_mean(rest, names, fmt::format("It has: {}", fmt::join(names, ", ")))));
 }
 
 std::optional<Source> Resolver::of_part(const std::string& rest, const Scope& part, Query query) const {
@@ -114,17 +117,18 @@ std::optional<Source> Resolver::of_part(const std::string& rest, const Scope& pa
   if (out != part.outputs.end()) {
     if (!out->second.signal) return std::nullopt;
     // What is wrong inside of a part is to be mended in the part's file.
-    Query inside = query;
-    inside.origin = part.at(out->second.signal->mark);
-    inside.subject = part.prefix + out->first;
-    return reference(out->second.signal->text, part, std::move(inside));
+    query.origin = part.at(out->second.signal->mark);
+    query.subject = part.prefix + out->first;
+    return reference(out->second.signal->text, part, std::move(query));
   }
+  const bool inside = query.look_inside && (part.names.contains(rest.substr(0, rest.find('.'))) || part.inputs.contains(rest));
+  if (inside) return reference(rest, part, std::move(query));
+  if (names.empty()) return refuse(query, fmt::format("'{}' is a part without outputs; its file names them under 'outputs:'", part_name));
   if (rest.empty())
     return refuse(query, fmt::format("'{}' has several outputs; say which: {}.{}", part_name, part_name,
                                      fmt::join(names, fmt::format(", {}.", part_name))));
-  if (query.look_inside && (part.names.contains(rest.substr(0, rest.find('.'))) || part.inputs.contains(rest)))
-    return reference(rest, part, std::move(query));
-  return refuse(query, fmt::format("'{}' has no output '{}'{}. It has: {}", part_name, rest, did_you_mean(rest, names), fmt::join(names, ", ")));
+  return refuse(query, fmt::format("'{}' has no output '{}'{}", part_name, rest,
+                                   did_you_mean(rest, names, fmt::format("It has: {}", fmt::join(names, ", ")))));
 }
 
 }  // namespace stepwire

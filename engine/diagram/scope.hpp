@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,8 @@ struct Scope {
     Mark mark;
   };
   std::map<std::string, Named, std::less<>> names;
+  /// Names whose block or part could not be made: reported once, so what is wired to them stays silent.
+  std::set<std::string, std::less<>> failed;
 
   /// A port of this part: what the using file wrote at it, and what may pass.
   struct Port {
