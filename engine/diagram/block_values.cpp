@@ -77,6 +77,8 @@ std::optional<Value> ValueReader::convert(const ParameterSpec& spec, const Writt
     if (auto vector = as_vector(value); vector && vector->size() > 0) return Value{std::move(*vector)};
   if (spec.kind == ParameterKind::matrix)
     if (auto matrix = as_matrix(value)) return matrix;
+  if (node.quoted && parse_quantity(node.text))
+    return refuse(node, subject, fmt::format("'{}' is text because of its quotes; leave them out for a number", node.text));
   return refuse(node, subject, fmt::format("'{}' is not allowed; it must be {}", written.text, wanted(spec.kind)));
 }
 
@@ -123,8 +125,8 @@ std::optional<WrittenValue> ValueReader::read_words(const ParameterSpec& spec, c
   if (spec.kind == ParameterKind::text) return WrittenValue{{*text, node.mark.line, node.mark.column}, {}, *text};
   for (std::size_t i = 0; i < spec.words.size(); ++i)
     if (spec.words[i] == *text) return WrittenValue{{static_cast<double>(i)}, {}, *text};
-  return refuse(node, subject, fmt::format("'{}' is not allowed{}; it must be one of {}", *text,
-                                           did_you_mean(*text, spec.words), fmt::join(spec.words, ", ")));
+  const std::string choice = fmt::format("It must be one of: {}", fmt::join(spec.words, ", "));
+  return refuse(node, subject, fmt::format("'{}' is not allowed{}", *text, did_you_mean(*text, spec.words, choice)));
 }
 
 std::optional<Value> ValueReader::read_tree(const Node& node, const std::string& subject) const {

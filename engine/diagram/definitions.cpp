@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include "engine/diagram/keys.hpp"
@@ -35,21 +36,23 @@ class Definitions {
     if (found == entries_.end() || scope_.parameters.find(name) || failed_.contains(name)) return;
     const Entry& entry = *found->second;
     if (!is_name(name)) return fail(entry, "is no name for a parameter; use letters, digits and '_'");
-    if (!open_.insert(name).second) return fail(entry, "depends on itself");
-    define_what_it_uses(definition(entry));
-    open_.erase(name);
+    if (const auto circle = std::find(open_.begin(), open_.end(), name); circle != open_.end())
+      return fail(entry, fmt::format("depends on itself: {} -> {}", fmt::join(circle, open_.end(), " -> "), name));
+    open_.push_back(name);
+    define_what_it_uses(entry.value);
+    open_.pop_back();
     if (failed_.contains(name)) return;
     if (auto value = evaluate(entry)) {
       scope_.parameters.define(name, std::move(*value));
     } else {
       failed_.insert(name);
-      scope_.parameters.define(name, {{1.0}, {}, ""});  // so that one fault does not bring others
+      scope_.parameters.define(name, {{1.0}, {}, "", true});
     }
   }
 
   void fail(const Entry& entry, const std::string& message) {
     if (failed_.insert(entry.key).second) report_.add(scope_.at(entry.mark), entry.key, message);
-    scope_.parameters.define(entry.key, {{1.0}, {}, ""});
+    scope_.parameters.define(entry.key, {{1.0}, {}, "", true});
   }
 
   static const Node& definition(const Entry& entry) {
@@ -60,6 +63,8 @@ class Definitions {
   /// Every name of this file that occurs in the text as a word; that is more than is needed at worst.
   void define_what_it_uses(const Node& node) {
     for (const Node& item : node.items) define_what_it_uses(item);
+    for (const Entry& entry : node.entries)
+      if (entry.key != "doc") define_what_it_uses(entry.value);
     if (!node.is_scalar() || (!node.text.starts_with('=') && !node.text.starts_with('$'))) return;
     std::string word;
     for (char c : node.text + " ") {
@@ -119,21 +124,39 @@ class Definitions {
 
   bool in_range(const Entry& entry, const WrittenValue& written, const std::string& full) {
     if (!entry.value.is_map()) return true;
-    const double* number = std::get_if<double>(&written.value.content);
     const auto holds = [&](const char* key, auto compare) {
       const Node* bound = entry.value.find(key);
-      if (!bound || !number) return true;
-      ValueReader reader(scope_.parameters, report_, scope_.index);
-      const auto limit = reader.read(*bound, full + "." + key);
-      const double* value = limit ? std::get_if<double>(&limit->value.content) : nullptr;
-      if (!value || compare(*number, *value)) return value != nullptr;
-      std::string words = key;
-      if (words == "at_least" || words == "at_most") words[2] = ' ';
+      if (!bound) return true;
+      const auto limit = read_bound(*bound, written, full + "." + key);
+      if (!limit) return false;
+      if (all_of_numbers(written.value, [&](double number) { return compare(number, *limit); })) return true;
+      const char* words = std::string_view(key) == "at_least" ? "at least" : std::string_view(key) == "at_most" ? "at most" : key;
       report_.add(value_origin_, full, fmt::format("{} is not allowed; it must be {} {}", written.text, words, bound->text));
       return false;
     };
     return holds("above", std::greater<>()) && holds("at_least", std::greater_equal<>()) &&
            holds("below", std::less<>()) && holds("at_most", std::less_equal<>());
+  }
+
+  std::optional<double> read_bound(const Node& bound, const WrittenValue& written, const std::string& subject) {
+    const ValueReader reader(scope_.parameters, report_, scope_.index);
+    const auto limit = reader.read(bound, subject);
+    if (!limit) return std::nullopt;
+    const double* number = std::get_if<double>(&limit->value.content);
+    const std::string complaint =
+        number ? unit_complaint(limit->dimension, written.dimension) : std::string("is no number, and a bound is one");
+    if (complaint.empty()) return *number;
+    report_.add(scope_.at(bound.mark), subject, fmt::format("'{}' {}", limit->text, complaint));
+    return std::nullopt;
+  }
+
+  template <class Check>
+  static bool all_of_numbers(const Value& value, const Check& check) {
+    if (const auto* number = std::get_if<double>(&value.content)) return check(*number);
+    if (const auto* vector = std::get_if<Eigen::VectorXd>(&value.content))
+      return std::all_of(vector->begin(), vector->end(), check);
+    const auto* matrix = std::get_if<Eigen::MatrixXd>(&value.content);
+    return !matrix || std::all_of(matrix->data(), matrix->data() + matrix->size(), check);
   }
 
   void list(const std::string& full, const Entry& entry, const WrittenValue& written, bool set) {
@@ -150,7 +173,8 @@ class Definitions {
   Settings& settings_;
   Report& report_;
   std::map<std::string, const Entry*> entries_;
-  std::set<std::string> open_, failed_;
+  std::vector<std::string> open_;  ///< what is being defined, the outermost first
+  std::set<std::string> failed_;
   Origin value_origin_;
 };
 

@@ -2,13 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <cmath>
+#include <cstdlib>
 
 namespace stepwire {
 
 const WrittenValue* ParameterScope::find(const std::string& name) const {
   const auto found = values_.find(name);
   return found == values_.end() ? nullptr : &found->second;
+}
+
+bool ParameterScope::failed(const std::string& name) const {
+  const WrittenValue* value = find(name);
+  return value && value->failed;
 }
 
 std::vector<std::string> ParameterScope::names() const {
@@ -20,6 +27,15 @@ std::vector<std::string> ParameterScope::names() const {
 std::string unit_complaint(const std::optional<Dimension>& written, const std::optional<Dimension>& demanded) {
   if (!written || !demanded || *written == *demanded) return "";
   return fmt::format("is in {}; it must be in {}", si_name(*written), si_name(*demanded));
+}
+
+bool means_not_finite(const std::string& text) {
+  const std::size_t sign = text.starts_with('-') || text.starts_with('+') ? 1 : 0;
+  const std::size_t dot = text.substr(sign).starts_with('.') ? 1 : 0;
+  const char* begin = text.c_str() + sign + dot;
+  if (text.size() == sign + dot || (dot == 1 && !std::isalpha(static_cast<unsigned char>(*begin)))) return false;
+  char* end = nullptr;
+  return !std::isfinite(std::strtod(begin, &end)) && *end == '\0';
 }
 
 std::nullopt_t ValueReader::refuse(const Node& node, const std::string& subject, std::string message) const {
@@ -36,14 +52,18 @@ std::optional<WrittenValue> ValueReader::read(const Node& node, const std::strin
 
 std::optional<WrittenValue> ValueReader::read_scalar(const Node& node, const std::string& subject) const {
   const std::string& text = node.text;
-  if (node.quoted) return WrittenValue{{text}, {}, text};
+  // An expression with a comma, a colon or a quotation mark in it needs quotes around it.
+  if (node.quoted && !text.starts_with('=')) return WrittenValue{{text}, {}, text};
   if (text.starts_with('$')) {
+    if (parameters_.failed(text.substr(1))) return std::nullopt;
     if (const WrittenValue* parameter = parameters_.find(text.substr(1))) return *parameter;
     return refuse(node, subject, fmt::format("there is no parameter '{}'{}", text.substr(1),
                                              did_you_mean(text.substr(1), parameters_.names())));
   }
   if (text.starts_with('=')) return read_expression(node, subject);
   if (const auto quantity = parse_quantity(text)) return WrittenValue{{quantity->value}, quantity->dimension, text};
+  if (means_not_finite(text))
+    return refuse(node, subject, fmt::format("'{}' is not a finite number; a bound that is absent is left out", text));
   if (text == "true" || text == "false") return WrittenValue{{text == "true"}, {}, text};
   const auto filled = fill_in(node, subject);  // a path such as data/$name.csv
   return filled ? std::optional(WrittenValue{{*filled}, {}, *filled}) : std::nullopt;
@@ -55,6 +75,7 @@ std::optional<WrittenValue> ValueReader::read_expression(const Node& node, const
     const Expression expression(node.text.substr(1), known);
     std::vector<double> values;
     for (const std::string& name : expression.variables()) {
+      if (parameters_.failed(name)) return std::nullopt;
       const double* number = std::get_if<double>(&parameters_.find(name)->value.content);
       if (!number) return refuse(node, subject, fmt::format("'{}' is no single number", name));
       values.push_back(*number);
@@ -63,7 +84,9 @@ std::optional<WrittenValue> ValueReader::read_expression(const Node& node, const
     if (!std::isfinite(result)) return refuse(node, subject, fmt::format("'{}' is {}, not a finite number", node.text, result));
     return WrittenValue{{result}, {}, node.text};
   } catch (const ExpressionError& error) {
-    report_.add(at({node.mark.line, node.mark.column + 1 + static_cast<int>(error.position)}), subject, error.what());
+    Mark mark = node.mark;  // of a setting there is none
+    if (mark.line > 0) mark.column += 1 + (node.quoted ? 1 : 0) + static_cast<int>(error.position);
+    report_.add(at(mark), subject, error.what());
     return std::nullopt;
   }
 }
@@ -152,6 +175,7 @@ std::optional<std::string> ValueReader::fill_in(const Node& node, const std::str
     while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '_')) ++end;
     const std::string name = text.substr(i + 1, end - i - 1);
     const WrittenValue* parameter = parameters_.find(name);
+    if (parameter && parameter->failed) return std::nullopt;
     if (!parameter)
       return refuse(node, subject, fmt::format("there is no parameter '{}'{}", name, did_you_mean(name, parameters_.names())));
     if (const double* number = std::get_if<double>(&parameter->value.content)) {

@@ -15,6 +15,7 @@ struct WrittenValue {
   Value value;  ///< a number, vector or matrix in SI; a flag; text; a list of text
   std::optional<Dimension> dimension;
   std::string text;  ///< as written, for messages
+  bool failed = false;  ///< stands for a definition that was refused; what uses it stays silent
 };
 
 /// The parameters that expressions and `$name` of one file see.
@@ -23,6 +24,7 @@ class ParameterScope {
   const WrittenValue* find(const std::string& name) const;
   void define(const std::string& name, WrittenValue value) { values_[name] = std::move(value); }
   std::vector<std::string> names() const;
+  bool failed(const std::string& name) const;
 
  private:
   std::map<std::string, WrittenValue> values_;
@@ -66,6 +68,9 @@ class ValueReader {
   Report& report_;
   int scope_;
 };
+
+/// Is this how YAML or C writes a number that is not finite (.inf, -nan, 1e999)?
+bool means_not_finite(const std::string& text);
 
 /// Checks that a dimension is the demanded one; a bare number always is. Says what is wrong otherwise.
 std::string unit_complaint(const std::optional<Dimension>& written, const std::optional<Dimension>& demanded);
