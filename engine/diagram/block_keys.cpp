@@ -16,7 +16,7 @@ std::vector<std::string> keys_of(const BlockType& type) {
   for (const StateSpec& state : type.states)
     if (state.settable) keys.push_back(initial_key(type, state));
   if (!type.presets.empty()) keys.push_back("preset");
-  keys.push_back("every");
+  if (!type.has_continuous_state()) keys.push_back("every");
   return keys;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "engine/diagram/keys.hpp"
 
@@ -19,6 +20,7 @@ void read_time(const Scope& scope, Settings& settings, Report& report, const std
                Origin& origin) {
   const Node* node = scope.document->root.find(key);
   const Settings::Entry* setting = settings.take(key);
+  settings.offer(key);
   if (!node && !setting)
     return report.add(scope.at(scope.document->root.mark), "", fmt::format("'{}' is missing; e.g. {}: {}", key, key, key == "step" ? "1 ms" : "5 s"));
   origin = setting ? setting->origin : scope.at(node->mark);
@@ -31,6 +33,7 @@ void read_time(const Scope& scope, Settings& settings, Report& report, const std
 }
 
 void read_solver(const Scope& scope, Settings& settings, Diagram& diagram) {
+  settings.offer("solver");
   if (const Settings::Entry* setting = settings.take("solver")) {
     diagram.solver = setting->document.root.text;
     diagram.solver_origin = setting->origin;
@@ -186,6 +189,12 @@ void read_entry(const Node& node, const Scope& scope, const Resolver& resolver, 
     read_signal(*signals, scope, resolver, request, report);
 }
 
+/// Keeps a signal once in a recording, however often it is named.
+void drop_repeated(RecordRequest& request) {
+  std::set<std::string> seen;
+  std::erase_if(request.signals, [&](const RecordedSignal& signal) { return !seen.insert(signal.name).second; });
+}
+
 }  // namespace
 
 void check_head_keys(const Scope& scope, Report& report) {
@@ -220,6 +229,7 @@ void read_record(const Scope& scope, const Resolver& resolver, Report& report) {
     for (const Node& item : record->items) read_entry(item, scope, resolver, report);
   else
     read_entry(*record, scope, resolver, report);
+  for (RecordRequest& request : report.diagram().records) drop_repeated(request);
 }
 
 void read_stop_condition(const Scope& scope, const Resolver& resolver, Report& report) {

@@ -13,9 +13,10 @@ void refuse_unknown_keys(const Node& map, const std::vector<std::string>& known,
     if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
     // "{max: limit, x > 2}" is read by YAML as a key of its own: the piece of an expression that a comma cut off.
     const bool looks_cut = entry.key.find_first_of("<>=&|()+*/ ") != std::string::npos;
-    const std::string cure = looks_cut ? "; if it belongs to an expression, quote the whole expression" : did_you_mean(entry.key, known);
-    report.add(scope.at(entry.mark), subject,
-               fmt::format("there is no key '{}' here{}; known are: {}", entry.key, cure, fmt::join(known, ", ")));
+    const std::string all = fmt::format("Known are: {}", fmt::join(known, ", "));
+    const std::string cure = looks_cut ? "; if it belongs to an expression, quote the whole expression. " + all
+                                       : did_you_mean(entry.key, known, all);
+    report.add(scope.at(entry.mark), subject, fmt::format("there is no key '{}' here{}", entry.key, cure));
   }
 }
 

@@ -21,8 +21,8 @@ std::unique_ptr<Solver> solver_of(const Plan& plan) {
   std::vector<std::string> names;
   for (const SolverKind& kind : solver_kinds()) names.push_back(kind.name);
   throw Error(diagram.fault(diagram.solver_origin, "solver",
-                            fmt::format("there is no solver '{}'{}; known are: {}", diagram.solver,
-                                        did_you_mean(diagram.solver, names), fmt::join(names, ", "))));
+                            fmt::format("there is no solver '{}'{}", diagram.solver,
+                                        did_you_mean(diagram.solver, names, fmt::format("Known are: {}", fmt::join(names, ", "))))));
 }
 
 }  // namespace
