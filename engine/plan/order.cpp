@@ -104,7 +104,7 @@ class Order {
     hops += name(path.front());
     const DiagramBlock& block = draft_.diagram().blocks[owners_[path.front()].first];
     draft_.report.add(block.origin, block.name,
-                      fmt::format("algebraic loop: each of these needs the next at the same instant: {}; break it with a block whose "
+                      fmt::format("algebraic loop: each of these feeds the next at the same instant: {}; break it with a block whose "
                                   "output does not follow its input at once (a Lag, an Integrator, a UnitDelay)",
                                   hops));
   }

@@ -27,7 +27,7 @@ void require_whole(Draft& draft, double time, const Origin& origin, const std::s
     ticks = *whole;
     return;
   }
-  draft.report.add(origin, subject, fmt::format("{} s is not a whole multiple of the step {} s; e.g. {} s would be", time, step,
+  draft.report.add(origin, subject, fmt::format("{} s is not a whole multiple of the step {} s; e.g. {:.12g} s would be", time, step,
                                                 step * std::max(1.0, std::round(time / step))));
 }
 
@@ -45,16 +45,29 @@ class Rates {
 
   void run() {
     for (std::size_t i = 0; i < draft_.blocks.size(); ++i) start(i);
-    // Rates only ever rise (constant, slower, faster, continuous), so this ends.
+    spread();
+    // Only now is it known which blocks that act at ticks nothing gives a period: they act at every step.
+    for (std::size_t i = 0; i < draft_.blocks.size(); ++i) {
+      if (rate(i).kind != Rate::Kind::constant || !acts(draft_.diagram().blocks[i].type())) continue;
+      rate(i) = {Rate::Kind::discrete, 1};
+      queue_.push_back(i);
+    }
+    spread();
+  }
+
+ private:
+  Rate& rate(std::size_t block) { return draft_.plan.blocks[block].rate; }
+
+  static bool acts(const BlockType& type) { return type.timing == Timing::discrete || type.run_update; }
+
+  /// Rates only ever rise (constant, slower, faster, continuous), so this ends, and in whatever order the same.
+  void spread() {
     while (!queue_.empty()) {
       const std::size_t block = queue_.back();
       queue_.pop_back();
       for (std::size_t user : users_[block]) raise(user);
     }
   }
-
- private:
-  Rate& rate(std::size_t block) { return draft_.plan.blocks[block].rate; }
 
   void start(std::size_t index) {
     const DiagramBlock& block = draft_.diagram().blocks[index];
@@ -65,8 +78,6 @@ class Rates {
       give_period(index, block);
     } else if (block.type().timing == Timing::continuous) {
       rate(index) = {Rate::Kind::continuous, 1};
-    } else {
-      raise(index);
     }
     if (rate(index).kind != Rate::Kind::constant) queue_.push_back(index);
   }
@@ -84,12 +95,11 @@ class Rates {
   void raise(std::size_t index) {
     const DiagramBlock& block = draft_.diagram().blocks[index];
     if (block.every || block.type().timing == Timing::continuous) return;
-    Rate joined;
+    Rate joined = rate(index);
     for (const auto& sources : block.inputs)
       for (const Source& source : sources)
         if (source.block >= 0) joined = join(joined, rate(static_cast<std::size_t>(source.block)));
-    const bool acts = block.type().timing == Timing::discrete || (block.type().run_update && joined.kind == Rate::Kind::constant);
-    if (acts && joined.kind != Rate::Kind::discrete) joined = {Rate::Kind::discrete, 1};
+    if (block.type().timing == Timing::discrete && joined.kind == Rate::Kind::continuous) joined = {Rate::Kind::discrete, 1};
     if (joined == rate(index)) return;
     rate(index) = joined;
     queue_.push_back(index);
