@@ -47,6 +47,8 @@ void plan_shapes(Draft& draft);
 std::vector<int> plan_order(Draft& draft);
 /// Memory of blocks and numbers.
 void plan_layout(Draft& draft, const std::vector<int>& order);
+/// Refuses recordings that no memory holds, and conditions over signals of several elements.
+void check_what_is_kept(Draft& draft);
 /// The tables of calls.
 void plan_batches(Draft& draft, const std::vector<int>& order);
 

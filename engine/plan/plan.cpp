@@ -42,6 +42,8 @@ Plan make_plan(Diagram diagram) {
   const std::vector<int> order = plan_order(draft);
   draft.report.faults().throw_if_any();
   plan_layout(draft, order);
+  check_what_is_kept(draft);
+  draft.report.faults().throw_if_any();
   plan_batches(draft, order);
   return plan;
 }

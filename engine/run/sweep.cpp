@@ -111,7 +111,8 @@ class Pool {
     own.interrupt = options_.interrupt;
     for (std::size_t point = next_++; point < job_.points.size(); point = next_++) {
       try {
-        results_[point] = run_plan(job_.points[point].plan, own);
+        results_[point].interrupted = own.interrupt && *own.interrupt;  // nothing is kept of what has not begun
+        if (!results_[point].interrupted) results_[point] = run_plan(job_.points[point].plan, own);
       } catch (...) {
         const std::lock_guard lock(mutex_);
         failure_ = std::current_exception();
