@@ -83,6 +83,17 @@ void Script::range(const std::string& axis, const Extent& extent) {
     if (shown.low <= 0.0) return set(fmt::format("set {}range [*:*]", range_name(axis)));
   }
   set(fmt::format("set {}range [{:.9g}:{:.9g}]", range_name(axis), shown.low, shown.high));
+  if (is_log(panel_, axis)) name_more_than_decades(axis, shown);
+}
+
+/// On a logarithmic axis of less than two decades 2 and 5 have labels too: gnuplot names powers of ten only.
+void Script::name_more_than_decades(const std::string& axis, const Extent& shown) {
+  if (shown.high > 100.0 * shown.low) return;
+  std::vector<std::string> labels;
+  for (double decade = std::pow(10.0, std::floor(std::log10(shown.low))); decade <= shown.high; decade *= 10.0)
+    for (const double label : {2.0 * decade, 5.0 * decade})
+      if (label >= shown.low && label <= shown.high) labels.push_back(fmt::format("{:.9g}", label));
+  if (!labels.empty()) set(fmt::format("set {}tics add ({})", range_name(axis), fmt::join(labels, ", ")));
 }
 
 void Script::color_bar(const Series& series, const Extent& extent) {

@@ -55,6 +55,8 @@ class Script {
   std::string text() const;
 
  private:
+  void name_more_than_decades(const std::string& axis, const Extent& shown);
+
   const Panel& panel_;
   std::string name_, commands_;
   std::vector<std::string> items_;

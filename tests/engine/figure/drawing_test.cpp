@@ -101,6 +101,12 @@ TEST_CASE("texts are shown as they are written") {
   CHECK_THAT(svg, Catch::Contains("`date` $HOME @x"));
 }
 
+TEST_CASE("a logarithmic axis of less than two decades has more labels than its powers of ten") {
+  if (gnuplot_is_missing()) return;
+  const std::string svg = drawn("{plot: lines, x: time, y: rig.x, x_range: [0.1, 0.3], log: x}");
+  CHECK_THAT(svg, Catch::Contains("<text>0.1</text>") && Catch::Contains("<text>0.2</text>"));
+}
+
 TEST_CASE("panels share a picture, each with its title") {
   if (gnuplot_is_missing()) return;
   const std::string svg = drawn(
