@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <set>
 #include <unordered_map>
 
 #include "engine/plan/draft.hpp"
@@ -30,7 +31,10 @@ class Shapes {
     for (std::size_t i = 0; i < draft_.blocks.size(); ++i) declare(i);
     for (std::size_t i = 0; i < draft_.blocks.size(); ++i) connect(i);
     settle();
-    for (std::size_t i = 0; i < draft_.blocks.size(); ++i) refuse_small(i);
+    for (std::size_t i = 0; i < draft_.blocks.size(); ++i) {
+      check_elements(i);
+      refuse_small(i);
+    }
     for (std::size_t i = 0; i < draft_.blocks.size(); ++i) store(i);
   }
 
@@ -42,7 +46,8 @@ class Shapes {
     const int size = sizes_.add();
     symbols_[block].emplace_back(text, size);
     Eigen::Index literal = 0;
-    if (std::from_chars(text.data(), text.data() + text.size(), literal).ec == std::errc()) sizes_.set(size, literal);
+    if (std::from_chars(text.data(), text.data() + text.size(), literal).ec == std::errc())
+      sizes_.set(size, literal);
     return size;
   }
 
@@ -53,7 +58,8 @@ class Shapes {
     for (const InitialValue& initial : block.initial) {
       const StateSpec& spec = block.type().states[static_cast<std::size_t>(initial.state)];
       if (initial.value.size() > 1)
-        require(index, spec.shape, initial.value.size(), initial.origin, initial.value.size(), "the initial value");
+        require(index, spec.shape, initial.value.size(), initial.origin, initial.value.size(),
+                "the initial value");
     }
   }
 
@@ -69,13 +75,15 @@ class Shapes {
     } else if (const auto* matrix = std::get_if<Eigen::MatrixXd>(&value.content)) {
       const std::size_t times = spec.shape.find(" x ");
       if (times == std::string::npos || matrix->size() == 0) return;
-      require(index, spec.shape.substr(0, times), matrix->rows(), origin, matrix->rows(), "the number of rows of '" + spec.name + "'");
-      require(index, spec.shape.substr(times + 3), matrix->cols(), origin, matrix->cols(), "the number of columns of '" + spec.name + "'");
+      require(index, spec.shape.substr(0, times), matrix->rows(), origin, matrix->rows(),
+              "the number of rows of '" + spec.name + "'");
+      require(index, spec.shape.substr(times + 3), matrix->cols(), origin, matrix->cols(),
+              "the number of columns of '" + spec.name + "'");
     }
   }
 
-  void require(std::size_t block, const std::string& shape, Eigen::Index elements, const Origin& origin, Eigen::Index shown,
-               const std::string& what) {
+  void require(std::size_t block, const std::string& shape, Eigen::Index elements, const Origin& origin,
+               Eigen::Index shown, const std::string& what) {
     const int size = symbol(block, shape);
     if (!sizes_.set(size, elements))
       draft_.report.add(origin, draft_.diagram().blocks[block].name,
@@ -104,26 +112,30 @@ class Shapes {
     const std::string subject = draft_.diagram().blocks[index].name + "." + spec.name;
     if (source.block < 0) {
       if (source.constant.size() > 1 && !sizes_.set(wanted, source.constant.size()))
-        draft_.report.add(source.origin, subject, fmt::format("has {} numbers; {} would fit", source.constant.size(), *sizes_.value(wanted)));
+        draft_.report.add(
+            source.origin, subject,
+            fmt::format("has {} numbers; {} would fit", source.constant.size(), *sizes_.value(wanted)));
     } else if (const int given = output_size(source); !sizes_.join(given, wanted)) {
-      draft_.report.add(source.origin, subject,
-                        fmt::format("'{}' has {} elements, but {} takes {}; join or pick elements with Mux or Select", name_of(source),
-                                    *sizes_.value(given), subject, *sizes_.value(wanted)));
+      draft_.report.add(
+          source.origin, subject,
+          fmt::format("'{}' has {} elements, but {} takes {}; join or pick elements with Mux or Select",
+                      name_of(source), *sizes_.value(given), subject, *sizes_.value(wanted)));
     }
   }
 
   std::string name_of(const Source& source) const {
     const DiagramBlock& block = draft_.plan.diagram.blocks[static_cast<std::size_t>(source.block)];
     const auto& outputs = block.type().outputs;
-    return outputs.size() == 1 ? block.name : block.name + "." + outputs[static_cast<std::size_t>(source.output)].name;
+    return outputs.size() == 1 ? block.name
+                               : block.name + "." + outputs[static_cast<std::size_t>(source.output)].name;
   }
 
   std::optional<Eigen::Index> size_of(const Source& source) {
     return source.block < 0 ? std::optional(source.constant.size()) : sizes_.value(output_size(source));
   }
 
-  /// Lists follow from their elements. What no open list could tell any more is a scalar, and where lists wait for each
-  /// other (a loop), so is one of them.
+  /// Lists follow from their elements. What no open list could tell any more is a scalar, and where lists
+  /// wait for each other (a loop), so is one of them.
   void settle() {
     while (settle_lists()) {
     }
@@ -161,28 +173,42 @@ class Shapes {
     const InputSpec& spec = block.type().inputs[input];
     const bool total = spec.shape.starts_with('+');
     Eigen::Index sum = 0, most = 1;
+    bool open = false;
     for (const Source& source : block.inputs[input]) {
       const auto size = size_of(source);
-      if (!size && (total || most == 1)) return false;
+      open = open || !size;
       sum = std::min(sum + size.value_or(0), most_numbers + 1);
       most = std::max(most, size.value_or(1));
     }
+    if (open && (total || most == 1)) return false;
     const int own = size_of_list(index, input);
     const Eigen::Index size = total ? sum : std::max(most, sizes_.value(own).value_or(1));
     const std::string subject = block.name + "." + spec.name;
-    if (!sizes_.set(own, size))
-      draft_.report.add({block.origin.scope, block.input_marks[input]}, subject,
-                        fmt::format("has {} elements; {} would fit", size, *sizes_.value(own)));
-    for (const Source& source : block.inputs[input]) check_element(source, total, size, subject);
+    if (sizes_.set(own, size)) return true;
+    refused_.insert({index, input});
+    draft_.report.add({block.origin.scope, block.input_marks[input]}, subject,
+                      fmt::format("has {} elements; {} would fit", size, *sizes_.value(own)));
     return true;
   }
 
-  void check_element(const Source& source, bool total, Eigen::Index size, const std::string& subject) {
+  /// At the end, since an element's own size may come to be known only after that of its list.
+  void check_elements(std::size_t index) {
+    const DiagramBlock& block = draft_.diagram().blocks[index];
+    for (std::size_t i = 0; i < block.inputs.size(); ++i) {
+      const InputSpec& spec = block.type().inputs[i];
+      if (!spec.list || spec.shape.starts_with('+') || refused_.contains({index, i})) continue;
+      const Eigen::Index size = sizes_.value(size_of_list(index, i)).value_or(1);
+      for (const Source& source : block.inputs[i]) check_element(source, size, block.name + "." + spec.name);
+    }
+  }
+
+  void check_element(const Source& source, Eigen::Index size, const std::string& subject) {
     const auto given = size_of(source);
-    if (total || !given || *given == 1 || *given == size) return;
-    draft_.report.add(source.origin, subject,
-                      fmt::format("{} has {} elements, but others in this list have {}; all must have the same, or one",
-                                  source.block < 0 ? "this" : "'" + name_of(source) + "'", *given, size));
+    if (!given || *given == 1 || *given == size) return;
+    draft_.report.add(
+        source.origin, subject,
+        fmt::format("{} has {} elements, but others in this list have {}; all must have the same, or one",
+                    source.block < 0 ? "this" : "'" + name_of(source) + "'", *given, size));
   }
 
   bool settle_one_scalar() {
@@ -196,14 +222,17 @@ class Shapes {
     for (const auto& [name, least] : draft_.blocks[index].least_sizes) {
       const Eigen::Index size = sizes_.value(symbol(index, name)).value_or(1);
       if (size < least)
-        draft_.report.add(block.origin, block.name, fmt::format("is fed {} elements; it needs at least {}", size, least));
+        draft_.report.add(block.origin, block.name,
+                          fmt::format("is fed {} elements; it needs at least {}", size, least));
     }
   }
 
   void store(std::size_t index) {
     DiagramBlock& block = draft_.diagram().blocks[index];
     Draft::Block& made = draft_.blocks[index];
-    const auto factor = [&](const std::string& name) { return sizes_.value(symbol(index, name)).value_or(1); };
+    const auto factor = [&](const std::string& name) {
+      return sizes_.value(symbol(index, name)).value_or(1);
+    };
     const auto size = [&](const std::string& shape) {  // "k x n": k rows of n elements, one behind the other
       const std::size_t times = shape.find(" x ");
       return times == std::string::npos ? factor(shape) : bounded_product(factor(shape.substr(0, times)), factor(shape.substr(times + 3)));
@@ -235,19 +264,23 @@ class Shapes {
     if (size == 1) return;
     const Value value = spec.get(block.block.get());
     const auto& elements = std::get<Eigen::VectorXd>(value.content);
-    if (elements.size() == 1) spec.set(block.block.get(), {Eigen::VectorXd(Eigen::VectorXd::Constant(size, elements[0]))});
+    if (elements.size() == 1)
+      spec.set(block.block.get(), {Eigen::VectorXd(Eigen::VectorXd::Constant(size, elements[0]))});
   }
 
   Draft& draft_;
   Sizes sizes_;
   std::vector<std::vector<std::pair<std::string, int>>> symbols_;
   std::vector<std::pair<std::size_t, std::size_t>> lists_;
+  std::set<std::pair<std::size_t, std::size_t>> refused_;  ///< lists of which enough has been said
   int next_open_ = 0;
   Eigen::Index total_ = 0;
 };
 
 }  // namespace
 
-void plan_shapes(Draft& draft) { Shapes(draft).run(); }
+void plan_shapes(Draft& draft) {
+  Shapes(draft).run();
+}
 
 }  // namespace stepwire
