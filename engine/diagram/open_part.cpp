@@ -53,7 +53,8 @@ std::optional<Dimension> Opener::declared_unit(const Scope& scope, const Entry& 
 }
 
 void Opener::declare_input(Scope& scope, const Entry& port) {
-  if (port.value.is_map()) refuse_unknown_keys(port.value, {"unit", "doc", "default"}, scope.prefix + port.key, scope, report_);
+  if (port.value.is_map())
+    refuse_unknown_keys(port.value, {"unit", "doc", "default"}, scope.prefix + port.key, scope, report_);
   Scope::Port& declared = scope.inputs[port.key];
   declared.dimension = declared_unit(scope, port);
   declared.fallback = port.value.is_map() ? port.value.find("default") : nullptr;
@@ -61,10 +62,12 @@ void Opener::declare_input(Scope& scope, const Entry& port) {
 }
 
 void Opener::declare_output(Scope& scope, const Entry& port) {
-  if (port.value.is_map()) refuse_unknown_keys(port.value, {"signal", "unit", "doc"}, scope.prefix + port.key, scope, report_);
+  if (port.value.is_map())
+    refuse_unknown_keys(port.value, {"signal", "unit", "doc"}, scope.prefix + port.key, scope, report_);
   const Node* signal = port.value.is_map() ? port.value.find("signal") : &port.value;
   if (!signal || !signal->is_scalar()) {
-    report_.add(scope.at(port.value.mark), scope.prefix + port.key, "names no signal; write the output of a block, as lag.y");
+    report_.add(scope.at(port.value.mark), scope.prefix + port.key,
+                "names no signal; write the output of a block, as lag.y");
     signal = nullptr;
   }
   scope.outputs[port.key] = {signal, declared_unit(scope, port), port.mark};
@@ -73,8 +76,9 @@ void Opener::declare_output(Scope& scope, const Entry& port) {
 bool Opener::refuse_nesting(Scope& scope, const Entry& entry, const Node& path, const std::string& file) {
   const auto circle = std::find(open_files_.begin(), open_files_.end(), file);
   if (circle != open_files_.end()) {
-    fail(scope, entry, path.mark, fmt::format("this file contains itself: {} -> {}; a part cannot use a file that uses it",
-                                              fmt::join(circle, open_files_.end(), " -> "), file));
+    fail(scope, entry, path.mark,
+         fmt::format("this file contains itself: {} -> {}; a part cannot use a file that uses it",
+                     fmt::join(circle, open_files_.end(), " -> "), file));
   } else if (open_files_.size() >= deepest_nesting) {
     fail(scope, entry, path.mark, fmt::format("parts are nested more than {} deep here", deepest_nesting));
   } else if (report_.diagram().scopes.size() > most_parts) {
@@ -105,7 +109,8 @@ void Opener::open_part(Scope& scope, const Entry& entry, const Node& path) {
   open(part, overrides);
   for (const auto& [name, port] : part.inputs)
     if (!port.fed_by && !port.fallback)
-      report_.add(scope.at(entry.value.mark), scope.prefix + entry.key, fmt::format("the input '{}' is missing", name));
+      report_.add(scope.at(entry.value.mark), scope.prefix + entry.key,
+                  fmt::format("the input '{}' is missing", name));
 }
 
 bool Opener::read_part(Scope& scope, const Entry& entry, const Node& path, Scope& part) {
@@ -114,8 +119,12 @@ bool Opener::read_part(Scope& scope, const Entry& entry, const Node& path, Scope
   } catch (const Error& error) {
     scope.failed.insert(entry.key);
     for (const Fault& fault : error.faults())
-      report_.add(fault.place.mark.line > 0 ? part.at(fault.place.mark) : scope.at(path.mark), scope.prefix + entry.key,
-                  fault.message);
+      if (fault.place.mark.line > 0) {
+        report_.add(part.at(fault.place.mark), scope.prefix + entry.key, fault.message);
+      } else {
+        report_.add(scope.at(path.mark), scope.prefix + entry.key,
+                    fmt::format("{}: {}", path.text, fault.message));
+      }
     return false;
   }
   check_head_keys(part, report_);
@@ -138,8 +147,9 @@ Overrides Opener::feed(const Scope& scope, const Entry& entry, const Node& path,
       all.insert(all.end(), inputs.begin(), inputs.end());
       report_.add(scope.at(key.mark), scope.prefix + entry.key,
                   fmt::format("{} has no '{}'{}", path.text, key.key,
-                              did_you_mean(key.key, all, all.empty() ? "It has neither inputs nor parameters"
-                                                                     : fmt::format("It has: {}", fmt::join(all, ", ")))));
+                              did_you_mean(key.key, all,
+                                           all.empty() ? "It has neither inputs nor parameters"
+                                                       : fmt::format("It has: {}", fmt::join(all, ", ")))));
     }
   }
   return overrides;

@@ -7,6 +7,7 @@
 #include <map>
 #include <unordered_map>
 
+#include "engine/diagram/open.hpp"
 #include "engine/diagram/unit_expression.hpp"
 
 namespace stepwire {
@@ -18,9 +19,10 @@ struct Equation {
   Dimension constant;
   std::vector<std::pair<int, double>> terms;
   Origin origin;
-  int block = -1;       ///< whose port it is about, -1: `port` holds the name
+  int block = -1;  ///< whose port it is about, -1: `port` holds the name
   const char* port = "";
-  std::string what;     ///< what is wired or written there
+  int state = -1;    ///< whose initial value it is about, where it is
+  std::string what;  ///< what is wired or written there
   bool queued = true;
 };
 
@@ -74,9 +76,11 @@ class Inference {
     equation.constant = equation.constant * power(expression.constant, sign);
     const TypeUnits& units = units_of(diagram_.blocks[static_cast<std::size_t>(block)].type());
     for (const auto& [name, exponent] : expression.variables) {
-      const auto index = std::find(units.variables.begin(), units.variables.end(), name) - units.variables.begin();
+      const auto index =
+          std::find(units.variables.begin(), units.variables.end(), name) - units.variables.begin();
       const int variable = first_variable_[static_cast<std::size_t>(block)] + static_cast<int>(index);
-      const auto known = std::find_if(equation.terms.begin(), equation.terms.end(), [&](auto& t) { return t.first == variable; });
+      const auto known = std::find_if(equation.terms.begin(), equation.terms.end(),
+                                      [&](auto& t) { return t.first == variable; });
       if (known == equation.terms.end()) {
         equation.terms.emplace_back(variable, sign * exponent);
       } else {
@@ -117,7 +121,8 @@ class Inference {
     for (std::size_t i = 0; i < units.parameters.size(); ++i) {
       if (units.parameters[i].variables.empty() || !block.parameter_dimensions[i]) continue;
       const ParameterSpec& spec = block.type().parameters[i];
-      Equation equation = start({block.origin.scope, block.parameter_marks[i]}, index, spec.name.c_str(), units.parameters[i]);
+      Equation equation = start({block.origin.scope, block.parameter_marks[i]}, index, spec.name.c_str(),
+                                units.parameters[i]);
       equation.constant = equation.constant / *block.parameter_dimensions[i];
       add(std::move(equation), "the number");
     }
@@ -131,6 +136,7 @@ class Inference {
       if (!initial.dimension || expression.any) continue;
       Equation equation = start(initial.origin, index, "initial", expression);
       equation.constant = equation.constant / *initial.dimension;
+      equation.state = initial.state;
       add(std::move(equation), "the initial value");
     }
   }
@@ -144,7 +150,8 @@ class Inference {
     return equation;
   }
 
-  void add_product(int index, const InputSpec& spec, const UnitExpression& expression, const std::vector<Source>& sources) {
+  void add_product(int index, const InputSpec& spec, const UnitExpression& expression,
+                   const std::vector<Source>& sources) {
     if (sources.empty()) return;
     Equation equation = start(sources.front().origin, index, spec.name.c_str(), expression);
     for (const Source& source : sources)
@@ -170,14 +177,16 @@ class Inference {
     if (source.block < 0) return "the number";
     const DiagramBlock& block = diagram_.blocks[static_cast<std::size_t>(source.block)];
     const auto& outputs = block.type().outputs;
-    return outputs.size() == 1 ? block.name : block.name + "." + outputs[static_cast<std::size_t>(source.output)].name;
+    return outputs.size() == 1 ? block.name
+                               : block.name + "." + outputs[static_cast<std::size_t>(source.output)].name;
   }
 
   void solve() {
     std::vector<std::vector<int>> users(variable_count_);
     std::deque<int> queue;
     for (std::size_t i = 0; i < equations_.size(); ++i) {
-      for (const auto& [variable, exponent] : equations_[i].terms) users[static_cast<std::size_t>(variable)].push_back(static_cast<int>(i));
+      for (const auto& [variable, exponent] : equations_[i].terms)
+        users[static_cast<std::size_t>(variable)].push_back(static_cast<int>(i));
       queue.push_back(static_cast<int>(i));
     }
     while (!queue.empty()) {
@@ -195,7 +204,8 @@ class Inference {
     }
   }
 
-  /// Solves for the only unknown variable and returns it; checks where none is unknown; -1 where nothing is learnt.
+  /// Solves for the only unknown variable and returns it; checks where none is unknown; -1 where nothing is
+  /// learnt.
   int step(const Equation& equation) {
     Dimension known = equation.constant;
     int unknown = -1;
@@ -219,15 +229,23 @@ class Inference {
   }
 
   void complain(const Equation& equation, const Dimension& wrong) {
-    const std::string owner = equation.block < 0 ? "" : diagram_.blocks[static_cast<std::size_t>(equation.block)].name + ".";
-    const std::string subject = owner + equation.port;
+    const std::string owner =
+        equation.block < 0 ? "" : diagram_.blocks[static_cast<std::size_t>(equation.block)].name + ".";
+    const std::string subject = owner + (equation.state < 0 ? equation.port : initial_key_of(equation));
     const auto taken = dimension_at(equation);
     if (!taken) {
-      report_.add(equation.origin, subject, fmt::format("{} does not fit: the units differ by {}", equation.what, si_name(wrong)));
+      report_.add(equation.origin, subject,
+                  fmt::format("{} does not fit: the units differ by {}", equation.what, si_name(wrong)));
       return;
     }
     report_.add(equation.origin, subject,
-                fmt::format("{} is in {}, but {} is in {}", equation.what, si_name(*taken / wrong), subject, si_name(*taken)));
+                fmt::format("{} is in {}, but {} is in {}", equation.what, si_name(*taken / wrong), subject,
+                            si_name(*taken)));
+  }
+
+  std::string initial_key_of(const Equation& equation) const {
+    const BlockType& type = diagram_.blocks[static_cast<std::size_t>(equation.block)].type();
+    return initial_key(type, type.states[static_cast<std::size_t>(equation.state)]);
   }
 
   /// The unit that the port takes, where it is known: the equation's own side.
@@ -239,6 +257,8 @@ class Inference {
     }
     const BlockType& type = diagram_.blocks[static_cast<std::size_t>(equation.block)].type();
     const TypeUnits& units = units_of(type);
+    if (equation.state >= 0)
+      return evaluate(units.states[static_cast<std::size_t>(equation.state)], equation.block);
     if (const int input = type.input(equation.port); input >= 0)
       return evaluate(units.inputs[static_cast<std::size_t>(input)], equation.block);
     for (std::size_t i = 0; i < type.parameters.size(); ++i)
@@ -282,6 +302,8 @@ class Inference {
 
 }  // namespace
 
-void infer_units(Report& report) { Inference(report).run(); }
+void infer_units(Report& report) {
+  Inference(report).run();
+}
 
 }  // namespace stepwire
