@@ -1,0 +1,84 @@
+// Which phase of a block is called how often, counted by blocks that count.
+#include <catch2/catch.hpp>
+
+#include "blocks/register.hpp"
+#include "tests/support/plan_text.hpp"
+
+using namespace stepwire;
+
+namespace {
+
+int held_calls, followed_calls, aside_calls, once_calls;
+
+/// Passes its input on and counts how often it is asked to.
+template <int& calls>
+struct Counter {
+  Input<> u{};
+  Output<> y{};
+
+  void outputs() {
+    ++calls;
+    y = u;
+  }
+  static void declare(Declare<Counter>& is) {
+    is.block(&calls == &held_calls       ? "Held"
+             : &calls == &followed_calls ? "Followed"
+             : &calls == &aside_calls    ? "Aside"
+                                         : "Once",
+             {.doc = "a test"});
+    is.template input<&Counter::u>({.unit = "*", .doc = "signal"});
+    is.template output<&Counter::y>({.unit = "*", .doc = "the same"});
+  }
+};
+
+Registry with_counters() {
+  Registry registry = all_blocks();
+  registry.add<Counter<held_calls>>("test");
+  registry.add<Counter<followed_calls>>("test");
+  registry.add<Counter<aside_calls>>("test");
+  registry.add<Counter<once_calls>>("test");
+  return registry;
+}
+
+}  // namespace
+
+TEST_CASE("between ticks the solver asks only blocks that derivatives need and that follow time") {
+  static const Registry registry = with_counters();
+  const Plan plan = plan_text(R"(blocks:
+  t: {block: Clock}
+  held: {block: Held, u: t, every: 5 s}
+  followed: {block: Followed, u: t}
+  aside: {block: Aside, u: x}
+  once: {block: Once, u: 3}
+  rate: {block: Sum, u: [held, followed, once]}
+  x: {block: Integrator, u: rate}
+step: 1 s
+stop: 10 s
+solver: rk4
+)",
+                              {}, registry);
+  Simulation simulation(plan);
+  held_calls = followed_calls = aside_calls = once_calls = 0;
+  simulation.reset();
+  while (!simulation.finished()) {
+    simulation.evaluate();
+    simulation.advance();
+  }
+  simulation.evaluate();
+  CHECK(held_calls == 3);                // at 0, 5 and 10 s
+  CHECK(followed_calls == 11 + 10 * 3);  // at every tick and at the three later stages of each step
+  CHECK(aside_calls == 11);              // no derivative needs it
+  CHECK(once_calls == 1);                // what never changes is computed at the start
+}
+
+TEST_CASE("what only feeds on constants is a constant, whatever stands in between") {
+  const Plan plan = plan_text(
+      "blocks:\n  a: {block: Gain, gain: 2, u: 3}\n  b: {block: Sum, u: [a, a, 1]}\n  c: {block: Constant, "
+      "value: 4}\n"
+      "  d: {block: Product, u: [c, b]}\n");
+  for (const PlannedBlock& block : plan.blocks) CHECK(block.rate.kind == Rate::Kind::constant);
+  CHECK(plan.outputs.empty());
+  Simulation simulation(plan);
+  simulation.evaluate();
+  CHECK(simulation.values()[plan.blocks[3].outputs[0].offset] == 52.0);
+}
