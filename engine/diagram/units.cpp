@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "engine/diagram/open.hpp"
+#include "engine/diagram/block_keys.hpp"
 #include "engine/diagram/unit_expression.hpp"
 
 namespace stepwire {
