@@ -8,8 +8,7 @@
 #include <unordered_map>
 
 #include "engine/diagram/open.hpp"
-#include "engine/diagram/block_keys.hpp"
-#include "engine/diagram/unit_expression.hpp"
+#include "engine/diagram/type_units.hpp"
 
 namespace stepwire {
 
@@ -42,31 +41,7 @@ class Inference {
   }
 
  private:
-  /// Declared units of one type, read once; variables are numbered from 0 in each block.
-  struct TypeUnits {
-    std::vector<UnitExpression> parameters, inputs, outputs, states;
-    std::vector<std::string> variables;
-  };
-
-  static UnitExpression read(const std::string& text, TypeUnits& units) {
-    auto expression = parse_unit_expression(text).value_or(UnitExpression{true, {}, {}});
-    for (auto& [name, exponent] : expression.variables) {
-      const auto found = std::find(units.variables.begin(), units.variables.end(), name);
-      if (found == units.variables.end()) units.variables.push_back(name);
-    }
-    return expression;
-  }
-
-  const TypeUnits& units_of(const BlockType& type) {
-    const auto [found, added] = types_.try_emplace(&type);
-    TypeUnits& units = found->second;
-    if (!added) return units;
-    for (const auto& spec : type.parameters) units.parameters.push_back(read(spec.unit, units));
-    for (const auto& spec : type.inputs) units.inputs.push_back(read(spec.unit, units));
-    for (const auto& spec : type.outputs) units.outputs.push_back(read(spec.unit, units));
-    for (const auto& spec : type.states) units.states.push_back(read(spec.unit, units));
-    return units;
-  }
+  const TypeUnits& units_of(const BlockType& type) { return types_.try_emplace(&type, type).first->second; }
 
   void add_variables(const BlockType& type) {
     first_variable_.push_back(static_cast<int>(variable_count_));
