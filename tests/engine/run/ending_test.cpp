@@ -1,0 +1,114 @@
+#include <atomic>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "tests/support/plan_text.hpp"
+#include "tests/support/run_text.hpp"
+
+using namespace stepwire;
+
+TEST_CASE("both ends are recorded, and nothing is updated behind the stop") {
+  const Plan plan = plan_text(
+      "step: 0.1 s\nstop: 0.5 s\nblocks:\n  count: {block: Sum, u: [1, last]}\n  last: {block: UnitDelay, u: "
+      "count}\nrecord: [count, last]\n");
+  const RunResult result = run_plan(plan);
+  const Table& table = result.recordings.front().table;
+  CHECK(table.rows() == 6);
+  CHECK(column(table, "time").front() == 0.0);
+  CHECK(column(table, "time").back() == 0.5);
+  CHECK(column(table, "count") == std::vector<double>{1, 2, 3, 4, 5, 6});
+  CHECK(column(table, "last").back() == 5.0);
+  CHECK(result.ticks == 5);
+}
+
+TEST_CASE("a signal that is no longer finite ends the run with its block, port and time") {
+  // 1 / (3 - t) at steps of 1 s: infinite at 3 s.
+  const RunResult result = result_of(R"(blocks:
+  t: {block: Clock}
+  left: {block: Sum, signs: "+-", u: [3 s, t]}
+  inverse: {block: Divide, numerator: 1, denominator: left}
+  behind: {block: Gain, gain: 0, u: inverse}
+stop: 10 s
+record: [inverse, behind]
+)");
+  REQUIRE(result.faults.size() == 1);
+  CHECK(result.faults[0].block == "inverse");
+  CHECK(result.faults[0].port == "y");
+  CHECK(result.faults[0].time == 3.0);
+  CHECK_THAT(result.faults[0].fault.text(),
+             Catch::StartsWith("test.yaml:4:12: inverse.y: became inf at 3 s; the run ends here"));
+  CHECK(column(result.recordings[0].table, "inverse") == std::vector<double>{1.0 / 3, 0.5, 1});
+}
+
+TEST_CASE("a state that runs away is named, not what follows from it") {
+  const RunResult result = result_of(R"(blocks:
+  rate: {block: Gain, gain: 0.5, u: x}
+  x: {block: Integrator, u: rate, initial: 1}
+step: 4 s
+stop: 4000 s
+solver: euler
+record: x
+)");
+  REQUIRE(result.faults.size() == 1);
+  CHECK(result.faults[0].block == "x");
+  CHECK(result.recordings[0].table.rows() > 3);
+  for (double value : column(result.recordings[0].table, "x")) CHECK(std::isfinite(value));
+}
+
+TEST_CASE("an assertion that fails ends the run and keeps the row at which it failed") {
+  const RunResult result = result_of(R"(blocks:
+  t: {block: Clock}
+  early: {block: Compare, operator: "<", u: t, to: 3 s}
+  stays_early: {block: Assert, u: early}
+stop: 10 s
+record: t
+)");
+  REQUIRE(result.faults.size() == 1);
+  CHECK(result.faults[0].block == "stays_early");
+  CHECK(result.faults[0].time == 3.0);
+  CHECK(column(result.recordings[0].table, "t") == std::vector<double>{0, 1, 2, 3});
+}
+
+TEST_CASE("what a block has to say is told once, with the time at which it happened first") {
+  const RunResult result = result_of(R"(blocks:
+  current: {block: Ramp, slope: 0.1 A/s}
+  damper: {block: MRDamper, preset: rd-1097-01, velocity: 0.1 m/s, current: current}
+step: 1 ms
+stop: 6 s
+solver: rk4
+record: current
+)");
+  CHECK(result.faults.empty());
+  REQUIRE(result.notices.size() == 1);
+  CHECK(result.notices[0].block == "damper");
+  CHECK(result.notices[0].time == Approx(3.5).margin(1.1e-3));
+}
+
+TEST_CASE("stop_when ends a run at the tick at which it holds, which is recorded") {
+  const RunResult result = result_of(
+      "blocks:\n  t: {block: Clock}\n  g: {block: Gain, gain: 2, u: t}\nstop: 100 s\nstop_when: g > $most && "
+      "time >= 2 s\nparameters: {most: 6}\nrecord: g\n");
+  CHECK(column(result.recordings[0].table, "g") == std::vector<double>{0, 2, 4, 6, 8});
+  CHECK(result.faults.empty());
+  CHECK_FALSE(result.interrupted);
+}
+
+TEST_CASE("a condition over a vector is refused") {
+  const auto refused = faults_of("blocks:\n  v: {block: Constant, value: [1, 2]}\nstop_when: v > 3\n");
+  REQUIRE(refused.size() == 1);
+  CHECK_THAT(refused[0], Catch::StartsWith("test.yaml:3:12: stop_when: 'v' has 2 elements"));
+}
+
+TEST_CASE("an interruption ends a run soon and keeps its rows") {
+  const Plan plan = plan_text("blocks:\n  t: {block: Clock}\nstop: 1e6 s\nrecord: t\n");
+  std::atomic<bool> interrupt = false;
+  RunOptions options;
+  options.interrupt = &interrupt;
+  options.progress = [&](double done) { interrupt = done > 0.001; };
+  const RunResult result = run_plan(plan, options);
+  CHECK(result.interrupted);
+  const auto& t = column(result.recordings[0].table, "t");
+  CHECK(t.size() > 1000);
+  CHECK(t.size() < 2000);
+  CHECK(t.back() == static_cast<double>(t.size() - 1));
+}

@@ -1,0 +1,113 @@
+#include <catch2/catch.hpp>
+#include <cstring>
+
+#include "tests/support/plan_text.hpp"
+#include "tests/support/run_text.hpp"
+
+using namespace stepwire;
+
+namespace {
+
+const std::string head = "stepwire: 1\nstep: 1 s\nstop: 1 s\n";
+
+RunResult swept(const std::string& yaml, unsigned threads = 0) {
+  const DiagramFolder folder;
+  folder.write("sweep.yaml", head + yaml);
+  Loader loader(library());
+  const Job job = make_job(loader, folder.path("sweep.yaml"));
+  RunOptions options;
+  options.threads = threads;
+  return run_job(job, options);
+}
+
+bool same_bits(const Table& a, const Table& b) {
+  if (a.columns.size() != b.columns.size()) return false;
+  for (std::size_t i = 0; i < a.columns.size(); ++i) {
+    const auto &x = a.columns[i].values, &y = b.columns[i].values;
+    if (a.columns[i].name != b.columns[i].name || x.size() != y.size()) return false;
+    if (std::memcmp(x.data(), y.data(), x.size() * sizeof(double)) != 0) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("a sweep over several parameters makes the grid, the last one fastest") {
+  const RunResult result = swept(R"(parameters: {a: 0, b: 0 m}
+blocks:
+  y: {block: Sum, u: [$a, = b]}
+  z: {block: Constant, value: $b}
+sweep: {a: {values: [10, 20]}, b: {from: 1 m, to: 3 m, count: 3}}
+record: y
+)");
+  const Recording& all = result.recordings.at(0);
+  CHECK(column(all.table, "a") == std::vector<double>{10, 10, 10, 10, 10, 10, 20, 20, 20, 20, 20, 20});
+  CHECK(column(all.table, "b") == std::vector<double>{1, 1, 2, 2, 3, 3, 1, 1, 2, 2, 3, 3});
+  CHECK(column(all.table, "y") == std::vector<double>{11, 11, 12, 12, 13, 13, 21, 21, 22, 22, 23, 23});
+  CHECK(all.starts == std::vector<std::size_t>{0, 2, 4, 6, 8, 10});
+  CHECK(all.table.columns[0].name == "time");
+  CHECK(result.ticks == 6);
+}
+
+TEST_CASE("parameters swept together are paired") {
+  const RunResult result = swept(
+      "parameters: {a: 0, b: 0}\nblocks:\n  y: {block: Sum, u: [$a, $b]}\nrecord: y\n"
+      "sweep: {a: [1, 2, 3], b: [10, 20, 30], together: true}\n");
+  CHECK(column(result.recordings.at(0).table, "y") == std::vector<double>{11, 11, 22, 22, 33, 33});
+}
+
+TEST_CASE("lists of different length cannot be paired") {
+  const auto refused = faults_of(
+      "parameters: {a: 0, b: 0}\nblocks:\n  y: {block: Sum, u: [$a, $b]}\nsweep: {a: [1, 2, 3], b: [1], "
+      "together: true}\n");
+  REQUIRE(refused.size() == 1);
+  CHECK_THAT(refused[0], Catch::StartsWith("test.yaml:4:23: sweep.b: has 1 values, 'a' has 3"));
+}
+
+TEST_CASE("words are swept as numbers that stand for them") {
+  const RunResult result = swept(
+      "parameters: {kind: normal}\nblocks:\n  y: {block: Noise, seed: 1, distribution: $kind}\nrecord: y\n"
+      "sweep: {kind: {values: [normal, uniform]}}\n");
+  const Recording& all = result.recordings.at(0);
+  CHECK(column(all.table, "kind") == std::vector<double>{0, 0, 1, 1});
+  REQUIRE(all.words.size() == 1);
+  CHECK(all.words[0].column == "kind");
+  CHECK(all.words[0].texts == std::vector<std::string>{"normal", "uniform"});
+}
+
+TEST_CASE("a sweep gives the same bits at any number of threads") {
+  const std::string yaml = R"(solver: rk4
+parameters: {w: 1, seed: 1}
+blocks:
+  noise: {block: Noise, seed: $seed}
+  force: {block: Gain, gain: $w, u: noise}
+  x: {block: TransferFunction, numerator: [1], denominator: [1, 0.1, 4], u: force}
+record: all
+sweep: {w: {from: 0.3, to: 7, count: 9}, seed: [1, 2]}
+)";
+  const RunResult serial = swept(yaml, 1);
+  for (unsigned threads : {2u, 5u}) {
+    const RunResult parallel = swept(yaml, threads);
+    CHECK(same_bits(serial.recordings.at(0).table, parallel.recordings.at(0).table));
+    CHECK(serial.recordings.at(0).starts == parallel.recordings.at(0).starts);
+  }
+}
+
+TEST_CASE("a run that ends early leaves the others of its sweep whole") {
+  const RunResult result = swept(
+      "parameters: {a: 1}\nblocks:\n  t: {block: Clock}\n  left: {block: Sum, signs: \"+-\", u: [= a, t]}\n"
+      "  y: {block: Divide, numerator: 1, denominator: left}\nrecord: y\nsweep: {a: [1, 5]}\n");
+  CHECK(result.faults.size() == 1);
+  CHECK(column(result.recordings.at(0).table, "a") == std::vector<double>{1, 5, 5});
+}
+
+TEST_CASE("what is swept must be something that can be set") {
+  const DiagramFolder folder;
+  folder.write(
+      "sweep.yaml",
+      head +
+          "parameters: {gain: 1}\nblocks:\n  y: {block: Gain, gain: $gain, u: 1}\nsweep: {gian: [1, 2]}\n");
+  Loader loader(library());
+  REQUIRE_THROWS_WITH(make_job(loader, folder.path("sweep.yaml")),
+                      Catch::Contains("there is no parameter 'gian'; did you mean 'gain'?"));
+}
