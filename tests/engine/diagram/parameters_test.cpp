@@ -1,0 +1,116 @@
+#include <catch2/catch.hpp>
+
+#include "tests/support/plan_text.hpp"
+#include "tests/support/run_text.hpp"
+
+using namespace stepwire;
+
+namespace {
+
+/// The value of a Constant that is written so, below some parameters.
+std::vector<double> value_of(const std::string& text, const std::string& parameters = "{}",
+                             const std::vector<Setting>& settings = {}) {
+  const RunResult result = result_of(
+      "parameters: " + parameters + "\nblocks:\n  c: {block: Constant, value: " + text + "}\nrecord: c\n",
+      settings);
+  std::vector<double> values;
+  const auto& columns = result.recordings.at(0).table.columns;
+  for (std::size_t i = 1; i < columns.size(); ++i) values.push_back(columns[i].values[0]);
+  return values;
+}
+
+std::string fault_of(const std::string& parameters, const std::string& value = "1",
+                     const std::vector<Setting>& settings = {}) {
+  const auto refused = faults_of(
+      "parameters: " + parameters + "\nblocks:\n  c: {block: Constant, value: " + value + "}\n", settings);
+  REQUIRE(refused.size() == 1);
+  return refused[0];
+}
+
+using Numbers = std::vector<double>;
+
+}  // namespace
+
+TEST_CASE("values are numbers with units, lists, parameters and expressions of them") {
+  CHECK(value_of("5 mm") == Numbers{0.005});
+  CHECK(value_of("[1, 2 mm, 3]") == Numbers{1, 0.002, 3});
+  CHECK(value_of("{value: [1, 2], unit: mm}") == Numbers{0.001, 0.002});
+  CHECK(value_of("$v", "{v: [1, 2]}") == Numbers{1, 2});
+  CHECK(value_of("[$a, = 2*a]", "{a: 3}") == Numbers{3, 6});
+  CHECK(value_of("= 2 kHz / a", "{a: 10 Hz}") == Numbers{200});
+}
+
+TEST_CASE("parameters may use each other in any order") {
+  CHECK(value_of("$a", "{a: = b + c, b: = 2 * c, c: {value: 3, above: $low}, low: 1}") == Numbers{9});
+}
+
+TEST_CASE("an expression in quotes is one all the same") {
+  CHECK(value_of("\"= a > 1 ? 10 : 20\"", "{a: 3}") == Numbers{10});
+  CHECK(value_of("$b", "{a: 0, b: \"= max(a, a > 1 ? 10 : 20)\"}") == Numbers{20});
+}
+
+TEST_CASE("a text that begins with = stays a text where a text is wanted") {
+  const auto refused = faults_of("blocks:\n  e: {block: Expression, expression: \"=u1\", u: 1}\n");
+  REQUIRE(refused.size() == 1);
+  CHECK_THAT(refused[0], Catch::Contains("e.expression: '=u1'"));
+}
+
+TEST_CASE("a number in quotes is a text, and the message says so") {
+  CHECK(fault_of("{}", "\"2\"") ==
+        "test.yaml:3:31: c.value: '2' is text because of its quotes; leave them out for a number");
+}
+
+TEST_CASE("a circle of parameters is refused once, with its hops") {
+  CHECK(fault_of("{a: = b, b: = c + 1, c: = 2 * a, d: = a}", "$d") ==
+        "test.yaml:1:14: a: depends on itself: a -> b -> c -> a");
+}
+
+TEST_CASE("a parameter's range holds for what the file, the user and the sweep give it") {
+  CHECK(fault_of("{a: {value: -1 s, above: 0}}") ==
+        "test.yaml:1:25: a: -1 s is not allowed; it must be above 0");
+  CHECK(fault_of("{a: {value: [1, 9], at_most: 5}}") ==
+        "test.yaml:1:25: a: the list is not allowed; it must be at most 5");
+  CHECK(fault_of("{a: {value: 1 s, below: 2 s}}", "$a", {{"a", "3 s"}}) ==
+        "--set a=3 s: a: 3 s is not allowed; it must be below 2 s");
+  CHECK(fault_of("{a: {value: 1 s, below: 2 m}}") ==
+        "test.yaml:1:37: a.below: '2 m' is in m; it must be in s");
+  CHECK(fault_of("{a: {value: 1 s, below: many}}") ==
+        "test.yaml:1:37: a.below: 'many' is no number, and a bound is one");
+}
+
+TEST_CASE("a unit that is unknown or the wrong one is refused") {
+  CHECK(fault_of("{a: {value: 1, unit: foo}}") == "test.yaml:1:34: a: 'foo' is no unit");
+  CHECK(fault_of("{a: 1 mm}", "1", {{"a", "3 s"}}) == "--set a=3 s: a: 3 s is in s; it must be in m");
+}
+
+TEST_CASE("parameters are listed with what was assumed and what was set") {
+  const Plan plan = plan_text(
+      "parameters: {a: {value: 2 mm, doc: length, assumed: true}, b: 3}\nblocks:\n  c: {block: Constant, "
+      "value: $a}\n",
+      {{"b", "4"}});
+  const auto& parameters = plan.diagram.parameters;
+  REQUIRE(parameters.size() == 2);
+  CHECK((parameters[0].name == "a" && parameters[0].assumed && !parameters[0].set &&
+         parameters[0].doc == "length"));
+  CHECK((parameters[1].name == "b" && !parameters[1].assumed && parameters[1].set &&
+         parameters[1].text == "4"));
+}
+
+TEST_CASE("a setting reaches a parameter, a key of a block, an initial value and the head") {
+  CHECK(value_of("$a", "{a: 1 mm}", {{"a", "3 mm"}}) == Numbers{0.003});
+  CHECK(value_of("1", "{}", {{"c.value", "[4, 5]"}}) == Numbers{4, 5});
+  const Plan plan = plan_text("solver: euler\nblocks:\n  x: {block: Integrator, u: 1}\n",
+                              {{"x.initial", "7"}, {"stop", "2 s"}, {"step", "0.5 s"}, {"solver", "rk4"}});
+  CHECK(plan.steps == 4);
+  CHECK(plan.diagram.solver == "rk4");
+  CHECK(plan.diagram.blocks[0].initial.at(0).value[0] == 7.0);
+}
+
+TEST_CASE("a setting that nothing takes is refused, with the nearest name") {
+  CHECK(fault_of("{mass: 1}", "1", {{"mas", "2"}}) ==
+        "--set mas=2: there is no parameter 'mas'; did you mean 'mass'?");
+  CHECK(fault_of("{}", "1", {{"c.valeu", "2"}}) ==
+        "--set c.valeu=2: there is no parameter 'c.valeu'; did you mean 'c.value'?");
+  CHECK(fault_of("{}", "1", {{"slover", "rk4"}}) ==
+        "--set slover=rk4: there is no parameter 'slover'; did you mean 'solver'?");
+}

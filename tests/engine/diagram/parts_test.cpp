@@ -1,0 +1,110 @@
+#include <catch2/catch.hpp>
+
+#include "tests/support/plan_text.hpp"
+#include "tests/support/run_text.hpp"
+
+using namespace stepwire;
+
+namespace {
+
+const std::string head = "stepwire: 1\nstep: 1 s\nstop: 1 s\n";
+using Lines = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("a fault inside of a part names the part's file, then every line that uses it") {
+  const DiagramFolder folder;
+  folder.write("inner.yaml", "stepwire: 1\nblocks:\n  g: {block: Gain, gain: [[1], [2, 3]], u: 1}\n");
+  folder.write("outer.yaml", "stepwire: 1\nblocks:\n  in: {diagram: inner.yaml}\n");
+  folder.write("main.yaml", head + "blocks:\n  out: {diagram: outer.yaml}\n");
+  CHECK(folder.faults("main.yaml") ==
+        Lines{"inner.yaml:3:32: out.in.g.gain: this row has 2 numbers, the first has 1 "
+              "(used by outer.yaml:3:17) (used by main.yaml:5:18)"});
+}
+
+TEST_CASE("a part whose file is missing or no YAML is the only fault") {
+  const DiagramFolder folder;
+  folder.write("broken.yaml", "stepwire: 1\nblocks: {a: [\n");
+  folder.write("main.yaml", head +
+                                "blocks:\n  p: {diagram: nowhere.yaml}\n  q: {diagram: broken.yaml}\n  g: "
+                                "{block: Sum, u: [p, q.y]}\nrecord: [p, q.z]\n");
+  const auto refused = folder.faults("main.yaml");
+  REQUIRE(refused.size() == 2);
+  CHECK(refused[0] == "main.yaml:5:16: p: nowhere.yaml: no such file");
+  CHECK_THAT(refused[1], Catch::StartsWith("broken.yaml:") && Catch::Contains("(used by main.yaml:6:16)"));
+}
+
+TEST_CASE("files that use each other in a circle are refused with the circle") {
+  const DiagramFolder folder;
+  folder.write("a.yaml", head + "blocks:\n  b: {diagram: b.yaml}\n");
+  folder.write("b.yaml", "stepwire: 1\nblocks:\n  a: {diagram: a.yaml}\n");
+  const auto refused = folder.faults("a.yaml");
+  REQUIRE(refused.size() == 1);
+  CHECK(refused[0] ==
+        "b.yaml:3:16: b.a: this file contains itself: a.yaml -> b.yaml -> a.yaml; a part cannot use a file "
+        "that uses it (used by a.yaml:5:16)");
+}
+
+TEST_CASE("a chain of files that is too deep is refused, and one that is not runs") {
+  const DiagramFolder folder;
+  for (int i = 0; i < 50; ++i)
+    folder.write("p" + std::to_string(i) + ".yaml",
+                 head + "outputs: {y: n}\nblocks:\n  n: {diagram: p" + std::to_string(i + 1) + ".yaml}\n");
+  folder.write("p50.yaml", "stepwire: 1\noutputs: {y: c}\nblocks:\n  c: {block: Constant, value: 3}\n");
+  CHECK(folder.faults("p25.yaml").empty());
+  const auto refused = folder.faults("p0.yaml");
+  REQUIRE(refused.size() == 1);
+  CHECK_THAT(refused[0],
+             Catch::StartsWith("p31.yaml:6:16: n.n.") &&
+                 Catch::Contains("parts are nested more than 32 deep here (used by p30.yaml:6:16)"));
+}
+
+TEST_CASE("what a part has not is refused at the key, and what it needs at the map that lacks it") {
+  const DiagramFolder folder;
+  folder.write("part.yaml",
+               "stepwire: 1\nparameters: {mass: 1}\ninputs: {force: {unit: N}}\nblocks:\n  g: {block: Gain, "
+               "gain: $mass, u: force}\n");
+  folder.write("main.yaml", head + "blocks:\n  p: {diagram: part.yaml, mas: 3}\n");
+  CHECK(folder.faults("main.yaml") ==
+        Lines{"main.yaml:5:6: p: the input 'force' is missing",
+              "main.yaml:5:27: p: part.yaml has no 'mas'; did you mean 'mass'? It has: mass, force"});
+}
+
+TEST_CASE("a part's own head is checked where it is used") {
+  const DiagramFolder folder;
+  folder.write("part.yaml", "stepwire: 1\noutput: {y: g}\ninputs: [u]\nblocks:\n  g: {block: Gain, u: 1}\n");
+  folder.write("main.yaml", head + "blocks:\n  p: {diagram: part.yaml}\n");
+  const auto refused = folder.faults("main.yaml");
+  REQUIRE(refused.size() == 2);
+  CHECK_THAT(refused[0],
+             Catch::StartsWith("part.yaml:2:1: there is no key 'output' here; did you mean 'outputs'?"));
+  CHECK_THAT(refused[1], Catch::StartsWith("part.yaml:3:9: p.inputs: must be a map of the ports' names"));
+}
+
+TEST_CASE("an input of a part may have a default, and a part be run by itself with it") {
+  const DiagramFolder folder;
+  folder.write("part.yaml", head +
+                                "inputs: {u: {default: 4}, v: {}}\noutputs: {y: g}\nblocks:\n  g: {block: "
+                                "Sum, u: [u, v]}\nrecord: g\n");
+  folder.write("main.yaml", head +
+                                "blocks:\n  p: {diagram: part.yaml, v: 1}\n  q: {diagram: part.yaml, v: 1, "
+                                "u: 2}\nrecord: [p, q]\n");
+  const Table run = folder.run("main.yaml");
+  CHECK(column(run, "p").front() == 5.0);
+  CHECK(column(run, "q").front() == 3.0);
+  CHECK(
+      folder.faults("part.yaml") ==
+      Lines{"part.yaml:4:27: v: nothing feeds this input; use this file as a part, or give it a 'default:'"});
+}
+
+TEST_CASE("ports that are wired to each other only are refused") {
+  const DiagramFolder folder;
+  folder.write("through.yaml",
+               "stepwire: 1\ninputs: {u: {}}\noutputs: {y: u}\nblocks:\n  g: {block: Gain, u: u}\n");
+  folder.write("main.yaml",
+               head + "blocks:\n  p: {diagram: through.yaml, u: q}\n  q: {diagram: through.yaml, u: p}\n");
+  const auto refused = folder.faults("main.yaml");
+  REQUIRE(!refused.empty());
+  for (const std::string& line : refused)
+    CHECK_THAT(line, Catch::Contains("wired to itself through ports only"));
+}

@@ -1,0 +1,40 @@
+#include <catch2/catch.hpp>
+
+#include "tests/support/plan_text.hpp"
+#include "tests/support/run_text.hpp"
+
+using namespace stepwire;
+
+TEST_CASE("record takes several periods, states, vectors and all, each signal once") {
+  const RunResult result = result_of(R"(blocks:
+  v: {block: Constant, value: [1, 2]}
+  x: {block: Integrator, u: v}
+solver: rk4
+step: 0.5 s
+record:
+  - v
+  - {every: 1 s, signals: [x, x.x]}
+  - v
+  - {every: 1.5 s, signals: all}
+)");
+  REQUIRE(result.recordings.size() == 3);
+  const auto names = [&](std::size_t recording) {
+    std::vector<std::string> list;
+    for (const Column& column : result.recordings[recording].table.columns) list.push_back(column.name);
+    return list;
+  };
+  CHECK(names(0) == std::vector<std::string>{"time", "v.1", "v.2"});
+  CHECK(names(1) == std::vector<std::string>{"time", "x.1", "x.2", "x.x.1", "x.x.2"});
+  CHECK(names(2) == std::vector<std::string>{"time", "v.1", "v.2", "x.1", "x.2"});
+  CHECK(column(result.recordings[0].table, "time").size() == 7);
+  CHECK(column(result.recordings[1].table, "time") == std::vector<double>{0, 1, 2, 3});
+  CHECK(column(result.recordings[2].table, "time") == std::vector<double>{0, 1.5, 3});
+  CHECK(column(result.recordings[1].table, "x.2").back() == Approx(6.0));
+}
+
+TEST_CASE("a recording that no memory holds is refused before the run") {
+  const auto refused = faults_of("step: 1 ns\nstop: 1000 s\nblocks:\n  c: {block: Clock}\nrecord: c\n");
+  REQUIRE(refused.size() == 1);
+  CHECK_THAT(refused[0],
+             Catch::StartsWith("test.yaml:5:9: record: would keep 1000000000001 rows of 2 columns"));
+}
