@@ -34,6 +34,12 @@ record: [lag]
 }
 
 TEST_CASE("A time constant that is not above zero is refused") {
-  CHECK_THAT(error_of("{step: 1, stop: 1, blocks: {lag: {block: Lag, u: 1, tau: 0 s}}}"),
+  CHECK_THAT(error_of(R"(
+step: 1 ms
+stop: 1 s
+solver: rk4
+blocks:
+  lag: {block: Lag, u: 1, tau: 0 s}
+)"),
              Catch::Contains("lag.tau: 0 s is not allowed; it must be above 0"));
 }
