@@ -7,7 +7,7 @@
 #include <map>
 #include <unordered_map>
 
-#include "engine/diagram/open.hpp"
+#include "engine/diagram/block_keys.hpp"
 #include "engine/diagram/type_units.hpp"
 
 namespace stepwire {
