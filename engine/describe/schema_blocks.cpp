@@ -53,8 +53,9 @@ Json type_schema(const BlockType& type) {
   for (const StateSpec& state : type.states)
     if (state.settable) properties.set(initial_key(type, state), initial_schema(state));
   if (!type.presets.empty()) properties.set("preset", preset_schema(type));
-  properties.set("every", explained(schema_ref("time"),
-                                    "time between two runs of this block; " + timing_text(type.timing)));
+  if (!type.has_continuous_state())
+    properties.set("every", explained(schema_ref("time"),
+                                      "time between two runs of this block; " + timing_text(type.timing)));
   return explained(closed_map(std::move(properties), required), type.doc);
 }
 

@@ -112,7 +112,7 @@ TEST_CASE("few files that make many parts of each other are refused") {
 
 TEST_CASE("a part that is no file is refused at once") {
   const auto part = [](const std::string& path) { return with("blocks:\n  a: {diagram: " + path + "}\n"); };
-  refused(part("none.yaml"), "a.yaml:6:16: a: no such file");
+  refused(part("none.yaml"), "a.yaml:6:16: a: none.yaml: no such file");
   refused(part("../.."), "this is a folder");
   refused(part("/dev/zero"), "is no file");
   refused(part("\"\""), "a.yaml:6:16: a: ");

@@ -119,7 +119,7 @@ TEST_CASE("with --json standard output is JSON and nothing else, whatever else i
   CHECK(json::parse(done.out)[0]["claims"][0]["holds"] == true);
 }
 
-TEST_CASE("--units prints the unit of every wire") {
+TEST_CASE("the option --units prints the unit of every wire") {
   const Scratch folder;
   folder.file("lag.yaml", lag_yaml);
   CHECK_THAT(run_program(folder, {"check", "lag.yaml", "--units"}).out,
@@ -177,7 +177,7 @@ TEST_CASE("swept words stand as words in signals.csv and as their numbers in sig
   CHECK(run["sweep"][0]["values"] == json({"hold", "linear"}));
 }
 
-TEST_CASE("--set reaches into parts and blocks, and the last one counts") {
+TEST_CASE("the option --set reaches into parts and blocks, and the last one counts") {
   const Scratch folder;
   folder.file("rig.yaml",
               "stepwire: 1\ntitle: rig\nparameters:\n  mass: {value: 1 kg}\ninputs:\n  force: {unit: "

@@ -24,7 +24,7 @@ Words keys_of_map(const json& schema) {
   return keys;
 }
 
-/// "...; known are: a, b, c" as a set.
+/// "...; Known are: a, b, c" as a set.
 Words listed_in(const std::string& message, const std::string& mark) {
   const auto at = message.find(mark);
   INFO(message);
@@ -43,7 +43,7 @@ json schema() {
 
 /// The keys that the loader knows where it refuses one, from its message.
 Words known_to_loader(const std::string& yaml) {
-  return listed_in(error_of(yaml), "known are: ");
+  return listed_in(error_of(yaml), "Known are: ");
 }
 
 const std::string head = "step: 1 ms\nstop: 1 s\nblocks: {a: {block: Constant}}\n";

@@ -31,10 +31,3 @@ record:
   CHECK(column(result.recordings[2].table, "time") == std::vector<double>{0, 1.5, 3});
   CHECK(column(result.recordings[1].table, "x.2").back() == Approx(6.0));
 }
-
-TEST_CASE("a recording that no memory holds is refused before the run") {
-  const auto refused = faults_of("step: 1 ns\nstop: 1000 s\nblocks:\n  c: {block: Clock}\nrecord: c\n");
-  REQUIRE(refused.size() == 1);
-  CHECK_THAT(refused[0],
-             Catch::StartsWith("test.yaml:5:9: record: would keep 1000000000001 rows of 2 columns"));
-}
