@@ -44,6 +44,15 @@ std::string broken_bound(const Range& range, double value) {
   return "";
 }
 
+/// What stands behind a number as its unit and is none: "Ns/m" of "8 Ns/m"; empty where no number begins the text.
+std::string unknown_unit(const std::string& text) {
+  char* end = nullptr;
+  std::strtod(text.c_str(), &end);
+  std::string unit(end);
+  unit.erase(0, unit.find_first_not_of(' '));
+  return end == text.c_str() || unit.empty() || parse_unit(unit) ? "" : unit;
+}
+
 bool is_text(ParameterKind kind) {
   return kind == ParameterKind::word || kind == ParameterKind::text || kind == ParameterKind::file ||
          kind == ParameterKind::texts || kind == ParameterKind::tree;
@@ -79,6 +88,8 @@ std::optional<Value> ValueReader::convert(const ParameterSpec& spec, const Writt
     if (auto matrix = as_matrix(value)) return matrix;
   if (node.quoted && parse_quantity(node.text))
     return refuse(node, subject, fmt::format("'{}' is text because of its quotes; leave them out for a number", node.text));
+  if (const std::string unit = unknown_unit(written.text); !unit.empty())
+    return refuse(node, subject, fmt::format("'{}' is no unit; a product of units is written N s or N.s", unit));
   return refuse(node, subject, fmt::format("'{}' is not allowed; it must be {}", written.text, wanted(spec.kind)));
 }
 

@@ -64,6 +64,8 @@ void add_unknown_key(const Entry& entry, const std::vector<std::string>& known, 
   if (entry.key.find_first_of("()+*/<>=&|?$") != std::string::npos)
     message +=
         "; it looks like a piece of an expression: put an expression with a comma or a colon in quotes";
+  else if (entry.key.find(' ') != std::string::npos)
+    message += "; it looks like a piece of a sentence: put a text with a comma or a colon in quotes";
   else
     message += nearest_or_all(entry.key, known, "it has");
   faults.add({{names.file, entry.mark}, subject, message, {}});

@@ -92,6 +92,8 @@ TEST_CASE("a key that is a piece of an expression is told to be quoted") {
   CHECK_THAT(
       faults_of("{that: a, max: min(rig.x, 3), at_most: 1}"),
       Catch::Contains("d.yaml:1:29: claims: a claim has no '3)'; it looks like a piece of an expression"));
+  CHECK_THAT(faults_of("{that: more damping, less overshoot, max: rig.x, at_most: 1}"),
+             Catch::Contains("a claim has no 'less overshoot'; it looks like a piece of a sentence"));
 }
 
 TEST_CASE("all faults of all claims are found in one pass") {
