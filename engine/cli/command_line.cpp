@@ -21,6 +21,8 @@ namespace {
 
 constexpr DocumentLimits large_limits{.bytes = std::size_t{512} << 20, .depth = 64, .nodes = 64'000'000};
 
+const CLI::Validator is_named([](const std::string& path) { return path.empty() ? "names no folder" : ""; }, "");
+
 void add_work_options(CLI::App& verb, RunCommand& command, std::vector<std::string>& settings, std::string& stop, bool& large) {
   verb.add_option("FILE", command.files, "diagram files")->required();
   verb.add_option("--set", settings, "a parameter in place of the file's: name=value; reaches into parts (rig.mass=2kg)")->allow_extra_args(false);
@@ -85,7 +87,7 @@ class CommandLine {
     CLI::App* verb = app_.add_subcommand("run", "run diagram files, judge their claims");
     verb->footer("Example:\n  stepwire run lag.yaml --set tau=0.2s --stop 2s --out out/lag");
     add_work_options(*verb, run_, settings_, stop_, large_);
-    verb->add_option("--out", run_.out, "folder for signals.csv, signals.mat, pictures, claims.json, run.json");
+    verb->add_option("--out", run_.out, "folder for signals.csv, signals.mat, pictures, claims.json, run.json")->check(is_named);
     verb->callback([this] { action_ = [this] { return run_or_check(); }; });
   }
 
@@ -103,7 +105,7 @@ class CommandLine {
     CLI::App* verb = app_.add_subcommand("thesis", "make the figures of the thesis and a page that shows them");
     verb->footer("Example:\n  stepwire thesis --only fig15,fig31 --out out/thesis");
     verb->add_option("--only", thesis_.only, "beginnings of file names, e.g. fig15,fig31")->delimiter(',');
-    verb->add_option("--out", thesis_.out, "folder of the page")->capture_default_str();
+    verb->add_option("--out", thesis_.out, "folder of the page")->capture_default_str()->check(is_named);
     thesis_.diagrams = std::string(STEPWIRE_DIAGRAMS) + "/thesis";
     verb->callback([this] { action_ = [this] { return run_thesis(thesis_, registry_); }; });
   }

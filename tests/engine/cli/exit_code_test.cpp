@@ -48,6 +48,7 @@ TEST_CASE("what is wrong in the call ends with 2 and one line on standard error"
   refused({"run"}, "FILE");
   refused({"run", "lag.yaml", "--fast"}, "--fast");
   refused({"run", "lag.yaml", "--stop"}, "--stop");
+  refused({"run", "lag.yaml", "--out", ""}, "--out");
   refused({"run", "none.yaml"}, "none.yaml: no such file");
   refused({"run", "."}, "this is a folder");
   refused({"run", "lag.yaml", "--set", "tau"}, "name=value");
