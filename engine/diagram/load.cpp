@@ -23,10 +23,6 @@ void connect(const PendingInput& pending, const Resolver& resolver, Report& repo
     if (node.items.empty()) report.add(pending.scope->at(node.mark), subject, "is an empty list; name at least one signal");
     for (const Node& item : node.items) connect_one(item);
   } else {
-    const bool names = node.is_list() && !node.items.empty() && !node.items.front().is_list() &&
-                       !parse_quantity(node.items.front().text) && !node.items.front().text.starts_with('$');
-    if (names)
-      return report.add(pending.scope->at(node.mark), subject, "takes one signal, not a list; join signals with a Mux");
     connect_one(node);
   }
 }

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
+
 namespace stepwire {
 
 namespace {
@@ -13,6 +16,12 @@ std::vector<std::string> output_names(const BlockType& type) {
   std::vector<std::string> names;
   for (const OutputSpec& output : type.outputs) names.push_back(output.name);
   return names;
+}
+
+/// Is this the name of a signal, not a number, `$name`, `= expression`, list or map?
+bool names_signal(const Node& node) {
+  if (!node.is_scalar() || node.text.starts_with('$') || node.text.starts_with('=')) return false;
+  return node.quoted || !(parse_quantity(node.text) || means_not_finite(node.text));
 }
 
 // A state is carried in a Source as an output number below -1.
@@ -43,9 +52,9 @@ std::optional<SignalRef> Resolver::signal(const std::string& text, const Scope& 
 
 std::optional<Source> Resolver::element(const Node& node, const Scope& scope, Query query) const {
   if (node.kind == Node::Kind::empty) return refuse(query, "is fed by nothing; name a block or give a number");
-  const bool number = node.is_list() || node.is_map() || node.text.starts_with('$') || node.text.starts_with('=') ||
-                      (!node.quoted && (parse_quantity(node.text) || means_not_finite(node.text)));
-  if (!number) return reference(node.text, scope, std::move(query));
+  if (names_signal(node)) return reference(node.text, scope, std::move(query));
+  if (std::any_of(node.items.begin(), node.items.end(), names_signal))
+    return refuse(query, "takes one signal, not a list; join signals with a Mux");
   const ValueReader reader(scope.parameters, report_, scope.index);
   ParameterSpec spec;
   spec.kind = ParameterKind::per_element;
@@ -105,6 +114,8 @@ std::optional<Source> Resolver::of_block(const std::string& rest, int block, con
   }
   const auto names = output_names(type);
   if (names.empty()) return refuse(query, fmt::format("'{}' is a {}, which has no output", found.name, type.name));
+  if (std::all_of(rest.begin(), rest.end(), [](unsigned char c) { return std::isdigit(c); }))
+    return refuse(query, fmt::format("'{}' is no signal of its own; pick an element with Select", found.name + "." + rest));
   return refuse(query, fmt::format("{} has no output '{}'{}", type.name, rest,
                                    did_you_mean(rest, names, fmt::format("It has: {}", fmt::join(names, ", ")))));
 }
