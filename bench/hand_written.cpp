@@ -10,7 +10,9 @@ namespace {
 
 constexpr double h = 0.001;
 
-double hand(double time) { return 2.0 * std::sin(std::numbers::pi * time + 0.3); }
+double hand(double time) {
+  return 2.0 * std::sin(std::numbers::pi * time + 0.3);
+}
 
 }  // namespace
 
@@ -52,7 +54,8 @@ void HandWrittenW1::step() {
   const auto k2 = slope(time + h / 2, moved(k1, h / 2));
   const auto k3 = slope(time + h / 2, moved(k2, h / 2));
   const auto k4 = slope(time + h, moved(k3, h));
-  for (std::size_t n = 0; n < state_.size(); ++n) state_[n] += h / 6 * (k1[n] + 2 * k2[n] + 2 * k3[n] + k4[n]);
+  for (std::size_t n = 0; n < state_.size(); ++n)
+    state_[n] += h / 6 * (k1[n] + 2 * k2[n] + 2 * k3[n] + k4[n]);
 }
 
 HandWrittenW2::HandWrittenW2(int blocks) {

@@ -1,5 +1,5 @@
-// Cost of one step: W1 and W2 as diagrams and by hand, in one program, interleaved. Agreement with the reference values
-// comes first: a fast wrong answer is no result.
+// Cost of one step: W1 and W2 as diagrams and by hand, in one program, interleaved. Agreement with the
+// reference values comes first: a fast wrong answer is no result.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 #include <malloc.h>
@@ -135,12 +135,15 @@ void add_benchmarks(std::vector<Plan>& plans, const std::vector<int>& sizes) {
   plans.reserve(sizes.size() + 1);
   const Plan& w1 = plans.emplace_back(w1_plan());
   benchmark::RegisterBenchmark("W1", [&w1](benchmark::State& bench) { run_diagram(bench, w1); });
-  benchmark::RegisterBenchmark("W1 by hand", [](benchmark::State& bench) { run_by_hand(bench, HandWrittenW1()); });
+  benchmark::RegisterBenchmark("W1 by hand",
+                               [](benchmark::State& bench) { run_by_hand(bench, HandWrittenW1()); });
   for (int size : sizes) {
     const Plan& w2 = plans.emplace_back(w2_plan(size, 1000));
-    benchmark::RegisterBenchmark(fmt::format("W2 {}", size).c_str(), [&w2](benchmark::State& bench) { run_diagram(bench, w2); });
-    benchmark::RegisterBenchmark(fmt::format("W2 {} by hand", size).c_str(),
-                                 [size](benchmark::State& bench) { run_by_hand(bench, HandWrittenW2(size)); });
+    benchmark::RegisterBenchmark(fmt::format("W2 {}", size).c_str(),
+                                 [&w2](benchmark::State& bench) { run_diagram(bench, w2); });
+    benchmark::RegisterBenchmark(fmt::format("W2 {} by hand", size).c_str(), [size](benchmark::State& bench) {
+      run_by_hand(bench, HandWrittenW2(size));
+    });
   }
 }
 
@@ -152,7 +155,8 @@ void print_ratios(std::map<std::string, double>& ns, const std::vector<int>& siz
   };
   row("W1", 35);
   for (int size : sizes) row(fmt::format("W2 {}", size), size + 2);
-  fmt::print("\ncost per block, N = 10000 / N = 1000: {:.2f}\n", ns["W2 10000"] / 10002 / (ns["W2 1000"] / 1002));
+  fmt::print("\ncost per block, N = 10000 / N = 1000: {:.2f}\n",
+             ns["W2 10000"] / 10002 / (ns["W2 1000"] / 1002));
 }
 
 void print_load() {
@@ -168,11 +172,13 @@ void print_load() {
     if (i == 0) {
       rusage usage{};
       getrusage(RUSAGE_SELF, &usage);
-      fmt::print("10,000 blocks: peak memory of the process {:.1f} MB\n", static_cast<double>(usage.ru_maxrss) / 1024.0);
+      fmt::print("10,000 blocks: peak memory of the process {:.1f} MB\n",
+                 static_cast<double>(usage.ru_maxrss) / 1024.0);
     }
   }
   std::sort(seconds.begin(), seconds.end());
-  fmt::print("10,000 blocks: text to first step {:.0f} ms (median of {})\n\n", 1000.0 * seconds[seconds.size() / 2], seconds.size());
+  fmt::print("10,000 blocks: text to first step {:.0f} ms (median of {})\n\n",
+             1000.0 * seconds[seconds.size() / 2], seconds.size());
 }
 
 }  // namespace
@@ -188,9 +194,10 @@ int main(int argc, char** argv) {
   std::vector<Plan> plans;
   add_benchmarks(plans, sizes);
   std::vector<char*> arguments(argv, argv + argc);
-  std::string interleave = "--benchmark_enable_random_interleaving=true", repeat = "--benchmark_repetitions=7",
-              shortly = "--benchmark_min_time=0.05";
-  for (std::string* option : {&interleave, &repeat, &shortly}) arguments.insert(arguments.begin() + 1, option->data());
+  std::string interleave = "--benchmark_enable_random_interleaving=true",
+              repeat = "--benchmark_repetitions=7", shortly = "--benchmark_min_time=0.05";
+  for (std::string* option : {&interleave, &repeat, &shortly})
+    arguments.insert(arguments.begin() + 1, option->data());
   int count = static_cast<int>(arguments.size());
   benchmark::Initialize(&count, arguments.data());
   Medians medians;

@@ -6,7 +6,9 @@
 
 namespace stepwire {
 
-std::string w1_file() { return std::string(STEPWIRE_BENCH_DIR) + "/w1.yaml"; }
+std::string w1_file() {
+  return std::string(STEPWIRE_BENCH_DIR) + "/w1.yaml";
+}
 
 std::string w2_text(int blocks, int steps) {
   std::string text = fmt::format(

@@ -27,7 +27,8 @@ void Delay::configure(Configure& is) {
     is.refuse<&Delay::delay>(
         fmt::format("{} s is not a whole number of the block's period of {} s", delay, is.period()));
   if (count > 1e9)  // far beyond what a memory holds; casting still more is not defined
-    is.refuse<&Delay::delay>(fmt::format("{} s is {} periods of {} s; at most 1e9 can be kept", delay, count, is.period()));
+    is.refuse<&Delay::delay>(
+        fmt::format("{} s is {} periods of {} s; at most 1e9 can be kept", delay, count, is.period()));
   periods = static_cast<Eigen::Index>(count);
   is.size("k", periods);
 }

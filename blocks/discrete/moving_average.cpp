@@ -32,7 +32,8 @@ void MovingAverage::configure(Configure& is) {
     is.refuse<&MovingAverage::window>(
         fmt::format("{} s is not a whole number of the block's period of {} s", window, is.period()));
   if (samples_in > 1e9)  // far beyond what a memory holds; casting still more is not defined
-    is.refuse<&MovingAverage::window>(fmt::format("{} s is {} periods of {} s; at most 1e9 can be kept", window, samples_in, is.period()));
+    is.refuse<&MovingAverage::window>(
+        fmt::format("{} s is {} periods of {} s; at most 1e9 can be kept", window, samples_in, is.period()));
   length = static_cast<Eigen::Index>(samples_in);
   is.size("k", length);
 }

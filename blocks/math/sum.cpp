@@ -9,7 +9,9 @@ void Sum::configure(Configure& is) {
     is.refuse<&Sum::signs>(
         fmt::format("'{}' is not made of + and -; one for each input, e.g. \"+-\"", signs));
   const Eigen::Index inputs = is.count<&Sum::u>();
-  if (inputs > 64) is.refuse<&Sum::signs>(fmt::format("{} inputs are more than 64; add some of them in a Sum of their own", inputs));
+  if (inputs > 64)
+    is.refuse<&Sum::signs>(
+        fmt::format("{} inputs are more than 64; add some of them in a Sum of their own", inputs));
   if (!signs.empty() && static_cast<Eigen::Index>(signs.size()) != inputs)
     is.refuse<&Sum::signs>(
         fmt::format("'{}' has {} signs for {} inputs; give one for each", signs, signs.size(), inputs));

@@ -14,7 +14,9 @@ int index_of(const std::vector<Spec>& specs, std::string_view key) {
   return found == specs.end() ? -1 : static_cast<int>(found - specs.begin());
 }
 
-void* allocate(const BlockType& type) { return ::operator new(type.bytes, std::align_val_t(type.alignment)); }
+void* allocate(const BlockType& type) {
+  return ::operator new(type.bytes, std::align_val_t(type.alignment));
+}
 
 }  // namespace
 
@@ -23,15 +25,23 @@ const ParameterSpec* BlockType::parameter(std::string_view key) const {
   return index < 0 ? nullptr : &parameters[static_cast<std::size_t>(index)];
 }
 
-int BlockType::input(std::string_view key) const { return index_of(inputs, key); }
-int BlockType::output(std::string_view key) const { return index_of(outputs, key); }
-int BlockType::state(std::string_view key) const { return index_of(states, key); }
+int BlockType::input(std::string_view key) const {
+  return index_of(inputs, key);
+}
+int BlockType::output(std::string_view key) const {
+  return index_of(outputs, key);
+}
+int BlockType::state(std::string_view key) const {
+  return index_of(states, key);
+}
 
 bool BlockType::has_continuous_state() const {
   return std::any_of(states.begin(), states.end(), [](const StateSpec& state) { return state.continuous; });
 }
 
-AnyBlock::AnyBlock(const BlockType& type) : type_(&type), memory_(allocate(type)) { type.construct(memory_); }
+AnyBlock::AnyBlock(const BlockType& type) : type_(&type), memory_(allocate(type)) {
+  type.construct(memory_);
+}
 
 AnyBlock::AnyBlock(const AnyBlock& other) : type_(other.type_), memory_(allocate(*other.type_)) {
   type_->copy(memory_, other.memory_);

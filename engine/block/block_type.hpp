@@ -17,7 +17,8 @@ using Kernel = void (*)(void* first, std::size_t count);
 enum class Timing {
   inherited,   ///< at the rate of its inputs; once at the start if it has none
   continuous,  ///< follows time itself (sources) or has continuous states
-  discrete     ///< acts at ticks; without `every` at its inputs' period, or at every step where those are continuous
+  discrete     ///< acts at ticks; without `every` at its inputs' period, or at every step where those are
+               ///< continuous
 };
 
 /// Everything known of a kind of block, from its declaration alone.
@@ -38,7 +39,7 @@ struct BlockType {
   std::vector<void (*)(void* block, const double* time)> bind_time;
   std::vector<void (*)(void* block, double period)> bind_period;
 
-  Kernel run_outputs = nullptr;      ///< null where the block has no such phase
+  Kernel run_outputs = nullptr;  ///< null where the block has no such phase
   Kernel run_derivatives = nullptr;
   Kernel run_update = nullptr;
   void (*configure)(void* block, Configure& is) = nullptr;

@@ -22,8 +22,9 @@ class ParameterRefused : public std::runtime_error {
   int line, column;  ///< of the piece of a tree that is wrong; 0: the parameter as a whole
 };
 
-/// Passed to a block's optional configure() once its parameters, connections and period are known and before shapes,
-/// order and memory are: here a block checks its parameters against each other, and says what its declaration left open.
+/// Passed to a block's optional configure() once its parameters, connections and period are known and before
+/// shapes, order and memory are: here a block checks its parameters against each other, and says what its
+/// declaration left open.
 class Configure {
  public:
   Configure(std::set<std::string> connected, double period, std::map<std::string, Eigen::Index> counts = {})
@@ -47,7 +48,8 @@ class Configure {
   void size(const std::string& symbol, Eigen::Index elements) { sizes_[symbol] = elements; }
   /// Refuses a size, which comes from a wire, below this: there is no element `elements` to work on.
   void size_at_least(const std::string& symbol, Eigen::Index elements) { least_sizes_[symbol] = elements; }
-  /// Says what a unit variable of the declaration is in this instance, e.g. ("'u", "mm") from a file's header.
+  /// Says what a unit variable of the declaration is in this instance, e.g. ("'u", "mm") from a file's
+  /// header.
   void unit(const std::string& variable, const std::string& unit) { units_[variable] = unit; }
   /// Says whether this instance's output depends on this input at the same instant.
   template <auto input, auto output>

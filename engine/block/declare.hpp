@@ -101,9 +101,10 @@ void run_phase(void* first, std::size_t count) {
 
 /// Collects what a block says of itself; `declare(Declare<Block>&)` names each member once.
 ///
-/// Units: a unit ("N", "mm/s"; numbers inside are SI all the same), "1" for none, "*" for anything, or with unit
-/// variables, which are what is wired to the block: "'u" (a name after a quote), "'u s", "'k 'u", "'a/'b", "'u^0.5".
-/// Shapes: a number, a letter that stands for the same size in the whole block, or "n x m" for matrices.
+/// Units: a unit ("N", "mm/s"; numbers inside are SI all the same), "1" for none, "*" for anything, or with
+/// unit variables, which are what is wired to the block: "'u" (a name after a quote), "'u s", "'k 'u",
+/// "'a/'b", "'u^0.5". Shapes: a number, a letter that stands for the same size in the whole block, or "n x m"
+/// for matrices.
 template <class Block>
 class Declare {
  public:
@@ -111,7 +112,9 @@ class Declare {
     type_.bytes = sizeof(Block);
     type_.alignment = alignof(Block);
     type_.construct = [](void* memory) { ::new (memory) Block{}; };
-    type_.copy = [](void* memory, const void* block) { ::new (memory) Block(*static_cast<const Block*>(block)); };
+    type_.copy = [](void* memory, const void* block) {
+      ::new (memory) Block(*static_cast<const Block*>(block));
+    };
     type_.destroy = [](void* block) { static_cast<Block*>(block)->~Block(); };
     find_phases();
   }
@@ -126,8 +129,14 @@ class Declare {
   template <auto member>
   void parameter(ParameterOptions is) {
     using Access = ParameterAccess<MemberType<member>>;
-    ParameterSpec spec{std::string(member_name<member>()), Access::kind, is.unit, is.shape, is.doc,
-                       {is.above, is.below, is.at_least, is.at_most}, is.words, is.required};
+    ParameterSpec spec{std::string(member_name<member>()),
+                       Access::kind,
+                       is.unit,
+                       is.shape,
+                       is.doc,
+                       {is.above, is.below, is.at_least, is.at_most},
+                       is.words,
+                       is.required};
     if (Access::kind == ParameterKind::per_element && spec.shape.empty()) spec.shape.assign(1, 'n');
     spec.set = [](void* block, const Value& value) { Access::set(of<member>(block), value); };
     spec.get = [](const void* block) { return Access::get(static_cast<const Block*>(block)->*member); };
@@ -137,15 +146,23 @@ class Declare {
   template <auto member>
   void input(InputOptions is) {
     using Port = MemberType<member>;
-    InputSpec spec{std::string(member_name<member>()), is.unit, detail::shape_of<Port>(is.shape), is.doc,
-                   is.feedthrough, is.optional, std::is_same_v<Port, Inputs>, is.multiply_units};
+    InputSpec spec{std::string(member_name<member>()),
+                   is.unit,
+                   detail::shape_of<Port>(is.shape),
+                   is.doc,
+                   is.feedthrough,
+                   is.optional,
+                   std::is_same_v<Port, Inputs>,
+                   is.multiply_units};
     if constexpr (std::is_same_v<Port, Inputs>) {
       spec.bind_list = [](void* block, const Inputs::Element* elements, Eigen::Index count) {
         of<member>(block).bind(elements, count);
       };
       spec.unbind = [](void* block) { of<member>(block).bind(nullptr, 0); };
     } else {
-      spec.bind = [](void* block, const double* data, Eigen::Index size) { of<member>(block).bind(data, size); };
+      spec.bind = [](void* block, const double* data, Eigen::Index size) {
+        of<member>(block).bind(data, size);
+      };
       spec.unbind = [](void* block) { of<member>(block).bind(nullptr, detail::unbound_size<Port>); };
     }
     type_.inputs.push_back(std::move(spec));
@@ -153,13 +170,13 @@ class Declare {
 
   template <auto member>
   void output(OutputOptions is) {
-    type_.outputs.push_back({std::string(member_name<member>()), is.unit,
-                             detail::shape_of<MemberType<member>>(is.shape), is.doc, "",
-                             [](void* block, double* data, Eigen::Index size) { of<member>(block).bind(data, size); }});
+    type_.outputs.push_back(
+        {std::string(member_name<member>()), is.unit, detail::shape_of<MemberType<member>>(is.shape), is.doc,
+         "", [](void* block, double* data, Eigen::Index size) { of<member>(block).bind(data, size); }});
   }
 
-  /// An output that is a continuous state: it needs no computation and no memory of its own, unless the block also has
-  /// outputs() and does not skip it in configure().
+  /// An output that is a continuous state: it needs no computation and no memory of its own, unless the block
+  /// also has outputs() and does not skip it in configure().
   template <auto member, auto state>
   void output(OutputOptions is) {
     output<member>(std::move(is));
@@ -170,8 +187,13 @@ class Declare {
   void state(StateOptions is) {
     using Kind = MemberType<member>;
     constexpr bool continuous = detail::IsContinuous<Kind>::value;
-    StateSpec spec{std::string(member_name<member>()), is.unit, detail::shape_of<Kind>(is.shape), is.doc, continuous,
-                   is.settable, is.initial};
+    StateSpec spec{std::string(member_name<member>()),
+                   is.unit,
+                   detail::shape_of<Kind>(is.shape),
+                   is.doc,
+                   continuous,
+                   is.settable,
+                   is.initial};
     spec.bind = [](void* block, double* data, double* dot, Eigen::Index size) {
       of<member>(block).bind(data, size);
       if constexpr (continuous) of<member>(block).dot.bind(dot, size);
@@ -218,11 +240,13 @@ class Declare {
   }
 
   void find_phases() {
-    if constexpr (requires(Block b) { b.outputs(); }) type_.run_outputs = detail::run_phase<Block, &Block::outputs>;
+    if constexpr (requires(Block b) { b.outputs(); })
+      type_.run_outputs = detail::run_phase<Block, &Block::outputs>;
     if constexpr (requires(Block b) { b.derivatives(); })
       type_.run_derivatives = detail::run_phase<Block, &Block::derivatives>;
-    if constexpr (requires(Block b) { b.update(); }) type_.run_update = detail::run_phase<Block, &Block::update>;
-    if constexpr (requires(Block b, Configure& is) { b.configure(is); })
+    if constexpr (requires(Block b) { b.update(); })
+      type_.run_update = detail::run_phase<Block, &Block::update>;
+    if constexpr (requires(Block b, Configure & is) { b.configure(is); })
       type_.configure = [](void* block, Configure& is) { static_cast<Block*>(block)->configure(is); };
     if constexpr (requires(Block b) { b.start(); })
       type_.start = [](void* block) { static_cast<Block*>(block)->start(); };

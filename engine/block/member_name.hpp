@@ -4,8 +4,8 @@
 
 namespace stepwire {
 
-/// The name of a member from its pointer: member_name<&Lag::tau>() is "tau". A trailing '_' (for names that are words
-/// of C++) is dropped.
+/// The name of a member from its pointer: member_name<&Lag::tau>() is "tau". A trailing '_' (for names that
+/// are words of C++) is dropped.
 template <auto member>
 constexpr std::string_view member_name() {
   constexpr std::string_view text = __PRETTY_FUNCTION__;

@@ -52,7 +52,8 @@ struct InputSpec {
   bool list = false;
   bool multiply_units = false;  ///< a list whose unit variable stands for the product of its elements' units
   void (*bind)(void* block, const double* data, Eigen::Index size) = nullptr;  ///< null for a list
-  void (*bind_list)(void* block, const Inputs::Element* elements, Eigen::Index count) = nullptr;  ///< null otherwise
+  void (*bind_list)(void* block, const Inputs::Element* elements,
+                    Eigen::Index count) = nullptr;  ///< null otherwise
   void (*unbind)(void* block) = nullptr;
 };
 

@@ -30,7 +30,8 @@ ExitCode show_blocks(const BlocksCommand& command, const Registry& registry) {
   }
   const BlockType* type = registry.find(command.name);
   if (!type) {
-    fmt::print(stderr, "there is no block '{}'{}\n", command.name, did_you_mean(command.name, registry.names()));
+    fmt::print(stderr, "there is no block '{}'{}\n", command.name,
+               did_you_mean(command.name, registry.names()));
     return ExitCode::wrong;
   }
   fmt::print("{}", one_block(command, *type));

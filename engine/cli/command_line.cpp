@@ -21,11 +21,15 @@ namespace {
 
 constexpr DocumentLimits large_limits{.bytes = std::size_t{512} << 20, .depth = 64, .nodes = 64'000'000};
 
-const CLI::Validator is_named([](const std::string& path) { return path.empty() ? "names no folder" : ""; }, "");
+const CLI::Validator is_named([](const std::string& path) { return path.empty() ? "names no folder" : ""; },
+                              "");
 
-void add_work_options(CLI::App& verb, RunCommand& command, std::vector<std::string>& settings, std::string& stop, bool& large) {
+void add_work_options(CLI::App& verb, RunCommand& command, std::vector<std::string>& settings,
+                      std::string& stop, bool& large) {
   verb.add_option("FILE", command.files, "diagram files")->required();
-  verb.add_option("--set", settings, "a parameter in place of the file's: name=value; reaches into parts (rig.mass=2kg)")->allow_extra_args(false);
+  verb.add_option("--set", settings,
+                  "a parameter in place of the file's: name=value; reaches into parts (rig.mass=2kg)")
+      ->allow_extra_args(false);
   verb.add_option("--stop", stop, "stop time in place of the file's, e.g. 2s");
   verb.add_flag("--large", large, "read files above 8 MB, up to 512 MB");
   verb.add_flag("--units", command.units, "print the unit of every wire");
@@ -69,7 +73,8 @@ class CommandLine {
  private:
   std::vector<std::string> verbs() const {
     std::vector<std::string> names;
-    for (const CLI::App* verb : app_.get_subcommands([](const CLI::App*) { return true; })) names.push_back(verb->get_name());
+    for (const CLI::App* verb : app_.get_subcommands([](const CLI::App*) { return true; }))
+      names.push_back(verb->get_name());
     return names;
   }
 
@@ -79,7 +84,8 @@ class CommandLine {
   }
 
   ExitCode refuse_verb(const std::string& word) const {
-    fmt::print(stderr, "stepwire: there is no '{}'{}; there are: {}\n", word, did_you_mean(word, verbs()), fmt::join(verbs(), ", "));
+    fmt::print(stderr, "stepwire: there is no '{}'{}; there are: {}\n", word, did_you_mean(word, verbs()),
+               fmt::join(verbs(), ", "));
     return ExitCode::wrong;
   }
 
@@ -87,7 +93,9 @@ class CommandLine {
     CLI::App* verb = app_.add_subcommand("run", "run diagram files, judge their claims");
     verb->footer("Example:\n  stepwire run lag.yaml --set tau=0.2s --stop 2s --out out/lag");
     add_work_options(*verb, run_, settings_, stop_, large_);
-    verb->add_option("--out", run_.out, "folder for signals.csv, signals.mat, pictures, claims.json, run.json")->check(is_named);
+    verb->add_option("--out", run_.out,
+                     "folder for signals.csv, signals.mat, pictures, claims.json, run.json")
+        ->check(is_named);
     verb->callback([this] { action_ = [this] { return run_or_check(); }; });
   }
 
@@ -102,7 +110,8 @@ class CommandLine {
   }
 
   void add_thesis() {
-    CLI::App* verb = app_.add_subcommand("thesis", "make the figures of the thesis and a page that shows them");
+    CLI::App* verb =
+        app_.add_subcommand("thesis", "make the figures of the thesis and a page that shows them");
     verb->footer("Example:\n  stepwire thesis --only fig15,fig31 --out out/thesis");
     verb->add_option("--only", thesis_.only, "beginnings of file names, e.g. fig15,fig31")->delimiter(',');
     verb->add_option("--out", thesis_.out, "folder of the page")->capture_default_str()->check(is_named);
@@ -121,8 +130,9 @@ class CommandLine {
 
   void add_schema() {
     CLI::App* verb = app_.add_subcommand("schema", "print the JSON schema of diagram files, for editors");
-    verb->footer("Example:\n  stepwire schema > stepwire.schema.json\n  # first line of a diagram file:\n"
-                 "  # yaml-language-server: $schema=stepwire.schema.json");
+    verb->footer(
+        "Example:\n  stepwire schema > stepwire.schema.json\n  # first line of a diagram file:\n"
+        "  # yaml-language-server: $schema=stepwire.schema.json");
     verb->callback([this] { action_ = [this] { return show_schema(registry_); }; });
   }
 
@@ -144,7 +154,8 @@ class CommandLine {
   std::function<ExitCode()> action_;
 };
 
-/// A caller may close a standard stream; the first file that is opened then would take its place and get what is printed.
+/// A caller may close a standard stream; the first file that is opened then would take its place and get what
+/// is printed.
 void fill_standard_streams() {
   for (int stream = ::open("/dev/null", O_RDWR); stream >= 0; stream = ::open("/dev/null", O_RDWR)) {
     if (stream <= STDERR_FILENO) continue;

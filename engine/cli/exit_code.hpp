@@ -4,13 +4,15 @@ namespace stepwire {
 
 /// What scripts may rely on. Where several apply, the greatest but for 130 wins.
 enum class ExitCode {
-  done = 0,          ///< and all claims hold
+  done = 0,  ///< and all claims hold
   claim_fails = 1,
   wrong = 2,         ///< the diagram or the call, also where it shows only in the run
   surroundings = 3,  ///< disk full, gnuplot missing, data folder absent, no permission
   interrupted = 130
 };
 
-inline ExitCode worst(ExitCode a, ExitCode b) { return static_cast<int>(a) > static_cast<int>(b) ? a : b; }
+inline ExitCode worst(ExitCode a, ExitCode b) {
+  return static_cast<int>(a) > static_cast<int>(b) ? a : b;
+}
 
 }  // namespace stepwire

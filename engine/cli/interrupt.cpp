@@ -16,7 +16,9 @@ void handle(int signal) {
 
 }  // namespace
 
-const std::atomic<bool>& interrupted() { return flag; }
+const std::atomic<bool>& interrupted() {
+  return flag;
+}
 
 void catch_interrupts() {
   std::signal(SIGINT, handle);

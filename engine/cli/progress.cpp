@@ -26,7 +26,8 @@ void Progress::show(double fraction, const std::string& what) {
   if (!on_terminal_ || (permille == last_permille_ && what.empty())) return;
   last_permille_ = std::max(permille, last_permille_);
   const int full = width * last_permille_ / 1000;
-  fmt::print(stderr, "\r\x1b[K{} [{:=<{}}{: <{}}] {:3} % {}", label_, "", full, "", width - full, last_permille_ / 10, what);
+  fmt::print(stderr, "\r\x1b[K{} [{:=<{}}{: <{}}] {:3} % {}", label_, "", full, "", width - full,
+             last_permille_ / 10, what);
   std::fflush(stderr);
 }
 

@@ -15,13 +15,18 @@ namespace stepwire {
 std::string outcome_text(const Work& work, const Outcome& outcome) {
   const Diagram& diagram = work.job.plan.diagram;
   const std::size_t runs = std::max<std::size_t>(1, work.job.points.size());
-  std::string text = fmt::format("{}\n  {}: {} blocks, {}{} ticks, {:.3g} s\n", diagram.title.empty() ? work.file : diagram.title,
-                                 work.file, diagram.blocks.size(), runs > 1 ? fmt::format("{} runs, ", runs) : "", outcome.result.ticks,
-                                 outcome.seconds);
+  std::string text =
+      fmt::format("{}\n  {}: {} blocks, {}{} ticks, {:.3g} s\n",
+                  diagram.title.empty() ? work.file : diagram.title, work.file, diagram.blocks.size(),
+                  runs > 1 ? fmt::format("{} runs, ", runs) : "", outcome.result.ticks, outcome.seconds);
   for (const Verdict& verdict : outcome.verdicts)
-    text += fmt::format("  {} {}: {} ({}){}{}\n", verdict.holds ? "ok  " : verdict.fails() ? "FAIL" : "note", verdict.that, verdict.shown,
-                        verdict.check, verdict.note.empty() ? "" : "; " + verdict.note,
-                        verdict.disagrees.empty() ? "" : fmt::format("; {}: {}", verdict.word(), verdict.disagrees));
+    text += fmt::format(
+        "  {} {}: {} ({}){}{}\n",
+        verdict.holds     ? "ok  "
+        : verdict.fails() ? "FAIL"
+                          : "note",
+        verdict.that, verdict.shown, verdict.check, verdict.note.empty() ? "" : "; " + verdict.note,
+        verdict.disagrees.empty() ? "" : fmt::format("; {}: {}", verdict.word(), verdict.disagrees));
   for (const RaisedNotice& notice : outcome.result.notices)
     text += fmt::format("  note {}: {} (first at {:.6g} s)\n", notice.block, notice.text, notice.time);
   return text;
@@ -33,7 +38,8 @@ std::string units_text(const Diagram& diagram) {
     const DiagramBlock& block = diagram.blocks[b];
     for (std::size_t o = 0; o < block.type().outputs.size(); ++o) {
       const auto& dimension = diagram.output_dimensions[b][o];
-      const std::string port = block.type().outputs.size() == 1 ? block.name : block.name + "." + block.type().outputs[o].name;
+      const std::string port =
+          block.type().outputs.size() == 1 ? block.name : block.name + "." + block.type().outputs[o].name;
       text += fmt::format("  {:<40} {}\n", port, dimension ? si_name(*dimension) : "not known");
     }
   }
@@ -43,8 +49,10 @@ std::string units_text(const Diagram& diagram) {
 void print_faults(const RunResult& result) {
   constexpr std::size_t most_shown = 10;
   const auto& faults = result.faults;
-  for (std::size_t i = 0; i < std::min(faults.size(), most_shown); ++i) fmt::print(stderr, "{}\n", faults[i].fault.text());
-  if (faults.size() > most_shown) fmt::print(stderr, "and {} more runs of the sweep ended early\n", faults.size() - most_shown);
+  for (std::size_t i = 0; i < std::min(faults.size(), most_shown); ++i)
+    fmt::print(stderr, "{}\n", faults[i].fault.text());
+  if (faults.size() > most_shown)
+    fmt::print(stderr, "and {} more runs of the sweep ended early\n", faults.size() - most_shown);
 }
 
 ExitCode guarded(const std::function<ExitCode()>& action) {
@@ -66,7 +74,8 @@ ExitCode guarded(const std::function<ExitCode()>& action) {
     fmt::print(stderr, "this run needs more memory than there can be\n");
     return ExitCode::surroundings;
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "there is not enough memory for this run; record fewer signals or give 'record' an 'every'\n");
+    fmt::print(stderr,
+               "there is not enough memory for this run; record fewer signals or give 'record' an 'every'\n");
     return ExitCode::surroundings;
   }
 }

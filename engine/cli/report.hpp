@@ -15,8 +15,8 @@ std::string units_text(const Diagram& diagram);
 /// Why runs ended early, on the standard error; of many runs the first few.
 void print_faults(const RunResult& result);
 
-/// Does something that may fail as users' things do, tells why on the standard error (one line each), and returns the
-/// code that fits.
+/// Does something that may fail as users' things do, tells why on the standard error (one line each), and
+/// returns the code that fits.
 ExitCode guarded(const std::function<ExitCode()>& action);
 
 }  // namespace stepwire

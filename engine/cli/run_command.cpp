@@ -26,7 +26,8 @@ bool folders_differ(const RunCommand& command) {
   for (const std::string& file : command.files) {
     const auto [first, is_new] = files.emplace(folder_of(command, file), file);
     if (is_new || command.out.empty()) continue;
-    fmt::print(stderr, "{} and {} would both be written to {}; give each a call with its own --out\n", first->second, file, first->first);
+    fmt::print(stderr, "{} and {} would both be written to {}; give each a call with its own --out\n",
+               first->second, file, first->first);
     return false;
   }
   return true;
@@ -35,13 +36,16 @@ bool folders_differ(const RunCommand& command) {
 ExitCode check(const Work& work, const RunCommand& command, Json& results) {
   const Diagram& diagram = work.job.plan.diagram;
   if (command.json) {
-    Json result = Json::object().set("file", work.file).set("blocks", diagram.blocks.size()).set("claims", work.claims.size());
+    Json result = Json::object()
+                      .set("file", work.file)
+                      .set("blocks", diagram.blocks.size())
+                      .set("claims", work.claims.size());
     results.push(result.set("figures", work.figures.size()));
     return ExitCode::done;
   }
   if (command.units) fmt::print("{}", units_text(diagram));
-  fmt::print("{}: {} blocks, {} claims, {} figures: nothing wrong\n", work.file, diagram.blocks.size(), work.claims.size(),
-             work.figures.size());
+  fmt::print("{}: {} blocks, {} claims, {} figures: nothing wrong\n", work.file, diagram.blocks.size(),
+             work.claims.size(), work.figures.size());
   return ExitCode::done;
 }
 

@@ -20,14 +20,16 @@ namespace {
 namespace fs = std::filesystem;
 
 bool wanted(const std::string& stem, const std::vector<std::string>& only) {
-  return only.empty() || std::any_of(only.begin(), only.end(), [&](const std::string& start) { return stem.starts_with(start); });
+  return only.empty() || std::any_of(only.begin(), only.end(),
+                                     [&](const std::string& start) { return stem.starts_with(start); });
 }
 
 std::vector<fs::path> figure_files(const ThesisCommand& command) {
   std::vector<fs::path> files;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(command.diagrams, error))
-    if (entry.path().extension() == ".yaml" && wanted(entry.path().stem().string(), command.only)) files.push_back(entry.path());
+    if (entry.path().extension() == ".yaml" && wanted(entry.path().stem().string(), command.only))
+      files.push_back(entry.path());
   if (error) throw SurroundingsError(fmt::format("{}: {}", command.diagrams, error.message()));
   std::sort(files.begin(), files.end());
   return files;
@@ -52,11 +54,16 @@ void describe(const Work& work, GalleryEntry& entry) {
 class Maker {
  public:
   Maker(const ThesisCommand& command, const Registry& registry, std::vector<fs::path> files)
-      : command_(command), registry_(registry), files_(std::move(files)), entries_(files_.size()), codes_(files_.size(), ExitCode::done) {}
+      : command_(command),
+        registry_(registry),
+        files_(std::move(files)),
+        entries_(files_.size()),
+        codes_(files_.size(), ExitCode::done) {}
 
   void run() {
     std::vector<std::jthread> threads;
-    const std::size_t count = std::min<std::size_t>(files_.size(), std::max(1u, std::thread::hardware_concurrency()));
+    const std::size_t count =
+        std::min<std::size_t>(files_.size(), std::max(1u, std::thread::hardware_concurrency()));
     for (std::size_t i = 0; i < count; ++i) threads.emplace_back([this] { work(); });
   }
 
@@ -71,7 +78,8 @@ class Maker {
   void work() {
     for (std::size_t i = next_++; i < files_.size() && !interrupted(); i = next_++) {
       codes_[i] = make(files_[i], entries_[i]);
-      progress_.show(static_cast<double>(++done_) / static_cast<double>(files_.size()), files_[i].stem().string());
+      progress_.show(static_cast<double>(++done_) / static_cast<double>(files_.size()),
+                     files_[i].stem().string());
     }
   }
 
@@ -90,7 +98,8 @@ class Maker {
       const Outcome outcome = carry_out(work, options);
       print_faults(outcome.result);
       entry.verdicts = outcome.verdicts;
-      for (const std::string& picture : write_outputs((fs::path(command_.out) / stem).string(), work, outcome))
+      for (const std::string& picture :
+           write_outputs((fs::path(command_.out) / stem).string(), work, outcome))
         entry.pictures.push_back(stem + "/" + picture);
       entry.error = outcome.result.faults.empty() ? "" : outcome.result.faults.front().fault.message;
       return outcome.code;
@@ -109,7 +118,9 @@ class Maker {
 void summarise(const Maker& maker) {
   for (const GalleryEntry& entry : maker.entries())
     for (const Verdict& verdict : entry.verdicts)
-      if (!verdict.holds) fmt::print("{}: {}: {}: {} ({})\n", entry.folder, verdict.word(), verdict.that, verdict.shown, verdict.check);
+      if (!verdict.holds)
+        fmt::print("{}: {}: {}: {} ({})\n", entry.folder, verdict.word(), verdict.that, verdict.shown,
+                   verdict.check);
 }
 
 }  // namespace
@@ -118,7 +129,8 @@ ExitCode run_thesis(const ThesisCommand& command, const Registry& registry) {
   return guarded([&] {
     const auto files = figure_files(command);
     if (files.empty()) {
-      fmt::print(stderr, "no diagram file in {} begins with {}\n", command.diagrams, fmt::join(command.only, " or "));
+      fmt::print(stderr, "no diagram file in {} begins with {}\n", command.diagrams,
+                 fmt::join(command.only, " or "));
       return ExitCode::wrong;
     }
     require_folder(command.out);
@@ -126,10 +138,14 @@ ExitCode run_thesis(const ThesisCommand& command, const Registry& registry) {
     maker.run();
     summarise(maker);
     const std::string page = (fs::path(command.out) / "index.html").string();
-    write_file(page, gallery_page({"The thesis, figure by figure",
-                                   "Every picture was computed by the diagram file beside it. What the thesis says of a figure stands under it as "
-                                   "claims, checked on the recorded signals. What the text does not give is listed as assumed.",
-                                   maker.entries()}));
+    write_file(
+        page,
+        gallery_page(
+            {"The thesis, figure by figure",
+             "Every picture was computed by the diagram file beside it. What the thesis says of a figure "
+             "stands under it as "
+             "claims, checked on the recorded signals. What the text does not give is listed as assumed.",
+             maker.entries()}));
     fmt::print("{} diagram files; see {}\n", files.size(), page);
     return interrupted() ? ExitCode::interrupted : maker.code();
   });

@@ -2,7 +2,9 @@
 
 namespace stepwire {
 
-std::string program_version() { return STEPWIRE_VERSION; }
+std::string program_version() {
+  return STEPWIRE_VERSION;
+}
 
 std::string compiler_version() {
 #ifdef __clang__

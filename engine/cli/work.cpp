@@ -28,10 +28,12 @@ Names names_of(const Job& job) {
   add_swept_names(job, names);
   for (std::size_t r = 0; r < diagram.records.size(); ++r) {
     const auto columns = recorded_columns(job.plan, diagram.records[r]);
-    for (std::size_t i = 1; i < columns.size(); ++i) names.columns.push_back({columns[i].name, columns[i].dimension, r});
+    for (std::size_t i = 1; i < columns.size(); ++i)
+      names.columns.push_back({columns[i].name, columns[i].dimension, r});
   }
   for (const DiagramParameter& parameter : diagram.parameters)
-    if (const double* number = std::get_if<double>(&parameter.value.content)) names.parameters.push_back({parameter.name, *number});
+    if (const double* number = std::get_if<double>(&parameter.value.content))
+      names.parameters.push_back({parameter.name, *number});
   return names;
 }
 
@@ -71,7 +73,8 @@ Outcome carry_out(const Work& work, const RunOptions& options) {
   outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const bool early = !outcome.result.faults.empty() || outcome.result.interrupted;
   for (const Claim& claim : work.claims)
-    outcome.verdicts.push_back(early ? not_judged(claim, "the run ended early") : judge(claim, outcome.result.recordings));
+    outcome.verdicts.push_back(early ? not_judged(claim, "the run ended early")
+                                     : judge(claim, outcome.result.recordings));
   for (const Verdict& verdict : outcome.verdicts) {
     if (verdict.fails() && !early) outcome.code = worst(outcome.code, ExitCode::claim_fails);
     if (verdict.surprises()) outcome.code = worst(outcome.code, ExitCode::wrong);

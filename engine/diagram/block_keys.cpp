@@ -5,7 +5,8 @@
 namespace stepwire {
 
 std::string initial_key(const BlockType& type, const StateSpec& state) {
-  const auto settable = std::count_if(type.states.begin(), type.states.end(), [](const StateSpec& s) { return s.settable; });
+  const auto settable =
+      std::count_if(type.states.begin(), type.states.end(), [](const StateSpec& s) { return s.settable; });
   return settable == 1 ? "initial" : "initial_" + state.name;
 }
 

@@ -14,24 +14,33 @@ namespace {
 
 const char* wanted(ParameterKind kind) {
   switch (kind) {
-    case ParameterKind::number: return "a finite number";
-    case ParameterKind::integer: return "a whole number";
-    case ParameterKind::flag: return "true or false";
-    case ParameterKind::per_element: return "a finite number or a list of numbers";
-    case ParameterKind::vector: return "a list of numbers";
-    case ParameterKind::matrix: return "a list of rows of numbers, as [[1, 2], [3, 4]]";
-    default: return "a word";
+    case ParameterKind::number:
+      return "a finite number";
+    case ParameterKind::integer:
+      return "a whole number";
+    case ParameterKind::flag:
+      return "true or false";
+    case ParameterKind::per_element:
+      return "a finite number or a list of numbers";
+    case ParameterKind::vector:
+      return "a list of numbers";
+    case ParameterKind::matrix:
+      return "a list of rows of numbers, as [[1, 2], [3, 4]]";
+    default:
+      return "a word";
   }
 }
 
 std::optional<Eigen::VectorXd> as_vector(const Value& value) {
-  if (const double* number = std::get_if<double>(&value.content)) return Eigen::VectorXd::Constant(1, *number);
+  if (const double* number = std::get_if<double>(&value.content))
+    return Eigen::VectorXd::Constant(1, *number);
   if (const auto* vector = std::get_if<Eigen::VectorXd>(&value.content)) return *vector;
   return std::nullopt;
 }
 
 std::optional<Value> as_matrix(const Value& value) {
-  if (const double* number = std::get_if<double>(&value.content)) return Value{Eigen::MatrixXd(Eigen::MatrixXd::Constant(1, 1, *number))};
+  if (const double* number = std::get_if<double>(&value.content))
+    return Value{Eigen::MatrixXd(Eigen::MatrixXd::Constant(1, 1, *number))};
   if (std::holds_alternative<Eigen::MatrixXd>(value.content)) return value;
   return std::nullopt;
 }
@@ -44,7 +53,8 @@ std::string broken_bound(const Range& range, double value) {
   return "";
 }
 
-/// What stands behind a number as its unit and is none: "Ns/m" of "8 Ns/m"; empty where no number begins the text.
+/// What stands behind a number as its unit and is none: "Ns/m" of "8 Ns/m"; empty where no number begins the
+/// text.
 std::string unknown_unit(const std::string& text) {
   char* end = nullptr;
   std::strtod(text.c_str(), &end);
@@ -60,8 +70,9 @@ bool is_text(ParameterKind kind) {
 
 }  // namespace
 
-std::optional<WrittenValue> ValueReader::read_for(const ParameterSpec& spec, const std::optional<Dimension>& demanded,
-                                                  const Node& node, const std::string& subject) const {
+std::optional<WrittenValue> ValueReader::read_for(const ParameterSpec& spec,
+                                                  const std::optional<Dimension>& demanded, const Node& node,
+                                                  const std::string& subject) const {
   if (is_text(spec.kind)) return read_words(spec, node, subject);
   auto written = read(node, subject);
   if (!written) return std::nullopt;
@@ -74,12 +85,13 @@ std::optional<WrittenValue> ValueReader::read_for(const ParameterSpec& spec, con
   return written;
 }
 
-std::optional<Value> ValueReader::convert(const ParameterSpec& spec, const WrittenValue& written, const Node& node,
-                                          const std::string& subject) const {
+std::optional<Value> ValueReader::convert(const ParameterSpec& spec, const WrittenValue& written,
+                                          const Node& node, const std::string& subject) const {
   const Value& value = written.value;
   const double* number = std::get_if<double>(&value.content);
   if (spec.kind == ParameterKind::number && number) return value;
-  if (spec.kind == ParameterKind::integer && number && std::floor(*number) == *number && std::abs(*number) < 9e15)
+  if (spec.kind == ParameterKind::integer && number && std::floor(*number) == *number &&
+      std::abs(*number) < 9e15)
     return value;
   if (spec.kind == ParameterKind::flag && std::holds_alternative<bool>(value.content)) return value;
   if (spec.kind == ParameterKind::per_element || spec.kind == ParameterKind::vector)
@@ -87,10 +99,13 @@ std::optional<Value> ValueReader::convert(const ParameterSpec& spec, const Writt
   if (spec.kind == ParameterKind::matrix)
     if (auto matrix = as_matrix(value)) return matrix;
   if (node.quoted && parse_quantity(node.text))
-    return refuse(node, subject, fmt::format("'{}' is text because of its quotes; leave them out for a number", node.text));
+    return refuse(node, subject,
+                  fmt::format("'{}' is text because of its quotes; leave them out for a number", node.text));
   if (const std::string unit = unknown_unit(written.text); !unit.empty())
-    return refuse(node, subject, fmt::format("'{}' is no unit; a product of units is written N s or N.s", unit));
-  return refuse(node, subject, fmt::format("'{}' is not allowed; it must be {}", written.text, wanted(spec.kind)));
+    return refuse(node, subject,
+                  fmt::format("'{}' is no unit; a product of units is written N s or N.s", unit));
+  return refuse(node, subject,
+                fmt::format("'{}' is not allowed; it must be {}", written.text, wanted(spec.kind)));
 }
 
 bool ValueReader::in_range(const ParameterSpec& spec, const WrittenValue& written, const Node& node,
@@ -105,7 +120,8 @@ bool ValueReader::in_range(const ParameterSpec& spec, const WrittenValue& writte
   if (const auto* matrix = std::get_if<Eigen::MatrixXd>(&written.value.content))
     for (double element : matrix->reshaped()) check(element);
   if (broken.empty()) return true;
-  const bool with_unit = !spec.unit.empty() && spec.unit != "1" && spec.unit != "*" && spec.unit.find('\'') == std::string::npos;
+  const bool with_unit =
+      !spec.unit.empty() && spec.unit != "1" && spec.unit != "*" && spec.unit.find('\'') == std::string::npos;
   const std::string unit = with_unit && !broken.ends_with(" 0") ? " " + spec.unit : "";
   refuse(node, subject, fmt::format("{} is not allowed; it must be {}{}", written.text, broken, unit));
   return false;
@@ -133,11 +149,13 @@ std::optional<WrittenValue> ValueReader::read_words(const ParameterSpec& spec, c
     const std::string path = resolve_file(*text, node, subject);
     return path.empty() ? std::nullopt : std::optional(WrittenValue{{path}, {}, *text});
   }
-  if (spec.kind == ParameterKind::text) return WrittenValue{{*text, node.mark.line, node.mark.column}, {}, *text};
+  if (spec.kind == ParameterKind::text)
+    return WrittenValue{{*text, node.mark.line, node.mark.column}, {}, *text};
   for (std::size_t i = 0; i < spec.words.size(); ++i)
     if (spec.words[i] == *text) return WrittenValue{{static_cast<double>(i)}, {}, *text};
   const std::string choice = fmt::format("It must be one of: {}", fmt::join(spec.words, ", "));
-  return refuse(node, subject, fmt::format("'{}' is not allowed{}", *text, did_you_mean(*text, spec.words, choice)));
+  return refuse(node, subject,
+                fmt::format("'{}' is not allowed{}", *text, did_you_mean(*text, spec.words, choice)));
 }
 
 std::optional<Value> ValueReader::read_tree(const Node& node, const std::string& subject) const {
@@ -168,7 +186,8 @@ std::optional<Value> ValueReader::read_tree(const Node& node, const std::string&
   return result;
 }
 
-std::string ValueReader::resolve_file(const std::string& text, const Node& node, const std::string& subject) const {
+std::string ValueReader::resolve_file(const std::string& text, const Node& node,
+                                      const std::string& subject) const {
   namespace fs = std::filesystem;
   const fs::path path(text);
   if (path.is_absolute()) return path.string();
@@ -177,8 +196,12 @@ std::string ValueReader::resolve_file(const std::string& text, const Node& node,
     const std::string folder = named ? named : "";
     std::error_code none;
     if (fs::is_directory(folder, none)) return (fs::path(folder) / path.lexically_relative("data")).string();
-    const std::string why = folder.empty() ? "set STEPWIRE_DATA to that folder" : fmt::format("STEPWIRE_DATA is '{}', which is no folder", folder);
-    throw SurroundingsError(report_.diagram().fault(at(node.mark), subject, fmt::format("'{}' is in the data folder; {}", text, why)).text());
+    const std::string why = folder.empty() ? "set STEPWIRE_DATA to that folder"
+                                           : fmt::format("STEPWIRE_DATA is '{}', which is no folder", folder);
+    throw SurroundingsError(
+        report_.diagram()
+            .fault(at(node.mark), subject, fmt::format("'{}' is in the data folder; {}", text, why))
+            .text());
   }
   const std::string& file = report_.diagram().scopes[static_cast<std::size_t>(scope_)].file;
   return (fs::path(file).parent_path() / path).string();

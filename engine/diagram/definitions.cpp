@@ -11,8 +11,8 @@ namespace stepwire {
 
 namespace {
 
-const std::vector<std::string> definition_keys = {"value", "unit",     "doc",   "assumed", "above",
-                                                  "below", "at_least", "at_most"};
+const std::vector<std::string> definition_keys = {"value", "unit",  "doc",      "assumed",
+                                                  "above", "below", "at_least", "at_most"};
 
 /// Evaluates definitions on demand, so that they may stand in any order.
 class Definitions {
@@ -26,7 +26,8 @@ class Definitions {
   void define_all() {
     const Node* map = scope_.document->root.find("parameters");
     if (!map) return;
-    if (!map->is_map()) return report_.add(scope_.at(map->mark), "parameters", "must be a map of name: value");
+    if (!map->is_map())
+      return report_.add(scope_.at(map->mark), "parameters", "must be a map of name: value");
     for (const Entry& entry : map->entries) define(entry.key);
   }
 
@@ -37,7 +38,8 @@ class Definitions {
     const Entry& entry = *found->second;
     if (!is_name(name)) return fail(entry, "is no name for a parameter; use letters, digits and '_'");
     if (const auto circle = std::find(open_.begin(), open_.end(), name); circle != open_.end())
-      return fail(entry, fmt::format("depends on itself: {} -> {}", fmt::join(circle, open_.end(), " -> "), name));
+      return fail(entry,
+                  fmt::format("depends on itself: {} -> {}", fmt::join(circle, open_.end(), " -> "), name));
     open_.push_back(name);
     define_what_it_uses(entry.value);
     open_.pop_back();
@@ -102,7 +104,8 @@ class Definitions {
   static Node stripped(const Node& node) {
     if (!node.is_map()) return node;
     Node result = node;
-    std::erase_if(result.entries, [](const Entry& entry) { return entry.key != "value" && entry.key != "unit"; });
+    std::erase_if(result.entries,
+                  [](const Entry& entry) { return entry.key != "value" && entry.key != "unit"; });
     return result;
   }
 
@@ -130,21 +133,25 @@ class Definitions {
       const auto limit = read_bound(*bound, written, full + "." + key);
       if (!limit) return false;
       if (all_of_numbers(written.value, [&](double number) { return compare(number, *limit); })) return true;
-      const char* words = std::string_view(key) == "at_least" ? "at least" : std::string_view(key) == "at_most" ? "at most" : key;
-      report_.add(value_origin_, full, fmt::format("{} is not allowed; it must be {} {}", written.text, words, bound->text));
+      const char* words = std::string_view(key) == "at_least"  ? "at least"
+                          : std::string_view(key) == "at_most" ? "at most"
+                                                               : key;
+      report_.add(value_origin_, full,
+                  fmt::format("{} is not allowed; it must be {} {}", written.text, words, bound->text));
       return false;
     };
     return holds("above", std::greater<>()) && holds("at_least", std::greater_equal<>()) &&
            holds("below", std::less<>()) && holds("at_most", std::less_equal<>());
   }
 
-  std::optional<double> read_bound(const Node& bound, const WrittenValue& written, const std::string& subject) {
+  std::optional<double> read_bound(const Node& bound, const WrittenValue& written,
+                                   const std::string& subject) {
     const ValueReader reader(scope_.parameters, report_, scope_.index);
     const auto limit = reader.read(bound, subject);
     if (!limit) return std::nullopt;
     const double* number = std::get_if<double>(&limit->value.content);
-    const std::string complaint =
-        number ? unit_complaint(limit->dimension, written.dimension) : std::string("is no number, and a bound is one");
+    const std::string complaint = number ? unit_complaint(limit->dimension, written.dimension)
+                                         : std::string("is no number, and a bound is one");
     if (complaint.empty()) return *number;
     report_.add(scope_.at(bound.mark), subject, fmt::format("'{}' {}", limit->text, complaint));
     return std::nullopt;
@@ -164,8 +171,8 @@ class Definitions {
       const Node* node = entry.value.is_map() ? entry.value.find(key) : nullptr;
       return node ? node->text : std::string();
     };
-    report_.diagram().parameters.push_back(
-        {full, written.text, written.value, written.dimension, text_of("doc"), text_of("assumed") == "true", set});
+    report_.diagram().parameters.push_back({full, written.text, written.value, written.dimension,
+                                            text_of("doc"), text_of("assumed") == "true", set});
   }
 
   Scope& scope_;

@@ -14,8 +14,8 @@ struct Overrides {
   std::map<std::string, const Node*> values;
 };
 
-/// Evaluates `parameters:` of a scope in the order of their dependence, with what the using file and `--set` put in
-/// their place, defines them in the scope and lists them in the Diagram.
+/// Evaluates `parameters:` of a scope in the order of their dependence, with what the using file and `--set`
+/// put in their place, defines them in the scope and lists them in the Diagram.
 void define_parameters(Scope& scope, const Overrides& overrides, Settings& settings, Report& report);
 
 }  // namespace stepwire

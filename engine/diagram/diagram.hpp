@@ -52,9 +52,11 @@ struct DiagramBlock {
   std::vector<std::vector<Source>> inputs;  ///< for each input of the type; empty where not connected
   std::vector<Mark> input_marks;
   std::vector<Mark> parameter_marks;
-  std::vector<std::optional<Dimension>> parameter_dimensions;  ///< of each parameter, where written with a unit
+  std::vector<std::optional<Dimension>>
+      parameter_dimensions;  ///< of each parameter, where written with a unit
   std::vector<InitialValue> initial;
-  std::vector<std::pair<std::string, Dimension>> known_units;  ///< unit variables that the block itself fixes: ("'u", mm)
+  std::vector<std::pair<std::string, Dimension>>
+      known_units;              ///< unit variables that the block itself fixes: ("'u", mm)
   std::optional<double> every;  ///< period [s]
   Mark every_mark;
 
@@ -111,7 +113,8 @@ struct Sweep {
   bool together = false;
 };
 
-/// `stop_when`, with the signals that its expression reads in the order of its variables ("time" has block -1).
+/// `stop_when`, with the signals that its expression reads in the order of its variables ("time" has block
+/// -1).
 struct StopCondition {
   Expression expression;
   std::vector<SignalRef> variables;
@@ -134,13 +137,16 @@ struct Diagram {
   std::vector<UnitDemand> unit_demands;
   std::vector<RecordRequest> records;
   std::vector<DiagramParameter> parameters;
-  std::vector<std::vector<std::optional<Dimension>>> output_dimensions;  ///< [block][output], where known; see infer_units
-  std::vector<std::vector<std::optional<Dimension>>> state_dimensions;   ///< [block][state], where known
+  std::vector<std::vector<std::optional<Dimension>>>
+      output_dimensions;  ///< [block][output], where known; see infer_units
+  std::vector<std::vector<std::optional<Dimension>>> state_dimensions;  ///< [block][state], where known
   std::optional<Sweep> sweep;
   std::optional<StopCondition> stop_when;
   Node figure, claims;  ///< as written, read by the figure room; empty where absent
 
-  Place place(const Origin& origin) const { return {scopes[static_cast<std::size_t>(origin.scope)].file, origin.mark}; }
+  Place place(const Origin& origin) const {
+    return {scopes[static_cast<std::size_t>(origin.scope)].file, origin.mark};
+  }
   /// A fault with its place and everybody who used the part in which it lies.
   Fault fault(const Origin& origin, std::string subject, std::string message) const;
 };

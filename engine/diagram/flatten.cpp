@@ -17,10 +17,13 @@ struct ValueText {
   void operator()(double number) { fmt::format_to(out, "{}", number); }
   void operator()(bool flag) { fmt::format_to(out, "{}", flag); }
   void operator()(const std::string& text) { fmt::format_to(out, "\"{}\"", text); }
-  void operator()(const Eigen::VectorXd& vector) { fmt::format_to(out, "[{}]", fmt::join(vector.begin(), vector.end(), ", ")); }
+  void operator()(const Eigen::VectorXd& vector) {
+    fmt::format_to(out, "[{}]", fmt::join(vector.begin(), vector.end(), ", "));
+  }
   void operator()(const Eigen::MatrixXd& matrix) {
     const auto elements = matrix.reshaped();
-    fmt::format_to(out, "{}x{}[{}]", matrix.rows(), matrix.cols(), fmt::join(elements.begin(), elements.end(), ", "));
+    fmt::format_to(out, "{}x{}[{}]", matrix.rows(), matrix.cols(),
+                   fmt::join(elements.begin(), elements.end(), ", "));
   }
   void operator()(const Value::List& list) {
     fmt::format_to(out, "[");
@@ -39,7 +42,8 @@ struct ValueText {
 void write_source(Out out, const Diagram& diagram, const Source& source) {
   if (source.block < 0) return ValueText{out}(source.constant);
   const DiagramBlock& block = diagram.blocks[static_cast<std::size_t>(source.block)];
-  fmt::format_to(out, "{}.{}", block.name, block.type().outputs[static_cast<std::size_t>(source.output)].name);
+  fmt::format_to(out, "{}.{}", block.name,
+                 block.type().outputs[static_cast<std::size_t>(source.output)].name);
 }
 
 void write_block(Out out, const Diagram& diagram, const DiagramBlock& block) {

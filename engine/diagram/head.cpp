@@ -12,23 +12,26 @@ namespace stepwire {
 
 namespace {
 
-const std::vector<std::string> head_keys = {"stepwire", "title",  "caption", "thesis",    "step",   "stop",   "solver", "parameters",
-                                            "inputs",   "outputs", "blocks", "stop_when", "record", "sweep", "figure", "claims"};
+const std::vector<std::string> head_keys = {
+    "stepwire", "title",   "caption", "thesis",    "step",   "stop",  "solver", "parameters",
+    "inputs",   "outputs", "blocks",  "stop_when", "record", "sweep", "figure", "claims"};
 
 /// Times of the head: seconds, above 0.
-void read_time(const Scope& scope, Settings& settings, Report& report, const std::string& key, double& seconds,
-               Origin& origin) {
+void read_time(const Scope& scope, Settings& settings, Report& report, const std::string& key,
+               double& seconds, Origin& origin) {
   const Node* node = scope.document->root.find(key);
   const Settings::Entry* setting = settings.take(key);
   settings.offer(key);
   if (!node && !setting)
-    return report.add(scope.at(scope.document->root.mark), "", fmt::format("'{}' is missing; e.g. {}: {}", key, key, key == "step" ? "1 ms" : "5 s"));
+    return report.add(scope.at(scope.document->root.mark), "",
+                      fmt::format("'{}' is missing; e.g. {}: {}", key, key, key == "step" ? "1 ms" : "5 s"));
   origin = setting ? setting->origin : scope.at(node->mark);
   if (setting) node = &setting->document.root;
   const ValueReader reader(scope.parameters, report, origin.scope);
   const auto value = reader.read_number(*node, parse_unit("s")->dimension, key);
   if (!value) return;
-  if (*value <= 0.0) return report.add(origin, key, fmt::format("{} is not allowed; it must be above 0", node->text));
+  if (*value <= 0.0)
+    return report.add(origin, key, fmt::format("{} is not allowed; it must be above 0", node->text));
   seconds = *value;
 }
 
@@ -51,9 +54,12 @@ std::string text_of(const Scope& scope, const char* key) {
 void read_version(const Scope& scope, Report& report) {
   const Node& root = scope.document->root;
   const Node* version = root.find("stepwire");
-  if (!version) return report.add(scope.at(root.mark), "", "'stepwire: 1' is missing; it says that this is a diagram file of format 1");
+  if (!version)
+    return report.add(scope.at(root.mark), "",
+                      "'stepwire: 1' is missing; it says that this is a diagram file of format 1");
   if (version->text != "1")
-    report.add(scope.at(version->mark), "stepwire", fmt::format("format '{}' is not known; this program reads format 1", version->text));
+    report.add(scope.at(version->mark), "stepwire",
+               fmt::format("format '{}' is not known; this program reads format 1", version->text));
 }
 
 void read_thesis(const Scope& scope, Report& report) {
@@ -64,8 +70,10 @@ void read_thesis(const Scope& scope, Report& report) {
     const Node* node = thesis->find(key);
     if (!node) return std::nullopt;
     const auto value = parse_quantity(node->text);
-    if (value && !value->dimension && value->value == std::floor(value->value)) return static_cast<int>(value->value);
-    report.add(scope.at(node->mark), fmt::format("thesis.{}", key), fmt::format("'{}' is not a whole number", node->text));
+    if (value && !value->dimension && value->value == std::floor(value->value))
+      return static_cast<int>(value->value);
+    report.add(scope.at(node->mark), fmt::format("thesis.{}", key),
+               fmt::format("'{}' is not a whole number", node->text));
     return std::nullopt;
   };
   Diagram& diagram = report.diagram();
@@ -76,9 +84,12 @@ void read_thesis(const Scope& scope, Report& report) {
 
 constexpr std::size_t most_runs = 100'000;  // of a sweep; each is planned before the first one starts
 
-std::string setting_text(const Node& node) { return node.quoted ? fmt::format("\"{}\"", node.text) : node.text; }
+std::string setting_text(const Node& node) {
+  return node.quoted ? fmt::format("\"{}\"", node.text) : node.text;
+}
 
-std::vector<std::string> read_range(const Node& map, const std::string& name, const Scope& scope, Report& report) {
+std::vector<std::string> read_range(const Node& map, const std::string& name, const Scope& scope,
+                                    Report& report) {
   refuse_unknown_keys(map, {"from", "to", "count"}, "sweep." + name, scope, report);
   const ValueReader reader(scope.parameters, report, scope.index);
   std::vector<double> numbers;
@@ -87,18 +98,21 @@ std::vector<std::string> read_range(const Node& map, const std::string& name, co
     const auto written = node ? reader.read(*node, "sweep." + name) : std::nullopt;
     const double* number = written ? std::get_if<double>(&written->value.content) : nullptr;
     if (!number) {
-      report.add(scope.at(map.mark), "sweep." + name, "is written {from: .., to: .., count: ..} or {values: [..]}");
+      report.add(scope.at(map.mark), "sweep." + name,
+                 "is written {from: .., to: .., count: ..} or {values: [..]}");
       return {};
     }
     numbers.push_back(*number);
   }
   const double count = numbers[2];
   if (count < 2 || count != std::floor(count) || count > most_runs) {
-    report.add(scope.at(map.mark), "sweep." + name, fmt::format("'count' must be a whole number from 2 to {}", most_runs));
+    report.add(scope.at(map.mark), "sweep." + name,
+               fmt::format("'count' must be a whole number from 2 to {}", most_runs));
     return {};
   }
   std::vector<std::string> values;
-  for (double i = 0; i < count; ++i) values.push_back(fmt::format("{}", numbers[0] + (numbers[1] - numbers[0]) * (i / (count - 1))));
+  for (double i = 0; i < count; ++i)
+    values.push_back(fmt::format("{}", numbers[0] + (numbers[1] - numbers[0]) * (i / (count - 1))));
   return values;
 }
 
@@ -127,24 +141,29 @@ double run_count(const Sweep& sweep) {
 void read_sweep(const Scope& scope, Report& report) {
   const Node* node = scope.document->root.find("sweep");
   if (!node) return;
-  if (!node->is_map()) return report.add(scope.at(node->mark), "sweep", "must be a map of parameter: {from, to, count} or {values: [..]}");
+  if (!node->is_map())
+    return report.add(scope.at(node->mark), "sweep",
+                      "must be a map of parameter: {from, to, count} or {values: [..]}");
   Sweep sweep;
   if (const Node* together = node->find("together")) sweep.together = together->text == "true";
   for (const Entry& entry : node->entries) {
     if (entry.key != "together") read_axis(entry, sweep, scope, report);
     if (run_count(sweep) > most_runs)
-      return report.add(scope.at(node->mark), "sweep",
-                        fmt::format("makes {} runs or more; at most {} are made", run_count(sweep), most_runs));
+      return report.add(
+          scope.at(node->mark), "sweep",
+          fmt::format("makes {} runs or more; at most {} are made", run_count(sweep), most_runs));
   }
   for (const Sweep::Axis& axis : sweep.axes)
     if (sweep.together && axis.values.size() != sweep.axes.front().values.size())
-      report.add(axis.origin, "sweep." + axis.parameter,
-                 fmt::format("has {} values, '{}' has {}; with 'together: true' they are paired", axis.values.size(),
-                             sweep.axes.front().parameter, sweep.axes.front().values.size()));
+      report.add(
+          axis.origin, "sweep." + axis.parameter,
+          fmt::format("has {} values, '{}' has {}; with 'together: true' they are paired", axis.values.size(),
+                      sweep.axes.front().parameter, sweep.axes.front().values.size()));
   report.diagram().sweep = std::move(sweep);
 }
 
-void record_all(const Scope& scope, const std::string& prefix, const Origin& origin, RecordRequest& request, const Diagram& diagram) {
+void record_all(const Scope& scope, const std::string& prefix, const Origin& origin, RecordRequest& request,
+                const Diagram& diagram) {
   for (const auto& [name, named] : scope.names) {
     if (named.part) {
       record_all(*named.part, prefix + name + ".", origin, request, diagram);
@@ -152,20 +171,25 @@ void record_all(const Scope& scope, const std::string& prefix, const Origin& ori
     }
     const BlockType& type = diagram.blocks[static_cast<std::size_t>(named.block)].type();
     for (std::size_t i = 0; i < type.outputs.size(); ++i)
-      request.signals.push_back({type.outputs.size() == 1 ? prefix + name : prefix + name + "." + type.outputs[i].name,
-                                 {named.block, static_cast<int>(i), -1}, origin});
+      request.signals.push_back(
+          {type.outputs.size() == 1 ? prefix + name : prefix + name + "." + type.outputs[i].name,
+           {named.block, static_cast<int>(i), -1},
+           origin});
   }
 }
 
-void read_signal(const Node& node, const Scope& scope, const Resolver& resolver, RecordRequest& request, Report& report) {
+void read_signal(const Node& node, const Scope& scope, const Resolver& resolver, RecordRequest& request,
+                 Report& report) {
   const Origin origin = scope.at(node.mark);
   if (!node.is_scalar()) return report.add(origin, "record", "names signals, as [rig.x, limit]");
   if (node.text == "all") return record_all(scope, "", origin, request, report.diagram());
-  if (const auto signal = resolver.signal(node.text, scope, origin, "record")) request.signals.push_back({node.text, *signal, origin});
+  if (const auto signal = resolver.signal(node.text, scope, origin, "record"))
+    request.signals.push_back({node.text, *signal, origin});
 }
 
 /// Signals of the same period belong to one recording.
-RecordRequest& request_for(std::optional<double> every, const Origin& origin, std::vector<RecordRequest>& requests) {
+RecordRequest& request_for(std::optional<double> every, const Origin& origin,
+                           std::vector<RecordRequest>& requests) {
   for (RecordRequest& request : requests)
     if (request.every == every) return request;
   return requests.emplace_back(RecordRequest{every, origin, {}});
@@ -173,7 +197,8 @@ RecordRequest& request_for(std::optional<double> every, const Origin& origin, st
 
 void read_entry(const Node& node, const Scope& scope, const Resolver& resolver, Report& report) {
   auto& requests = report.diagram().records;
-  if (!node.is_map()) return read_signal(node, scope, resolver, request_for({}, scope.at(node.mark), requests), report);
+  if (!node.is_map())
+    return read_signal(node, scope, resolver, request_for({}, scope.at(node.mark), requests), report);
   refuse_unknown_keys(node, {"every", "signals"}, "record", scope, report);
   const Node* signals = node.find("signals");
   if (!signals) return report.add(scope.at(node.mark), "record", "'signals' is missing");
@@ -192,7 +217,8 @@ void read_entry(const Node& node, const Scope& scope, const Resolver& resolver, 
 /// Keeps a signal once in a recording, however often it is named.
 void drop_repeated(RecordRequest& request) {
   std::set<std::string> seen;
-  std::erase_if(request.signals, [&](const RecordedSignal& signal) { return !seen.insert(signal.name).second; });
+  std::erase_if(request.signals,
+                [&](const RecordedSignal& signal) { return !seen.insert(signal.name).second; });
 }
 
 }  // namespace
@@ -200,7 +226,8 @@ void drop_repeated(RecordRequest& request) {
 void check_head_keys(const Scope& scope, Report& report) {
   const Node& root = scope.document->root;
   if (!root.is_map())
-    return report.add(scope.at(root.mark), "", "this is no diagram; a diagram is a map with stepwire, title, step, stop, blocks");
+    return report.add(scope.at(root.mark), "",
+                      "this is no diagram; a diagram is a map with stepwire, title, step, stop, blocks");
   read_version(scope, report);
   refuse_unknown_keys(root, head_keys, "", scope, report);
 }

@@ -6,7 +6,8 @@
 
 namespace stepwire {
 
-/// Reads title, step, stop, solver, thesis, caption of the diagram itself. Settings may replace step, stop and solver.
+/// Reads title, step, stop, solver, thesis, caption of the diagram itself. Settings may replace step, stop
+/// and solver.
 void read_head(const Scope& scope, Settings& settings, Report& report);
 /// Reads what is of the file and of no single run: sweep, figures, claims.
 void read_head_of_file(const Scope& scope, Report& report);

@@ -11,11 +11,13 @@ void refuse_unknown_keys(const Node& map, const std::vector<std::string>& known,
                          const Scope& scope, Report& report) {
   for (const Entry& entry : map.entries) {
     if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
-    // "{max: limit, x > 2}" is read by YAML as a key of its own: the piece of an expression that a comma cut off.
+    // "{max: limit, x > 2}" is read by YAML as a key of its own: the piece of an expression that a comma cut
+    // off.
     const bool looks_cut = entry.key.find_first_of("<>=&|()+*/ ") != std::string::npos;
     const std::string all = fmt::format("Known are: {}", fmt::join(known, ", "));
-    const std::string cure = looks_cut ? "; if it belongs to an expression, quote the whole expression. " + all
-                                       : did_you_mean(entry.key, known, all);
+    const std::string cure = looks_cut
+                                 ? "; if it belongs to an expression, quote the whole expression. " + all
+                                 : did_you_mean(entry.key, known, all);
     report.add(scope.at(entry.mark), subject, fmt::format("there is no key '{}' here{}", entry.key, cure));
   }
 }

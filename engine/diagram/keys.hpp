@@ -11,7 +11,8 @@ namespace stepwire {
 void refuse_unknown_keys(const Node& map, const std::vector<std::string>& known, const std::string& subject,
                          const Scope& scope, Report& report);
 
-/// Is this a name that a block, part, port or parameter may have? Letters, digits and '_', not beginning with a digit.
+/// Is this a name that a block, part, port or parameter may have? Letters, digits and '_', not beginning with
+/// a digit.
 bool is_name(const std::string& text);
 
 }  // namespace stepwire

@@ -20,7 +20,8 @@ void connect(const PendingInput& pending, const Resolver& resolver, Report& repo
   };
   const Node& node = *pending.node;
   if (spec.list && node.is_list()) {
-    if (node.items.empty()) report.add(pending.scope->at(node.mark), subject, "is an empty list; name at least one signal");
+    if (node.items.empty())
+      report.add(pending.scope->at(node.mark), subject, "is an empty list; name at least one signal");
     for (const Node& item : node.items) connect_one(item);
   } else {
     connect_one(node);
@@ -32,7 +33,8 @@ void require_inputs(Report& report) {
     for (std::size_t i = 0; i < block.inputs.size(); ++i) {
       const InputSpec& spec = block.type().inputs[i];
       if (!spec.optional && block.input_marks[i].line == 0)
-        report.add(block.origin, block.name, fmt::format("the input '{}' is missing ({})", spec.name, spec.doc));
+        report.add(block.origin, block.name,
+                   fmt::format("the input '{}' is missing ({})", spec.name, spec.doc));
     }
 }
 
@@ -42,12 +44,14 @@ void demand_units(const Scope& scope, const Resolver& resolver, Report& report) 
   for (const auto& [name, port] : scope.inputs) {
     if (!port.dimension || !port.fed_by || !scope.parent || port.fed_by->is_list()) continue;
     if (auto source = resolver.source(*port.fed_by, *scope.parent, scope.prefix + name))
-      demands.push_back({std::move(*source), *port.dimension, scope.prefix + name, scope.parent->at(port.fed_by->mark)});
+      demands.push_back(
+          {std::move(*source), *port.dimension, scope.prefix + name, scope.parent->at(port.fed_by->mark)});
   }
   for (const auto& [name, out] : scope.outputs) {
     if (!out.dimension || !out.signal) continue;
     if (auto source = resolver.source(*out.signal, scope, scope.prefix + name))
-      demands.push_back({std::move(*source), *out.dimension, scope.prefix + name, scope.at(out.signal->mark)});
+      demands.push_back(
+          {std::move(*source), *out.dimension, scope.prefix + name, scope.at(out.signal->mark)});
   }
   for (const auto& [name, named] : scope.names)
     if (named.part) demand_units(*named.part, resolver, report);
@@ -55,7 +59,8 @@ void demand_units(const Scope& scope, const Resolver& resolver, Report& report) 
 
 enum class Extent { whole_file, one_run };
 
-Diagram build(Loader& loader, const Document& document, const std::vector<Setting>& given, Extent extent = Extent::whole_file) {
+Diagram build(Loader& loader, const Document& document, const std::vector<Setting>& given,
+              Extent extent = Extent::whole_file) {
   Diagram diagram;
   diagram.file = document.file;
   diagram.scopes.push_back({document.file, "", {-1, {}}});
@@ -102,7 +107,8 @@ Diagram Loader::load_point(const std::string& path, const std::vector<Setting>& 
   return build(*this, document(path), settings, Extent::one_run);
 }
 
-Diagram Loader::load_text(std::string_view text, const std::string& file, const std::vector<Setting>& settings) {
+Diagram Loader::load_text(std::string_view text, const std::string& file,
+                          const std::vector<Setting>& settings) {
   const Document document = parse_document(text, file, limits_);
   return build(*this, document, settings);
 }

@@ -22,15 +22,18 @@ struct Setting {
 /// Turns diagram files into checked diagrams. Files are read once, however often they are used.
 class Loader {
  public:
-  explicit Loader(const Registry& registry, DocumentLimits limits = {}) : registry_(registry), limits_(limits) {}
+  explicit Loader(const Registry& registry, DocumentLimits limits = {})
+      : registry_(registry), limits_(limits) {}
 
-  /// Reads and checks a file. Throws Error with everything that is wrong; SurroundingsError where a block needs the data
-  /// folder (STEPWIRE_DATA) and it is not there.
+  /// Reads and checks a file. Throws Error with everything that is wrong; SurroundingsError where a block
+  /// needs the data folder (STEPWIRE_DATA) and it is not there.
   Diagram load(const std::string& path, const std::vector<Setting>& settings = {});
-  /// The same for one run of the file's sweep: without what only the file as a whole needs (sweep, figures, claims).
+  /// The same for one run of the file's sweep: without what only the file as a whole needs (sweep, figures,
+  /// claims).
   Diagram load_point(const std::string& path, const std::vector<Setting>& settings);
   /// The same for text; parts and data files are looked for beside `file`.
-  Diagram load_text(std::string_view text, const std::string& file, const std::vector<Setting>& settings = {});
+  Diagram load_text(std::string_view text, const std::string& file,
+                    const std::vector<Setting>& settings = {});
 
   const Registry& registry() const { return registry_; }
   const Document& document(const std::string& path);

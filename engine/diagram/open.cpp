@@ -34,20 +34,24 @@ void Opener::fail(Scope& scope, const Entry& entry, const Mark& mark, std::strin
 void Opener::open_block(Scope& scope, const Entry& entry) {
   const Node& map = entry.value;
   if (!is_name(entry.key) || entry.key == "time" || entry.key == "all")
-    return fail(scope, entry, entry.mark,
-                "is no name for a block; use letters, digits and '_' ('time' and 'all' have a meaning of their own)");
-  if (!map.is_map()) return fail(scope, entry, map.mark, "must be a map such as {block: Gain, gain: 2, u: source}");
+    return fail(
+        scope, entry, entry.mark,
+        "is no name for a block; use letters, digits and '_' ('time' and 'all' have a meaning of their own)");
+  if (!map.is_map())
+    return fail(scope, entry, map.mark, "must be a map such as {block: Gain, gain: 2, u: source}");
   if (scope.inputs.contains(entry.key))
     return fail(scope, entry, entry.mark, "is also the name of an input of this part; choose another");
   const Node* kind = map.find("block");
   const Node* part = map.find("diagram");
   if (part && !kind) return open_part(scope, entry, *part);
-  if (!kind || part) return fail(scope, entry, map.mark, "needs either 'block:' (a kind) or 'diagram:' (a file)");
+  if (!kind || part)
+    return fail(scope, entry, map.mark, "needs either 'block:' (a kind) or 'diagram:' (a file)");
   const BlockType* type = loader_.registry().find(kind->text);
   if (!type)
-    return fail(scope, entry, kind->mark,
-                fmt::format("there is no block '{}'{}", kind->text,
-                            did_you_mean(kind->text, loader_.registry().names(), "'stepwire blocks' lists them")));
+    return fail(
+        scope, entry, kind->mark,
+        fmt::format("there is no block '{}'{}", kind->text,
+                    did_you_mean(kind->text, loader_.registry().names(), "'stepwire blocks' lists them")));
   make_block(scope, entry, *type);
 }
 
@@ -81,7 +85,8 @@ void Opener::apply_preset(Scope& scope, const Node& map, DiagramBlock& block) {
   }
   report_.add(scope.at(preset->mark), block.name + ".preset",
               fmt::format("there is no preset '{}'{}", *wanted,
-                          did_you_mean(*wanted, names, fmt::format("{} has: {}", type.name, fmt::join(names, ", ")))));
+                          did_you_mean(*wanted, names,
+                                       fmt::format("{} has: {}", type.name, fmt::join(names, ", ")))));
 }
 
 int Opener::state_of_key(const BlockType& type, const std::string& key) const {
@@ -101,8 +106,10 @@ void Opener::read_key(Scope& scope, const Entry& key, DiagramBlock& block, int i
     return;
   }
   if (const ParameterSpec* parameter = type.parameter(key.key))
-    return read_parameter(scope, scope.index, key.value, block, static_cast<std::size_t>(parameter - type.parameters.data()));
-  if (const int state = state_of_key(type, key.key); state >= 0) return read_initial(scope, key.value, block, state);
+    return read_parameter(scope, scope.index, key.value, block,
+                          static_cast<std::size_t>(parameter - type.parameters.data()));
+  if (const int state = state_of_key(type, key.key); state >= 0)
+    return read_initial(scope, key.value, block, state);
   const auto known = keys_of(type);
   report_.add(scope.at(key.mark), block.name,
               fmt::format("{} has no '{}'{}", type.name, key.key,
@@ -121,7 +128,8 @@ void Opener::read_settings(Scope& scope, DiagramBlock& block, const std::string&
     Scope at_setting;
     at_setting.index = setting->origin.scope;
     if (parameter) {
-      read_parameter(scope, at_setting.index, node, block, static_cast<std::size_t>(parameter - type.parameters.data()));
+      read_parameter(scope, at_setting.index, node, block,
+                     static_cast<std::size_t>(parameter - type.parameters.data()));
     } else {
       read_initial(at_setting, node, block, state);
     }
@@ -148,10 +156,12 @@ void Opener::read_initial(const Scope& scope, const Node& node, DiagramBlock& bl
   spec.unit = "*";
   const StateSpec& declared = block.type().states[static_cast<std::size_t>(state)];
   const ValueReader reader(scope.parameters, report_, scope.index);
-  const auto written = reader.read_for(spec, {}, node, block.name + "." + initial_key(block.type(), declared));
+  const auto written =
+      reader.read_for(spec, {}, node, block.name + "." + initial_key(block.type(), declared));
   if (!written) return;
   std::erase_if(block.initial, [&](const InitialValue& value) { return value.state == state; });
-  block.initial.push_back({state, std::get<Eigen::VectorXd>(written->value.content), written->dimension, scope.at(node.mark)});
+  block.initial.push_back(
+      {state, std::get<Eigen::VectorXd>(written->value.content), written->dimension, scope.at(node.mark)});
 }
 
 void Opener::read_period(const Scope& scope, const Node& node, DiagramBlock& block) {
@@ -160,7 +170,8 @@ void Opener::read_period(const Scope& scope, const Node& node, DiagramBlock& blo
   block.every_mark = node.mark;
   if (!period) return;
   if (*period <= 0.0)
-    return report_.add(scope.at(node.mark), block.name + ".every", fmt::format("{} is not allowed; it must be above 0", node.text));
+    return report_.add(scope.at(node.mark), block.name + ".every",
+                       fmt::format("{} is not allowed; it must be above 0", node.text));
   block.every = *period;
 }
 

@@ -20,18 +20,20 @@ struct PendingInput {
   const Scope* scope;
 };
 
-/// Opens a file and its parts: parameters evaluated, blocks made with their parameters, names gathered. Inputs are
-/// left pending.
+/// Opens a file and its parts: parameters evaluated, blocks made with their parameters, names gathered.
+/// Inputs are left pending.
 class Opener {
  public:
-  Opener(Loader& loader, Settings& settings, Report& report) : loader_(loader), settings_(settings), report_(report) {}
+  Opener(Loader& loader, Settings& settings, Report& report)
+      : loader_(loader), settings_(settings), report_(report) {}
 
   void open(Scope& scope, const Overrides& overrides);
   const std::deque<PendingInput>& pending() const { return pending_; }
 
  private:
   void declare_ports(Scope& scope);
-  /// Reports what is wrong with a block or part that cannot be made, and keeps silent about what is wired to it.
+  /// Reports what is wrong with a block or part that cannot be made, and keeps silent about what is wired to
+  /// it.
   void fail(Scope& scope, const Entry& entry, const Mark& mark, std::string message);
   void open_block(Scope& scope, const Entry& entry);
   void declare_input(Scope& scope, const Entry& port);
@@ -47,7 +49,8 @@ class Opener {
   void apply_preset(Scope& scope, const Node& map, DiagramBlock& block);
   void read_key(Scope& scope, const Entry& key, DiagramBlock& block, int index);
   void read_settings(Scope& scope, DiagramBlock& block, const std::string& full);
-  void read_parameter(const Scope& scope, int reader_scope, const Node& node, DiagramBlock& block, std::size_t parameter);
+  void read_parameter(const Scope& scope, int reader_scope, const Node& node, DiagramBlock& block,
+                      std::size_t parameter);
   void read_initial(const Scope& scope, const Node& node, DiagramBlock& block, int state);
   void read_period(const Scope& scope, const Node& node, DiagramBlock& block);
   void require_parameters(const Scope& scope, const Node& map, const DiagramBlock& block);

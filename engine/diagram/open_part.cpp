@@ -85,7 +85,8 @@ bool Opener::refuse_nesting(Scope& scope, const Entry& entry, const Node& path, 
     fail(scope, entry, path.mark, fmt::format("the diagram has more than {} parts here", most_parts));
     report_.faults().throw_if_any();  // each of the rest would say the same
   } else if (std::error_code none; std::filesystem::is_other(std::filesystem::status(file, none))) {
-    fail(scope, entry, path.mark, fmt::format("{} is no file", file));  // a pipe or a device would keep us waiting
+    fail(scope, entry, path.mark,
+         fmt::format("{} is no file", file));  // a pipe or a device would keep us waiting
   } else {
     return false;
   }

@@ -24,7 +24,8 @@ std::vector<std::string> ParameterScope::names() const {
   return result;
 }
 
-std::string unit_complaint(const std::optional<Dimension>& written, const std::optional<Dimension>& demanded) {
+std::string unit_complaint(const std::optional<Dimension>& written,
+                           const std::optional<Dimension>& demanded) {
   if (!written || !demanded || *written == *demanded) return "";
   return fmt::format("is in {}; it must be in {}", si_name(*written), si_name(*demanded));
 }
@@ -33,7 +34,8 @@ bool means_not_finite(const std::string& text) {
   const std::size_t sign = text.starts_with('-') || text.starts_with('+') ? 1 : 0;
   const std::size_t dot = text.substr(sign).starts_with('.') ? 1 : 0;
   const char* begin = text.c_str() + sign + dot;
-  if (text.size() == sign + dot || (dot == 1 && !std::isalpha(static_cast<unsigned char>(*begin)))) return false;
+  if (text.size() == sign + dot || (dot == 1 && !std::isalpha(static_cast<unsigned char>(*begin))))
+    return false;
   char* end = nullptr;
   return !std::isfinite(std::strtod(begin, &end)) && *end == '\0';
 }
@@ -57,13 +59,16 @@ std::optional<WrittenValue> ValueReader::read_scalar(const Node& node, const std
   if (text.starts_with('$')) {
     if (parameters_.failed(text.substr(1))) return std::nullopt;
     if (const WrittenValue* parameter = parameters_.find(text.substr(1))) return *parameter;
-    return refuse(node, subject, fmt::format("there is no parameter '{}'{}", text.substr(1),
-                                             did_you_mean(text.substr(1), parameters_.names())));
+    return refuse(node, subject,
+                  fmt::format("there is no parameter '{}'{}", text.substr(1),
+                              did_you_mean(text.substr(1), parameters_.names())));
   }
   if (text.starts_with('=')) return read_expression(node, subject);
-  if (const auto quantity = parse_quantity(text)) return WrittenValue{{quantity->value}, quantity->dimension, text};
+  if (const auto quantity = parse_quantity(text))
+    return WrittenValue{{quantity->value}, quantity->dimension, text};
   if (means_not_finite(text))
-    return refuse(node, subject, fmt::format("'{}' is not a finite number; a bound that is absent is left out", text));
+    return refuse(node, subject,
+                  fmt::format("'{}' is not a finite number; a bound that is absent is left out", text));
   if (text == "true" || text == "false") return WrittenValue{{text == "true"}, {}, text};
   const auto filled = fill_in(node, subject);  // a path such as data/$name.csv
   return filled ? std::optional(WrittenValue{{*filled}, {}, *filled}) : std::nullopt;
@@ -81,7 +86,8 @@ std::optional<WrittenValue> ValueReader::read_expression(const Node& node, const
       values.push_back(*number);
     }
     const double result = expression(values);
-    if (!std::isfinite(result)) return refuse(node, subject, fmt::format("'{}' is {}, not a finite number", node.text, result));
+    if (!std::isfinite(result))
+      return refuse(node, subject, fmt::format("'{}' is {}, not a finite number", node.text, result));
     return WrittenValue{{result}, {}, node.text};
   } catch (const ExpressionError& error) {
     Mark mark = node.mark;  // of a setting there is none
@@ -95,7 +101,8 @@ std::optional<WrittenValue> ValueReader::read_list(const Node& node, const std::
   if (!node.items.empty() && node.items.front().is_list()) return read_rows(node, subject);
   std::vector<WrittenValue> elements;
   for (const Node& item : node.items) {
-    auto element = item.is_scalar() ? read_scalar(item, subject) : refuse(item, subject, "a list holds numbers or words");
+    auto element = item.is_scalar() ? read_scalar(item, subject)
+                                    : refuse(item, subject, "a list holds numbers or words");
     if (!element) return std::nullopt;
     elements.push_back(std::move(*element));
   }
@@ -125,7 +132,8 @@ std::optional<WrittenValue> ValueReader::read_rows(const Node& node, const std::
     if (!numbers) return refuse(item, subject, "a matrix is a list of rows of numbers, as [[1, 2], [3, 4]]");
     if (row == 0) matrix.resize(static_cast<Eigen::Index>(node.items.size()), numbers->size());
     if (numbers->size() != matrix.cols())
-      return refuse(item, subject, fmt::format("this row has {} numbers, the first has {}", numbers->size(), matrix.cols()));
+      return refuse(item, subject,
+                    fmt::format("this row has {} numbers, the first has {}", numbers->size(), matrix.cols()));
     matrix.row(static_cast<Eigen::Index>(row)) = numbers->transpose();
     if (written->dimension) result.dimension = written->dimension;
   }
@@ -157,7 +165,8 @@ std::optional<double> ValueReader::read_number(const Node& node, const Dimension
   const auto written = read(node, subject);
   if (!written) return std::nullopt;
   const double* number = std::get_if<double>(&written->value.content);
-  if (!number) return refuse(node, subject, fmt::format("'{}' is not a finite number with a unit", written->text));
+  if (!number)
+    return refuse(node, subject, fmt::format("'{}' is not a finite number with a unit", written->text));
   const std::string complaint = unit_complaint(written->dimension, demanded);
   if (!complaint.empty()) return refuse(node, subject, fmt::format("'{}' {}", written->text, complaint));
   return *number;
@@ -172,12 +181,15 @@ std::optional<std::string> ValueReader::fill_in(const Node& node, const std::str
       continue;
     }
     std::size_t end = i + 1;
-    while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '_')) ++end;
+    while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '_'))
+      ++end;
     const std::string name = text.substr(i + 1, end - i - 1);
     const WrittenValue* parameter = parameters_.find(name);
     if (parameter && parameter->failed) return std::nullopt;
     if (!parameter)
-      return refuse(node, subject, fmt::format("there is no parameter '{}'{}", name, did_you_mean(name, parameters_.names())));
+      return refuse(
+          node, subject,
+          fmt::format("there is no parameter '{}'{}", name, did_you_mean(name, parameters_.names())));
     if (const double* number = std::get_if<double>(&parameter->value.content)) {
       result += *number < 0 ? fmt::format("({})", *number) : fmt::format("{}", *number);
     } else if (parameter->value.text()) {

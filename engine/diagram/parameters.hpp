@@ -14,7 +14,7 @@ namespace stepwire {
 struct WrittenValue {
   Value value;  ///< a number, vector or matrix in SI; a flag; text; a list of text
   std::optional<Dimension> dimension;
-  std::string text;  ///< as written, for messages
+  std::string text;     ///< as written, for messages
   bool failed = false;  ///< stands for a definition that was refused; what uses it stays silent
 };
 
@@ -38,12 +38,13 @@ class ValueReader {
 
   /// A value whose purpose is open (a parameter's definition). Nothing, and a fault, if it cannot be read.
   std::optional<WrittenValue> read(const Node& node, const std::string& subject) const;
-  /// A value for a parameter of a block: converted to its kind, its unit and range checked. `demanded` is the dimension
-  /// of a fixed unit; nothing lets any unit pass.
+  /// A value for a parameter of a block: converted to its kind, its unit and range checked. `demanded` is the
+  /// dimension of a fixed unit; nothing lets any unit pass.
   std::optional<WrittenValue> read_for(const ParameterSpec& spec, const std::optional<Dimension>& demanded,
                                        const Node& node, const std::string& subject) const;
   /// One finite number of the given dimension.
-  std::optional<double> read_number(const Node& node, const Dimension& demanded, const std::string& subject) const;
+  std::optional<double> read_number(const Node& node, const Dimension& demanded,
+                                    const std::string& subject) const;
   /// Replaces each `$name` inside of a text by that parameter's number or text.
   std::optional<std::string> fill_in(const Node& node, const std::string& subject) const;
 
@@ -55,7 +56,8 @@ class ValueReader {
   std::optional<WrittenValue> read_rows(const Node& node, const std::string& subject) const;
   std::optional<WrittenValue> read_with_unit(const Node& node, const std::string& subject) const;
   std::optional<WrittenValue> read_expression(const Node& node, const std::string& subject) const;
-  std::optional<WrittenValue> read_words(const ParameterSpec& spec, const Node& node, const std::string& subject) const;
+  std::optional<WrittenValue> read_words(const ParameterSpec& spec, const Node& node,
+                                         const std::string& subject) const;
   std::optional<Value> read_tree(const Node& node, const std::string& subject) const;
   std::optional<Value> convert(const ParameterSpec& spec, const WrittenValue& written, const Node& node,
                                const std::string& subject) const;

@@ -25,7 +25,9 @@ bool names_signal(const Node& node) {
 }
 
 // A state is carried in a Source as an output number below -1.
-int encode_state(int state) { return -2 - state; }
+int encode_state(int state) {
+  return -2 - state;
+}
 
 }  // namespace
 
@@ -34,7 +36,8 @@ std::nullopt_t Resolver::refuse(const Query& query, std::string message) const {
   return std::nullopt;
 }
 
-std::optional<Source> Resolver::source(const Node& node, const Scope& scope, const std::string& subject) const {
+std::optional<Source> Resolver::source(const Node& node, const Scope& scope,
+                                       const std::string& subject) const {
   return element(node, scope, {scope.at(node.mark), subject, false});
 }
 
@@ -51,7 +54,8 @@ std::optional<SignalRef> Resolver::signal(const std::string& text, const Scope& 
 }
 
 std::optional<Source> Resolver::element(const Node& node, const Scope& scope, Query query) const {
-  if (node.kind == Node::Kind::empty) return refuse(query, "is fed by nothing; name a block or give a number");
+  if (node.kind == Node::Kind::empty)
+    return refuse(query, "is fed by nothing; name a block or give a number");
   if (names_signal(node)) return reference(node.text, scope, std::move(query));
   if (std::any_of(node.items.begin(), node.items.end(), names_signal))
     return refuse(query, "takes one signal, not a list; join signals with a Mux");
@@ -61,12 +65,14 @@ std::optional<Source> Resolver::element(const Node& node, const Scope& scope, Qu
   spec.unit = "*";
   const auto written = reader.read_for(spec, {}, node, query.subject);
   if (!written) return std::nullopt;
-  return Source{-1, -1, std::get<Eigen::VectorXd>(written->value.content), written->dimension, scope.at(node.mark)};
+  return Source{-1, -1, std::get<Eigen::VectorXd>(written->value.content), written->dimension,
+                scope.at(node.mark)};
 }
 
 std::optional<Source> Resolver::reference(const std::string& text, const Scope& scope, Query query) const {
   if (++query.hops > most_hops)
-    return refuse(query, fmt::format("'{}' is wired to itself through ports only, with no block in between", text));
+    return refuse(query,
+                  fmt::format("'{}' is wired to itself through ports only, with no block in between", text));
   const std::size_t dot = text.find('.');
   const std::string first = text.substr(0, dot);
   const std::string rest = dot == std::string::npos ? "" : text.substr(dot + 1);
@@ -74,7 +80,8 @@ std::optional<Source> Resolver::reference(const std::string& text, const Scope& 
   const auto found = scope.names.find(first);
   if (found == scope.names.end() && scope.failed.contains(first)) return std::nullopt;
   if (found == scope.names.end())
-    return refuse(query, fmt::format("there is no block '{}'{}", first, did_you_mean(first, scope.block_names())));
+    return refuse(query,
+                  fmt::format("there is no block '{}'{}", first, did_you_mean(first, scope.block_names())));
   if (found->second.part) return of_part(rest, *found->second.part, std::move(query));
   return of_block(rest, found->second.block, query);
 }
@@ -85,7 +92,8 @@ std::optional<Source> Resolver::port(const Scope& scope, const std::string& name
   if (port.fallback) return element(*port.fallback, scope, std::move(query));
   // A part that is not fed has been reported where it is used; a file that is run by itself has not.
   if (!scope.parent)
-    report_.add(scope.at(port.mark), name, "nothing feeds this input; use this file as a part, or give it a 'default:'");
+    report_.add(scope.at(port.mark), name,
+                "nothing feeds this input; use this file as a part, or give it a 'default:'");
   return std::nullopt;
 }
 
@@ -97,10 +105,11 @@ std::optional<Source> Resolver::of_block(const std::string& rest, int block, con
   source.origin = query.origin;
   if (rest.empty()) {
     if (type.outputs.size() != 1)
-      return refuse(query, type.outputs.empty()
-                               ? fmt::format("'{}' is a {}, which has no output", found.name, type.name)
-                               : fmt::format("'{}' has several outputs; say which: {}.{}", found.name, found.name,
-                                             fmt::join(output_names(type), fmt::format(", {}.", found.name))));
+      return refuse(query,
+                    type.outputs.empty()
+                        ? fmt::format("'{}' is a {}, which has no output", found.name, type.name)
+                        : fmt::format("'{}' has several outputs; say which: {}.{}", found.name, found.name,
+                                      fmt::join(output_names(type), fmt::format(", {}.", found.name))));
     source.output = 0;
     return source;
   }
@@ -108,16 +117,21 @@ std::optional<Source> Resolver::of_block(const std::string& rest, int block, con
   if (source.output >= 0) return source;
   if (const int state = type.state(rest); state >= 0) {
     if (!query.look_inside)
-      return refuse(query, fmt::format("'{}' is a state inside of {}, not an output; it can be recorded but not wired", rest, type.name));
+      return refuse(
+          query, fmt::format("'{}' is a state inside of {}, not an output; it can be recorded but not wired",
+                             rest, type.name));
     source.output = encode_state(state);
     return source;
   }
   const auto names = output_names(type);
-  if (names.empty()) return refuse(query, fmt::format("'{}' is a {}, which has no output", found.name, type.name));
+  if (names.empty())
+    return refuse(query, fmt::format("'{}' is a {}, which has no output", found.name, type.name));
   if (std::all_of(rest.begin(), rest.end(), [](unsigned char c) { return std::isdigit(c); }))
-    return refuse(query, fmt::format("'{}' is no signal of its own; pick an element with Select", found.name + "." + rest));
-  return refuse(query, fmt::format("{} has no output '{}'{}", type.name, rest,
-                                   did_you_mean(rest, names, fmt::format("It has: {}", fmt::join(names, ", ")))));
+    return refuse(query, fmt::format("'{}' is no signal of its own; pick an element with Select",
+                                     found.name + "." + rest));
+  return refuse(query,
+                fmt::format("{} has no output '{}'{}", type.name, rest,
+                            did_you_mean(rest, names, fmt::format("It has: {}", fmt::join(names, ", ")))));
 }
 
 std::optional<Source> Resolver::of_part(const std::string& rest, const Scope& part, Query query) const {
@@ -132,14 +146,18 @@ std::optional<Source> Resolver::of_part(const std::string& rest, const Scope& pa
     query.subject = part.prefix + out->first;
     return reference(out->second.signal->text, part, std::move(query));
   }
-  const bool inside = query.look_inside && (part.names.contains(rest.substr(0, rest.find('.'))) || part.inputs.contains(rest));
+  const bool inside = query.look_inside &&
+                      (part.names.contains(rest.substr(0, rest.find('.'))) || part.inputs.contains(rest));
   if (inside) return reference(rest, part, std::move(query));
-  if (names.empty()) return refuse(query, fmt::format("'{}' is a part without outputs; its file names them under 'outputs:'", part_name));
+  if (names.empty())
+    return refuse(query, fmt::format("'{}' is a part without outputs; its file names them under 'outputs:'",
+                                     part_name));
   if (rest.empty())
     return refuse(query, fmt::format("'{}' has several outputs; say which: {}.{}", part_name, part_name,
                                      fmt::join(names, fmt::format(", {}.", part_name))));
-  return refuse(query, fmt::format("'{}' has no output '{}'{}", part_name, rest,
-                                   did_you_mean(rest, names, fmt::format("It has: {}", fmt::join(names, ", ")))));
+  return refuse(query,
+                fmt::format("'{}' has no output '{}'{}", part_name, rest,
+                            did_you_mean(rest, names, fmt::format("It has: {}", fmt::join(names, ", ")))));
 }
 
 }  // namespace stepwire

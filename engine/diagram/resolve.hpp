@@ -20,9 +20,9 @@ class Resolver {
 
  private:
   struct Query {
-    Origin origin;        ///< what to blame
+    Origin origin;  ///< what to blame
     std::string subject;
-    bool look_inside;     ///< may states and the inside of parts be named?
+    bool look_inside;  ///< may states and the inside of parts be named?
     int hops = 0;
   };
   std::optional<Source> element(const Node& node, const Scope& scope, Query query) const;

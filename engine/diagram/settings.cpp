@@ -44,7 +44,8 @@ std::vector<std::string> Settings::keys_of(const std::string& prefix) const {
 void Settings::report_unused(Report& report) const {
   for (const auto& [name, entry] : entries_)
     if (!entry.used)
-      report.add(entry.origin, "", fmt::format("there is no parameter '{}'{}", name, did_you_mean(name, offered_)));
+      report.add(entry.origin, "",
+                 fmt::format("there is no parameter '{}'{}", name, did_you_mean(name, offered_)));
 }
 
 }  // namespace stepwire

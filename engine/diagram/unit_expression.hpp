@@ -17,7 +17,8 @@ struct UnitExpression {
   std::vector<std::pair<std::string, double>> variables;  ///< name without the quote, exponent
 };
 
-/// Reads "N m/s", "'u", "'k 'u", "'u/s", "'u^0.5", "*"; '/' turns only what follows it. Nothing if it cannot be read.
+/// Reads "N m/s", "'u", "'k 'u", "'u/s", "'u^0.5", "*"; '/' turns only what follows it. Nothing if it cannot
+/// be read.
 std::optional<UnitExpression> parse_unit_expression(std::string_view text);
 
 }  // namespace stepwire

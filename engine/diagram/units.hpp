@@ -4,8 +4,9 @@
 
 namespace stepwire {
 
-/// Infers the unit of every wire from declared ports, numbers with units and the rules of the blocks between them;
-/// fills Diagram::output_dimensions and state_dimensions, and reports every wire whose ends do not agree.
+/// Infers the unit of every wire from declared ports, numbers with units and the rules of the blocks between
+/// them; fills Diagram::output_dimensions and state_dimensions, and reports every wire whose ends do not
+/// agree.
 void infer_units(Report& report);
 
 }  // namespace stepwire

@@ -57,7 +57,8 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
   return nearest ? "; did you mean '" + *nearest + "'?" : "";
 }
 
-std::string did_you_mean(const std::string& word, const std::vector<std::string>& names, const std::string& sentence) {
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& names,
+                         const std::string& sentence) {
   const std::string nearest = did_you_mean(word, names);
   return (nearest.empty() ? "." : nearest) + " " + sentence;
 }

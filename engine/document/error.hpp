@@ -50,7 +50,9 @@ class Faults {
 
 /// "; did you mean 'tau'?" for the nearest of `names`, or "" if none is near.
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& names);
-/// The same, and a sentence behind it: "; did you mean 'tau'? It has: tau, u", or ". It has: tau, u" if none is near.
-std::string did_you_mean(const std::string& word, const std::vector<std::string>& names, const std::string& sentence);
+/// The same, and a sentence behind it: "; did you mean 'tau'? It has: tau, u", or ". It has: tau, u" if none
+/// is near.
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& names,
+                         const std::string& sentence);
 
 }  // namespace stepwire

@@ -63,6 +63,10 @@ const std::vector<std::string>& Expression::variables() const {
   return parser_->program.variables;
 }
 
+bool Expression::has_units() const {
+  return parser_->program.has_units;
+}
+
 double Expression::operator()(std::span<const double> values) const {
   const std::size_t count = std::min(values.size(), parser_->values.size());
   std::copy_n(values.begin(), count, parser_->values.begin());

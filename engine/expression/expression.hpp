@@ -42,6 +42,8 @@ class Expression {
   const std::string& text() const;
   /// Names used, in order of first appearance.
   const std::vector<std::string>& variables() const;
+  /// Does a number in it carry a unit?
+  bool has_units() const;
   /// Value with the variables in that order, one for each. Allocates nothing and throws nothing. Division by
   /// zero gives inf or nan, as IEEE says. One object is for one thread at a time, const or not; every thread
   /// takes its own copy.

@@ -79,6 +79,7 @@ class Translator {
   }
 
   void value(const Token& token) {
+    program_.has_units = program_.has_units || token.has_unit;
     if (token.kind == Token::Kind::number) return number(token.value);
     if (token.kind == Token::Kind::name) return name(token);
     if (token.is("(")) return open(token, std::nullopt);

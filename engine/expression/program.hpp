@@ -13,6 +13,7 @@ struct Program {
   std::string code;
   std::vector<double> numbers;
   std::vector<std::string> variables;
+  bool has_units = false;  ///< does a number carry one?
 };
 
 /// Checks a text and rewrites it. Throws ExpressionError.

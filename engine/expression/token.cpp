@@ -70,11 +70,14 @@ class Lexer {
     const char* const end = text_.data() + text_.size();
     const auto [rest, error] = std::from_chars(text_.data() + at_, end, value);
     at_ = static_cast<std::size_t>(rest - text_.data());
+    const std::size_t behind_number = at_;
     value = with_unit(value);
     if (error != std::errc{} || !std::isfinite(value)) {
       throw ExpressionError(fmt::format("'{}' is out of range", text_.substr(first, at_ - first)), first);
     }
-    return finish(Token::Kind::number, first, value);
+    Token token = finish(Token::Kind::number, first, value);
+    token.has_unit = at_ > behind_number;
+    return token;
   }
 
   /// A number directly before a unit has it; "5 1/s" has, "51/s" is a quotient.

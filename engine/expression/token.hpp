@@ -14,6 +14,7 @@ struct Token {
   std::string_view text;
   std::size_t position = 0;
   double value = 0.0;
+  bool has_unit = false;
 
   bool is(std::string_view sign) const { return kind == Kind::sign && text == sign; }
 };

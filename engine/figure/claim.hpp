@@ -37,8 +37,8 @@ struct Claim {
   Reduction reduction = Reduction::final;
   std::vector<Formula> values;  ///< one; two for rising (value, over) and fit (model, measured)
   std::optional<Formula> where;
-  double time = 0.0;  ///< for at, in s
-  bool each_run = false;     ///< judged for every run of a sweep, the worst is shown; always so for final and at
+  double time = 0.0;      ///< for at, in s
+  bool each_run = false;  ///< judged for every run of a sweep, the worst is shown; always so for final and at
   bool free_offset = false;  ///< fit: the mean of measured - model is added to the model first
   Comparison comparison;
   std::string

@@ -39,11 +39,9 @@ Rows rows_of(const Claim& claim, const Recording& recording) {
 std::size_t row_looked_at(const Claim& claim, const Rows& rows, std::size_t run) {
   const std::size_t begin = rows.starts[run], end = rows.run_end(run);
   if (begin >= end) throw Unjudged(fmt::format("run {} recorded no row", run + 1));
-  if (claim.reduction == Reduction::final) {
+  if (claim.reduction == Reduction::final)
     for (std::size_t row = end; row-- > begin;)
       if (rows.selected[row]) return row;
-    throw Unjudged(fmt::format("'{}' selects no row of run {}", claim.where->text, run + 1));
-  }
   const double last = rows.time[end - 1], slack = end - begin > 1 ? last - rows.time[end - 2] : 0.0;
   if (claim.time < rows.time[begin] || claim.time > last + 0.5 * slack)
     throw Unjudged(fmt::format("there is no row at {} s; the record goes from {} s to {} s", claim.time,
@@ -57,23 +55,31 @@ std::size_t row_looked_at(const Claim& claim, const Rows& rows, std::size_t run)
   return nearest;
 }
 
-bool has_one_row(const Claim& claim) { return claim.reduction == Reduction::final || claim.reduction == Reduction::at; }
-
-double value_of_run(const Claim& claim, const Rows& rows, std::size_t run) {
-  if (has_one_row(claim)) return rows.value[row_looked_at(claim, rows, run)];
-  const Rows own = rows.of_run(run);
-  if (std::find(own.selected.begin(), own.selected.end(), true) == own.selected.end())
-    throw Unjudged(fmt::format("no row of run {} is selected", run + 1));
-  return reduce(claim.reduction, own);
+bool has_one_row(const Claim& claim) {
+  return claim.reduction == Reduction::final || claim.reduction == Reduction::at;
 }
 
-/// The value of the run that comes off worst.
+double value_of_run(const Claim& claim, const Rows& rows, std::size_t run) {
+  return has_one_row(claim) ? rows.value[row_looked_at(claim, rows, run)]
+                            : reduce(claim.reduction, rows.of_run(run));
+}
+
+bool selects_any(const Rows& rows, std::size_t run) {
+  const auto at = [&](std::size_t row) { return rows.selected.begin() + static_cast<std::ptrdiff_t>(row); };
+  return std::find(at(rows.starts[run]), at(rows.run_end(run)), true) != at(rows.run_end(run));
+}
+
+/// The value of the run that comes off worst. Runs that `where` leaves out as a whole (by a swept parameter)
+/// are not judged.
 double worst_run(const Claim& claim, const Rows& rows) {
   double worst = std::numeric_limits<double>::quiet_NaN(), margin = std::numeric_limits<double>::infinity();
+  bool judged = false;
   for (std::size_t run = 0; run < rows.starts.size(); ++run) {
+    if (claim.where && !selects_any(rows, run)) continue;
     const double value = value_of_run(claim, rows, run);
     const double found = claim.comparison.margin(value);
-    if (run > 0 && found >= margin) continue;
+    if (judged && found >= margin) continue;
+    judged = true;
     worst = value;
     margin = found;
   }

@@ -12,8 +12,8 @@ namespace {
 
 using Keys = std::vector<std::string>;
 
-const Keys claim_keys{"that",   "where",    "final",    "max",     "min",      "mean", "rms",
-                      "spread", "fraction", "count",    "at",      "rising",   "fit",  "equals",
+const Keys claim_keys{"that",   "where",    "final",    "max",     "min",       "mean",     "rms",
+                      "spread", "fraction", "count",    "at",      "rising",    "fit",      "equals",
                       "within", "at_most",  "at_least", "between", "disagrees", "each_run", "offset"};
 const Keys comparison_keys{"equals", "at_most", "at_least", "between"};
 
@@ -97,7 +97,8 @@ class Reader {
     const Node* offset = node_.find("offset");
     if (offset == nullptr) return;
     if (offset->text != "free" || claim_.reduction != Reduction::fit)
-      fault(offset->mark, "claims.offset", "is 'offset: free', beside 'fit' only: the mean difference is not counted as an error");
+      fault(offset->mark, "claims.offset",
+            "is 'offset: free', beside 'fit' only: the mean difference is not counted as an error");
     claim_.free_offset = true;
   }
 

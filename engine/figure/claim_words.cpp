@@ -19,7 +19,8 @@ std::string reduction_text(const Claim& claim, const std::string& time) {
     case Reduction::rising:
       return fmt::format("rising {} over {}", values[0].text, values[1].text);
     case Reduction::fit:
-      return fmt::format("fit {} to {}{}", values[0].text, values[1].text, claim.free_offset ? " with a free offset" : "");
+      return fmt::format("fit {} to {}{}", values[0].text, values[1].text,
+                         claim.free_offset ? " with a free offset" : "");
     default:
       return fmt::format("{} {}", reduction_names()[static_cast<std::size_t>(claim.reduction)],
                          values[0].text);

@@ -89,6 +89,8 @@ Expression parse(std::string_view text, const Names& names) {
 }
 
 std::optional<Dimension> find_dimension(const Expression& expression, const Names& names) {
+  // Trials scale the names only; what a number with a unit does to the result is not seen by them.
+  if (expression.has_units()) return std::nullopt;
   std::vector<Dimension> dimensions;
   for (const auto& name : expression.variables()) {
     const auto& dimension = names.find(name)->dimension;

@@ -99,7 +99,8 @@ Rows Rows::of_run(std::size_t run) const {
   const auto piece = [&](const auto& all) {
     using List = std::remove_cvref_t<decltype(all)>;
     if (all.empty()) return List{};
-    return List(all.begin() + static_cast<std::ptrdiff_t>(starts[run]), all.begin() + static_cast<std::ptrdiff_t>(run_end(run)));
+    return List(all.begin() + static_cast<std::ptrdiff_t>(starts[run]),
+                all.begin() + static_cast<std::ptrdiff_t>(run_end(run)));
   };
   return {piece(value), piece(other), piece(time), piece(selected), {0}, free_offset};
 }

@@ -90,7 +90,8 @@ void Script::range(const std::string& axis, const Extent& extent) {
 void Script::name_more_than_decades(const std::string& axis, const Extent& shown) {
   if (shown.high > 100.0 * shown.low) return;
   std::vector<std::string> labels;
-  for (double decade = std::pow(10.0, std::floor(std::log10(shown.low))); decade <= shown.high; decade *= 10.0)
+  for (double decade = std::pow(10.0, std::floor(std::log10(shown.low))); decade <= shown.high;
+       decade *= 10.0)
     for (const double label : {2.0 * decade, 5.0 * decade})
       if (label >= shown.low && label <= shown.high) labels.push_back(fmt::format("{:.9g}", label));
   if (!labels.empty()) set(fmt::format("set {}tics add ({})", range_name(axis), fmt::join(labels, ", ")));

@@ -42,7 +42,8 @@ void plan_batches(Draft& draft, const std::vector<int>& order) {
       if (draft.blocks[block].in_stages) append(plan.stage, plan, block, kernel);
     }
   }
-  // Updates of continuous states come last: a discrete block that reads such a state still sees its value at the tick.
+  // Updates of continuous states come last: a discrete block that reads such a state still sees its value at
+  // the tick.
   for (const bool continuous : {false, true})
     for (int b : plan.memory_order) {
       const auto block = static_cast<std::size_t>(b);

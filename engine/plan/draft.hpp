@@ -16,7 +16,7 @@ struct Draft {
     std::map<std::pair<std::string, std::string>, bool> feedthrough;  ///< what configure() said
     std::map<std::string, Eigen::Index> sizes;                        ///< sizes that configure() gave
     std::map<std::string, Eigen::Index> least_sizes;                  ///< below which it refuses a size
-    bool computes = false;  ///< has outputs() to call
+    bool computes = false;                                            ///< has outputs() to call
     bool updates = false;
     bool in_stages = false;  ///< do derivatives depend on its outputs?
     std::vector<Eigen::Index> output_sizes, state_sizes, input_sizes;
@@ -42,8 +42,8 @@ void plan_rates(Draft& draft);
 void configure_blocks(Draft& draft);
 /// Sizes of all ports and states; expands per-element parameters.
 void plan_shapes(Draft& draft);
-/// Order of outputs, refusing algebraic loops; blocks in the order of their first call, with which of them are called in
-/// that position (a block whose outputs cannot be ordered as one stands twice).
+/// Order of outputs, refusing algebraic loops; blocks in the order of their first call, with which of them
+/// are called in that position (a block whose outputs cannot be ordered as one stands twice).
 std::vector<int> plan_order(Draft& draft);
 /// Memory of blocks and numbers.
 void plan_layout(Draft& draft, const std::vector<int>& order);

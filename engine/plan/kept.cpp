@@ -12,7 +12,8 @@ void check_stop_condition(Draft& draft, const StopCondition& condition) {
     const SignalRef& signal = condition.variables[i];
     if (signal.block < 0 || draft.plan.slot(signal).size == 1) continue;
     draft.report.add(condition.origin, "stop_when",
-                     fmt::format("'{}' has {} elements; a condition takes single numbers, so pick one with Select, or take the Norm",
+                     fmt::format("'{}' has {} elements; a condition takes single numbers, so pick one with "
+                                 "Select, or take the Norm",
                                  condition.expression.variables()[i], draft.plan.slot(signal).size));
   }
 }

@@ -43,7 +43,8 @@ class LayoutMaker {
     layout.discrete_count = end_ - layout.discrete;
     layout.notices = end_;
     each([&](std::size_t b) {
-      for (std::size_t n = 0; n < draft_.type(b).notices.size(); ++n) plan_.blocks[b].notices.push_back(take(1));
+      for (std::size_t n = 0; n < draft_.type(b).notices.size(); ++n)
+        plan_.blocks[b].notices.push_back(take(1));
     });
     layout.notice_count = end_ - layout.notices;
     layout.constants = end_;
@@ -75,18 +76,21 @@ class LayoutMaker {
   void place_states(std::size_t b, bool continuous) {
     const BlockType& type = draft_.type(b);
     for (std::size_t s = 0; s < type.states.size(); ++s)
-      if (type.states[s].continuous == continuous) plan_.blocks[b].states[s] = take(draft_.blocks[b].state_sizes[s]);
+      if (type.states[s].continuous == continuous)
+        plan_.blocks[b].states[s] = take(draft_.blocks[b].state_sizes[s]);
     if (!continuous) return;
     for (std::size_t o = 0; o < type.outputs.size(); ++o)
       if (draft_.is_state(b, o))
-        plan_.blocks[b].outputs[o] = plan_.blocks[b].states[static_cast<std::size_t>(type.state(type.outputs[o].state))];
+        plan_.blocks[b].outputs[o] =
+            plan_.blocks[b].states[static_cast<std::size_t>(type.state(type.outputs[o].state))];
   }
 
   void place_dots(std::size_t b) {
     PlannedBlock& block = plan_.blocks[b];
     for (std::size_t s = 0; s < block.states.size(); ++s)
       if (draft_.type(b).states[s].continuous)
-        block.dots[s] = {plan_.layout.dots + (block.states[s].offset - plan_.layout.states), block.states[s].size};
+        block.dots[s] = {plan_.layout.dots + (block.states[s].offset - plan_.layout.states),
+                         block.states[s].size};
   }
 
   void place_inputs(std::size_t b) {
@@ -98,10 +102,12 @@ class LayoutMaker {
 
   SignalSlot slot_of(std::size_t b, std::size_t input, const Source& source) {
     if (source.block >= 0)
-      return plan_.blocks[static_cast<std::size_t>(source.block)].outputs[static_cast<std::size_t>(source.output)];
+      return plan_.blocks[static_cast<std::size_t>(source.block)]
+          .outputs[static_cast<std::size_t>(source.output)];
     const bool list = draft_.type(b).inputs[input].list;
     const Eigen::Index size = list ? source.constant.size() : draft_.blocks[b].input_sizes[input];
-    for (Eigen::Index k = 0; k < size; ++k) plan_.constants.push_back(source.constant[source.constant.size() == 1 ? 0 : k]);
+    for (Eigen::Index k = 0; k < size; ++k)
+      plan_.constants.push_back(source.constant[source.constant.size() == 1 ? 0 : k]);
     return take(size);
   }
 

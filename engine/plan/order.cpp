@@ -14,8 +14,8 @@ namespace {
 
 using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS>;
 
-/// The graph of what must be known before what: its nodes are outputs that are computed, and an edge leads from an
-/// output to each output that depends on it at the same instant.
+/// The graph of what must be known before what: its nodes are outputs that are computed, and an edge leads
+/// from an output to each output that depends on it at the same instant.
 class Order {
  public:
   explicit Order(Draft& draft) : draft_(draft) {
@@ -41,7 +41,8 @@ class Order {
 
   /// The node that computes a source, or nothing for states and constants.
   std::optional<std::size_t> node_of(const Source& source) const {
-    if (source.block < 0 || !draft_.blocks[static_cast<std::size_t>(source.block)].computes) return std::nullopt;
+    if (source.block < 0 || !draft_.blocks[static_cast<std::size_t>(source.block)].computes)
+      return std::nullopt;
     return first_node_[static_cast<std::size_t>(source.block)] + static_cast<std::size_t>(source.output);
   }
 
@@ -63,7 +64,8 @@ class Order {
     std::vector<int> component(owners_.size());
     const int count = boost::strong_components(graph_, component.data());
     std::vector<std::vector<std::size_t>> members(static_cast<std::size_t>(count));
-    for (std::size_t n = 0; n < owners_.size(); ++n) members[static_cast<std::size_t>(component[n])].push_back(n);
+    for (std::size_t n = 0; n < owners_.size(); ++n)
+      members[static_cast<std::size_t>(component[n])].push_back(n);
     bool refused = false;
     for (const auto& nodes : members) {
       if (nodes.size() == 1 && !boost::edge(nodes[0], nodes[0], graph_).second) continue;
@@ -103,10 +105,12 @@ class Order {
     for (std::size_t node : path) hops += hop(node) + " -> ";
     hops += name(path.front());
     const DiagramBlock& block = draft_.diagram().blocks[owners_[path.front()].first];
-    draft_.report.add(block.origin, block.name,
-                      fmt::format("algebraic loop: each of these feeds the next at the same instant: {}; break it with a block whose "
-                                  "output does not follow its input at once (a Lag, an Integrator, a UnitDelay)",
-                                  hops));
+    draft_.report.add(
+        block.origin, block.name,
+        fmt::format("algebraic loop: each of these feeds the next at the same instant: {}; break it with a "
+                    "block whose "
+                    "output does not follow its input at once (a Lag, an Integrator, a UnitDelay)",
+                    hops));
   }
 
   std::string name(std::size_t node) const {
@@ -123,7 +127,8 @@ class Order {
       const auto node = node_of(source);
       if (!node) return;
       const std::size_t block = owners_[*node].first;
-      if (draft_.blocks[block].in_stages || draft_.plan.blocks[block].rate.kind != Rate::Kind::continuous) return;
+      if (draft_.blocks[block].in_stages || draft_.plan.blocks[block].rate.kind != Rate::Kind::continuous)
+        return;
       draft_.blocks[block].in_stages = true;
       stack.push_back(block);
     };
@@ -148,8 +153,9 @@ class Order {
     return {&draft_.type(block), static_cast<int>(rate.kind), rate.ticks, draft_.blocks[block].in_stages};
   }
 
-  /// Lists blocks so that each comes after what it depends on, as many of one group in a row as can be. A block of which
-  /// only some outputs can be computed, while nothing else can go on, is listed there and once more later.
+  /// Lists blocks so that each comes after what it depends on, as many of one group in a row as can be. A
+  /// block of which only some outputs can be computed, while nothing else can go on, is listed there and once
+  /// more later.
   std::vector<int> schedule() {
     open_nodes_.resize(draft_.blocks.size());
     emitted_.assign(owners_.size(), false);
@@ -222,6 +228,8 @@ class Order {
 
 }  // namespace
 
-std::vector<int> plan_order(Draft& draft) { return Order(draft).run(); }
+std::vector<int> plan_order(Draft& draft) {
+  return Order(draft).run();
+}
 
 }  // namespace stepwire

@@ -22,11 +22,11 @@ struct Batch {
   Kernel run;
   std::size_t first;  ///< offset of the first block in the memory of blocks [bytes]
   std::size_t count;
-  int period;         ///< index in Plan::periods
+  int period;  ///< index in Plan::periods
 };
 
-/// Where the numbers of a run lie in its workspace; offsets in doubles. Signals and continuous states lie side by side,
-/// so that one sweep over them finds what is not finite.
+/// Where the numbers of a run lie in its workspace; offsets in doubles. Signals and continuous states lie
+/// side by side, so that one sweep over them finds what is not finite.
 struct Layout {
   std::size_t time = 0;
   std::size_t signals = 1;
@@ -69,9 +69,9 @@ struct Plan {
   Layout layout;
   std::vector<double> constants;
 
-  std::vector<Batch> once;         ///< outputs that never change, computed at the start
-  std::vector<Batch> outputs;      ///< at every tick
-  std::vector<Batch> stage;        ///< outputs on which derivatives depend, at the solver's stages between ticks
+  std::vector<Batch> once;     ///< outputs that never change, computed at the start
+  std::vector<Batch> outputs;  ///< at every tick
+  std::vector<Batch> stage;    ///< outputs on which derivatives depend, at the solver's stages between ticks
   std::vector<Batch> derivatives;
   std::vector<Batch> updates;
   bool updates_continuous = false;  ///< may an update change a continuous state?
@@ -81,8 +81,8 @@ struct Plan {
   double time_of(std::int64_t tick) const { return static_cast<double>(tick) * diagram.step; }
 };
 
-/// Plans a checked diagram. Throws Error for what shows only here: algebraic loops, sizes that do not agree, rates that
-/// do not fit the step, and what blocks refuse about their own parameters.
+/// Plans a checked diagram. Throws Error for what shows only here: algebraic loops, sizes that do not agree,
+/// rates that do not fit the step, and what blocks refuse about their own parameters.
 Plan make_plan(Diagram diagram);
 
 }  // namespace stepwire

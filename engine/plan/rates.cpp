@@ -12,8 +12,8 @@ namespace {
 
 constexpr double most_ticks = 9e15;  // whole numbers beyond are not exact in a double
 
-/// How many ticks a time is; nothing if it is not a whole number of them. Decimal times are not exact in binary, so a
-/// difference that only rounding explains is none.
+/// How many ticks a time is; nothing if it is not a whole number of them. Decimal times are not exact in
+/// binary, so a difference that only rounding explains is none.
 std::optional<std::int64_t> whole_ticks(double time, double step) {
   const double ratio = time / step;
   const double ticks = std::round(ratio);
@@ -21,21 +21,24 @@ std::optional<std::int64_t> whole_ticks(double time, double step) {
   return static_cast<std::int64_t>(ticks);
 }
 
-void require_whole(Draft& draft, double time, const Origin& origin, const std::string& subject, std::int64_t& ticks) {
+void require_whole(Draft& draft, double time, const Origin& origin, const std::string& subject,
+                   std::int64_t& ticks) {
   const double step = draft.diagram().step;
   if (const auto whole = whole_ticks(time, step)) {
     ticks = *whole;
     return;
   }
-  draft.report.add(origin, subject, fmt::format("{} s is not a whole multiple of the step {} s; e.g. {:.12g} s would be", time, step,
-                                                step * std::max(1.0, std::round(time / step))));
+  draft.report.add(origin, subject,
+                   fmt::format("{} s is not a whole multiple of the step {} s; e.g. {:.12g} s would be", time,
+                               step, step * std::max(1.0, std::round(time / step))));
 }
 
 /// The rate of what is fed by both.
 Rate join(const Rate& a, const Rate& b) {
   if (a.kind == Rate::Kind::constant) return b;
   if (b.kind == Rate::Kind::constant) return a;
-  if (a.kind == Rate::Kind::continuous || b.kind == Rate::Kind::continuous) return {Rate::Kind::continuous, 1};
+  if (a.kind == Rate::Kind::continuous || b.kind == Rate::Kind::continuous)
+    return {Rate::Kind::continuous, 1};
   return {Rate::Kind::discrete, std::gcd(a.ticks, b.ticks)};
 }
 
@@ -60,7 +63,8 @@ class Rates {
 
   static bool acts(const BlockType& type) { return type.timing == Timing::discrete || type.run_update; }
 
-  /// Rates only ever rise (constant, slower, faster, continuous), so this ends, and in whatever order the same.
+  /// Rates only ever rise (constant, slower, faster, continuous), so this ends, and in whatever order the
+  /// same.
   void spread() {
     while (!queue_.empty()) {
       const std::size_t block = queue_.back();
@@ -86,9 +90,11 @@ class Rates {
     rate(index) = {Rate::Kind::discrete, 1};
     const Origin origin{block.origin.scope, block.every_mark};
     if (block.type().has_continuous_state())
-      return draft_.report.add(origin, block.name + ".every",
-                               fmt::format("{} has a continuous state and follows the solver; leave 'every' out, or use its discrete kind",
-                                           block.type().name));
+      return draft_.report.add(
+          origin, block.name + ".every",
+          fmt::format(
+              "{} has a continuous state and follows the solver; leave 'every' out, or use its discrete kind",
+              block.type().name));
     require_whole(draft_, *block.every, origin, block.name + ".every", rate(index).ticks);
   }
 
@@ -99,7 +105,8 @@ class Rates {
     for (const auto& sources : block.inputs)
       for (const Source& source : sources)
         if (source.block >= 0) joined = join(joined, rate(static_cast<std::size_t>(source.block)));
-    if (block.type().timing == Timing::discrete && joined.kind == Rate::Kind::continuous) joined = {Rate::Kind::discrete, 1};
+    if (block.type().timing == Timing::discrete && joined.kind == Rate::Kind::continuous)
+      joined = {Rate::Kind::discrete, 1};
     if (joined == rate(index)) return;
     rate(index) = joined;
     queue_.push_back(index);
@@ -116,7 +123,8 @@ void require_solver(Draft& draft) {
   for (const DiagramBlock& block : diagram.blocks)
     if (block.type().has_continuous_state())
       return draft.report.add(block.origin, block.name,
-                              fmt::format("{} has a continuous state, and the diagram names no solver; add e.g. 'solver: rk4' to its head",
+                              fmt::format("{} has a continuous state, and the diagram names no solver; add "
+                                          "e.g. 'solver: rk4' to its head",
                                           block.type().name));
 }
 
@@ -160,7 +168,8 @@ void configure_blocks(Draft& draft) {
       type.configure(block.block.get(), is);
     } catch (const ParameterRefused& refused) {
       const ParameterSpec* spec = type.parameter(refused.parameter);
-      Mark mark = spec ? block.parameter_marks[static_cast<std::size_t>(spec - type.parameters.data())] : Mark{};
+      Mark mark =
+          spec ? block.parameter_marks[static_cast<std::size_t>(spec - type.parameters.data())] : Mark{};
       if (refused.line > 0) mark = {refused.line, refused.column};
       if (mark.line == 0) mark = block.origin.mark;
       draft.report.add({block.origin.scope, mark}, block.name + "." + refused.parameter, refused.what());
@@ -168,7 +177,8 @@ void configure_blocks(Draft& draft) {
       throw SurroundingsError(draft.diagram().fault(block.origin, block.name, error.what()).text());
     }
     for (const auto& [input, reason] : is.required())
-      draft.report.add(block.origin, block.name, fmt::format("the input '{}' is missing ({})", input, reason));
+      draft.report.add(block.origin, block.name,
+                       fmt::format("the input '{}' is missing ({})", input, reason));
     made.feedthrough = is.feedthrough();
     made.sizes = is.sizes();
     made.least_sizes = is.least_sizes();

@@ -21,7 +21,8 @@ Eigen::Index bounded_product(Eigen::Index a, Eigen::Index b) {
   return product > static_cast<double>(most_numbers) ? most_numbers + 1 : a * b;
 }
 
-/// Finds the size of every port and state. A list input takes elements of one size or of one element; with the shape
+/// Finds the size of every port and state. A list input takes elements of one size or of one element; with
+/// the shape
 /// "+m" each element has its own size and m is their sum.
 class Shapes {
  public:
@@ -235,12 +236,15 @@ class Shapes {
     };
     const auto size = [&](const std::string& shape) {  // "k x n": k rows of n elements, one behind the other
       const std::size_t times = shape.find(" x ");
-      return times == std::string::npos ? factor(shape) : bounded_product(factor(shape.substr(0, times)), factor(shape.substr(times + 3)));
+      return times == std::string::npos
+                 ? factor(shape)
+                 : bounded_product(factor(shape.substr(0, times)), factor(shape.substr(times + 3)));
     };
     for (const OutputSpec& spec : block.type().outputs) made.output_sizes.push_back(size(spec.shape));
     for (const StateSpec& spec : block.type().states) made.state_sizes.push_back(size(spec.shape));
     for (const InputSpec& spec : block.type().inputs)
-      made.input_sizes.push_back(size(spec.list && spec.shape.starts_with('+') ? spec.shape.substr(1) : spec.shape));
+      made.input_sizes.push_back(
+          size(spec.list && spec.shape.starts_with('+') ? spec.shape.substr(1) : spec.shape));
     if (!fits(block, made)) return;
     for (const ParameterSpec& spec : block.type().parameters)
       if (spec.kind == ParameterKind::per_element) expand(block, spec, size(spec.shape));
@@ -254,9 +258,10 @@ class Shapes {
       for (Eigen::Index size : *sizes) own += std::clamp<Eigen::Index>(size, 0, most_numbers + 1);
     total_ += own;
     if (total_ <= most_numbers) return true;
-    draft_.report.add(block.origin, block.name,
-                      fmt::format("needs {}{} numbers for its ports and states; all blocks together may have {}",
-                                  own > most_numbers ? "more than " : "", std::min(own, most_numbers), most_numbers));
+    draft_.report.add(
+        block.origin, block.name,
+        fmt::format("needs {}{} numbers for its ports and states; all blocks together may have {}",
+                    own > most_numbers ? "more than " : "", std::min(own, most_numbers), most_numbers));
     return false;
   }
 

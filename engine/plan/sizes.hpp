@@ -47,7 +47,8 @@ inline bool Sizes::set(int size, Eigen::Index value) {
 
 inline bool Sizes::join(int a, int b) {
   const int first = root(a), second = root(b);
-  const auto value_a = values_[static_cast<std::size_t>(first)], value_b = values_[static_cast<std::size_t>(second)];
+  const auto value_a = values_[static_cast<std::size_t>(first)],
+             value_b = values_[static_cast<std::size_t>(second)];
   if (value_a && value_b && *value_a != *value_b) return false;
   parents_[static_cast<std::size_t>(first)] = second;
   if (value_a) values_[static_cast<std::size_t>(second)] = value_a;

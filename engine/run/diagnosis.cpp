@@ -17,7 +17,8 @@ double first_not_finite(const double* values, const SignalSlot& slot) {
   return 0.0;
 }
 
-RunFault make_fault(const Plan& plan, std::size_t block, const std::string& port, double time, const std::string& message) {
+RunFault make_fault(const Plan& plan, std::size_t block, const std::string& port, double time,
+                    const std::string& message) {
   const DiagramBlock& from = plan.diagram.blocks[block];
   const std::string subject = port.empty() ? from.name : from.name + "." + port;
   return {from.name, port, time, plan.diagram.fault(from.origin, subject, message)};
@@ -27,11 +28,13 @@ RunFault make_fault(const Plan& plan, std::size_t block, const std::string& port
 
 std::optional<RunFault> Simulation::not_finite() const {
   const auto cure = [&](double value) {
-    return fmt::format("became {} at {} s; the run ends here. A smaller step, a stiff solver (rosenbrock) or a check of the parameters helps",
-                       value, time());
+    return fmt::format(
+        "became {} at {} s; the run ends here. A smaller step, a stiff solver (rosenbrock) or a check of the "
+        "parameters helps",
+        value, time());
   };
-  // States first: an integration that ran away is the cause of what follows from it. Then outputs in the order of their
-  // computation, where the first is the cause of the others.
+  // States first: an integration that ran away is the cause of what follows from it. Then outputs in the
+  // order of their computation, where the first is the cause of the others.
   for (const bool states : {true, false})
     for (int index : plan_.memory_order) {
       const auto b = static_cast<std::size_t>(index);
@@ -54,7 +57,8 @@ std::optional<RunFault> Simulation::fault() const {
     for (std::size_t n = 0; n < specs.size(); ++n) {
       const double first = workspace_.values[plan_.blocks[b].notices[n].offset];
       if (specs[n].ends_run && first != Notice::never)
-        return make_fault(plan_, b, "", first, fmt::format("{} (at {} s); the run ends here", specs[n].doc, first));
+        return make_fault(plan_, b, "", first,
+                          fmt::format("{} (at {} s); the run ends here", specs[n].doc, first));
     }
   }
   return not_finite();

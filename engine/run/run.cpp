@@ -48,7 +48,8 @@ RunResult run_plan(const Plan& plan, const RunOptions& options) {
     simulation.advance();
     if (!simulation.healthy()) break;
     if (simulation.tick() % ticks_between_looks != 0) continue;
-    if (options.progress) options.progress(static_cast<double>(simulation.tick()) / static_cast<double>(plan.steps));
+    if (options.progress)
+      options.progress(static_cast<double>(simulation.tick()) / static_cast<double>(plan.steps));
     result.interrupted = options.interrupt && *options.interrupt;
     if (result.interrupted) break;
   }

@@ -15,8 +15,8 @@ namespace stepwire {
 /// What a call may change about a run.
 struct RunOptions {
   const std::atomic<bool>* interrupt = nullptr;  ///< once true, the run ends and keeps what it has
-  std::function<void(double)> progress;          ///< told the fraction done, 0 to 1, now and then, from any thread
-  unsigned threads = 0;                          ///< for sweeps; 0: all cores
+  std::function<void(double)> progress;  ///< told the fraction done, 0 to 1, now and then, from any thread
+  unsigned threads = 0;                  ///< for sweeps; 0: all cores
 };
 
 /// What a run, or all runs of a sweep, gave.
@@ -37,18 +37,19 @@ struct SweepPoint {
   Plan plan;
 };
 
-/// A diagram ready to run: one plan, or one for each point of its sweep. Everything that can be wrong before the first
-/// step has been found.
+/// A diagram ready to run: one plan, or one for each point of its sweep. Everything that can be wrong before
+/// the first step has been found.
 struct Job {
-  Plan plan;                      ///< with the file's own values
-  std::vector<SweepPoint> points; ///< empty without a sweep
+  Plan plan;                       ///< with the file's own values
+  std::vector<SweepPoint> points;  ///< empty without a sweep
 };
 
 /// Loads and plans a file and all points of its sweep. `stop` replaces the file's stop time. Throws Error.
 Job make_job(Loader& loader, const std::string& path, const std::vector<Setting>& settings = {},
              std::optional<std::string> stop = {});
 
-/// Runs a job; the points of a sweep in parallel, pooled in the order of the sweep: the same bits at any number of threads.
+/// Runs a job; the points of a sweep in parallel, pooled in the order of the sweep: the same bits at any
+/// number of threads.
 RunResult run_job(const Job& job, const RunOptions& options = {});
 
 }  // namespace stepwire

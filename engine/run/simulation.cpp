@@ -22,7 +22,8 @@ std::unique_ptr<Solver> solver_of(const Plan& plan) {
   for (const SolverKind& kind : solver_kinds()) names.push_back(kind.name);
   throw Error(diagram.fault(diagram.solver_origin, "solver",
                             fmt::format("there is no solver '{}'{}", diagram.solver,
-                                        did_you_mean(diagram.solver, names, fmt::format("Known are: {}", fmt::join(names, ", "))))));
+                                        did_you_mean(diagram.solver, names,
+                                                     fmt::format("Known are: {}", fmt::join(names, ", "))))));
 }
 
 }  // namespace
@@ -47,10 +48,14 @@ class Simulation::Equations : public System {
   Simulation& simulation_;
 };
 
-void Simulation::FreeBlocks::operator()(std::byte* memory) const { ::operator delete(memory, block_alignment); }
+void Simulation::FreeBlocks::operator()(std::byte* memory) const {
+  ::operator delete(memory, block_alignment);
+}
 
 Simulation::Simulation(const Plan& plan)
-    : plan_(plan), solver_(solver_of(plan)), blocks_(static_cast<std::byte*>(::operator new(plan.block_bytes + 1, block_alignment))) {
+    : plan_(plan),
+      solver_(solver_of(plan)),
+      blocks_(static_cast<std::byte*>(::operator new(plan.block_bytes + 1, block_alignment))) {
   workspace_.values.assign(plan.layout.size, 0.0);
   due_.assign(plan.periods.size(), 1);
   for (int block : plan.memory_order) {
@@ -103,8 +108,10 @@ void Simulation::bind_block(std::size_t index) {
   for (std::size_t o = 0; o < type.outputs.size(); ++o)
     type.outputs[o].bind(block, values + planned.outputs[o].offset, planned.outputs[o].size);
   for (std::size_t s = 0; s < type.states.size(); ++s)
-    type.states[s].bind(block, values + planned.states[s].offset, values + planned.dots[s].offset, planned.states[s].size);
-  for (std::size_t n = 0; n < type.notices.size(); ++n) type.notices[n].bind(block, values + planned.notices[n].offset);
+    type.states[s].bind(block, values + planned.states[s].offset, values + planned.dots[s].offset,
+                        planned.states[s].size);
+  for (std::size_t n = 0; n < type.notices.size(); ++n)
+    type.notices[n].bind(block, values + planned.notices[n].offset);
   for (const auto bind_time : type.bind_time) bind_time(block, values + plan_.layout.time);
   const double period = static_cast<double>(planned.rate.ticks) * plan_.diagram.step;
   for (const auto bind_period : type.bind_period) bind_period(block, period);
@@ -115,14 +122,17 @@ void Simulation::reset() {
   healthy_ = true;
   auto& values = workspace_.values;
   std::fill(values.begin(), values.end(), 0.0);
-  std::copy(plan_.constants.begin(), plan_.constants.end(), values.begin() + static_cast<std::ptrdiff_t>(plan_.layout.constants));
-  std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(plan_.layout.notices), plan_.layout.notice_count, Notice::never);
+  std::copy(plan_.constants.begin(), plan_.constants.end(),
+            values.begin() + static_cast<std::ptrdiff_t>(plan_.layout.constants));
+  std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(plan_.layout.notices), plan_.layout.notice_count,
+              Notice::never);
   for (int block : plan_.memory_order) {
     const auto index = static_cast<std::size_t>(block);
     const DiagramBlock& from = plan_.diagram.blocks[index];
     const auto& states = plan_.blocks[index].states;
     for (std::size_t s = 0; s < states.size(); ++s)
-      std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(states[s].offset), states[s].size, from.type().states[s].initial);
+      std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(states[s].offset), states[s].size,
+                  from.type().states[s].initial);
     for (const InitialValue& initial : from.initial) {
       const SignalSlot& slot = states[static_cast<std::size_t>(initial.state)];
       for (Eigen::Index k = 0; k < slot.size; ++k)
@@ -174,7 +184,8 @@ void Simulation::advance() {
 }
 
 bool Simulation::all_finite() const {
-  // A product with 0 is 0 for what is finite and nan for the rest, and so is the sum: no branch for each number.
+  // A product with 0 is 0 for what is finite and nan for the rest, and so is the sum: no branch for each
+  // number.
   const Layout& layout = plan_.layout;
   const auto count = static_cast<Eigen::Index>(layout.states + layout.state_count - layout.signals);
   const Eigen::Map<const Eigen::ArrayXd> numbers(values() + layout.signals, count);

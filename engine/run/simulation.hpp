@@ -34,8 +34,8 @@ struct RaisedNotice {
 
 /// One run of a plan: its own copy of the blocks, bound to its own workspace. The plan must outlive it.
 ///
-/// A tick is evaluate(), then, unless it is the last, advance(): outputs, then discrete updates, then the solver. Neither
-/// allocates, throws, locks or calls the system.
+/// A tick is evaluate(), then, unless it is the last, advance(): outputs, then discrete updates, then the
+/// solver. Neither allocates, throws, locks or calls the system.
 class Simulation {
  public:
   /// Throws Error where the diagram names a solver that is not known.

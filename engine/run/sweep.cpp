@@ -49,7 +49,8 @@ std::optional<Quantity> swept_number(const Sweep::Axis& axis, std::size_t index,
 /// " (in the run with speed=3)".
 std::string which_run(const SweepPoint& point) {
   std::string text;
-  for (const Setting& setting : point.settings) text += fmt::format("{}{}={}", text.empty() ? "" : ", ", setting.name, setting.value);
+  for (const Setting& setting : point.settings)
+    text += fmt::format("{}{}={}", text.empty() ? "" : ", ", setting.name, setting.value);
   return fmt::format(" (in the run with {})", text);
 }
 
@@ -65,15 +66,17 @@ std::vector<bool> numeric_axes(const Job& job, const Sweep& sweep) {
 }
 
 /// Adds the swept parameters of one point to its recording, behind the time.
-void add_swept(Recording& recording, const Sweep& sweep, const SweepPoint& point, const std::vector<std::size_t>& index,
-               const std::vector<bool>& numeric) {
+void add_swept(Recording& recording, const Sweep& sweep, const SweepPoint& point,
+               const std::vector<std::size_t>& index, const std::vector<bool>& numeric) {
   const std::size_t rows = recording.table.rows();
   for (std::size_t axis = 0; axis < sweep.axes.size(); ++axis) {
-    const auto number = numeric[axis] ? swept_number(sweep.axes[axis], index[axis], point.plan.diagram) : std::nullopt;
+    const auto number =
+        numeric[axis] ? swept_number(sweep.axes[axis], index[axis], point.plan.diagram) : std::nullopt;
     const double shown = number ? number->value : static_cast<double>(index[axis]);
     Column column{sweep.axes[axis].parameter, "", std::vector<double>(rows, shown)};
     if (number && number->dimension) column.unit = si_name(*number->dimension);
-    recording.table.columns.insert(recording.table.columns.begin() + 1 + static_cast<std::ptrdiff_t>(axis), std::move(column));
+    recording.table.columns.insert(recording.table.columns.begin() + 1 + static_cast<std::ptrdiff_t>(axis),
+                                   std::move(column));
     if (!number) recording.words.push_back({sweep.axes[axis].parameter, sweep.axes[axis].values});
   }
 }
@@ -94,12 +97,15 @@ void append(Recording& all, Recording&& one) {
 /// Hands out the points to threads one by one; a result stands at its point's place, whoever made it.
 class Pool {
  public:
-  Pool(const Job& job, const RunOptions& options) : job_(job), options_(options), results_(job.points.size()) {}
+  Pool(const Job& job, const RunOptions& options)
+      : job_(job), options_(options), results_(job.points.size()) {}
 
   std::vector<RunResult> run() {
-    const std::size_t wanted = options_.threads ? options_.threads : std::max(1u, std::thread::hardware_concurrency());
+    const std::size_t wanted =
+        options_.threads ? options_.threads : std::max(1u, std::thread::hardware_concurrency());
     std::vector<std::jthread> threads;
-    for (std::size_t i = 0; i < std::min(wanted, job_.points.size()); ++i) threads.emplace_back([this] { work(); });
+    for (std::size_t i = 0; i < std::min(wanted, job_.points.size()); ++i)
+      threads.emplace_back([this] { work(); });
     threads.clear();
     if (failure_) std::rethrow_exception(failure_);
     return std::move(results_);
@@ -111,14 +117,16 @@ class Pool {
     own.interrupt = options_.interrupt;
     for (std::size_t point = next_++; point < job_.points.size(); point = next_++) {
       try {
-        results_[point].interrupted = own.interrupt && *own.interrupt;  // nothing is kept of what has not begun
+        results_[point].interrupted =
+            own.interrupt && *own.interrupt;  // nothing is kept of what has not begun
         if (!results_[point].interrupted) results_[point] = run_plan(job_.points[point].plan, own);
       } catch (...) {
         const std::lock_guard lock(mutex_);
         failure_ = std::current_exception();
       }
       const std::lock_guard lock(mutex_);
-      if (options_.progress) options_.progress(static_cast<double>(++done_) / static_cast<double>(job_.points.size()));
+      if (options_.progress)
+        options_.progress(static_cast<double>(++done_) / static_cast<double>(job_.points.size()));
     }
   }
 
@@ -147,8 +155,9 @@ RunResult pool(const Job& job, std::vector<RunResult> results) {
       all.faults.push_back(std::move(fault));
     }
     for (RaisedNotice& notice : one.notices) {
-      const bool told = std::any_of(all.notices.begin(), all.notices.end(),
-                                    [&](const RaisedNotice& n) { return n.block == notice.block && n.text == notice.text; });
+      const bool told = std::any_of(all.notices.begin(), all.notices.end(), [&](const RaisedNotice& n) {
+        return n.block == notice.block && n.text == notice.text;
+      });
       if (!told) all.notices.push_back(std::move(notice));
     }
     all.interrupted = all.interrupted || one.interrupted;
@@ -168,7 +177,8 @@ std::vector<Setting> settings_of(const Sweep& sweep, std::size_t point, const st
   return settings;
 }
 
-Plan plan_point(Loader& loader, const std::string& path, std::vector<Setting> settings, const SweepPoint& point) {
+Plan plan_point(Loader& loader, const std::string& path, std::vector<Setting> settings,
+                const SweepPoint& point) {
   settings.insert(settings.end(), point.settings.begin(), point.settings.end());
   try {
     return make_plan(loader.load_point(path, settings));
@@ -181,7 +191,8 @@ Plan plan_point(Loader& loader, const std::string& path, std::vector<Setting> se
 
 }  // namespace
 
-Job make_job(Loader& loader, const std::string& path, const std::vector<Setting>& settings, std::optional<std::string> stop) {
+Job make_job(Loader& loader, const std::string& path, const std::vector<Setting>& settings,
+             std::optional<std::string> stop) {
   std::vector<Setting> all = settings;
   if (stop) all.push_back({"stop", *stop, "--stop " + *stop});
   Job job{make_plan(loader.load(path, all)), {}};

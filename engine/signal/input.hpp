@@ -32,7 +32,8 @@ class Input<1> {
   const double* data_ = nullptr;
 };
 
-/// A list of inputs of one kind, `u: [a, b, c]`. Each has the block's size, or one element that stands for all.
+/// A list of inputs of one kind, `u: [a, b, c]`. Each has the block's size, or one element that stands for
+/// all.
 class Inputs {
  public:
   struct Element {
@@ -47,7 +48,8 @@ class Inputs {
   Eigen::Map<const Eigen::ArrayXd> view(Eigen::Index input) const {
     return {elements_[input].data, elements_[input].size};
   }
-  /// The elements stay where they are: beside those of the blocks that run before and after, which is fast to walk.
+  /// The elements stay where they are: beside those of the blocks that run before and after, which is fast to
+  /// walk.
   void bind(const Element* elements, Eigen::Index count) {
     elements_ = elements;
     count_ = count;

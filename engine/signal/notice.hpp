@@ -4,8 +4,8 @@
 
 namespace stepwire {
 
-/// Something a block has to say during a run: raised in update(), told once, with the time at which it happened first.
-/// A notice declared with `ends_run` ends the run at that tick.
+/// Something a block has to say during a run: raised in update(), told once, with the time at which it
+/// happened first. A notice declared with `ends_run` ends the run at that tick.
 class Notice {
  public:
   static constexpr double never = std::numeric_limits<double>::infinity();

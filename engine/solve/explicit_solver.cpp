@@ -21,7 +21,8 @@ ExplicitSolver::ExplicitSolver(const Tableau& tableau, std::size_t states)
   for (const auto& row : tableau.a) rows_.push_back(without_zeros<Term>(row));
 }
 
-// Loops by hand: most diagrams have few states, for which setting up a vector expression costs more than its work.
+// Loops by hand: most diagrams have few states, for which setting up a vector expression costs more than its
+// work.
 void ExplicitSolver::combine(double* x, const std::vector<Term>& terms, double step) const {
   const std::size_t count = start_.size();
   const double* from = start_.data();

@@ -16,7 +16,8 @@ const double d = 1.0 / (2.0 + std::sqrt(2.0));
 
 RosenbrockSolver::RosenbrockSolver(std::size_t states) : factors_(static_cast<Eigen::Index>(states)) {
   const auto n = static_cast<Eigen::Index>(states);
-  for (Eigen::VectorXd* vector : {&start_, &slope0_, &slope1_, &slope_time_, &k1_, &k2_, &right_}) vector->setZero(n);
+  for (Eigen::VectorXd* vector : {&start_, &slope0_, &slope1_, &slope_time_, &k1_, &k2_, &right_})
+    vector->setZero(n);
   jacobian_.setZero(n, n);
 }
 
@@ -34,8 +35,8 @@ void RosenbrockSolver::differentiate(System& system, double time, double step) {
     jacobian_.col(j) = (dot - slope0_) / (moved - start_[j]);
     x[j] = start_[j];
   }
-  // Far from time 0 a tiny fraction of a step is lost in rounding; a tenth of the step is not, and its error is of the
-  // method's own order.
+  // Far from time 0 a tiny fraction of a step is lost in rounding; a tenth of the step is not, and its error
+  // is of the method's own order.
   const double ahead = time + 0.1 * step;
   *system.time = ahead;
   system.evaluate();

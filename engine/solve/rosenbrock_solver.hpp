@@ -7,8 +7,9 @@
 
 namespace stepwire {
 
-/// The linearly implicit method behind MATLAB's ode23s (Shampine and Reichelt 1997, SIAM J. Sci. Comput. 18(1)): order 2,
-/// L-stable, for stiff plants. The Jacobian is by forward differences: one evaluation for each state and step.
+/// The linearly implicit method behind MATLAB's ode23s (Shampine and Reichelt 1997, SIAM J. Sci. Comput.
+/// 18(1)): order 2, L-stable, for stiff plants. The Jacobian is by forward differences: one evaluation for
+/// each state and step.
 class RosenbrockSolver : public Solver {
  public:
   explicit RosenbrockSolver(std::size_t states);

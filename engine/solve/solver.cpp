@@ -21,11 +21,15 @@ const std::vector<Entry>& entries() {
   static const std::vector<Entry> table = {
       {{"euler", "explicit Euler", 1}, make_explicit<euler_tableau>},
       {{"heun", "Heun's method", 2}, make_explicit<heun_tableau>},
-      {{"bogacki_shampine", "third-order method of Bogacki and Shampine", 3}, make_explicit<bogacki_shampine_tableau>},
+      {{"bogacki_shampine", "third-order method of Bogacki and Shampine", 3},
+       make_explicit<bogacki_shampine_tableau>},
       {{"rk4", "the classical Runge-Kutta method", 4}, make_explicit<rk4_tableau>},
-      {{"dormand_prince", "fifth-order method of Dormand and Prince", 5}, make_explicit<dormand_prince_tableau>},
+      {{"dormand_prince", "fifth-order method of Dormand and Prince", 5},
+       make_explicit<dormand_prince_tableau>},
       {{"rosenbrock", "linearly implicit, for stiff plants", 2},
-       [](std::size_t states) -> std::unique_ptr<Solver> { return std::make_unique<RosenbrockSolver>(states); }}};
+       [](std::size_t states) -> std::unique_ptr<Solver> {
+         return std::make_unique<RosenbrockSolver>(states);
+       }}};
   return table;
 }
 

@@ -7,7 +7,8 @@
 
 namespace stepwire {
 
-/// The differential equations of a run, as a solver sees them: x is set, evaluate() fills dot at the time in *time.
+/// The differential equations of a run, as a solver sees them: x is set, evaluate() fills dot at the time in
+/// *time.
 class System {
  public:
   virtual ~System() = default;
@@ -23,7 +24,8 @@ class System {
 class Solver {
  public:
   virtual ~Solver() = default;
-  /// x becomes the state at time + step. On entry dot is already evaluated at (time, x). Leaves *time as it pleases.
+  /// x becomes the state at time + step. On entry dot is already evaluated at (time, x). Leaves *time as it
+  /// pleases.
   virtual void advance(System& system, double time, double step) = 0;
 };
 

@@ -2,9 +2,13 @@
 
 namespace stepwire {
 
-Tableau euler_tableau() { return {{}, {}, {1.0}}; }
+Tableau euler_tableau() {
+  return {{}, {}, {1.0}};
+}
 
-Tableau heun_tableau() { return {{1.0}, {{1.0}}, {0.5, 0.5}}; }
+Tableau heun_tableau() {
+  return {{1.0}, {{1.0}}, {0.5, 0.5}};
+}
 
 Tableau bogacki_shampine_tableau() {
   return {{1.0 / 2, 3.0 / 4}, {{1.0 / 2}, {0.0, 3.0 / 4}}, {2.0 / 9, 1.0 / 3, 4.0 / 9}};

@@ -4,7 +4,8 @@
 
 namespace stepwire {
 
-/// An explicit Runge-Kutta method: x_i = x + h sum_j a_ij k_j, k_i = f(t + c_i h, x_i), x' = x + h sum_i b_i k_i.
+/// An explicit Runge-Kutta method: x_i = x + h sum_j a_ij k_j, k_i = f(t + c_i h, x_i), x' = x + h sum_i b_i
+/// k_i.
 struct Tableau {
   std::vector<double> c;               ///< of the stages after the first
   std::vector<std::vector<double>> a;  ///< rows of the stages after the first

@@ -45,8 +45,8 @@ void write_mat(const std::string& path, const Table& table);
 /// All bytes of a file. Throws SurroundingsError with the system's reason.
 std::string read_file(const std::string& path);
 
-/// Makes a folder and those above it; one that is there must take new files. Throws SurroundingsError with the system's
-/// reason.
+/// Makes a folder and those above it; one that is there must take new files. Throws SurroundingsError with
+/// the system's reason.
 void require_folder(const std::string& path);
 
 /// Writes to a temporary name beside `path`, then renames, so that no half file is ever seen under `path`.

@@ -6,8 +6,9 @@
 
 namespace stepwire {
 
-/// Runs a diagram given as text, with every block of the library, and returns what it recorded (its first recording).
-/// `head` keys that a test does not care about may be left out: "stepwire: 1" and "title" are added.
+/// Runs a diagram given as text, with every block of the library, and returns what it recorded (its first
+/// recording). `head` keys that a test does not care about may be left out: "stepwire: 1" and "title" are
+/// added.
 Table run_text(const std::string& yaml);
 
 /// A recorded column; fails the test if it is not there.

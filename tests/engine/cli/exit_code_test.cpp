@@ -119,7 +119,8 @@ TEST_CASE("check finds what run would find before its first step") {
   refused(replaced(lag_yaml, "final: lag", "final: lug"), "a.yaml:14:");
   refused(replaced(lag_yaml, "y: lag", "y: lug"), "a.yaml:12:");
   refused(replaced(lag_yaml, "[reference, lag]", "[reference, lug]"), "a.yaml:11:");
-  refused(lag_yaml + "sweep: {tau: {values: [0.1 s, -1 s]}}\n", "lag.tau: -1 s is not allowed; it must be above 0 (in the run with tau=-1 s)");
+  refused(lag_yaml + "sweep: {tau: {values: [0.1 s, -1 s]}}\n",
+          "lag.tau: -1 s is not allowed; it must be above 0 (in the run with tau=-1 s)");
   refused(lag_yaml + "sweep: {taw: {values: [0.1 s, 1 s]}}\n", "there is no parameter 'taw'");
   folder.file("a.yaml", lag_yaml);
   const Done done = run_program(folder, {"check", "a.yaml"});

@@ -80,7 +80,8 @@ TEST_CASE("a parameter's range holds for what the file, the user and the sweep g
 
 TEST_CASE("a unit that is unknown or the wrong one is refused") {
   CHECK(fault_of("{a: {value: 1, unit: foo}}") == "test.yaml:1:34: a: 'foo' is no unit");
-  CHECK_THAT(fault_of("{}", "8 Ns/m"), Catch::Contains("c.value: 'Ns/m' is no unit; a product of units is written N s or N.s"));
+  CHECK_THAT(fault_of("{}", "8 Ns/m"),
+             Catch::Contains("c.value: 'Ns/m' is no unit; a product of units is written N s or N.s"));
   CHECK(fault_of("{a: 1 mm}", "1", {{"a", "3 s"}}) == "--set a=3 s: a: 3 s is in s; it must be in m");
 }
 

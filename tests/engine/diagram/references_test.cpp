@@ -50,7 +50,8 @@ TEST_CASE("an input that is fed by nothing or by an empty list is refused") {
         "test.yaml:6:22: g.u: is an empty list; name at least one signal");
 }
 
-TEST_CASE("an input of one signal takes no list of them, directly or through a part, nor a list inside of a list") {
+TEST_CASE(
+    "an input of one signal takes no list of them, directly or through a part, nor a list inside of a list") {
   CHECK(fault_of("  g: {block: Gain, u: [l, 1]}\n") ==
         "test.yaml:6:23: g.u: takes one signal, not a list; join signals with a Mux");
   CHECK(fault_of("  g: {block: Sum, u: [[1, l], l]}\n") ==
@@ -61,7 +62,8 @@ TEST_CASE("an input of one signal takes no list of them, directly or through a p
                "stepwire: 1\nstep: 1 s\nstop: 1 s\nblocks:\n  t: {block: Clock}\n"
                "  p: {diagram: part.yaml, u: [t, t]}\n  q: {diagram: part.yaml, u: [1, 2]}\n");
   CHECK(folder.faults("main.yaml") ==
-        std::vector<std::string>{"main.yaml:6:30: p.g.u: takes one signal, not a list; join signals with a Mux"});
+        std::vector<std::string>{
+            "main.yaml:6:30: p.g.u: takes one signal, not a list; join signals with a Mux"});
 }
 
 TEST_CASE("an element of a vector is no signal by itself") {
