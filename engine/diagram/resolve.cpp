@@ -38,12 +38,12 @@ std::nullopt_t Resolver::refuse(const Query& query, std::string message) const {
 
 std::optional<Source> Resolver::source(const Node& node, const Scope& scope,
                                        const std::string& subject) const {
-  return element(node, scope, {scope.at(node.mark), subject, false});
+  return element(node, scope, {scope.at(node.mark), scope.at(node.mark), subject, false});
 }
 
 std::optional<SignalRef> Resolver::signal(const std::string& text, const Scope& scope, const Origin& origin,
                                           const std::string& subject) const {
-  const auto found = reference(text, scope, {origin, subject, true});
+  const auto found = reference(text, scope, {origin, origin, subject, true});
   if (!found) return std::nullopt;
   if (found->block < 0) {
     report_.add(origin, subject, fmt::format("'{}' is a constant number here, not a signal", text));
@@ -88,7 +88,12 @@ std::optional<Source> Resolver::reference(const std::string& text, const Scope& 
 
 std::optional<Source> Resolver::port(const Scope& scope, const std::string& name, Query query) const {
   const Scope::Port& port = scope.inputs.at(name);
-  if (port.fed_by) return element(*port.fed_by, *scope.parent, std::move(query));
+  if (port.fed_by) {
+    // What the using file wires to a part is to be mended there.
+    query.origin = query.wire = scope.parent->at(port.fed_by->mark);
+    query.subject = scope.prefix + name;
+    return element(*port.fed_by, *scope.parent, std::move(query));
+  }
   if (port.fallback) return element(*port.fallback, scope, std::move(query));
   // A part that is not fed has been reported where it is used; a file that is run by itself has not.
   if (!scope.parent)
@@ -102,7 +107,7 @@ std::optional<Source> Resolver::of_block(const std::string& rest, int block, con
   const BlockType& type = found.type();
   Source source;
   source.block = block;
-  source.origin = query.origin;
+  source.origin = query.wire;
   if (rest.empty()) {
     if (type.outputs.size() != 1)
       return refuse(query,

@@ -20,7 +20,8 @@ class Resolver {
 
  private:
   struct Query {
-    Origin origin;  ///< what to blame
+    Origin origin;  ///< what to blame where a name means nothing
+    Origin wire;    ///< what to blame where the ends do not fit
     std::string subject;
     bool look_inside;  ///< may states and the inside of parts be named?
     int hops = 0;

@@ -108,3 +108,27 @@ TEST_CASE("ports that are wired to each other only are refused") {
   for (const std::string& line : refused)
     CHECK_THAT(line, Catch::Contains("wired to itself through ports only"));
 }
+
+TEST_CASE("what is wrongly wired to a part is refused at the wire, once, however often the part reads it") {
+  const DiagramFolder folder;
+  folder.write("part.yaml",
+               "stepwire: 1\ninputs: {u: {}}\noutputs: {y: a}\nblocks:\n"
+               "  a: {block: Gain, u: u}\n  b: {block: Sum, u: [u, u]}\n");
+  folder.write("main.yaml", head + "blocks:\n  p: {diagram: part.yaml, u: nowhere}\n");
+  CHECK(folder.faults("main.yaml") == Lines{"main.yaml:5:30: p.u: there is no block 'nowhere'"});
+}
+
+TEST_CASE("ends that do not fit are refused at the wire, whether it enters a part or leaves one") {
+  const DiagramFolder folder;
+  const std::string mass = "  m: {block: Mass, force: ";
+  folder.write("part.yaml",
+               "stepwire: 1\ninputs: {f: {}}\noutputs: {v: m.velocity}\nblocks:\n" + mass + "f}\n");
+  folder.write("main.yaml",
+               head + "solver: rk4\nblocks:\n  p: {diagram: part.yaml, f: 3 N}\n" + mass + "p}\n");
+  CHECK(folder.faults("main.yaml") ==
+        Lines{"main.yaml:7:27: m.force: p.m.velocity is in m/s, but m.force is in N"});
+  folder.write("in.yaml",
+               head + "solver: rk4\nblocks:\n" + mass + "1 N}\n  p: {diagram: part.yaml, f: m.position}\n");
+  CHECK(folder.faults("in.yaml") ==
+        Lines{"in.yaml:7:30: p.m.force: m.position is in m, but p.m.force is in N"});
+}

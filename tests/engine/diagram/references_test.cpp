@@ -61,9 +61,9 @@ TEST_CASE(
   folder.write("main.yaml",
                "stepwire: 1\nstep: 1 s\nstop: 1 s\nblocks:\n  t: {block: Clock}\n"
                "  p: {diagram: part.yaml, u: [t, t]}\n  q: {diagram: part.yaml, u: [1, 2]}\n");
-  CHECK(folder.faults("main.yaml") ==
-        std::vector<std::string>{
-            "main.yaml:6:30: p.g.u: takes one signal, not a list; join signals with a Mux"});
+  CHECK(
+      folder.faults("main.yaml") ==
+      std::vector<std::string>{"main.yaml:6:30: p.u: takes one signal, not a list; join signals with a Mux"});
 }
 
 TEST_CASE("an element of a vector is no signal by itself") {

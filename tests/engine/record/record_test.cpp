@@ -31,3 +31,12 @@ record:
   CHECK(column(result.recordings[2].table, "time") == std::vector<double>{0, 1.5, 3});
   CHECK(column(result.recordings[1].table, "x.2").back() == Approx(6.0));
 }
+
+TEST_CASE("a recording that no memory holds is refused before the run") {
+  const DiagramFolder folder;
+  folder.write("long.yaml",
+               "stepwire: 1\nstep: 1 ns\nstop: 1000 s\nblocks:\n  c: {block: Clock}\nrecord: c\n");
+  Loader loader(library());
+  REQUIRE_THROWS_WITH(make_job(loader, folder.path("long.yaml")),
+                      Catch::Contains("long.yaml:6:9: record") && Catch::Contains("GB"));
+}
