@@ -70,7 +70,8 @@ void read_thesis(const Scope& scope, Report& report) {
     const Node* node = thesis->find(key);
     if (!node) return std::nullopt;
     const auto value = parse_quantity(node->text);
-    if (value && !value->dimension && value->value == std::floor(value->value))
+    if (value && !value->dimension && value->value == std::floor(value->value) &&
+        std::abs(value->value) < 1e6)
       return static_cast<int>(value->value);
     report.add(scope.at(node->mark), fmt::format("thesis.{}", key),
                fmt::format("'{}' is not a whole number", node->text));
