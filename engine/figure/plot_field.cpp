@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -64,7 +65,7 @@ void draw_field(const Panel& panel, std::span<const Recording> recordings, Scrip
   script.label("y", y);
   const Curve points = joined(gather(panel, recording_of(panel, recordings), channels));
   if (points.columns.empty()) return;
-  const double cells = number_or(panel, "cells", 24.0);
+  const double cells = std::clamp(number_or(panel, "cells", 24.0), 1.0, 400.0);
   Curve arrows = one_for_each_cell(points, cells);
   add_magnitude(arrows);
   script.color_bar(color != nullptr ? *color : magnitude_series(u, v), extent_of(arrows.columns[4]));
