@@ -1,8 +1,6 @@
 #include "blocks/discrete/delay.hpp"
 
-#include <fmt/format.h>
-
-#include <cmath>
+#include "blocks/discrete/whole_periods.hpp"
 
 namespace stepwire {
 
@@ -22,14 +20,7 @@ void Delay::declare(Declare<Delay>& is) {
 }
 
 void Delay::configure(Configure& is) {
-  const double count = std::round(delay / is.period());
-  if (count < 1.0 || std::abs(count * is.period() - delay) > 1e-9 * delay)
-    is.refuse<&Delay::delay>(
-        fmt::format("{} s is not a whole number of the block's period of {} s", delay, is.period()));
-  if (count > 1e9)  // far beyond what a memory holds; casting still more is not defined
-    is.refuse<&Delay::delay>(
-        fmt::format("{} s is {} periods of {} s; at most 1e9 can be kept", delay, count, is.period()));
-  periods = static_cast<Eigen::Index>(count);
+  periods = whole_periods<&Delay::delay>(is, delay);
   is.size("k", periods);
 }
 

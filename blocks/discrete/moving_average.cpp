@@ -1,8 +1,6 @@
 #include "blocks/discrete/moving_average.hpp"
 
-#include <fmt/format.h>
-
-#include <cmath>
+#include "blocks/discrete/whole_periods.hpp"
 
 namespace stepwire {
 
@@ -27,14 +25,7 @@ void MovingAverage::declare(Declare<MovingAverage>& is) {
 }
 
 void MovingAverage::configure(Configure& is) {
-  const double samples_in = std::round(window / is.period());
-  if (samples_in < 1.0 || std::abs(samples_in * is.period() - window) > 1e-9 * window)
-    is.refuse<&MovingAverage::window>(
-        fmt::format("{} s is not a whole number of the block's period of {} s", window, is.period()));
-  if (samples_in > 1e9)  // far beyond what a memory holds; casting still more is not defined
-    is.refuse<&MovingAverage::window>(
-        fmt::format("{} s is {} periods of {} s; at most 1e9 can be kept", window, samples_in, is.period()));
-  length = static_cast<Eigen::Index>(samples_in);
+  length = whole_periods<&MovingAverage::window>(is, window);
   is.size("k", length);
 }
 

@@ -21,7 +21,7 @@ std::string source_text(const InputSpec& input) {
 }
 
 /// Something that may stand for a value which only the user knows.
-std::string placeholder(const ParameterSpec& spec) {
+std::string example_value(const ParameterSpec& spec) {
   switch (spec.kind) {
     case ParameterKind::file:
       return "record.csv";
@@ -68,7 +68,7 @@ Keys keys_to_show(const BlockType& type) {
   for (const InputSpec& input : type.inputs)
     if (!input.optional) keys.emplace_back(input.name, source_text(input));
   for (const ParameterSpec& parameter : type.parameters)
-    if (parameter.required) keys.emplace_back(parameter.name, placeholder(parameter));
+    if (parameter.required) keys.emplace_back(parameter.name, example_value(parameter));
   const bool says_nothing_yet =
       type.presets.empty() && std::none_of(type.parameters.begin(), type.parameters.end(),
                                            [](const ParameterSpec& parameter) { return parameter.required; });
