@@ -65,6 +65,8 @@ Json output_port() {
   Json keys =
       Json::object().set("signal", explained(schema_ref("text"), "a block or its output: carriage.position"));
   keys.set("unit", text("unit that it must have")).set("doc", text("what it is"));
+  keys.set("safe",
+           explained(schema_ref("source"), "what the output holds once a real-time loop has stopped: 0 A"));
   return any_of({schema_ref("text"), closed_map(std::move(keys), {"signal"})});
 }
 
@@ -108,8 +110,12 @@ Json head() {
   keys.set("thesis", thesis_schema());
   keys.set("parameters", map_of(schema_ref("parameter"),
                                 "numbers and words with a name, used as $name; --set changes them"));
-  keys.set("inputs", map_of(schema_ref("input"), "ports of a part: what the using file wires to it"));
-  keys.set("outputs", map_of(schema_ref("output"), "ports of a part: signals that the using file sees"));
+  keys.set("inputs",
+           map_of(schema_ref("input"),
+                  "ports: what the file that uses this one as a part wires to it, or a program writes"));
+  keys.set("outputs",
+           map_of(schema_ref("output"),
+                  "ports: signals that the file that uses this one as a part sees, or a program reads"));
   keys.set("blocks", map_of(schema_ref("block"), "the blocks by name; an input is a key of its block")
                          .set("minProperties", 1));
   add_run_keys(keys);

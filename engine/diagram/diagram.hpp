@@ -83,6 +83,23 @@ struct RecordRequest {
   std::vector<RecordedSignal> signals;
 };
 
+/// An input of the diagram itself: a block of type ExternalInput, which whoever runs the diagram may write.
+struct DiagramInput {
+  std::string name;
+  int block = -1;
+  std::string doc;
+};
+
+/// An output of the diagram itself: what whoever runs it hands on, e.g. to an amplifier.
+struct DiagramOutput {
+  std::string name;
+  SignalRef signal;
+  std::optional<Eigen::VectorXd> safe;  ///< what to hand on once the diagram no longer runs
+  std::optional<Dimension> safe_dimension;
+  std::string doc;
+  Origin origin;
+};
+
 /// A port of a part with a declared unit: what passes must have it.
 struct UnitDemand {
   Source source;
@@ -135,6 +152,8 @@ struct Diagram {
   std::vector<ScopeInfo> scopes;
   std::vector<DiagramBlock> blocks;
   std::vector<UnitDemand> unit_demands;
+  std::vector<DiagramInput> inputs;
+  std::vector<DiagramOutput> outputs;
   std::vector<RecordRequest> records;
   std::vector<DiagramParameter> parameters;
   std::vector<std::vector<std::optional<Dimension>>>

@@ -57,6 +57,24 @@ void demand_units(const Scope& scope, const Resolver& resolver, Report& report) 
     if (named.part) demand_units(*named.part, resolver, report);
 }
 
+/// The outputs of the diagram itself, with what each is while the diagram does not run.
+void read_outputs(const Scope& root, const Resolver& resolver, Report& report) {
+  for (const auto& [name, out] : root.outputs) {
+    const auto signal =
+        out.signal ? resolver.signal(out.signal->text, root, root.at(out.signal->mark), name) : std::nullopt;
+    if (!signal) continue;
+    DiagramOutput output{name, *signal, {}, out.dimension, out.doc, root.at(out.mark)};
+    if (out.safe) {
+      ParameterSpec spec;
+      spec.kind = ParameterKind::per_element;
+      const auto safe = ValueReader(root.parameters, report, root.index).read_for(spec, {}, *out.safe, name);
+      if (safe) output.safe = std::get<Eigen::VectorXd>(safe->value.content);
+      if (safe && safe->dimension) output.safe_dimension = safe->dimension;
+    }
+    report.diagram().outputs.push_back(std::move(output));
+  }
+}
+
 enum class Extent { whole_file, one_run };
 
 Diagram build(Loader& loader, const Document& document, const std::vector<Setting>& given,
@@ -78,6 +96,7 @@ Diagram build(Loader& loader, const Document& document, const std::vector<Settin
     for (const PendingInput& pending : opener.pending()) connect(pending, resolver, report);
     require_inputs(report);
     read_record(root, resolver, report);
+    read_outputs(root, resolver, report);
     read_stop_condition(root, resolver, report);
     demand_units(root, resolver, report);
     settings.report_unused(report);

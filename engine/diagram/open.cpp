@@ -15,6 +15,7 @@ void Opener::open(Scope& scope, const Overrides& overrides) {
   open_files_.push_back(std::filesystem::path(scope.document->file).lexically_normal().string());
   declare_ports(scope);
   define_parameters(scope, overrides, settings_, report_);
+  if (!scope.parent) make_inputs(scope);
   const Node* blocks = root.find("blocks");
   if (!blocks || !blocks->is_map() || blocks->entries.empty()) {
     report_.add(scope.at(blocks ? blocks->mark : root.mark), scope.prefix.empty() ? "" : "blocks",

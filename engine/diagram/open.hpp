@@ -38,6 +38,8 @@ class Opener {
   void open_block(Scope& scope, const Entry& entry);
   void declare_input(Scope& scope, const Entry& port);
   void declare_output(Scope& scope, const Entry& port);
+  /// Makes a block for each input of the diagram itself whose `default` is a value.
+  void make_inputs(Scope& scope);
   std::optional<Dimension> declared_unit(const Scope& scope, const Entry& port);
   void open_part(Scope& scope, const Entry& entry, const Node& path);
   bool refuse_nesting(Scope& scope, const Entry& entry, const Node& path, const std::string& file);

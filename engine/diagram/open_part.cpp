@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "engine/diagram/external_input.hpp"
 #include "engine/diagram/head.hpp"
 #include "engine/diagram/keys.hpp"
 #include "engine/diagram/open.hpp"
+#include "engine/diagram/resolve.hpp"
 
 namespace stepwire {
 
@@ -24,6 +26,11 @@ std::vector<std::string> keys_of_map(const Node& root, const char* key) {
   if (const Node* map = root.find(key))
     for (const Entry& entry : map->entries) names.push_back(entry.key);
   return names;
+}
+
+std::string doc_of(const Entry& port) {
+  const Node* doc = port.value.is_map() ? port.value.find("doc") : nullptr;
+  return doc ? doc->text : "";
 }
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
@@ -58,19 +65,41 @@ void Opener::declare_input(Scope& scope, const Entry& port) {
   Scope::Port& declared = scope.inputs[port.key];
   declared.dimension = declared_unit(scope, port);
   declared.fallback = port.value.is_map() ? port.value.find("default") : nullptr;
+  declared.doc = doc_of(port);
   declared.mark = port.mark;
 }
 
 void Opener::declare_output(Scope& scope, const Entry& port) {
   if (port.value.is_map())
-    refuse_unknown_keys(port.value, {"signal", "unit", "doc"}, scope.prefix + port.key, scope, report_);
+    refuse_unknown_keys(port.value, {"signal", "unit", "doc", "safe"}, scope.prefix + port.key, scope,
+                        report_);
   const Node* signal = port.value.is_map() ? port.value.find("signal") : &port.value;
   if (!signal || !signal->is_scalar()) {
     report_.add(scope.at(port.value.mark), scope.prefix + port.key,
                 "names no signal; write the output of a block, as lag.y");
     signal = nullptr;
   }
-  scope.outputs[port.key] = {signal, declared_unit(scope, port), port.mark};
+  const Node* safe = port.value.is_map() ? port.value.find("safe") : nullptr;
+  scope.outputs[port.key] = {signal, safe, declared_unit(scope, port), doc_of(port), port.mark};
+}
+
+void Opener::make_inputs(Scope& scope) {
+  for (auto& [name, port] : scope.inputs) {
+    if (!port.fallback || names_signal(*port.fallback)) continue;
+    const BlockType& type = external_input_type();
+    Diagram& diagram = report_.diagram();
+    port.block = static_cast<int>(diagram.blocks.size());
+    diagram.inputs.push_back({name, port.block, port.doc});
+    DiagramBlock& block = diagram.blocks.emplace_back(name, type);
+    block.origin = scope.at(port.mark);
+    block.parameter_marks.resize(1);
+    block.parameter_dimensions.resize(1);
+    read_parameter(scope, scope.index, *port.fallback, block, 0);
+    if (!port.dimension) continue;
+    const std::string complaint = unit_complaint(block.parameter_dimensions[0], port.dimension);
+    if (!complaint.empty()) report_.add(scope.at(port.fallback->mark), name, complaint);
+    block.parameter_dimensions[0] = port.dimension;
+  }
 }
 
 bool Opener::refuse_nesting(Scope& scope, const Entry& entry, const Node& path, const std::string& file) {

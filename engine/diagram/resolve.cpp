@@ -18,18 +18,17 @@ std::vector<std::string> output_names(const BlockType& type) {
   return names;
 }
 
-/// Is this the name of a signal, not a number, `$name`, `= expression`, list or map?
-bool names_signal(const Node& node) {
-  if (!node.is_scalar() || node.text.starts_with('$') || node.text.starts_with('=')) return false;
-  return node.quoted || !(parse_quantity(node.text) || means_not_finite(node.text));
-}
-
 // A state is carried in a Source as an output number below -1.
 int encode_state(int state) {
   return -2 - state;
 }
 
 }  // namespace
+
+bool names_signal(const Node& node) {
+  if (!node.is_scalar() || node.text.starts_with('$') || node.text.starts_with('=')) return false;
+  return node.quoted || !(parse_quantity(node.text) || means_not_finite(node.text));
+}
 
 std::nullopt_t Resolver::refuse(const Query& query, std::string message) const {
   report_.add(query.origin, query.subject, std::move(message));
@@ -93,6 +92,13 @@ std::optional<Source> Resolver::port(const Scope& scope, const std::string& name
     query.origin = query.wire = scope.parent->at(port.fed_by->mark);
     query.subject = scope.prefix + name;
     return element(*port.fed_by, *scope.parent, std::move(query));
+  }
+  if (port.block >= 0) {
+    Source source;
+    source.block = port.block;
+    source.output = 0;
+    source.origin = query.wire;
+    return source;
   }
   if (port.fallback) return element(*port.fallback, scope, std::move(query));
   // A part that is not fed has been reported where it is used; a file that is run by itself has not.

@@ -7,6 +7,9 @@
 
 namespace stepwire {
 
+/// Is this the name of a signal, not a number, `$name`, `= expression`, list or map?
+bool names_signal(const Node& node);
+
 /// Finds what a reference such as "lag", "lag.y" or "rig.x" means in a file, through the ports of parts.
 class Resolver {
  public:

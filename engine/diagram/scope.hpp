@@ -33,6 +33,8 @@ struct Scope {
     const Node* fed_by = nullptr;  ///< in the parent's file
     const Node* fallback = nullptr;
     std::optional<Dimension> dimension;
+    std::string doc;
+    int block = -1;  ///< that stands for it in the diagram itself, which nobody uses
     Mark mark;
   };
   std::map<std::string, Port, std::less<>> inputs;
@@ -40,7 +42,9 @@ struct Scope {
   /// An output of this part: the signal that it is, written in this part's file.
   struct Out {
     const Node* signal = nullptr;
+    const Node* safe = nullptr;
     std::optional<Dimension> dimension;
+    std::string doc;
     Mark mark;
   };
   std::map<std::string, Out, std::less<>> outputs;

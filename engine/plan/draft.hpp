@@ -47,7 +47,7 @@ void plan_shapes(Draft& draft);
 std::vector<int> plan_order(Draft& draft);
 /// Memory of blocks and numbers.
 void plan_layout(Draft& draft, const std::vector<int>& order);
-/// Refuses recordings that no memory holds, and conditions over signals of several elements.
+/// Refuses conditions over signals of several elements, and safe values that do not fit their outputs.
 void check_what_is_kept(Draft& draft);
 /// The tables of calls.
 void plan_batches(Draft& draft, const std::vector<int>& order);

@@ -150,6 +150,12 @@ void Simulation::restore(const Workspace& workspace) {
   healthy_ = true;
 }
 
+void Simulation::write_input(std::size_t input, const double* numbers) {
+  const auto block = static_cast<std::size_t>(plan_.diagram.inputs[input].block);
+  const SignalSlot& slot = plan_.blocks[block].outputs.front();
+  std::copy_n(numbers, slot.size, workspace_.values.begin() + static_cast<std::ptrdiff_t>(slot.offset));
+}
+
 void Simulation::run(const std::vector<Batch>& batches) {
   std::byte* blocks = blocks_.get();
   for (const Batch& batch : batches) batch.run(blocks + batch.first, batch.count);

@@ -59,6 +59,8 @@ class Simulation {
   const Plan& plan() const { return plan_; }
   const Workspace& workspace() const { return workspace_; }
   const double* values() const { return workspace_.values.data(); }
+  /// Writes an input of the diagram, by its index in Diagram::inputs: as many numbers as it has elements.
+  void write_input(std::size_t input, const double* numbers);
   /// Returns to a kept moment (as it was between advance() and evaluate()).
   void restore(const Workspace& workspace);
 
