@@ -1,6 +1,12 @@
 #include "blocks/continuous/derivative.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
+
+void Derivative::configure(Configure& is) {
+  if (!settled) is.skip_update();
+}
 
 void Derivative::declare(Declare<Derivative>& is) {
   is.block(

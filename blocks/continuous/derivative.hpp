@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -17,11 +17,13 @@ struct Derivative {
     if (settled && begun == 0.0) {
       y = 0.0;
     } else {
-      y = (u - x) / tau;
+      for (Index i = 0; i < y.size(); ++i) y[i] = rate(i);
     }
   }
 
-  void derivatives() { x.dot = (u - x) / tau; }
+  void derivatives() {
+    for (Index i = 0; i < x.size(); ++i) x.dot[i] = rate(i);
+  }
 
   /// Runs only where the start is settled.
   void update() {
@@ -29,10 +31,11 @@ struct Derivative {
     begun = 1.0;
   }
 
-  void configure(Configure& is) {
-    if (!settled) is.skip_update();
-  }
+  void configure(Configure& is);
   static void declare(Declare<Derivative>& is);
+
+ private:
+  double rate(Index i) const { return (u[i] - x[i]) / tau[i]; }
 };
 
 }  // namespace stepwire

@@ -1,5 +1,8 @@
 #include "blocks/continuous/integrator.hpp"
 
+#include "engine/block/declare.hpp"
+#include "engine/block/limits.hpp"
+
 namespace stepwire {
 
 void Integrator::declare(Declare<Integrator>& is) {
@@ -27,6 +30,8 @@ void Integrator::declare(Declare<Integrator>& is) {
   is.state<&Integrator::stop>(
       {.doc = "1 at the upper and -1 at the lower limit at the last tick, 0 between", .settable = false});
   is.state<&Integrator::side>({.doc = "last reset signal: -1 false, 1 true, 0 none yet", .settable = false});
+  is.derived<&Integrator::limited>();
+  is.derived<&Integrator::resets>();
 }
 
 void Integrator::configure(Configure& is) {

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/block/declare.hpp"
-#include "engine/block/limits.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -27,7 +26,7 @@ struct Integrator {
 
   void outputs() {
     const bool now = resetting();
-    for (Eigen::Index i = 0; i < y.size(); ++i) y.coeffRef(i) = limit(now ? target(i) : x.coeff(i), i);
+    for (Index i = 0; i < y.size(); ++i) y[i] = limit(now ? target(i) : x[i], i);
   }
 
   void derivatives() {
@@ -36,14 +35,14 @@ struct Integrator {
       return;
     }
     const bool held = resets && trigger == Trigger::level && reset > 0.0;
-    for (Eigen::Index i = 0; i < x.size(); ++i) x.dot.coeffRef(i) = held ? 0.0 : gated(u.coeff(i), i);
+    for (Index i = 0; i < x.size(); ++i) x.dot[i] = held ? 0.0 : gated(u[i], i);
   }
 
   void update() {
     const bool now = resetting();
-    for (Eigen::Index i = 0; i < x.size(); ++i) {
-      x.coeffRef(i) = limit(now ? target(i) : x.coeff(i), i);
-      stop.coeffRef(i) = x.coeff(i) >= upper.coeff(i) ? 1.0 : x.coeff(i) <= lower.coeff(i) ? -1.0 : 0.0;
+    for (Index i = 0; i < x.size(); ++i) {
+      x[i] = limit(now ? target(i) : x[i], i);
+      stop[i] = x[i] >= upper[i] ? 1.0 : x[i] <= lower[i] ? -1.0 : 0.0;
     }
     if (resets) side = reset > 0.0 ? 1.0 : -1.0;
   }
@@ -60,12 +59,10 @@ struct Integrator {
     const bool rose = side < 0.0 && high, fell = side > 0.0 && !high;
     return (rose && trigger != Trigger::falling) || (fell && trigger != Trigger::rising);
   }
-  double target(Eigen::Index i) const { return value.connected() ? value.coeff(i) : home.coeff(i); }
-  double limit(double number, Eigen::Index i) const {
-    return std::clamp(number, lower.coeff(i), upper.coeff(i));
-  }
+  double target(Index i) const { return value.connected() ? value[i] : home[i]; }
+  double limit(double number, Index i) const { return std::clamp(number, lower[i], upper[i]); }
   /// A limit holds for whole steps: found in the middle of one, it would spoil the solver's order.
-  double gated(double rate, Eigen::Index i) const { return stop.coeff(i) * rate > 0.0 ? 0.0 : rate; }
+  double gated(double rate, Index i) const { return stop[i] * rate > 0.0 ? 0.0 : rate; }
 };
 
 }  // namespace stepwire

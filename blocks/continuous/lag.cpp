@@ -1,5 +1,7 @@
 #include "blocks/continuous/lag.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void Lag::declare(Declare<Lag>& is) {

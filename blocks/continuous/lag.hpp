@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -11,7 +11,9 @@ struct Lag {
   Output<> y{};
   State<> x{};
 
-  void derivatives() { x.dot = (gain * u - x) / tau; }
+  void derivatives() {
+    for (Index i = 0; i < x.size(); ++i) x.dot[i] = (gain[i] * u[i] - x[i]) / tau[i];
+  }
 
   static void declare(Declare<Lag>& is);
 };

@@ -1,5 +1,8 @@
 #include "blocks/continuous/pid.hpp"
 
+#include "engine/block/declare.hpp"
+#include "engine/block/limits.hpp"
+
 namespace stepwire {
 
 namespace {
@@ -42,7 +45,7 @@ void PID::declare(Declare<PID>& is) {
 void PID::configure(Configure& is) {
   require_order<&PID::lower, &PID::upper>(*this, is);
   require_order<&PID::integral_lower, &PID::integral_upper>(*this, is);
-  if ((weight_p != 1.0).any() || (weight_d != 1.0).any())
+  if (!all_are(weight_p, 1.0) || !all_are(weight_d, 1.0))
     is.require<&PID::reference>("a weight other than 1 needs it");
   if (!limits(integral_lower, integral_upper)) is.skip_update();
 }

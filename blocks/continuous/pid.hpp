@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/block/declare.hpp"
-#include "engine/block/limits.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -21,20 +20,20 @@ struct PID {
   State<> integral{}, filter{};
 
   void outputs() {
-    for (Eigen::Index i = 0; i < y.size(); ++i) y.coeffRef(i) = limited(wanted(i), i);
+    for (Index i = 0; i < y.size(); ++i) y[i] = limited(wanted(i), i);
   }
 
   void derivatives() {
-    for (Eigen::Index i = 0; i < integral.size(); ++i) {
-      integral.dot.coeffRef(i) = integral_rate(i);
-      filter.dot.coeffRef(i) = kd.coeff(i) == 0.0 ? 0.0 : slope(i);
+    for (Index i = 0; i < integral.size(); ++i) {
+      integral.dot[i] = integral_rate(i);
+      filter.dot[i] = kd[i] == 0.0 ? 0.0 : slope(i);
     }
   }
 
   /// Runs only where the integral part has limits of its own.
   void update() {
-    for (Eigen::Index i = 0; i < integral.size(); ++i)
-      integral.coeffRef(i) = std::clamp(integral.coeff(i), integral_lower.coeff(i), integral_upper.coeff(i));
+    for (Index i = 0; i < integral.size(); ++i)
+      integral[i] = std::clamp(integral[i], integral_lower[i], integral_upper[i]);
   }
 
   void configure(Configure& is);
@@ -42,25 +41,23 @@ struct PID {
 
  private:
   /// The error with only a share of the reference in it.
-  double weighted(const PerElement& weight, Eigen::Index i) const {
-    return reference.connected() ? u.coeff(i) - (1.0 - weight.coeff(i)) * reference.coeff(i) : u.coeff(i);
+  double weighted(const PerElement& weight, Index i) const {
+    return reference.connected() ? u[i] - (1.0 - weight[i]) * reference[i] : u[i];
   }
-  double slope(Eigen::Index i) const { return (weighted(weight_d, i) - filter.coeff(i)) / tau.coeff(i); }
-  double wanted(Eigen::Index i) const {
-    const double sum = kp.coeff(i) * weighted(weight_p, i) + integral.coeff(i);
-    return kd.coeff(i) == 0.0 ? sum : sum + kd.coeff(i) * slope(i);
+  double slope(Index i) const { return (weighted(weight_d, i) - filter[i]) / tau[i]; }
+  double wanted(Index i) const {
+    const double sum = kp[i] * weighted(weight_p, i) + integral[i];
+    return kd[i] == 0.0 ? sum : sum + kd[i] * slope(i);
   }
-  double limited(double number, Eigen::Index i) const {
-    return std::clamp(number, lower.coeff(i), upper.coeff(i));
-  }
+  double limited(double number, Index i) const { return std::clamp(number, lower[i], upper[i]); }
 
-  double integral_rate(Eigen::Index i) const {
-    double rate = ki.coeff(i) * u.coeff(i);
+  double integral_rate(Index i) const {
+    double rate = ki[i] * u[i];
     const double want = wanted(i), give = limited(want, i);
     if (anti_windup == AntiWindup::clamping && (want - give) * rate > 0.0) return 0.0;
-    if (anti_windup == AntiWindup::back_calculation) rate += (give - want) / tracking.coeff(i);
-    const bool outward = (rate > 0.0 && integral.coeff(i) >= integral_upper.coeff(i)) ||
-                         (rate < 0.0 && integral.coeff(i) <= integral_lower.coeff(i));
+    if (anti_windup == AntiWindup::back_calculation) rate += (give - want) / tracking[i];
+    const bool outward =
+        (rate > 0.0 && integral[i] >= integral_upper[i]) || (rate < 0.0 && integral[i] <= integral_lower[i]);
     return outward ? 0.0 : rate;
   }
 };

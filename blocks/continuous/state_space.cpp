@@ -1,5 +1,7 @@
 #include "blocks/continuous/state_space.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void StateSpace::declare(Declare<StateSpace>& is) {
@@ -14,10 +16,11 @@ void StateSpace::declare(Declare<StateSpace>& is) {
   is.input<&StateSpace::u>({.unit = "*", .shape = "m", .doc = "inputs"});
   is.output<&StateSpace::y>({.unit = "*", .shape = "p", .doc = "outputs"});
   is.state<&StateSpace::x>({.unit = "*", .shape = "n", .doc = "states"});
+  is.derived<&StateSpace::direct>();
 }
 
 void StateSpace::configure(Configure& is) {
-  direct = !D.isZero(0.0);
+  direct = std::any_of(D.elements().begin(), D.elements().end(), [](double d) { return d != 0.0; });
   is.feedthrough<&StateSpace::u, &StateSpace::y>(direct);
 }
 

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
 /// Linear system: dx/dt = A x + B u, y = C x + D u.
 struct StateSpace {
-  Eigen::MatrixXd A, B, C, D;
+  Matrix A, B, C, D;
   Input<> u{};
   Output<> y{};
   State<> x{};
@@ -31,10 +31,10 @@ struct StateSpace {
  private:
   /// to += matrix from, column by column as the matrix lies in memory, without a temporary.
   template <class From, class To>
-  static void add(const Eigen::MatrixXd& matrix, const From& from, To& to) {
-    for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
-      const double factor = from.coeff(j);
-      for (Eigen::Index i = 0; i < matrix.rows(); ++i) to.coeffRef(i) += matrix.coeff(i, j) * factor;
+  static void add(const Matrix& matrix, const From& from, To& to) {
+    for (Index j = 0; j < matrix.columns(); ++j) {
+      const double factor = from[j];
+      for (Index i = 0; i < matrix.rows(); ++i) to[i] += matrix(i, j) * factor;
     }
   }
 };

@@ -1,5 +1,7 @@
 #include "blocks/continuous/transfer_function.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void TransferFunction::declare(Declare<TransferFunction>& is) {
@@ -18,12 +20,13 @@ void TransferFunction::declare(Declare<TransferFunction>& is) {
   is.output<&TransferFunction::y>({.unit = "*", .doc = "output"});
   is.state<&TransferFunction::x>(
       {.unit = "*", .shape = "n", .doc = "states of the canonical form, highest derivative first"});
+  is.derived<&TransferFunction::form>();
 }
 
 void TransferFunction::configure(Configure& is) {
   const std::string problem = Rational::problem_of(numerator, denominator);
   if (!problem.empty()) is.refuse<&TransferFunction::denominator>(problem);
-  form = Rational(numerator, denominator);
+  form = Rational::of(numerator, denominator);
   is.size("n", form.order());
   is.feedthrough<&TransferFunction::u, &TransferFunction::y>(form.direct != 0.0);
 }

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 #include "engine/block/rational.hpp"
 
 namespace stepwire {
 
 /// Y(s) / U(s) = numerator / denominator, proper, in controllable canonical form.
 struct TransferFunction {
-  Eigen::VectorXd numerator = Eigen::VectorXd::Ones(1), denominator = Eigen::VectorXd::Ones(2);
+  Numbers numerator{1.0}, denominator{1.0, 1.0};
   Input<1> u{};
   Output<1> y{};
   State<> x{};
@@ -17,8 +17,8 @@ struct TransferFunction {
   void outputs() { y = form.output(u, x); }
 
   void derivatives() {
-    x.dot.coeffRef(0) = form.head(u, x);
-    for (Eigen::Index i = 1; i < x.size(); ++i) x.dot.coeffRef(i) = x.coeff(i - 1);
+    x.dot[0] = form.head(u, x);
+    for (Index i = 1; i < x.size(); ++i) x.dot[i] = x[i - 1];
   }
 
   void configure(Configure& is);

@@ -1,5 +1,7 @@
 #include "blocks/discrete/delay.hpp"
 
+#include "engine/block/declare.hpp"
+
 #include "blocks/discrete/whole_periods.hpp"
 
 namespace stepwire {
@@ -17,6 +19,7 @@ void Delay::declare(Declare<Delay>& is) {
   is.state<&Delay::samples>(
       {.unit = "'u", .shape = "k x n", .doc = "samples on their way", .settable = false});
   is.state<&Delay::oldest>({.doc = "where the oldest sample stands", .settable = false});
+  is.derived<&Delay::periods>();
 }
 
 void Delay::configure(Configure& is) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -13,22 +13,22 @@ struct Delay {
   DiscreteState<> samples{};  // rows of one sample each, written in a circle
   DiscreteState<1> oldest{};  // row that is given next and then overwritten
 
-  Eigen::Index periods = 1;
+  Index periods = 1;
 
   void outputs() {
-    const double* row = samples.data() + static_cast<Eigen::Index>(oldest) * y.size();
-    for (Eigen::Index i = 0; i < y.size(); ++i) y.coeffRef(i) = row[i];
+    const double* row = samples.data() + static_cast<Index>(oldest) * y.size();
+    for (Index i = 0; i < y.size(); ++i) y[i] = row[i];
   }
 
   void update() {
-    const Eigen::Index row = static_cast<Eigen::Index>(oldest);
+    const Index row = static_cast<Index>(oldest);
     double* place = samples.data() + row * u.size();
-    for (Eigen::Index i = 0; i < u.size(); ++i) place[i] = u.coeff(i);
+    for (Index i = 0; i < u.size(); ++i) place[i] = u[i];
     oldest = row + 1 < periods ? static_cast<double>(row + 1) : 0.0;
   }
 
   void start() {
-    for (Eigen::Index i = 0; i < samples.size(); ++i) samples.coeffRef(i) = initial.coeff(i % initial.size());
+    for (Index i = 0; i < samples.size(); ++i) samples[i] = initial[i % initial.size()];
   }
 
   void configure(Configure& is);

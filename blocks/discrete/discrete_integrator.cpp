@@ -1,5 +1,8 @@
 #include "blocks/discrete/discrete_integrator.hpp"
 
+#include "engine/block/declare.hpp"
+#include "engine/block/limits.hpp"
+
 namespace stepwire {
 
 void DiscreteIntegrator::declare(Declare<DiscreteIntegrator>& is) {
@@ -21,6 +24,8 @@ void DiscreteIntegrator::declare(Declare<DiscreteIntegrator>& is) {
   is.output<&DiscreteIntegrator::y>({.unit = "'k 'u s", .doc = "the sum, within the limits"});
   is.state<&DiscreteIntegrator::x>({.unit = "'k 'u s", .doc = "the sum so far"});
   is.clock<&DiscreteIntegrator::period>();
+  is.derived<&DiscreteIntegrator::before>();
+  is.derived<&DiscreteIntegrator::after>();
 }
 
 void DiscreteIntegrator::configure(Configure& is) {

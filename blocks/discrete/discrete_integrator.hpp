@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/block/declare.hpp"
-#include "engine/block/limits.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -21,22 +20,22 @@ struct DiscreteIntegrator {
   double before = 0.0, after = 1.0;  // shares of u T that count before and after the output is given
 
   void outputs() {
-    for (Eigen::Index i = 0; i < y.size(); ++i) y.coeffRef(i) = sum(i);
+    for (Index i = 0; i < y.size(); ++i) y[i] = sum(i);
   }
 
   void update() {
-    for (Eigen::Index i = 0; i < x.size(); ++i) x.coeffRef(i) = sum(i) + after * increment(i);
+    for (Index i = 0; i < x.size(); ++i) x[i] = sum(i) + after * increment(i);
   }
 
   void configure(Configure& is);
   static void declare(Declare<DiscreteIntegrator>& is);
 
  private:
-  double increment(Eigen::Index i) const { return gain.coeff(i) * period * u.coeff(i); }
-  double sum(Eigen::Index i) const {
+  double increment(Index i) const { return gain[i] * period * u[i]; }
+  double sum(Index i) const {
     // The input is not read where it is not needed: it may come later in the order of evaluation.
-    const double all = before == 0.0 ? x.coeff(i) : x.coeff(i) + before * increment(i);
-    return std::clamp(all, lower.coeff(i), upper.coeff(i));
+    const double all = before == 0.0 ? x[i] : x[i] + before * increment(i);
+    return std::clamp(all, lower[i], upper[i]);
   }
 };
 

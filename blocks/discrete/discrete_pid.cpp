@@ -1,5 +1,8 @@
 #include "blocks/discrete/discrete_pid.hpp"
 
+#include "engine/block/declare.hpp"
+#include "engine/block/limits.hpp"
+
 namespace stepwire {
 
 namespace {
@@ -58,12 +61,14 @@ void DiscretePID::declare(Declare<DiscretePID>& is) {
   is.state<&DiscretePID::rate>({.unit = "'u/s", .doc = "D at the last tick", .settable = false});
   is.state<&DiscretePID::last>({.unit = "'u", .doc = "error in D at the last tick", .settable = false});
   is.clock<&DiscretePID::period>();
+  is.derived<&DiscretePID::before>();
+  is.derived<&DiscretePID::after>();
 }
 
 void DiscretePID::configure(Configure& is) {
   require_order<&DiscretePID::lower, &DiscretePID::upper>(*this, is);
   require_order<&DiscretePID::integral_lower, &DiscretePID::integral_upper>(*this, is);
-  if ((weight_p != 1.0).any() || (weight_d != 1.0).any())
+  if (!all_are(weight_p, 1.0) || !all_are(weight_d, 1.0))
     is.require<&DiscretePID::reference>("a weight other than 1 needs it");
   before = method == Method::forward_euler ? 0.0 : method == Method::backward_euler ? 1.0 : 0.5;
   after = 1.0 - before;

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/block/declare.hpp"
-#include "engine/block/limits.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -26,15 +25,15 @@ struct DiscretePID {
   double before = 0.0, after = 1.0;  // shares of ki T e that count before and after the output is given
 
   void outputs() {
-    for (Eigen::Index i = 0; i < y.size(); ++i) y.coeffRef(i) = limited(wanted(i), i);
+    for (Index i = 0; i < y.size(); ++i) y[i] = limited(wanted(i), i);
   }
 
   void update() {
-    for (Eigen::Index i = 0; i < integral.size(); ++i) {
+    for (Index i = 0; i < integral.size(); ++i) {
       const double next = next_integral(i);
-      rate.coeffRef(i) = slope(i);
-      last.coeffRef(i) = weighted(weight_d, i);
-      integral.coeffRef(i) = next;
+      rate[i] = slope(i);
+      last[i] = weighted(weight_d, i);
+      integral[i] = next;
     }
   }
 
@@ -43,33 +42,29 @@ struct DiscretePID {
 
  private:
   /// The error with only a share of the reference in it.
-  double weighted(const PerElement& weight, Eigen::Index i) const {
-    return reference.connected() ? u.coeff(i) - (1.0 - weight.coeff(i)) * reference.coeff(i) : u.coeff(i);
+  double weighted(const PerElement& weight, Index i) const {
+    return reference.connected() ? u[i] - (1.0 - weight[i]) * reference[i] : u[i];
   }
-  double limited(double number, Eigen::Index i) const {
-    return std::clamp(number, lower.coeff(i), upper.coeff(i));
+  double limited(double number, Index i) const { return std::clamp(number, lower[i], upper[i]); }
+  double held(double number, Index i) const {
+    return std::clamp(number, integral_lower[i], integral_upper[i]);
   }
-  double held(double number, Eigen::Index i) const {
-    return std::clamp(number, integral_lower.coeff(i), integral_upper.coeff(i));
-  }
-  double increment(Eigen::Index i) const { return ki.coeff(i) * period * u.coeff(i); }
-  double integral_now(Eigen::Index i) const {
-    return before == 0.0 ? integral.coeff(i) : held(integral.coeff(i) + before * increment(i), i);
+  double increment(Index i) const { return ki[i] * period * u[i]; }
+  double integral_now(Index i) const {
+    return before == 0.0 ? integral[i] : held(integral[i] + before * increment(i), i);
   }
   /// Backward difference of tau D' + D = e'; without a filter that is (e[k] - e[k-1]) / T.
-  double slope(Eigen::Index i) const {
-    const double change = weighted(weight_d, i) - last.coeff(i);
-    return (tau.coeff(i) * rate.coeff(i) + change) / (tau.coeff(i) + period);
+  double slope(Index i) const {
+    const double change = weighted(weight_d, i) - last[i];
+    return (tau[i] * rate[i] + change) / (tau[i] + period);
   }
-  double wanted(Eigen::Index i) const {
-    return kp.coeff(i) * weighted(weight_p, i) + integral_now(i) + kd.coeff(i) * slope(i);
-  }
+  double wanted(Index i) const { return kp[i] * weighted(weight_p, i) + integral_now(i) + kd[i] * slope(i); }
 
-  double next_integral(Eigen::Index i) const {
+  double next_integral(Index i) const {
     const double want = wanted(i), give = limited(want, i), more = increment(i);
-    if (anti_windup == AntiWindup::clamping && (want - give) * more > 0.0) return integral.coeff(i);
+    if (anti_windup == AntiWindup::clamping && (want - give) * more > 0.0) return integral[i];
     double next = integral_now(i) + after * more;
-    if (anti_windup == AntiWindup::back_calculation) next += period / tracking.coeff(i) * (give - want);
+    if (anti_windup == AntiWindup::back_calculation) next += period / tracking[i] * (give - want);
     return held(next, i);
   }
 };

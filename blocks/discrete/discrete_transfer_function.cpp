@@ -1,5 +1,7 @@
 #include "blocks/discrete/discrete_transfer_function.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void DiscreteTransferFunction::declare(Declare<DiscreteTransferFunction>& is) {
@@ -17,13 +19,14 @@ void DiscreteTransferFunction::declare(Declare<DiscreteTransferFunction>& is) {
   is.input<&Block::u>({.unit = "*", .doc = "input; felt at once only where both degrees are equal"});
   is.output<&Block::y>({.unit = "*", .doc = "output"});
   is.state<&Block::x>({.unit = "*", .shape = "n", .doc = "states of the canonical form, newest first"});
+  is.derived<&DiscreteTransferFunction::form>();
 }
 
 void DiscreteTransferFunction::configure(Configure& is) {
   using Block = DiscreteTransferFunction;
   const std::string problem = Rational::problem_of(numerator, denominator);
   if (!problem.empty()) is.refuse<&Block::denominator>(problem);
-  form = Rational(numerator, denominator);
+  form = Rational::of(numerator, denominator);
   is.size("n", form.order());
   is.feedthrough<&Block::u, &Block::y>(form.direct != 0.0);
 }

@@ -1,5 +1,7 @@
 #include "blocks/discrete/moving_average.hpp"
 
+#include "engine/block/declare.hpp"
+
 #include "blocks/discrete/whole_periods.hpp"
 
 namespace stepwire {
@@ -22,6 +24,7 @@ void MovingAverage::declare(Declare<MovingAverage>& is) {
       {.unit = "'u", .doc = "sum since the circle last closed", .settable = false});
   is.state<&MovingAverage::row>({.doc = "where the next sample goes", .settable = false});
   is.state<&MovingAverage::count>({.doc = "samples seen, up to a full window", .settable = false});
+  is.derived<&MovingAverage::length>();
 }
 
 void MovingAverage::configure(Configure& is) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -15,22 +15,22 @@ struct MovingAverage {
   DiscreteState<1> row{};     // that the next sample is written to
   DiscreteState<1> count{};   // of samples seen, up to a full window
 
-  Eigen::Index length = 1;
+  Index length = 1;
 
   void outputs() {
     const double seen = count < length ? count + 1.0 : count;
-    for (Eigen::Index i = 0; i < y.size(); ++i) y.coeffRef(i) = with_new(i) / seen;
+    for (Index i = 0; i < y.size(); ++i) y[i] = with_new(i) / seen;
   }
 
   void update() {
-    const Eigen::Index here = static_cast<Eigen::Index>(row);
+    const Index here = static_cast<Index>(row);
     const bool closes = here + 1 == length;
-    for (Eigen::Index i = 0; i < u.size(); ++i) {
+    for (Index i = 0; i < u.size(); ++i) {
       // Adding and subtracting would gather rounding errors for ever; each full circle the sum is taken anew.
-      const double together = fresh.coeff(i) + u.coeff(i);
-      sum.coeffRef(i) = closes ? together : with_new(i);
-      fresh.coeffRef(i) = closes ? 0.0 : together;
-      samples.coeffRef(here * u.size() + i) = u.coeff(i);
+      const double together = fresh[i] + u[i];
+      sum[i] = closes ? together : with_new(i);
+      fresh[i] = closes ? 0.0 : together;
+      samples[here * u.size() + i] = u[i];
     }
     row = closes ? 0.0 : static_cast<double>(here + 1);
     if (count < length) count = count + 1.0;
@@ -41,9 +41,7 @@ struct MovingAverage {
 
  private:
   /// The sum with this tick's sample in place of the one that leaves (0 while the window fills).
-  double with_new(Eigen::Index i) const {
-    return sum.coeff(i) - samples.coeff(static_cast<Eigen::Index>(row) * u.size() + i) + u.coeff(i);
-  }
+  double with_new(Index i) const { return sum[i] - samples[static_cast<Index>(row) * u.size() + i] + u[i]; }
 };
 
 }  // namespace stepwire

@@ -1,5 +1,7 @@
 #include "blocks/discrete/unit_delay.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void UnitDelay::declare(Declare<UnitDelay>& is) {

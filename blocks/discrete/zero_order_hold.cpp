@@ -1,5 +1,7 @@
 #include "blocks/discrete/zero_order_hold.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void ZeroOrderHold::declare(Declare<ZeroOrderHold>& is) {

@@ -2,11 +2,13 @@
 
 #include <fmt/core.h>
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void Interval::configure(Configure& is) {
-  for (Eigen::Index i = 0; i < std::max(lower.size(), upper.size()); ++i) {
-    const double low = lower.coeff(lower.size() == 1 ? 0 : i), high = upper.coeff(upper.size() == 1 ? 0 : i);
+  for (Index i = 0; i < std::max(lower.size(), upper.size()); ++i) {
+    const double low = lower[lower.size() == 1 ? 0 : i], high = upper[upper.size() == 1 ? 0 : i];
     if (!(low < high))
       is.refuse<&Interval::lower>(fmt::format("{} is not below the upper bound {}", low, high));
   }

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -14,10 +14,10 @@ struct Interval {
   Output<> depth{}, error{};
 
   void outputs() {
-    for (Eigen::Index i = 0; i < x.size(); ++i) {
-      const double beyond = beyond_bound(x.coeff(i), lower.coeff(i), upper.coeff(i));
-      error.coeffRef(i) = beyond;
-      depth.coeffRef(i) = beyond < 0.0 ? -beyond : beyond;
+    for (Index i = 0; i < x.size(); ++i) {
+      const double beyond = beyond_bound(x[i], lower[i], upper[i]);
+      error[i] = beyond;
+      depth[i] = beyond < 0.0 ? -beyond : beyond;
     }
   }
 

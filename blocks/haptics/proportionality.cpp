@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void Proportionality::configure(Configure& is) {

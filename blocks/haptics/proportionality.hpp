@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -18,7 +18,7 @@ struct Proportionality {
   Output<> y{};
 
   void outputs() {
-    for (Eigen::Index i = 0; i < u.size(); ++i) y.coeffRef(i) = magnitude(u.coeff(i));
+    for (Index i = 0; i < u.size(); ++i) y[i] = magnitude(u[i]);
   }
 
   double magnitude(double error) const {

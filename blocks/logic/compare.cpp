@@ -1,5 +1,7 @@
 #include "blocks/logic/compare.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void Compare::declare(Declare<Compare>& is) {
@@ -16,6 +18,7 @@ void Compare::declare(Declare<Compare>& is) {
   is.input<&Compare::u>({.unit = "'u", .doc = "left of the sign"});
   is.input<&Compare::to>({.unit = "'u", .doc = "right of the sign"});
   is.output<&Compare::y>({.doc = "1 or 0"});
+  is.derived<&Compare::relation>();
 }
 
 }  // namespace stepwire

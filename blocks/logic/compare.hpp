@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -16,10 +16,10 @@ struct Compare {
   Relation relation = Relation::less;
 
   void outputs() {
-    for (Eigen::Index i = 0; i < y.size(); ++i) y.coeffRef(i) = holds(u.coeff(i), to.coeff(i)) ? 1.0 : 0.0;
+    for (Index i = 0; i < y.size(); ++i) y[i] = holds(u[i], to[i]) ? 1.0 : 0.0;
   }
 
-  void configure(Configure&) { relation = static_cast<Relation>(static_cast<int>(operator_) % relations); }
+  void prepare() { relation = static_cast<Relation>(static_cast<int>(operator_) % relations); }
   static void declare(Declare<Compare>& is);
 
  private:

@@ -1,5 +1,7 @@
 #include "blocks/logic/edge_detect.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void EdgeDetect::declare(Declare<EdgeDetect>& is) {

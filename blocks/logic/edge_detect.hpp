@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -14,19 +14,19 @@ struct EdgeDetect {
   DiscreteState<> side{};  // -1 false, 1 true, 0 none seen yet
 
   void outputs() {
-    for (Eigen::Index i = 0; i < y.size(); ++i) y.coeffRef(i) = detected(i) ? 1.0 : 0.0;
+    for (Index i = 0; i < y.size(); ++i) y[i] = detected(i) ? 1.0 : 0.0;
   }
 
   void update() {
-    for (Eigen::Index i = 0; i < side.size(); ++i) side.coeffRef(i) = u.coeff(i) > 0.0 ? 1.0 : -1.0;
+    for (Index i = 0; i < side.size(); ++i) side[i] = u[i] > 0.0 ? 1.0 : -1.0;
   }
 
   static void declare(Declare<EdgeDetect>& is);
 
  private:
-  bool detected(Eigen::Index i) const {
-    const bool high = u.coeff(i) > 0.0;
-    const bool rose = side.coeff(i) < 0.0 && high, fell = side.coeff(i) > 0.0 && !high;
+  bool detected(Index i) const {
+    const bool high = u[i] > 0.0;
+    const bool rose = side[i] < 0.0 && high, fell = side[i] > 0.0 && !high;
     return (rose && edge != Edge::falling) || (fell && edge != Edge::rising);
   }
 };

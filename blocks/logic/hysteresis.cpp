@@ -1,6 +1,13 @@
 #include "blocks/logic/hysteresis.hpp"
 
+#include "engine/block/declare.hpp"
+#include "engine/block/limits.hpp"
+
 namespace stepwire {
+
+void Hysteresis::configure(Configure& is) {
+  require_order<&Hysteresis::lower, &Hysteresis::upper>(*this, is);
+}
 
 void Hysteresis::declare(Declare<Hysteresis>& is) {
   is.block(

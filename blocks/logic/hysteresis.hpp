@@ -1,7 +1,6 @@
 #pragma once
 
-#include "engine/block/declare.hpp"
-#include "engine/block/limits.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -13,20 +12,20 @@ struct Hysteresis {
   DiscreteState<> last{};
 
   void outputs() {
-    for (Eigen::Index i = 0; i < y.size(); ++i) y.coeffRef(i) = holds(i) ? 1.0 : 0.0;
+    for (Index i = 0; i < y.size(); ++i) y[i] = holds(i) ? 1.0 : 0.0;
   }
 
   void update() {
-    for (Eigen::Index i = 0; i < last.size(); ++i) last.coeffRef(i) = holds(i) ? 1.0 : 0.0;
+    for (Index i = 0; i < last.size(); ++i) last[i] = holds(i) ? 1.0 : 0.0;
   }
 
-  void configure(Configure& is) { require_order<&Hysteresis::lower, &Hysteresis::upper>(*this, is); }
+  void configure(Configure& is);
   static void declare(Declare<Hysteresis>& is);
 
  private:
-  bool holds(Eigen::Index i) const {
-    if (u.coeff(i) >= upper.coeff(i)) return true;
-    return u.coeff(i) > lower.coeff(i) && last.coeff(i) > 0.0;
+  bool holds(Index i) const {
+    if (u[i] >= upper[i]) return true;
+    return u[i] > lower[i] && last[i] > 0.0;
   }
 };
 

@@ -1,5 +1,7 @@
 #include "blocks/logic/latch.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void Latch::declare(Declare<Latch>& is) {

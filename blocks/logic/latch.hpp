@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -14,20 +14,20 @@ struct Latch {
   DiscreteState<> last{};
 
   void outputs() {
-    for (Eigen::Index i = 0; i < y.size(); ++i) y.coeffRef(i) = holds(i) ? 1.0 : 0.0;
+    for (Index i = 0; i < y.size(); ++i) y[i] = holds(i) ? 1.0 : 0.0;
   }
 
   void update() {
-    for (Eigen::Index i = 0; i < last.size(); ++i) last.coeffRef(i) = holds(i) ? 1.0 : 0.0;
+    for (Index i = 0; i < last.size(); ++i) last[i] = holds(i) ? 1.0 : 0.0;
   }
 
   static void declare(Declare<Latch>& is);
 
  private:
-  bool holds(Eigen::Index i) const {
-    const bool sets = set.coeff(i) > 0.0, resets = reset.coeff(i) > 0.0;
+  bool holds(Index i) const {
+    const bool sets = set[i] > 0.0, resets = reset[i] > 0.0;
     if (sets && resets) return priority == Priority::set;
-    return sets || (!resets && last.coeff(i) > 0.0);
+    return sets || (!resets && last[i] > 0.0);
   }
 };
 

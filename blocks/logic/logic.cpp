@@ -1,5 +1,7 @@
 #include "blocks/logic/logic.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void Logic::declare(Declare<Logic>& is) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -13,16 +13,16 @@ struct Logic {
   Output<> y{};
 
   void outputs() {
-    for (Eigen::Index k = 0; k < y.size(); ++k) y.coeffRef(k) = holds(k) ? 1.0 : 0.0;
+    for (Index k = 0; k < y.size(); ++k) y[k] = holds(k) ? 1.0 : 0.0;
   }
 
   static void declare(Declare<Logic>& is);
   void configure(Configure& is);
 
  private:
-  bool holds(Eigen::Index k) const {
-    Eigen::Index truths = 0;
-    for (Eigen::Index i = 0; i < u.count(); ++i) truths += u[i][k] > 0.0;
+  bool holds(Index k) const {
+    Index truths = 0;
+    for (Index i = 0; i < u.count(); ++i) truths += u[i][k] > 0.0;
     switch (operator_) {
       case Operator::and_:
         return truths == u.count();

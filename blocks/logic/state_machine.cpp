@@ -1,5 +1,7 @@
 #include "blocks/logic/state_machine.hpp"
 
+#include "engine/block/declare.hpp"
+
 #include "blocks/logic/stage_reader.hpp"
 
 namespace stepwire {
@@ -43,7 +45,7 @@ void StateMachine::configure(Configure& is) {
                                       reader.names());
   reader.refuse_unreachable(stages, first);
   known.assign(inputs + 1, 0.0);
-  is.size("m", static_cast<Eigen::Index>(stages[0].output.size()));
+  is.size("m", static_cast<Index>(stages[0].output.size()));
 }
 
 }  // namespace stepwire

@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
+#include "engine/block/value.hpp"
 #include "engine/expression/expression.hpp"
 
 namespace stepwire {
@@ -47,7 +48,7 @@ struct StateMachine {
     const std::size_t now = next();
     state = static_cast<double>(now);
     const std::vector<double>& values = stages[now].output;
-    for (Eigen::Index i = 0; i < y.size(); ++i) y.coeffRef(i) = values[static_cast<std::size_t>(i)];
+    for (Index i = 0; i < y.size(); ++i) y[i] = values[static_cast<std::size_t>(i)];
   }
 
   void update() {
@@ -64,7 +65,7 @@ struct StateMachine {
   /// The state after this tick's transition, if there is one.
   std::size_t next() {
     const std::size_t now = static_cast<std::size_t>(active);
-    for (Eigen::Index i = 0; i < u.count(); ++i) known[static_cast<std::size_t>(i)] = u[i][0];
+    for (Index i = 0; i < u.count(); ++i) known[static_cast<std::size_t>(i)] = u[i][0];
     known.back() = ticks * period;
     for (Transition& transition : stages[now].to)
       if (transition.guard.holds(known)) return transition.target;

@@ -1,5 +1,7 @@
 #include "blocks/logic/switch.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void Switch::declare(Declare<Switch>& is) {

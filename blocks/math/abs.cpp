@@ -1,5 +1,7 @@
 #include "blocks/math/abs.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void Abs::declare(Declare<Abs>& is) {

@@ -1,6 +1,8 @@
 #pragma once
 
-#include "engine/block/declare.hpp"
+#include <cmath>
+
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -9,7 +11,9 @@ struct Abs {
   Input<> u{};
   Output<> y{};
 
-  void outputs() { y = u.abs(); }
+  void outputs() {
+    for (Index i = 0; i < y.size(); ++i) y[i] = std::abs(u[i]);
+  }
 
   static void declare(Declare<Abs>& is);
 };

@@ -1,5 +1,7 @@
 #include "blocks/math/atan2.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void Atan2::declare(Declare<Atan2>& is) {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -12,8 +12,7 @@ struct Atan2 {
   Output<> y{};
 
   void outputs() {
-    for (Eigen::Index k = 0; k < y.size(); ++k)
-      y.coeffRef(k) = std::atan2(opposite.coeff(k), adjacent.coeff(k));
+    for (Index k = 0; k < y.size(); ++k) y[k] = std::atan2(opposite[k], adjacent[k]);
   }
 
   static void declare(Declare<Atan2>& is);

@@ -1,22 +1,23 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <algorithm>
+
+#include "engine/signal/numbers.hpp"
 
 namespace stepwire {
 
 /// Where a number lies among increasing points: between points[index] and the next one, `share` of the way.
 /// Below the first point the share is negative, above the last one greater than 1.
 struct Bracket {
-  Eigen::Index index;
+  Index index;
   double share;
 };
 
 /// Needs two points or more.
-inline Bracket bracket(const Eigen::VectorXd& points, double x) {
+inline Bracket bracket(const Numbers& points, double x) {
   const double* const first = points.data();
   const double* const above = std::upper_bound(first + 1, first + points.size() - 1, x);
-  const Eigen::Index index = above - first - 1;
+  const Index index = above - first - 1;
   return {index, (x - first[index]) / (first[index + 1] - first[index])};
 }
 

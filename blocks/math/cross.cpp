@@ -1,5 +1,7 @@
 #include "blocks/math/cross.hpp"
 
+#include "engine/block/declare.hpp"
+
 #include "blocks/math/two_inputs.hpp"
 
 namespace stepwire {

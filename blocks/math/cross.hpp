@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -11,9 +11,9 @@ struct Cross {
 
   void outputs() {
     const Inputs::Element &a = u[0], &b = u[1];
-    y.coeffRef(0) = a[1] * b[2] - a[2] * b[1];
-    y.coeffRef(1) = a[2] * b[0] - a[0] * b[2];
-    y.coeffRef(2) = a[0] * b[1] - a[1] * b[0];
+    y[0] = a[1] * b[2] - a[2] * b[1];
+    y[1] = a[2] * b[0] - a[0] * b[2];
+    y[2] = a[0] * b[1] - a[1] * b[0];
   }
 
   void configure(Configure& is);

@@ -1,5 +1,7 @@
 #include "blocks/math/divide.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void Divide::declare(Declare<Divide>& is) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -9,7 +9,9 @@ struct Divide {
   Input<> numerator{}, denominator{};
   Output<> y{};
 
-  void outputs() { y = numerator / denominator; }
+  void outputs() {
+    for (Index i = 0; i < y.size(); ++i) y[i] = numerator[i] / denominator[i];
+  }
 
   static void declare(Declare<Divide>& is);
 };

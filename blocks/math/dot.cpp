@@ -1,5 +1,7 @@
 #include "blocks/math/dot.hpp"
 
+#include "engine/block/declare.hpp"
+
 #include "blocks/math/two_inputs.hpp"
 
 namespace stepwire {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -12,9 +12,9 @@ struct Dot {
   Output<1> y{};
 
   void outputs() {
-    const Eigen::Index size = std::max(u.view(0).size(), u.view(1).size());
+    const Index size = std::max(u[0].size, u[1].size);
     double sum = 0.0;
-    for (Eigen::Index k = 0; k < size; ++k) sum += u[0][k] * u[1][k];
+    for (Index k = 0; k < size; ++k) sum += u[0][k] * u[1][k];
     y = sum;
   }
 

@@ -4,15 +4,17 @@
 
 #include <charconv>
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 namespace {
 
 /// Which input a name of a formula is, from 0: u1 is the first, and u is a name for it too; -1 if it is none.
-Eigen::Index input_of(std::string_view name) {
+Index input_of(std::string_view name) {
   if (name == "u") return 0;
   if (name.size() < 2 || name[0] != 'u' || name[1] == '0') return -1;
-  Eigen::Index number = 0;
+  Index number = 0;
   const auto [end, error] = std::from_chars(name.data() + 1, name.data() + name.size(), number);
   return error == std::errc() && end == name.data() + name.size() ? number - 1 : -1;
 }
@@ -20,9 +22,9 @@ Eigen::Index input_of(std::string_view name) {
 }  // namespace
 
 void ExpressionBlock::configure(Configure& is) {
-  const Eigen::Index inputs = is.count<&ExpressionBlock::u>();
+  const Index inputs = is.count<&ExpressionBlock::u>();
   const auto known = [&](std::string_view name) {
-    const Eigen::Index index = input_of(name);
+    const Index index = input_of(name);
     return index >= 0 && index < inputs;
   };
   try {

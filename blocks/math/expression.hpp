@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 #include "engine/expression/expression.hpp"
 
 namespace stepwire {
@@ -14,13 +14,13 @@ struct ExpressionBlock {
   Inputs u{};
   Output<> y{};
   Expression formula{"u1"};
-  std::vector<Eigen::Index> input{};  ///< which one each variable of the formula is
-  std::vector<double> value{};        ///< of each variable, for one element
+  std::vector<Index> input{};   ///< which one each variable of the formula is
+  std::vector<double> value{};  ///< of each variable, for one element
 
   void outputs() {
-    for (Eigen::Index k = 0; k < y.size(); ++k) {
+    for (Index k = 0; k < y.size(); ++k) {
       for (std::size_t i = 0; i < input.size(); ++i) value[i] = u[input[i]][k];
-      y.coeffRef(k) = formula(value);
+      y[k] = formula(value);
     }
   }
 

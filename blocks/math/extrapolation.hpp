@@ -11,7 +11,7 @@ namespace stepwire {
 enum class Extrapolation { hold, linear, refuse };
 
 /// The bracket of x with a share that follows this rule outside of the points.
-inline Bracket bracket(const Eigen::VectorXd& points, double x, Extrapolation beyond) {
+inline Bracket bracket(const Numbers& points, double x, Extrapolation beyond) {
   Bracket at = bracket(points, x);
   if (at.share >= 0.0 && at.share <= 1.0) return at;
   if (beyond == Extrapolation::hold && at.share == at.share) at.share = at.share < 0.0 ? 0.0 : 1.0;

@@ -1,5 +1,7 @@
 #include "blocks/math/gain.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void Gain::declare(Declare<Gain>& is) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -10,7 +10,9 @@ struct Gain {
   Input<> u{};
   Output<> y{};
 
-  void outputs() { y = gain * u; }
+  void outputs() {
+    for (Index i = 0; i < y.size(); ++i) y[i] = gain[i] * u[i];
+  }
 
   static void declare(Declare<Gain>& is);
 };

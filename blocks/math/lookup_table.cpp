@@ -1,5 +1,7 @@
 #include "blocks/math/lookup_table.hpp"
 
+#include "engine/block/declare.hpp"
+
 #include "blocks/math/table_check.hpp"
 
 namespace stepwire {

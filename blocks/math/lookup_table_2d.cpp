@@ -1,5 +1,7 @@
 #include "blocks/math/lookup_table_2d.hpp"
 
+#include "engine/block/declare.hpp"
+
 #include "blocks/math/table_check.hpp"
 
 namespace stepwire {
@@ -7,9 +9,9 @@ namespace stepwire {
 void LookupTable2D::configure(Configure& is) {
   require_increasing<&LookupTable2D::rows>(is, rows);
   require_increasing<&LookupTable2D::columns>(is, columns);
-  if (values.rows() != rows.size() || values.cols() != columns.size())
+  if (values.rows() != rows.size() || values.columns() != columns.size())
     is.refuse<&LookupTable2D::values>(fmt::format("is {} x {} for {} rows and {} columns; it must be {} x {}",
-                                                  values.rows(), values.cols(), rows.size(), columns.size(),
+                                                  values.rows(), values.columns(), rows.size(), columns.size(),
                                                   rows.size(), columns.size()));
 }
 

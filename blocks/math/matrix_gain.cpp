@@ -1,5 +1,7 @@
 #include "blocks/math/matrix_gain.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void MatrixGain::declare(Declare<MatrixGain>& is) {

@@ -1,21 +1,20 @@
 #pragma once
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
 /// A matrix times a vector: y = gain u.
 struct MatrixGain {
-  Eigen::MatrixXd gain = Eigen::MatrixXd::Identity(1, 1);
+  Matrix gain{1, 1, {1.0}};
   Input<> u{};
   Output<> y{};
 
   void outputs() {
-    for (Eigen::Index row = 0; row < y.size(); ++row) {
-      double sum = gain.coeff(row, 0) * u.coeff(0);
-      for (Eigen::Index column = 1; column < u.size(); ++column)
-        sum += gain.coeff(row, column) * u.coeff(column);
-      y.coeffRef(row) = sum;
+    for (Index row = 0; row < y.size(); ++row) {
+      double sum = gain(row, 0) * u[0];
+      for (Index column = 1; column < u.size(); ++column) sum += gain(row, column) * u[column];
+      y[row] = sum;
     }
   }
 

@@ -1,5 +1,7 @@
 #include "blocks/math/min_max.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void MinMax::declare(Declare<MinMax>& is) {

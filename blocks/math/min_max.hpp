@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -13,11 +13,11 @@ struct MinMax {
   Output<> y{};
 
   void outputs() {
-    const Eigen::Index inputs = u.count();
-    for (Eigen::Index k = 0; k < y.size(); ++k) {
+    const Index inputs = u.count();
+    for (Index k = 0; k < y.size(); ++k) {
       double best = u[0][k];
-      for (Eigen::Index i = 1; i < inputs; ++i) best = better(u[i][k], best);
-      y.coeffRef(k) = best;
+      for (Index i = 1; i < inputs; ++i) best = better(u[i][k], best);
+      y[k] = best;
     }
   }
 

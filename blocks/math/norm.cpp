@@ -1,5 +1,7 @@
 #include "blocks/math/norm.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void Norm::declare(Declare<Norm>& is) {

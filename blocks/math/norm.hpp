@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -16,8 +16,8 @@ struct Norm {
 
   void outputs() {
     double squares = 0.0, sum = 0.0, max = 0.0;
-    for (Eigen::Index k = 0; k < u.size(); ++k) {
-      const double size = std::abs(u.coeff(k));
+    for (Index k = 0; k < u.size(); ++k) {
+      const double size = std::abs(u[k]);
       squares += size * size;
       sum += size;
       max = size <= max ? max : size;  // so that no number stays no number

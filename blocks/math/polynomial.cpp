@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void Polynomial::configure(Configure& is) {

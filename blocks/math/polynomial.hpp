@@ -2,29 +2,27 @@
 
 #include <algorithm>
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
 /// A polynomial of each element by Horner's rule: y = (c1 u + c2) u + c3 ..., highest power first.
 struct Polynomial {
-  Eigen::VectorXd coefficients = Eigen::Vector2d(1.0, 0.0), hold{};
+  Numbers coefficients{1.0, 0.0}, hold{};
   Input<> u{};
   Output<> y{};
 
   void outputs() {
-    for (Eigen::Index k = 0; k < y.size(); ++k) {
-      const double x = held(u.coeff(k));
-      double sum = coefficients.coeff(0);
-      for (Eigen::Index i = 1; i < coefficients.size(); ++i) sum = sum * x + coefficients.coeff(i);
-      y.coeffRef(k) = sum;
+    for (Index k = 0; k < y.size(); ++k) {
+      const double x = held(u[k]);
+      double sum = coefficients[0];
+      for (Index i = 1; i < coefficients.size(); ++i) sum = sum * x + coefficients[i];
+      y[k] = sum;
     }
   }
 
   /// A fit says nothing outside of what it was fitted to.
-  double held(double x) const {
-    return hold.size() == 0 ? x : std::min(std::max(x, hold.coeff(0)), hold.coeff(1));
-  }
+  double held(double x) const { return hold.size() == 0 ? x : std::min(std::max(x, hold[0]), hold[1]); }
 
   void configure(Configure& is);
   static void declare(Declare<Polynomial>& is);

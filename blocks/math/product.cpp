@@ -1,5 +1,7 @@
 #include "blocks/math/product.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void Product::declare(Declare<Product>& is) {

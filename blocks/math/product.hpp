@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -10,11 +10,11 @@ struct Product {
   Output<> y{};
 
   void outputs() {
-    const Eigen::Index inputs = u.count();
-    for (Eigen::Index k = 0; k < y.size(); ++k) {
+    const Index inputs = u.count();
+    for (Index k = 0; k < y.size(); ++k) {
       double product = u[0][k];
-      for (Eigen::Index i = 1; i < inputs; ++i) product *= u[i][k];
-      y.coeffRef(k) = product;
+      for (Index i = 1; i < inputs; ++i) product *= u[i][k];
+      y[k] = product;
     }
   }
 

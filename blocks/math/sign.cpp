@@ -1,5 +1,7 @@
 #include "blocks/math/sign.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void Sign::declare(Declare<Sign>& is) {

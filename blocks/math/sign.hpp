@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -10,8 +10,7 @@ struct Sign {
   Output<> y{};
 
   void outputs() {
-    for (Eigen::Index k = 0; k < y.size(); ++k)
-      y.coeffRef(k) = static_cast<double>((u.coeff(k) > 0.0) - (u.coeff(k) < 0.0));
+    for (Index k = 0; k < y.size(); ++k) y[k] = static_cast<double>((u[k] > 0.0) - (u[k] < 0.0));
   }
 
   static void declare(Declare<Sign>& is);

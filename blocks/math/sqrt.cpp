@@ -1,5 +1,7 @@
 #include "blocks/math/sqrt.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void Sqrt::declare(Declare<Sqrt>& is) {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -13,9 +13,9 @@ struct Sqrt {
   Output<> y{};
 
   void outputs() {
-    for (Eigen::Index k = 0; k < y.size(); ++k) {
-      const double x = u.coeff(k);
-      y.coeffRef(k) = signed_ ? std::copysign(std::sqrt(std::abs(x)), x) : std::sqrt(x);
+    for (Index k = 0; k < y.size(); ++k) {
+      const double x = u[k];
+      y[k] = signed_ ? std::copysign(std::sqrt(std::abs(x)), x) : std::sqrt(x);
     }
   }
 

@@ -2,19 +2,26 @@
 
 #include <fmt/format.h>
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void Sum::configure(Configure& is) {
   if (signs.find_first_not_of("+-") != std::string::npos)
     is.refuse<&Sum::signs>(
         fmt::format("'{}' is not made of + and -; one for each input, e.g. \"+-\"", signs));
-  const Eigen::Index inputs = is.count<&Sum::u>();
+  const Index inputs = is.count<&Sum::u>();
   if (inputs > 64)
     is.refuse<&Sum::signs>(
         fmt::format("{} inputs are more than 64; add some of them in a Sum of their own", inputs));
-  if (!signs.empty() && static_cast<Eigen::Index>(signs.size()) != inputs)
+  if (!signs.empty() && static_cast<Index>(signs.size()) != inputs)
     is.refuse<&Sum::signs>(
         fmt::format("'{}' has {} signs for {} inputs; give one for each", signs, signs.size(), inputs));
+}
+
+void Sum::prepare() {
+  negative = 0;
+  for (std::size_t i = 0; i < signs.size(); ++i) negative |= std::uint64_t{signs[i] == '-'} << i;
 }
 
 void Sum::declare(Declare<Sum>& is) {
@@ -26,6 +33,7 @@ void Sum::declare(Declare<Sum>& is) {
   is.parameter<&Sum::signs>({.doc = "a + or - for each input, quoted: \"+-\"; left out: all are added"});
   is.input<&Sum::u>({.unit = "'u", .doc = "signals, all of one unit"});
   is.output<&Sum::y>({.unit = "'u", .doc = "the sum"});
+  is.derived<&Sum::negative>();
 }
 
 }  // namespace stepwire

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -14,15 +14,12 @@ struct Sum {
   std::uint64_t negative = 0;  ///< bit i: input i is subtracted
   std::string signs{};
 
-  void start() {
-    negative = 0;
-    for (std::size_t i = 0; i < signs.size(); ++i) negative |= std::uint64_t{signs[i] == '-'} << i;
-  }
+  void prepare();
   void outputs() {
-    for (Eigen::Index k = 0; k < y.size(); ++k) {
+    for (Index k = 0; k < y.size(); ++k) {
       double sum = term(0, k);
-      for (Eigen::Index i = 1; i < u.count(); ++i) sum += term(i, k);
-      y.coeffRef(k) = sum;
+      for (Index i = 1; i < u.count(); ++i) sum += term(i, k);
+      y[k] = sum;
     }
   }
 
@@ -30,7 +27,7 @@ struct Sum {
   static void declare(Declare<Sum>& is);
 
  private:
-  double term(Eigen::Index i, Eigen::Index k) const { return (negative >> i) & 1u ? -u[i][k] : u[i][k]; }
+  double term(Index i, Index k) const { return (negative >> i) & 1u ? -u[i][k] : u[i][k]; }
 };
 
 }  // namespace stepwire

@@ -8,10 +8,10 @@ namespace stepwire {
 
 /// Refuses points of a table that do not increase, or of which there are fewer than two.
 template <auto parameter>
-void require_increasing(const Configure& is, const Eigen::VectorXd& points) {
+void require_increasing(const Configure& is, const Numbers& points) {
   if (points.size() < 2)
     is.refuse<parameter>(fmt::format("has {} points; a table needs two or more", points.size()));
-  for (Eigen::Index i = 1; i < points.size(); ++i)
+  for (Index i = 1; i < points.size(); ++i)
     if (!(points[i] > points[i - 1]))
       is.refuse<parameter>(
           fmt::format("element {}, {}, does not lie above the one before, {}; points must increase", i + 1,

@@ -1,5 +1,7 @@
 #include "blocks/math/trig.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void Trig::declare(Declare<Trig>& is) {

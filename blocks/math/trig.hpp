@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -15,7 +15,7 @@ struct Trig {
   Output<> y{};
 
   void outputs() {
-    for (Eigen::Index k = 0; k < y.size(); ++k) y.coeffRef(k) = of(u.coeff(k));
+    for (Index k = 0; k < y.size(); ++k) y[k] = of(u[k]);
   }
 
   double of(double x) const {

@@ -1,5 +1,7 @@
 #include "blocks/nonlinear/backlash.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void Backlash::declare(Declare<Backlash>& is) {

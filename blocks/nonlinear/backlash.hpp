@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -14,19 +14,19 @@ struct Backlash {
   DiscreteState<> last{};
 
   void outputs() {
-    for (Eigen::Index i = 0; i < y.size(); ++i) y.coeffRef(i) = pushed(i);
+    for (Index i = 0; i < y.size(); ++i) y[i] = pushed(i);
   }
 
   void update() {
-    for (Eigen::Index i = 0; i < last.size(); ++i) last.coeffRef(i) = pushed(i);
+    for (Index i = 0; i < last.size(); ++i) last[i] = pushed(i);
   }
 
   static void declare(Declare<Backlash>& is);
 
  private:
-  double pushed(Eigen::Index i) const {
-    const double half = width.coeff(i) / 2.0;
-    return std::clamp(last.coeff(i), u.coeff(i) - half, u.coeff(i) + half);
+  double pushed(Index i) const {
+    const double half = width[i] / 2.0;
+    return std::clamp(last[i], u[i] - half, u[i] + half);
   }
 };
 

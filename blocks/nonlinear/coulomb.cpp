@@ -1,5 +1,7 @@
 #include "blocks/nonlinear/coulomb.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void Coulomb::declare(Declare<Coulomb>& is) {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -13,15 +13,14 @@ struct Coulomb {
   Output<> y{};
 
   void outputs() {
-    for (Eigen::Index i = 0; i < y.size(); ++i)
-      y.coeffRef(i) = coulomb.coeff(i) * direction(i) + viscous.coeff(i) * u.coeff(i);
+    for (Index i = 0; i < y.size(); ++i) y[i] = coulomb[i] * direction(i) + viscous[i] * u[i];
   }
 
   static void declare(Declare<Coulomb>& is);
 
  private:
-  double direction(Eigen::Index i) const {
-    const double v = u.coeff(i), width = smoothing.coeff(i);
+  double direction(Index i) const {
+    const double v = u[i], width = smoothing[i];
     if (width > 0.0) return std::tanh(v / width);
     return v > 0.0 ? 1.0 : v < 0.0 ? -1.0 : v;  // 0 stays 0, and what is no number stays none
   }

@@ -1,6 +1,13 @@
 #include "blocks/nonlinear/dead_zone.hpp"
 
+#include "engine/block/declare.hpp"
+#include "engine/block/limits.hpp"
+
 namespace stepwire {
+
+void DeadZone::configure(Configure& is) {
+  require_order<&DeadZone::lower, &DeadZone::upper>(*this, is);
+}
 
 void DeadZone::declare(Declare<DeadZone>& is) {
   is.block("DeadZone",

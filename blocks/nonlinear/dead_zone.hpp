@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/block/declare.hpp"
-#include "engine/block/limits.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -14,11 +13,10 @@ struct DeadZone {
   Output<> y{};
 
   void outputs() {
-    for (Eigen::Index i = 0; i < y.size(); ++i)
-      y.coeffRef(i) = u.coeff(i) - std::clamp(u.coeff(i), lower.coeff(i), upper.coeff(i));
+    for (Index i = 0; i < y.size(); ++i) y[i] = u[i] - std::clamp(u[i], lower[i], upper[i]);
   }
 
-  void configure(Configure& is) { require_order<&DeadZone::lower, &DeadZone::upper>(*this, is); }
+  void configure(Configure& is);
   static void declare(Declare<DeadZone>& is);
 };
 

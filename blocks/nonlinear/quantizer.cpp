@@ -1,5 +1,7 @@
 #include "blocks/nonlinear/quantizer.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void Quantizer::declare(Declare<Quantizer>& is) {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -13,8 +13,7 @@ struct Quantizer {
   Output<> y{};
 
   void outputs() {
-    for (Eigen::Index i = 0; i < y.size(); ++i)
-      y.coeffRef(i) = interval.coeff(i) * std::floor(u.coeff(i) / interval.coeff(i) + 0.5);
+    for (Index i = 0; i < y.size(); ++i) y[i] = interval[i] * std::floor(u[i] / interval[i] + 0.5);
   }
 
   static void declare(Declare<Quantizer>& is);

@@ -1,5 +1,7 @@
 #include "blocks/nonlinear/rate_limiter.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void RateLimiter::declare(Declare<RateLimiter>& is) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -16,20 +16,20 @@ struct RateLimiter {
   Period period{};
 
   void outputs() {
-    for (Eigen::Index i = 0; i < y.size(); ++i) y.coeffRef(i) = reached(i);
+    for (Index i = 0; i < y.size(); ++i) y[i] = reached(i);
   }
 
   void update() {
-    for (Eigen::Index i = 0; i < last.size(); ++i) last.coeffRef(i) = reached(i);
+    for (Index i = 0; i < last.size(); ++i) last[i] = reached(i);
     elapsed = period;
   }
 
   static void declare(Declare<RateLimiter>& is);
 
  private:
-  double reached(Eigen::Index i) const {
-    const double from = last.coeff(i);
-    return std::clamp(u.coeff(i), from + falling.coeff(i) * elapsed, from + rising.coeff(i) * elapsed);
+  double reached(Index i) const {
+    const double from = last[i];
+    return std::clamp(u[i], from + falling[i] * elapsed, from + rising[i] * elapsed);
   }
 };
 

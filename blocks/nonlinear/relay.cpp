@@ -1,6 +1,13 @@
 #include "blocks/nonlinear/relay.hpp"
 
+#include "engine/block/declare.hpp"
+#include "engine/block/limits.hpp"
+
 namespace stepwire {
+
+void Relay::configure(Configure& is) {
+  require_order<&Relay::switch_off, &Relay::switch_on>(*this, is);
+}
 
 void Relay::declare(Declare<Relay>& is) {
   is.block(

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "engine/block/declare.hpp"
-#include "engine/block/limits.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -13,21 +12,20 @@ struct Relay {
   DiscreteState<> on{};
 
   void outputs() {
-    for (Eigen::Index i = 0; i < y.size(); ++i)
-      y.coeffRef(i) = is_on(i) ? when_on.coeff(i) : when_off.coeff(i);
+    for (Index i = 0; i < y.size(); ++i) y[i] = is_on(i) ? when_on[i] : when_off[i];
   }
 
   void update() {
-    for (Eigen::Index i = 0; i < on.size(); ++i) on.coeffRef(i) = is_on(i) ? 1.0 : 0.0;
+    for (Index i = 0; i < on.size(); ++i) on[i] = is_on(i) ? 1.0 : 0.0;
   }
 
-  void configure(Configure& is) { require_order<&Relay::switch_off, &Relay::switch_on>(*this, is); }
+  void configure(Configure& is);
   static void declare(Declare<Relay>& is);
 
  private:
-  bool is_on(Eigen::Index i) const {
-    if (u.coeff(i) >= switch_on.coeff(i)) return true;
-    return u.coeff(i) > switch_off.coeff(i) && on.coeff(i) > 0.0;
+  bool is_on(Index i) const {
+    if (u[i] >= switch_on[i]) return true;
+    return u[i] > switch_off[i] && on[i] > 0.0;
   }
 };
 

@@ -1,6 +1,13 @@
 #include "blocks/nonlinear/saturation.hpp"
 
+#include "engine/block/declare.hpp"
+#include "engine/block/limits.hpp"
+
 namespace stepwire {
+
+void Saturation::configure(Configure& is) {
+  require_order<&Saturation::lower, &Saturation::upper>(*this, is);
+}
 
 void Saturation::declare(Declare<Saturation>& is) {
   is.block("Saturation", {.doc = "The input within limits: y = min(max(u, lower), upper)."});

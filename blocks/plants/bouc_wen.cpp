@@ -1,5 +1,7 @@
 #include "blocks/plants/bouc_wen.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void BoucWen::declare(Declare<BoucWen>& is) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "blocks/plants/bouc_wen_law.hpp"
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -13,9 +13,9 @@ struct BoucWen {
   State<> z_{};
 
   void derivatives() {
-    for (Eigen::Index i = 0; i < z_.size(); ++i) {
-      const BoucWenLaw law{A.coeff(i), beta.coeff(i), gamma.coeff(i), n.coeff(i)};
-      z_.dot.coeffRef(i) = law.rate(velocity.coeff(i), z_.coeff(i));
+    for (Index i = 0; i < z_.size(); ++i) {
+      const BoucWenLaw law{A[i], beta[i], gamma[i], n[i]};
+      z_.dot[i] = law.rate(velocity[i], z_[i]);
     }
   }
 

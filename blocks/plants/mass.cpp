@@ -1,5 +1,7 @@
 #include "blocks/plants/mass.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void Mass::declare(Declare<Mass>& is) {

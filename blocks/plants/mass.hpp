@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -13,7 +13,7 @@ struct Mass {
 
   void derivatives() {
     position_.dot = velocity_;
-    velocity_.dot = force / mass;
+    for (Index i = 0; i < velocity_.size(); ++i) velocity_.dot[i] = force[i] / mass[i];
   }
 
   static void declare(Declare<Mass>& is);

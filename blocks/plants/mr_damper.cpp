@@ -1,5 +1,7 @@
 #include "blocks/plants/mr_damper.hpp"
 
+#include "engine/block/declare.hpp"
+
 #include "blocks/plants/mr_damper_declare.hpp"
 
 namespace stepwire {
@@ -21,9 +23,9 @@ void rd_1097_01(MRDamper& damper) {
   damper.beta = 10.6140 * per_mm;
   damper.n = 1.0;
   damper.gamma = -7.0773 * per_mm;
-  damper.alpha = Eigen::Vector4d(72.8, -42.88, 14.83, 0.29) * per_mm;
-  damper.c = Eigen::Vector<double, 5>(-9.37, 10.22, -4.33, 0.89, 0.02) * per_mm;
-  damper.current_range = Eigen::Vector2d(0.0, 0.35);
+  damper.alpha = {72.8 * per_mm, -42.88 * per_mm, 14.83 * per_mm, 0.29 * per_mm};
+  damper.c = {-9.37 * per_mm, 10.22 * per_mm, -4.33 * per_mm, 0.89 * per_mm, 0.02 * per_mm};
+  damper.current_range = {0.0, 0.35};
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ struct MRDamper : MRDamperCore {
   Output<1> force{};
 
   MRDamper();
-  void start() { prepare(1.0, 1.0); }
+  void prepare() { scale(1.0, 1.0); }
   void outputs() {
     write_account();
     force = resistance();

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include "engine/block/configure.hpp"
+
 namespace stepwire {
 
 namespace {
@@ -17,7 +19,7 @@ void refuse_what_gives_energy(const Core& damper, const Configure& is) {
                     std::abs(damper.gamma), damper.beta));
 }
 
-void check_range(const Eigen::VectorXd& range, const Configure& is) {
+void check_range(const Numbers& range, const Configure& is) {
   if (range.size() != 2 || !(range[0] < range[1]))
     is.refuse<&Core::current_range>("is not a lower and a higher current, such as [0 A, 0.35 A]");
 }

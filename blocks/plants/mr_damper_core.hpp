@@ -1,10 +1,9 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <algorithm>
 
 #include "blocks/plants/bouc_wen_law.hpp"
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -21,7 +20,7 @@ struct MRDamperCore {
   enum class Integration { solver, exact };
 
   double A = 1.0, beta = 0.5, gamma = 0.5, n = 1.0;
-  Eigen::VectorXd alpha, c, current_range;
+  Numbers alpha, c, current_range;
   double k0 = 0.0, f0 = 0.0;
   Outside extrapolate = Outside::hold;
   Integration integration = Integration::solver;
@@ -32,13 +31,15 @@ struct MRDamperCore {
   DiscreteState<1> last_time{}, last_velocity{}, last_current{}, first_stored{}, begun{};
   Time time{};
   Notice outside_range{};
+  BoucWenLaw law{};                    ///< as it acts, in SI
+  Numbers scaled_alpha{}, scaled_c{};  ///< alpha and c in SI
 
   void configure(Configure& is);
 
   /// A polynomial with its highest power first.
-  static double polynomial(const Eigen::VectorXd& coefficients, double i) {
+  static double polynomial(const Numbers& coefficients, double i) {
     double sum = 0.0;
-    for (Eigen::Index k = 0; k < coefficients.size(); ++k) sum = sum * i + coefficients[k];
+    for (Index k = 0; k < coefficients.size(); ++k) sum = sum * i + coefficients[k];
     return sum;
   }
 
@@ -48,16 +49,16 @@ struct MRDamperCore {
     double z, loss, spring_work;
   };
 
-  /// The parameters as they act: `scale` turns alpha and c into SI, `stiffening` shortens the pre-sliding.
-  void prepare(double scale, double stiffening) {
-    law_ = {A * stiffening, beta * stiffening, gamma * stiffening, n};
-    alpha_ = alpha * scale;
-    c_ = c * scale;
+  /// The parameters as they act: `factor` turns alpha and c into SI, `stiffening` shortens the pre-sliding.
+  void scale(double factor, double stiffening) {
+    law = {A * stiffening, beta * stiffening, gamma * stiffening, n};
+    scaled_alpha = alpha.map([&](double one) { return one * factor; });
+    scaled_c = c.map([&](double one) { return one * factor; });
   }
 
   double resistance() const {
     const double i = acting(current);
-    const double force = polynomial(c_, i) * velocity + polynomial(alpha_, i) * z + f0;
+    const double force = polynomial(scaled_c, i) * velocity + polynomial(scaled_alpha, i) * z + f0;
     return position.connected() ? force + k0 * position : force;
   }
 
@@ -71,11 +72,11 @@ struct MRDamperCore {
 
   void write_rates() {
     const bool by_solver = integration == Integration::solver;
-    const double i = acting(current), rate = by_solver ? law_.rate(velocity, evolution) : 0.0;
-    const double stiffness = 2.0 * spring(i), viscous = polynomial(c_, i) * velocity * velocity;
+    const double i = acting(current), rate = by_solver ? law.rate(velocity, evolution) : 0.0;
+    const double stiffness = 2.0 * spring(i), viscous = polynomial(scaled_c, i) * velocity * velocity;
     evolution.dot = rate;
     spring_work.dot = stiffness * evolution * rate;
-    loss.dot = by_solver ? viscous + stiffness * law_.lost(velocity, evolution) : 0.0;
+    loss.dot = by_solver ? viscous + stiffness * law.lost(velocity, evolution) : 0.0;
   }
 
   void remember() {
@@ -104,21 +105,19 @@ struct MRDamperCore {
   }
 
   /// alpha / (2 A)
-  double spring(double i) const { return 0.5 * polynomial(alpha_, i) / law_.A; }
+  double spring(double i) const { return 0.5 * polynomial(scaled_alpha, i) / law.A; }
 
   /// With the exact step the states keep the last tick's values, and each call goes the way since then anew.
   Account account() const {
     if (integration == Integration::solver) return {evolution, loss, spring_work};
     const double duration = time - last_time, v0 = last_velocity, v1 = velocity;
-    const BoucWenLaw::Travelled way = law_.over(evolution, v0, v1, duration);
-    const double viscous = polynomial(c_, last_current) * duration * (v0 * v0 + v0 * v1 + v1 * v1) / 3.0;
+    const BoucWenLaw::Travelled way = law.over(evolution, v0, v1, duration);
+    const double viscous =
+        polynomial(scaled_c, last_current) * duration * (v0 * v0 + v0 * v1 + v1 * v1) / 3.0;
     const double elastic = spring(last_current);
     return {way.z, loss + viscous + 2.0 * elastic * way.lost,
             spring_work + elastic * (way.z - evolution) * (way.z + evolution)};
   }
-
-  BoucWenLaw law_;
-  Eigen::VectorXd alpha_, c_;
 };
 
 }  // namespace stepwire

@@ -13,6 +13,14 @@ struct MRDamperUnits {
   std::string alpha, c;
 };
 
+template <>
+struct Literal<BoucWenLaw> {
+  static std::string text(const BoucWenLaw& law, LiteralWriter& writer) {
+    return "{" + writer.number(law.A) + ", " + writer.number(law.beta) + ", " + writer.number(law.gamma) +
+           ", " + writer.number(law.n) + "}";
+  }
+};
+
 /// Declares the parameters, ports and states that both MR dampers have.
 template <class Damper>
 void declare_mr_damper(Declare<Damper>& is, const MRDamperUnits& units) {
@@ -75,6 +83,9 @@ void declare_mr_damper(Declare<Damper>& is, const MRDamperUnits& units) {
       {.unit = "J", .doc = "stored energy at the start", .settable = false});
   is.template state<&Damper::begun>({.doc = "1 from the first tick on", .settable = false});
   is.template clock<&Damper::time>();
+  is.template derived<&Damper::law>();
+  is.template derived<&Damper::scaled_alpha>();
+  is.template derived<&Damper::scaled_c>();
   is.template notice<&Damper::outside_range>(
       {.doc = "the current leaves the range at which the damper was identified (see 'extrapolate')"});
 }

@@ -1,5 +1,7 @@
 #include "blocks/plants/rotary_mr_damper.hpp"
 
+#include "engine/block/declare.hpp"
+
 #include "blocks/plants/mr_damper_declare.hpp"
 
 namespace stepwire {
@@ -15,10 +17,10 @@ void rd_2087_01(RotaryMRDamper& damper) {
   damper.beta = 5.1269;
   damper.n = 1.0;
   damper.gamma = 1.5960;
-  damper.c = Eigen::Vector4d(-0.208, 0.377, -0.215, 0.042);
-  damper.alpha = Eigen::Vector4d(-25.99, 49.02, 28.05, 5.23);
+  damper.c = {-0.208, 0.377, -0.215, 0.042};
+  damper.alpha = {-25.99, 49.02, 28.05, 5.23};
   damper.torque_unit = RotaryMRDamper::TorqueUnit::lbf_in;
-  damper.current_range = Eigen::Vector2d(0.0, 0.75);
+  damper.current_range = {0.0, 0.75};
   damper.assumed_below = 0.50;
 }
 

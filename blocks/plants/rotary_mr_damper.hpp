@@ -15,7 +15,7 @@ struct RotaryMRDamper : MRDamperCore {
   Notice assumed{};
 
   RotaryMRDamper();
-  void start() { prepare(newton_metres(torque_unit), presliding_scale); }
+  void prepare() { scale(newton_metres(torque_unit), presliding_scale); }
   void outputs() {
     write_account();
     torque = resistance();

@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numeric>
 #include <string>
+
+#include "engine/block/declare.hpp"
 
 namespace stepwire {
 
 namespace {
 
-constexpr Eigen::Index most_pieces = 8;
+constexpr Index most_pieces = 8;
 
 }  // namespace
 
@@ -20,10 +23,10 @@ void Demux::configure(Configure& is) {
   for (const double size : sizes)
     if (size != std::floor(size))
       is.refuse<&Demux::sizes>(fmt::format("{} is no whole number of elements", size));
-  for (Eigen::Index piece = 0; piece < most_pieces; ++piece)
+  for (Index piece = 0; piece < most_pieces; ++piece)
     is.size(std::string(1, static_cast<char>('a' + piece)),
-            piece < sizes.size() ? static_cast<Eigen::Index>(sizes[piece]) : 0);
-  is.size("n", static_cast<Eigen::Index>(sizes.sum()));
+            piece < sizes.size() ? static_cast<Index>(sizes[piece]) : 0);
+  is.size("n", static_cast<Index>(std::accumulate(sizes.begin(), sizes.end(), 0.0)));
 }
 
 void Demux::declare(Declare<Demux>& is) {

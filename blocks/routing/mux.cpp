@@ -1,5 +1,7 @@
 #include "blocks/routing/mux.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void Mux::declare(Declare<Mux>& is) {

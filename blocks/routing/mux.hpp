@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -10,10 +10,9 @@ struct Mux {
   Output<> y{};
 
   void outputs() {
-    Eigen::Index next = 0;
-    for (Eigen::Index i = 0; i < u.count(); ++i) {
-      const auto piece = u.view(i);
-      for (Eigen::Index k = 0; k < piece.size(); ++k) y.coeffRef(next++) = piece.coeff(k);
+    Index next = 0;
+    for (Index i = 0; i < u.count(); ++i) {
+      for (Index k = 0; k < u[i].size; ++k) y[next++] = u[i][k];
     }
   }
 

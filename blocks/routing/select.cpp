@@ -2,18 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "engine/block/declare.hpp"
 
 namespace stepwire {
 
 void Select::configure(Configure& is) {
-  from.clear();
   for (const double index : indices) {
     if (index != std::floor(index)) is.refuse<&Select::indices>(fmt::format("{} is no whole number", index));
-    from.push_back(static_cast<Eigen::Index>(index) - 1);
   }
   is.size("m", indices.size());
-  is.size_at_least("n", static_cast<Eigen::Index>(indices.maxCoeff()));
+  is.size_at_least("n", static_cast<Index>(*std::max_element(indices.begin(), indices.end())));
 }
 
 void Select::declare(Declare<Select>& is) {

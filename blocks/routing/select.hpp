@@ -2,19 +2,18 @@
 
 #include <vector>
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
 /// Chosen elements of a vector: y_k = u[indices_k], counted from 1.
 struct Select {
-  Eigen::VectorXd indices = Eigen::VectorXd::Ones(1);
+  Numbers indices{1.0};
   Input<> u{};
   Output<> y{};
-  std::vector<Eigen::Index> from{};  ///< element of u for each of y, counted from 0
 
   void outputs() {
-    for (std::size_t k = 0; k < from.size(); ++k) y.coeffRef(static_cast<Eigen::Index>(k)) = u.coeff(from[k]);
+    for (Index k = 0; k < indices.size(); ++k) y[k] = u[static_cast<Index>(indices[k]) - 1];
   }
 
   void configure(Configure& is);

@@ -1,5 +1,7 @@
 #include "blocks/sinks/assert.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void Assert::declare(Declare<Assert>& is) {

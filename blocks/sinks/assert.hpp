@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -11,8 +11,8 @@ struct Assert {
   Time t{};
 
   void update() {
-    for (Eigen::Index k = 0; k < u.size(); ++k)
-      if (u.coeff(k) == 0.0) failed.raise(t);
+    for (Index k = 0; k < u.size(); ++k)
+      if (u[k] == 0.0) failed.raise(t);
   }
 
   static void declare(Declare<Assert>& is);

@@ -1,5 +1,7 @@
 #include "blocks/sinks/terminator.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void Terminator::declare(Declare<Terminator>& is) {

@@ -23,20 +23,32 @@ Spectrum later(const Spectrum& spectrum, double part) {
   return result;
 }
 
+/// The samples with `times` - 1 more between any two.
+std::vector<double> refined(const std::vector<double>& samples, std::size_t times) {
+  std::vector<double> fine(samples.size() * times);
+  const Spectrum spectrum = fourier(Spectrum(samples.begin(), samples.end()));
+  for (std::size_t part = 0; part < times; ++part) {
+    const Spectrum shifted =
+        inverse_fourier(later(spectrum, static_cast<double>(part) / static_cast<double>(times)));
+    for (std::size_t n = 0; n < samples.size(); ++n)
+      fine[n * times + part] = part == 0 ? samples[n] : shifted[n].real();
+  }
+  return fine;
+}
+
 }  // namespace
 
-BandLimited::BandLimited(const Eigen::ArrayXd& samples)
-    : length_(static_cast<double>(samples.size() * refinement)), fine_(samples.size() * refinement + points) {
-  const Eigen::Index length = samples.size() * refinement;
-  Eigen::ArrayXd fine(length);
-  const Spectrum spectrum = fourier(Spectrum(samples.begin(), samples.end()));
-  for (Eigen::Index part = 0; part < refinement; ++part) {
-    const Spectrum shifted =
-        inverse_fourier(later(spectrum, static_cast<double>(part) / static_cast<double>(refinement)));
-    for (Eigen::Index n = 0; n < samples.size(); ++n)
-      fine[n * refinement + part] = part == 0 ? samples[n] : shifted[static_cast<std::size_t>(n)].real();
+BandLimited BandLimited::through(const Matrix& samples) {
+  const Index period = samples.columns() * refinement, rows = period + points;
+  std::vector<double> all;
+  for (Index signal = 0; signal < samples.rows(); ++signal) {
+    std::vector<double> given;
+    for (Index n = 0; n < samples.columns(); ++n) given.push_back(samples(signal, n));
+    const std::vector<double> one = refined(given, refinement);
+    for (Index k = 0; k < rows; ++k)
+      all.push_back(one[static_cast<std::size_t>(((k - before) % period + period) % period)]);
   }
-  for (Eigen::Index k = 0; k < fine_.size(); ++k) fine_[k] = fine[((k - before) % length + length) % length];
+  return {static_cast<double>(period), Matrix(rows, samples.rows(), Numbers(all))};
 }
 
 }  // namespace stepwire

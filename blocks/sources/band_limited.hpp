@@ -1,8 +1,8 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <cmath>
+#include "engine/signal/numbers.hpp"
 
 namespace stepwire {
 
@@ -13,17 +13,22 @@ namespace stepwire {
 /// amplitudes of all lines.
 class BandLimited {
  public:
-  static constexpr Eigen::Index refinement = 16;
+  static constexpr Index refinement = 16;
 
-  /// One period of evenly spaced samples; the next period follows one interval after the last one.
-  explicit BandLimited(const Eigen::ArrayXd& samples);
+  /// One period of evenly spaced samples of several signals, a row for each; the next period follows one
+  /// interval after the last sample.
+  static BandLimited through(const Matrix& samples);
 
-  /// Value `turns` periods after the first sample; any number, also a negative one.
-  double operator()(double turns) const {
-    const double place = (turns - std::floor(turns)) * length_;
+  /// Value of a signal `turns` periods after the first sample; any number, also a negative one.
+  double operator()(Index signal, double turns) const {
+    const double place = (turns - std::floor(turns)) * length;
     const double below = std::floor(place);
-    return interpolate(fine_.data() + static_cast<Eigen::Index>(below), place - below);
+    return interpolate(fine.elements().data() + signal * fine.rows() + static_cast<Index>(below),
+                       place - below);
   }
+
+  double length = 1.0;  ///< refined samples in a period
+  Matrix fine;  ///< a column for each signal: them, with as many more at the ends as the polynomial reaches
 
  private:
   static constexpr int points = 12, before = points / 2 - 1;
@@ -56,9 +61,6 @@ class BandLimited {
     }
     return sum;
   }
-
-  double length_;        ///< refined samples in a period
-  Eigen::ArrayXd fine_;  ///< them, with as many more at the ends as the polynomial reaches
 };
 
 }  // namespace stepwire

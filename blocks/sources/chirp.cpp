@@ -1,5 +1,7 @@
 #include "blocks/sources/chirp.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void Chirp::configure(Configure& is) {

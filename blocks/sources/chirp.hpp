@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 

@@ -1,5 +1,7 @@
 #include "blocks/sources/clock.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void Clock::declare(Declare<Clock>& is) {

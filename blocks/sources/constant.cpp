@@ -1,5 +1,7 @@
 #include "blocks/sources/constant.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void Constant::declare(Declare<Constant>& is) {

@@ -3,15 +3,32 @@
 #include <fmt/format.h>
 
 #include "blocks/sources/read_samples.hpp"
+#include "engine/block/declare.hpp"
 
 namespace stepwire {
+
+template <>
+struct Literal<Samples> {
+  static std::string text(const Samples& samples, LiteralWriter& writer) {
+    return fmt::format("{{{}, {}, {}}}", Literal<Numbers>::text(samples.time, writer),
+                       Literal<Matrix>::text(samples.value, writer), writer.number(samples.interval));
+  }
+};
+
+template <>
+struct Literal<BandLimited> {
+  static std::string text(const BandLimited& signal, LiteralWriter& writer) {
+    return fmt::format("{{{}, {}}}", writer.number(signal.length),
+                       Literal<Matrix>::text(signal.fine, writer));
+  }
+};
 
 namespace {
 
 /// A Fourier transform takes rows for evenly spaced; a thousandth of an interval is the rounding of a logger.
 void require_even(const FromFile& block, const Configure& is) {
   const Samples& samples = block.samples;
-  for (Eigen::Index row = 0; row < samples.rows(); ++row) {
+  for (Index row = 0; row < samples.rows(); ++row) {
     const double even = samples.begin() + static_cast<double>(row) * samples.interval;
     if (std::abs(samples.time[row] - even) > 1e-3 * samples.interval)
       is.refuse<&FromFile::interpolation>(fmt::format(
@@ -43,17 +60,15 @@ void FromFile::configure(Configure& is) {
     is.refuse<&FromFile::unit>(fmt::format("has {} units for {} columns; give one for all or one for each",
                                            unit.size(), column.size()));
   samples = read_samples(*this, is);
-  is.size("n", static_cast<Eigen::Index>(column.size()));
+  is.size("n", static_cast<Index>(column.size()));
   offset = start_ == -open ? samples.begin() : start_;
   const bool periodic = interpolation == Interpolation::band_limited || after_end == AfterEnd::repeat;
   require_start(*this, is);
   if (!periodic) require_inside(*this, is);
   if (periodic || after_end == AfterEnd::hold) is.skip_update();
-  smooth.clear();
   if (interpolation != Interpolation::band_limited) return;
   require_even(*this, is);
-  for (Eigen::Index k = 0; k < samples.value.rows(); ++k)
-    smooth.emplace_back(samples.value.row(k).transpose());
+  smooth = BandLimited::through(samples.value);
 }
 
 void FromFile::declare(Declare<FromFile>& is) {
@@ -96,6 +111,9 @@ void FromFile::declare(Declare<FromFile>& is) {
   is.notice<&FromFile::ended>(
       {.doc = "the record is over; give after_end or an earlier stop", .ends_run = true});
   is.clock<&FromFile::t>();
+  is.derived<&FromFile::samples>();
+  is.derived<&FromFile::smooth>();
+  is.derived<&FromFile::offset>();
 }
 
 }  // namespace stepwire

@@ -8,7 +8,7 @@
 
 #include "blocks/sources/band_limited.hpp"
 #include "blocks/sources/samples.hpp"
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -29,15 +29,16 @@ struct FromFile {
   Notice ended{};
   Time t{};
   Samples samples{};
-  std::vector<BandLimited> smooth{};  ///< of each column, where band-limited
-  double offset = 0.0;                ///< instant of the record that is time 0 of the run [s]
+  BandLimited smooth{};  ///< of the columns, where band-limited
+  double offset = 0.0;   ///< instant of the record that is time 0 of the run [s]
 
   void outputs() {
     if (interpolation == Interpolation::band_limited) {
       const double turns = (t + offset - samples.begin()) / samples.period();
-      for (Eigen::Index k = 0; k < y.size(); ++k) y.coeffRef(k) = smooth[static_cast<std::size_t>(k)](turns);
+      for (Index k = 0; k < y.size(); ++k) y[k] = smooth(k, turns);
     } else if (interpolation == Interpolation::hold) {
-      y = samples.value.col(samples.row_at(place(t + offset + samples.slack())));
+      const Index row = samples.row_at(place(t + offset + samples.slack()));
+      for (Index k = 0; k < y.size(); ++k) y[k] = samples.value(k, row);
     } else {
       straight(place(t + offset));
     }
@@ -56,13 +57,13 @@ struct FromFile {
 
   /// After the last row comes the first one again, or nothing new.
   void straight(double instant) {
-    const Eigen::Index row = samples.row_at(instant), last = samples.rows() - 1;
-    const Eigen::Index next = row < last ? row + 1 : after_end == AfterEnd::repeat ? 0 : last;
-    const double length = row < last ? samples.time.coeff(next) - samples.time.coeff(row) : samples.interval;
-    const double share = std::clamp((instant - samples.time.coeff(row)) / length, 0.0, 1.0);
-    for (Eigen::Index k = 0; k < y.size(); ++k) {
-      const double here = samples.value.coeff(k, row);
-      y.coeffRef(k) = here + share * (samples.value.coeff(k, next) - here);
+    const Index row = samples.row_at(instant), last = samples.rows() - 1;
+    const Index next = row < last ? row + 1 : after_end == AfterEnd::repeat ? 0 : last;
+    const double length = row < last ? samples.time[next] - samples.time[row] : samples.interval;
+    const double share = std::clamp((instant - samples.time[row]) / length, 0.0, 1.0);
+    for (Index k = 0; k < y.size(); ++k) {
+      const double here = samples.value(k, row);
+      y[k] = here + share * (samples.value(k, next) - here);
     }
   }
 };

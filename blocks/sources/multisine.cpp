@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "blocks/sources/random.hpp"
+#include "engine/block/declare.hpp"
 
 namespace stepwire {
 
@@ -15,18 +16,22 @@ namespace {
 constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double most_lines = 100'000, most_harmonics = 1e15;
 
+double sum_of_squares(const Numbers& numbers) {
+  double sum = 0.0;
+  for (double number : numbers) sum += number * number;
+  return sum;
+}
+
 /// Phases that keep the crest low: phi_k = -2 pi sum_{j<k} (k - j) p_j, p the share of each line in the
 /// power.
-Eigen::ArrayXd schroeder_phases(const Eigen::ArrayXd& amplitudes) {
-  const Eigen::ArrayXd share = amplitudes.square() / amplitudes.square().sum();
-  Eigen::ArrayXd phases(amplitudes.size());
+Numbers schroeder_phases(const Numbers& amplitudes) {
+  const double all = sum_of_squares(amplitudes);
   double turns = 0.0, power = 0.0;
-  for (Eigen::Index k = 0; k < phases.size(); ++k) {
+  return amplitudes.map([&](double amplitude) {
     turns += power;
-    power += share[k];
-    phases[k] = -two_pi * (turns - std::floor(turns));
-  }
-  return phases;
+    power += amplitude * amplitude / all;
+    return -two_pi * (turns - std::floor(turns));
+  });
 }
 
 }  // namespace
@@ -39,7 +44,7 @@ void Multisine::configure(Configure& is) {
 
 void Multisine::lay_lines(const Configure& is) {
   if (frequencies.size() > 0) {
-    omega = two_pi * frequencies.array();
+    omega = frequencies.map([](double f) { return two_pi * f; });
     return;
   }
   if (highest < lowest)
@@ -57,17 +62,17 @@ void Multisine::lay_lines(const Configure& is) {
     is.refuse<&Multisine::period>(fmt::format(
         "no multiple of 1/period = {} Hz that `lines` allows lies from {} Hz to {} Hz; lengthen the period",
         1.0 / period, lowest, highest));
-  omega = Eigen::Map<const Eigen::ArrayXd>(found.data(), static_cast<Eigen::Index>(found.size()));
+  omega = Numbers(found);
 }
 
 void Multisine::lay_amplitudes(const Configure& is) {
   if (amplitude.size() != 1 && amplitude.size() != omega.size())
     is.refuse<&Multisine::amplitude>(fmt::format(
         "has {} values for {} lines; give one for all or one for each", amplitude.size(), omega.size()));
-  a = amplitude.array();
-  if (amplitude.size() == 1) a = Eigen::ArrayXd::Constant(omega.size(), amplitude[0]);
-  if (!(a != 0.0).any()) is.refuse<&Multisine::amplitude>("is zero in every line; at least one must not be");
-  if (rms > 0.0) a *= rms / std::sqrt(0.5 * a.square().sum());
+  a = amplitude.size() == 1 ? Numbers(omega.size(), amplitude[0]) : amplitude;
+  const double squares = sum_of_squares(a);
+  if (squares == 0.0) is.refuse<&Multisine::amplitude>("is zero in every line; at least one must not be");
+  if (rms > 0.0) a = a.map([&](double one) { return one * (rms / std::sqrt(0.5 * squares)); });
 }
 
 void Multisine::lay_phases(const Configure& is) {
@@ -75,14 +80,15 @@ void Multisine::lay_phases(const Configure& is) {
     is.refuse<&Multisine::phases>(
         fmt::format("has {} values for {} lines; give one for each", phases.size(), omega.size()));
   if (phases.size() > 0) {
-    phi = phases.array();
+    phi = phases;
   } else if (phase == Phase::schroeder) {
     phi = schroeder_phases(a);
   } else {
-    phi = Eigen::ArrayXd::Zero(omega.size());
-    for (Eigen::Index k = 0; phase == Phase::random && k < phi.size(); ++k)
-      phi[k] = two_pi *
-               to_unit_interval(random_bits(static_cast<std::uint64_t>(seed), static_cast<std::uint64_t>(k)));
+    std::uint64_t line = 0;
+    phi = omega.map([&](double) {
+      if (phase == Phase::zero) return 0.0;
+      return two_pi * to_unit_interval(random_bits(static_cast<std::uint64_t>(seed), line++));
+    });
   }
 }
 
@@ -113,6 +119,9 @@ void Multisine::declare(Declare<Multisine>& is) {
   is.parameter<&Multisine::seed>({.doc = "of the random phases; a whole number"});
   is.output<&Multisine::y>({.unit = "'u", .doc = "the sum"});
   is.clock<&Multisine::t>();
+  is.derived<&Multisine::omega>();
+  is.derived<&Multisine::a>();
+  is.derived<&Multisine::phi>();
 }
 
 }  // namespace stepwire

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -14,17 +14,16 @@ struct Multisine {
 
   double period = 1.0, lowest = 1.0, highest = 10.0, rms = 0.0;
   Lines lines = Lines::all;
-  Eigen::VectorXd frequencies{}, amplitude = Eigen::VectorXd::Ones(1), phases{};
+  Numbers frequencies{}, amplitude{1.0}, phases{};
   Phase phase = Phase::schroeder;
   std::int64_t seed = 0;
   Output<1> y{};
   Time t{};
-  Eigen::ArrayXd omega{}, a{}, phi{};  ///< of each line: 2 pi f [rad/s], amplitude, phase [rad]
+  Numbers omega{}, a{}, phi{};  ///< of each line: 2 pi f [rad/s], amplitude, phase [rad]
 
   void outputs() {
     double sum = 0.0;
-    for (Eigen::Index k = 0; k < omega.size(); ++k)
-      sum += a.coeff(k) * std::cos(omega.coeff(k) * t + phi.coeff(k));
+    for (Index k = 0; k < omega.size(); ++k) sum += a[k] * std::cos(omega[k] * t + phi[k]);
     y = sum;
   }
 

@@ -1,10 +1,21 @@
 #include "blocks/sources/noise.hpp"
 
+#include "engine/block/declare.hpp"
+#include "engine/block/limits.hpp"
+
 namespace stepwire {
 
 void Noise::configure(Configure& is) {
-  if ((power > 0.0).any() && (deviation != 1.0).any())
+  if (!all_are(power, 0.0) && !all_are(deviation, 1.0))
     is.refuse<&Noise::power>("power and deviation both say how strong the noise is; give one of them");
+}
+
+void Noise::prepare() {
+  Index k = 0;
+  spread = power.map([&](double density) {
+    const double given = deviation[k++];
+    return density > 0.0 ? std::sqrt(density / period) : given;
+  });
 }
 
 void Noise::declare(Declare<Noise>& is) {
@@ -33,6 +44,7 @@ void Noise::declare(Declare<Noise>& is) {
   is.output<&Noise::y>({.unit = "'u", .doc = "the noise"});
   is.state<&Noise::sample>({.doc = "number of the sample", .settable = false});
   is.clock<&Noise::period>();
+  is.derived<&Noise::spread>();
 }
 
 }  // namespace stepwire

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "blocks/sources/random.hpp"
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -19,17 +19,17 @@ struct Noise {
   Output<> y{};
   DiscreteState<1> sample{};
   Period period{};
-  Eigen::ArrayXd spread{};  ///< standard deviation of a sample
+  Numbers spread{};  ///< standard deviation of a sample
 
-  void start() { spread = (power > 0.0).select((power / period).sqrt(), deviation); }
+  void prepare();
   void outputs() {
-    for (Eigen::Index k = 0; k < y.size(); ++k) y.coeffRef(k) = mean.coeff(k) + spread.coeff(k) * standard(k);
+    for (Index k = 0; k < y.size(); ++k) y[k] = mean[k] + spread[k] * standard(k);
   }
   void update() { sample = sample + 1.0; }
 
   /// Depends on the seed, the element and the number of the sample alone, so that a run can go on from
   /// anywhere.
-  double standard(Eigen::Index element) const {
+  double standard(Index element) const {
     const std::uint64_t stream =
         random_bits(static_cast<std::uint64_t>(seed), static_cast<std::uint64_t>(element));
     const double even =

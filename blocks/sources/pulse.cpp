@@ -1,5 +1,7 @@
 #include "blocks/sources/pulse.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void Pulse::declare(Declare<Pulse>& is) {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "blocks/sources/instant.hpp"
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -15,17 +15,16 @@ struct Pulse {
   Time t{};
 
   void outputs() {
-    for (Eigen::Index k = 0; k < y.size(); ++k)
-      y.coeffRef(k) = bias.coeff(k) + (high(k) ? amplitude.coeff(k) : 0.0);
+    for (Index k = 0; k < y.size(); ++k) y[k] = bias[k] + (high(k) ? amplitude[k] : 0.0);
   }
 
   /// Edges are compared as instants of the run, since that is where their rounding is known.
-  bool high(Eigen::Index k) const {
-    const double first = delay.coeff(k), length = period.coeff(k);
+  bool high(Index k) const {
+    const double first = delay[k], length = period[k];
     if (!reached(t, first)) return false;
     double begin = first + length * std::floor((t - first) / length);
     if (reached(t, begin + length)) begin += length;
-    return !reached(t, begin + width.coeff(k) * length);
+    return !reached(t, begin + width[k] * length);
   }
 
   static void declare(Declare<Pulse>& is);

@@ -1,5 +1,7 @@
 #include "blocks/sources/ramp.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void Ramp::declare(Declare<Ramp>& is) {

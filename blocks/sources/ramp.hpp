@@ -1,6 +1,8 @@
 #pragma once
 
-#include "engine/block/declare.hpp"
+#include <algorithm>
+
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -10,7 +12,9 @@ struct Ramp {
   Output<> y{};
   Time t{};
 
-  void outputs() { y = initial + slope * (static_cast<double>(t) - start_).max(0.0); }
+  void outputs() {
+    for (Index i = 0; i < y.size(); ++i) y[i] = initial[i] + slope[i] * std::max(t - start_[i], 0.0);
+  }
 
   static void declare(Declare<Ramp>& is);
 };

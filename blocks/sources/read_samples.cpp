@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/block/configure.hpp"
 #include "engine/table/file.hpp"
 #include "engine/unit/unit.hpp"
 
@@ -62,10 +63,11 @@ Unit read_unit(const Configure& is, const std::string& text) {
 }
 
 /// Times of all rows [s]. A column without a unit is in seconds.
-Eigen::ArrayXd times(const FromFile& asked, const Configure& is, const Table& table, std::size_t rows) {
+Numbers times(const FromFile& asked, const Configure& is, const Table& table, std::size_t rows) {
   if (asked.sample_time > 0.0) {
-    const auto count = static_cast<Eigen::Index>(rows);
-    return asked.sample_time * Eigen::ArrayXd::LinSpaced(count, 0.0, static_cast<double>(count - 1));
+    std::vector<double> even(rows);
+    for (std::size_t row = 0; row < rows; ++row) even[row] = asked.sample_time * static_cast<double>(row);
+    return Numbers(even);
   }
   const Column& column = find_column<&FromFile::time>(asked, is, table, asked.time,
                                                       "; name the one with the times, or give sample_time");
@@ -78,10 +80,9 @@ Eigen::ArrayXd times(const FromFile& asked, const Configure& is, const Table& ta
       is.refuse<&FromFile::time>(fmt::format("{} is {}, after {} in the row before; times must increase",
                                              place_of(asked, column, row), column.values[row],
                                              column.values[row - 1]));
-  Eigen::ArrayXd result(static_cast<Eigen::Index>(column.values.size()));
-  for (Eigen::Index row = 0; row < result.size(); ++row)
-    result[row] = unit.to_si(column.values[static_cast<std::size_t>(row)]);
-  return result;
+  std::vector<double> result;
+  for (double value : column.values) result.push_back(unit.to_si(value));
+  return Numbers(result);
 }
 
 /// The unit of a column: as the block says, else as the header says, else SI.
@@ -90,14 +91,17 @@ std::string unit_of(const FromFile& asked, const Column& column, std::size_t ind
   return asked.unit.size() == 1 ? asked.unit.front() : asked.unit[index];
 }
 
-/// Rows from `first` on of one column into a row of the matrix.
-void fill(const FromFile& asked, const Configure& is, const Column& column, std::size_t index,
-          Eigen::Index first, Samples& samples) {
-  const std::string text = unit_of(asked, column, index);
-  const Unit unit = read_unit<&FromFile::unit>(is, text);
-  for (Eigen::Index row = 0; row < samples.rows(); ++row)
-    samples.value(static_cast<Eigen::Index>(index), row) =
-        unit.to_si(column.values[static_cast<std::size_t>(first + row)]);
+/// `rows` rows of all columns from `first` on, in SI.
+Matrix values(const FromFile& asked, const Configure& is, const std::vector<const Column*>& columns,
+              Index first, Index rows) {
+  std::vector<Unit> units;
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    units.push_back(read_unit<&FromFile::unit>(is, unit_of(asked, *columns[i], i)));
+  std::vector<double> all;
+  for (Index row = first; row < first + rows; ++row)
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      all.push_back(units[i].to_si(columns[i]->values[static_cast<std::size_t>(row)]));
+  return {static_cast<Index>(columns.size()), rows, Numbers(all)};
 }
 
 /// The output's unit is that of the columns where they all have one and the same; a vector of several has
@@ -110,19 +114,19 @@ void tell_unit(const FromFile& asked, Configure& is, const std::vector<const Col
   is.unit("'u", text);
 }
 
-Samples cut(const FromFile& asked, const Configure& is, const Eigen::ArrayXd& time, Eigen::Index& first) {
+Samples cut(const FromFile& asked, const Configure& is, const Numbers& time, Index& first) {
   const double slack = 1e-6 * (time[time.size() - 1] - time[0]) / static_cast<double>(time.size());
   const auto below = [&](double limit) {
     return std::count_if(time.begin(), time.end(), [&](double t) { return t < limit; });
   };
   first = below(asked.from - slack);
-  const Eigen::Index count = below(asked.to + slack) - first;
+  const Index count = below(asked.to + slack) - first;
   if (count < 2)
     is.refuse<&FromFile::file>(fmt::format("{} has {} rows in use, from {} s to {} s; two or more are needed",
-                                           asked.file.string(), std::max<Eigen::Index>(count, 0), time[0],
+                                           asked.file.string(), std::max<Index>(count, 0), time[0],
                                            time[time.size() - 1]));
   Samples samples;
-  samples.time = time.segment(first, count);
+  samples.time = Numbers(time.data() + first, count);
   samples.interval = (samples.end() - samples.begin()) / static_cast<double>(count - 1);
   if (!(samples.interval >= shortest && samples.begin() >= -longest && samples.end() <= longest))
     is.refuse<&FromFile::time>(
@@ -138,16 +142,15 @@ Samples read_samples(const FromFile& asked, Configure& is) {
   std::vector<const Column*> columns;
   for (const std::string& name : asked.column)
     columns.push_back(&find_column<&FromFile::column>(asked, is, table, name, ""));
-  const Eigen::ArrayXd time = times(asked, is, table, columns.front()->values.size());
+  const Numbers time = times(asked, is, table, columns.front()->values.size());
   for (const Column* column : columns)
-    if (static_cast<Eigen::Index>(column->values.size()) != time.size())
+    if (static_cast<Index>(column->values.size()) != time.size())
       is.refuse<&FromFile::column>(fmt::format("{}: {} has {} rows, but there are {} times",
                                                asked.file.string(), column->name, column->values.size(),
                                                time.size()));
-  Eigen::Index first = 0;
+  Index first = 0;
   Samples samples = cut(asked, is, time, first);
-  samples.value.resize(static_cast<Eigen::Index>(columns.size()), samples.rows());
-  for (std::size_t i = 0; i < columns.size(); ++i) fill(asked, is, *columns[i], i, first, samples);
+  samples.value = values(asked, is, columns, first, samples.rows());
   tell_unit(asked, is, columns);
   return samples;
 }

@@ -1,20 +1,20 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include "engine/signal/numbers.hpp"
 
 namespace stepwire {
 
 /// Rows of numbers over time, and what they are between the rows.
 struct Samples {
-  Eigen::ArrayXd time{};    ///< of each row [s], increasing
-  Eigen::ArrayXXd value{};  ///< a column for each row, so that a row lies in one piece
-  double interval = 0.0;    ///< mean time between rows [s]
+  Numbers time{};         ///< of each row [s], increasing
+  Matrix value{};         ///< a column for each row, so that a row lies in one piece
+  double interval = 0.0;  ///< mean time between rows [s]
 
-  Eigen::Index rows() const { return time.size(); }
-  double begin() const { return time.coeff(0); }
-  double end() const { return time.coeff(rows() - 1); }
+  Index rows() const { return time.size(); }
+  double begin() const { return time[0]; }
+  double end() const { return time[rows() - 1]; }
   /// After which the rows come again: the first one follows the last after one mean interval.
   double period() const { return end() - begin() + interval; }
   /// A row counts as reached this much early [s]: instants and rows are both rounded, and a held row must not
@@ -24,20 +24,20 @@ struct Samples {
   double wrapped(double t) const { return t - period() * std::floor((t - begin()) / period()); }
 
   /// Last row at or before t, at least the first one. Rows that are nearly even in time are found at once.
-  Eigen::Index row_at(double t) const {
+  Index row_at(double t) const {
     const double guess = (t - begin()) / interval;
-    Eigen::Index row = guess <= 0.0                               ? 0
-                       : guess >= static_cast<double>(rows() - 1) ? rows() - 1
-                                                                  : static_cast<Eigen::Index>(guess);
+    Index row = guess <= 0.0                               ? 0
+                : guess >= static_cast<double>(rows() - 1) ? rows() - 1
+                                                           : static_cast<Index>(guess);
     if (holds(row, t)) return row;
     if (row > 0 && holds(row - 1, t)) return row - 1;
     const double* const first = time.data();
-    return std::max<Eigen::Index>(std::upper_bound(first, first + rows(), t) - first - 1, 0);
+    return std::max<Index>(std::upper_bound(first, first + rows(), t) - first - 1, 0);
   }
 
  private:
-  bool holds(Eigen::Index row, double t) const {
-    return (row == 0 || time.coeff(row) <= t) && (row == rows() - 1 || t < time.coeff(row + 1));
+  bool holds(Index row, double t) const {
+    return (row == 0 || time[row] <= t) && (row == rows() - 1 || t < time[row + 1]);
   }
 };
 

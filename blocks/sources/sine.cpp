@@ -1,6 +1,12 @@
 #include "blocks/sources/sine.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
+
+void Sine::prepare() {
+  omega = frequency.map([](double f) { return 2.0 * std::numbers::pi * f; });
+}
 
 void Sine::declare(Declare<Sine>& is) {
   is.block("Sine", {.doc = "A sine wave: y = amplitude sin(2 pi frequency t + phase) + bias."});
@@ -10,6 +16,7 @@ void Sine::declare(Declare<Sine>& is) {
   is.parameter<&Sine::bias>({.unit = "'u", .doc = "mean value"});
   is.output<&Sine::y>({.unit = "'u", .doc = "the wave"});
   is.clock<&Sine::t>();
+  is.derived<&Sine::omega>();
 }
 
 }  // namespace stepwire

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -12,12 +12,11 @@ struct Sine {
   PerElement amplitude = 1.0, frequency = 1.0, phase = 0.0, bias = 0.0;
   Output<> y{};
   Time t{};
-  Eigen::ArrayXd omega{};  ///< 2 pi frequency [rad/s]; doubling is exact, so 0.5 Hz gives pi to the last bit
+  Numbers omega{};  ///< 2 pi frequency [rad/s]; doubling is exact, so 0.5 Hz gives pi to the last bit
 
-  void start() { omega = 2.0 * std::numbers::pi * frequency; }
+  void prepare();
   void outputs() {
-    for (Eigen::Index k = 0; k < y.size(); ++k)
-      y.coeffRef(k) = amplitude.coeff(k) * std::sin(omega.coeff(k) * t + phase.coeff(k)) + bias.coeff(k);
+    for (Index k = 0; k < y.size(); ++k) y[k] = amplitude[k] * std::sin(omega[k] * t + phase[k]) + bias[k];
   }
 
   static void declare(Declare<Sine>& is);

@@ -1,5 +1,7 @@
 #include "blocks/sources/step.hpp"
 
+#include "engine/block/declare.hpp"
+
 namespace stepwire {
 
 void Step::declare(Declare<Step>& is) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "blocks/sources/instant.hpp"
-#include "engine/block/declare.hpp"
+#include "engine/block/block.hpp"
 
 namespace stepwire {
 
@@ -12,8 +12,7 @@ struct Step {
   Time t{};
 
   void outputs() {
-    for (Eigen::Index k = 0; k < y.size(); ++k)
-      y.coeffRef(k) = reached(t, time.coeff(k)) ? after.coeff(k) : before.coeff(k);
+    for (Index k = 0; k < y.size(); ++k) y[k] = reached(t, time[k]) ? after[k] : before[k];
   }
 
   static void declare(Declare<Step>& is);

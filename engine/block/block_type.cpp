@@ -1,10 +1,17 @@
 #include "engine/block/block_type.hpp"
+#include "engine/block/declare.hpp"
 
 #include <algorithm>
 #include <new>
 #include <utility>
 
 namespace stepwire {
+
+std::string detail::header_beside(std::string_view source) {
+  const std::size_t folder = source.rfind("blocks/"), ending = source.rfind(".cpp");
+  if (folder == source.npos || ending == source.npos) return "";
+  return std::string(source.substr(folder, ending - folder)) + ".hpp";
+}
 
 namespace {
 

@@ -29,6 +29,8 @@ struct BlockType {
   std::string folder;  ///< the family, e.g. "continuous"
   Timing timing = Timing::inherited;
   bool file_output = false;
+  std::string struct_name;  ///< in C++, with its namespace
+  std::string header;  ///< that declares the struct, from the root of the sources; empty if there is none
 
   std::vector<ParameterSpec> parameters;
   std::vector<InputSpec> inputs;
@@ -36,13 +38,14 @@ struct BlockType {
   std::vector<StateSpec> states;
   std::vector<NoticeSpec> notices;
   std::vector<PresetSpec> presets;
-  std::vector<void (*)(void* block, const double* time)> bind_time;
-  std::vector<void (*)(void* block, double period)> bind_period;
+  std::vector<MemberSpec> members;  ///< that a run reads and never changes
+  std::vector<ClockSpec> clocks;
 
   Kernel run_outputs = nullptr;  ///< null where the block has no such phase
   Kernel run_derivatives = nullptr;
   Kernel run_update = nullptr;
   void (*configure)(void* block, Configure& is) = nullptr;
+  void (*prepare)(void* block) = nullptr;
   void (*start)(void* block) = nullptr;
 
   std::size_t bytes = 0, alignment = 0;

@@ -1,17 +1,16 @@
 #pragma once
 
 #include <initializer_list>
+#include <source_location>
 #include <string>
 #include <type_traits>
 #include <utility>
 
+#include "engine/block/block.hpp"
 #include "engine/block/block_type.hpp"
+#include "engine/block/literal.hpp"
 #include "engine/block/member_name.hpp"
 #include "engine/block/parameter_access.hpp"
-#include "engine/signal/clock.hpp"
-#include "engine/signal/input.hpp"
-#include "engine/signal/notice.hpp"
-#include "engine/signal/signal.hpp"
 
 namespace stepwire {
 
@@ -83,6 +82,9 @@ std::string shape_of(const std::string& given) {
   }
 }
 
+/// "blocks/math/gain.hpp" for what "blocks/math/gain.cpp" declares.
+std::string header_beside(std::string_view source);
+
 template <class Port>
 inline constexpr int unbound_size = PortSize<Port>::value == any_size ? 0 : PortSize<Port>::value;
 
@@ -119,8 +121,11 @@ class Declare {
     find_phases();
   }
 
-  void block(std::string name, BlockOptions options) {
+  void block(std::string name, BlockOptions options,
+             const std::source_location& where = std::source_location::current()) {
     type_.name = std::move(name);
+    type_.struct_name = detail::type_name<Block>();
+    type_.header = detail::header_beside(where.file_name());
     type_.doc = std::move(options.doc);
     type_.source = std::move(options.source);
     if (options.timing != Timing::inherited) type_.timing = options.timing;
@@ -141,6 +146,16 @@ class Declare {
     spec.set = [](void* block, const Value& value) { Access::set(of<member>(block), value); };
     spec.get = [](const void* block) { return Access::get(static_cast<const Block*>(block)->*member); };
     type_.parameters.push_back(std::move(spec));
+    if constexpr (has_literal<MemberType<member>>) derived<member>();
+  }
+
+  /// A member that configure() or prepare() compute from the parameters, and a run reads.
+  template <auto member>
+  void derived() {
+    type_.members.push_back(
+        {std::string(member_identifier<member>()), [](const void* block, LiteralWriter& writer) {
+           return Literal<MemberType<member>>::text(static_cast<const Block*>(block)->*member, writer);
+         }});
   }
 
   template <auto member>
@@ -150,6 +165,7 @@ class Declare {
                    is.unit,
                    detail::shape_of<Port>(is.shape),
                    is.doc,
+                   std::string(member_identifier<member>()),
                    is.feedthrough,
                    is.optional,
                    std::is_same_v<Port, Inputs>,
@@ -172,7 +188,8 @@ class Declare {
   void output(OutputOptions is) {
     type_.outputs.push_back(
         {std::string(member_name<member>()), is.unit, detail::shape_of<MemberType<member>>(is.shape), is.doc,
-         "", [](void* block, double* data, Eigen::Index size) { of<member>(block).bind(data, size); }});
+         std::string(member_identifier<member>()), "",
+         [](void* block, double* data, Eigen::Index size) { of<member>(block).bind(data, size); }});
   }
 
   /// An output that is a continuous state: it needs no computation and no memory of its own, unless the block
@@ -191,6 +208,7 @@ class Declare {
                    is.unit,
                    detail::shape_of<Kind>(is.shape),
                    is.doc,
+                   std::string(member_identifier<member>()),
                    continuous,
                    is.settable,
                    is.initial};
@@ -206,18 +224,22 @@ class Declare {
 
   template <auto member>
   void notice(NoticeOptions is) {
-    type_.notices.push_back({std::string(member_name<member>()), is.doc, is.ends_run,
+    type_.notices.push_back({std::string(member_name<member>()), is.doc,
+                             std::string(member_identifier<member>()), is.ends_run,
                              [](void* block, double* first) { of<member>(block).bind(first); }});
   }
 
   /// Gives the block the time, or the time between its updates.
   template <auto member>
   void clock() {
+    const std::string name(member_identifier<member>());
     if constexpr (std::is_same_v<MemberType<member>, Time>) {
-      type_.bind_time.push_back([](void* block, const double* time) { of<member>(block).bind(time); });
+      type_.clocks.push_back(
+          {name, [](void* block, const double* time) { of<member>(block).bind(time); }, nullptr});
       if (type_.timing == Timing::inherited) type_.timing = Timing::continuous;
     } else {
-      type_.bind_period.push_back([](void* block, double period) { of<member>(block).bind(period); });
+      type_.clocks.push_back(
+          {name, nullptr, [](void* block, double period) { of<member>(block).bind(period); }});
     }
   }
 
@@ -248,6 +270,8 @@ class Declare {
       type_.run_update = detail::run_phase<Block, &Block::update>;
     if constexpr (requires(Block b, Configure & is) { b.configure(is); })
       type_.configure = [](void* block, Configure& is) { static_cast<Block*>(block)->configure(is); };
+    if constexpr (requires(Block b) { b.prepare(); })
+      type_.prepare = [](void* block) { static_cast<Block*>(block)->prepare(); };
     if constexpr (requires(Block b) { b.start(); })
       type_.start = [](void* block) { static_cast<Block*>(block)->start(); };
   }

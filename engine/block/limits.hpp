@@ -1,15 +1,12 @@
 #pragma once
 
-#include <limits>
+#include <algorithm>
 #include <string>
 
 #include "engine/block/configure.hpp"
-#include "engine/signal/per_element.hpp"
+#include "engine/signal/numbers.hpp"
 
 namespace stepwire {
-
-/// Default of a limit that a file may leave out.
-inline constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 /// What is wrong where an element of `lower` lies above its partner in `upper`; empty where none does.
 std::string order_problem(const PerElement& lower, const PerElement& upper, std::string_view upper_name);
@@ -21,9 +18,15 @@ void require_order(const Block& block, const Configure& is) {
   if (!problem.empty()) is.refuse<lower>(problem);
 }
 
+/// Is every element this number?
+inline bool all_are(const PerElement& numbers, double number) {
+  return std::all_of(numbers.begin(), numbers.end(), [&](double one) { return one == number; });
+}
+
 /// Does any element have a limit?
 inline bool limits(const PerElement& lower, const PerElement& upper) {
-  return (lower > -unlimited).any() || (upper < unlimited).any();
+  return std::any_of(lower.begin(), lower.end(), [](double limit) { return limit > -unlimited; }) ||
+         std::any_of(upper.begin(), upper.end(), [](double limit) { return limit < unlimited; });
 }
 
 }  // namespace stepwire

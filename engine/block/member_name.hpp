@@ -4,15 +4,20 @@
 
 namespace stepwire {
 
-/// The name of a member from its pointer: member_name<&Lag::tau>() is "tau". A trailing '_' (for names that
-/// are words of C++) is dropped.
+/// The name of a member in C++, from its pointer: member_identifier<&Switch::else_>() is "else_".
 template <auto member>
-constexpr std::string_view member_name() {
+constexpr std::string_view member_identifier() {
   constexpr std::string_view text = __PRETTY_FUNCTION__;
   constexpr std::size_t mark = text.find("member = ");
   constexpr std::size_t end = text.find_first_of(";]", mark);
   constexpr std::size_t start = text.rfind("::", end) + 2;
-  constexpr std::string_view name = text.substr(start, end - start);
+  return text.substr(start, end - start);
+}
+
+/// Its name in a file: a trailing '_' (for names that are words of C++) is dropped.
+template <auto member>
+constexpr std::string_view member_name() {
+  constexpr std::string_view name = member_identifier<member>();
   return name.back() == '_' ? name.substr(0, name.size() - 1) : name;
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/block/spec.hpp"
-#include "engine/signal/per_element.hpp"
+#include "engine/signal/numbers.hpp"
 
 namespace stepwire {
 
@@ -36,18 +36,36 @@ template <>
 struct ParameterAccess<bool> : StoredAs<bool, ParameterKind::flag> {};
 template <>
 struct ParameterAccess<std::string> : StoredAs<std::string, ParameterKind::text> {};
-template <>
-struct ParameterAccess<Eigen::VectorXd> : StoredAs<Eigen::VectorXd, ParameterKind::vector> {};
-template <>
-struct ParameterAccess<Eigen::MatrixXd> : StoredAs<Eigen::MatrixXd, ParameterKind::matrix> {};
+
+/// A list of numbers, which stands in a Value as a vector.
+template <class List, ParameterKind parameter_kind>
+struct StoredAsVector {
+  static constexpr ParameterKind kind = parameter_kind;
+  static void set(List& member, const Value& value) {
+    const auto& vector = std::get<Eigen::VectorXd>(value.content);
+    member = List(Numbers(vector.data(), vector.size()));
+  }
+  static Value get(const List& member) {
+    return {Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(member.data(), member.size()))};
+  }
+};
 
 template <>
-struct ParameterAccess<PerElement> {
-  static constexpr ParameterKind kind = ParameterKind::per_element;
-  static void set(PerElement& member, const Value& value) {
-    member = PerElement(std::get<Eigen::VectorXd>(value.content).array());
+struct ParameterAccess<Numbers> : StoredAsVector<Numbers, ParameterKind::vector> {};
+template <>
+struct ParameterAccess<PerElement> : StoredAsVector<PerElement, ParameterKind::per_element> {};
+
+template <>
+struct ParameterAccess<Matrix> {
+  static constexpr ParameterKind kind = ParameterKind::matrix;
+  static void set(Matrix& member, const Value& value) {
+    const auto& matrix = std::get<Eigen::MatrixXd>(value.content);
+    member = Matrix(matrix.rows(), matrix.cols(), Numbers(matrix.data(), matrix.size()));
   }
-  static Value get(const PerElement& member) { return {Eigen::VectorXd(member.matrix())}; }
+  static Value get(const Matrix& member) {
+    return {Eigen::MatrixXd(
+        Eigen::Map<const Eigen::MatrixXd>(member.elements().data(), member.rows(), member.columns()))};
+  }
 };
 
 template <>

@@ -6,33 +6,36 @@ namespace stepwire {
 
 namespace {
 
-Eigen::VectorXd without_leading_zeros(const Eigen::VectorXd& coefficients) {
-  Eigen::Index first = 0;
+Numbers without_leading_zeros(const Numbers& coefficients) {
+  Index first = 0;
   while (first + 1 < coefficients.size() && coefficients[first] == 0.0) ++first;
-  return coefficients.tail(coefficients.size() - first);
+  return {coefficients.data() + first, coefficients.size() - first};
 }
 
 }  // namespace
 
-std::string Rational::problem_of(const Eigen::VectorXd& numerator, const Eigen::VectorXd& denominator) {
+std::string Rational::problem_of(const Numbers& numerator, const Numbers& denominator) {
   if (denominator.size() < 2)
     return "the denominator needs at least two coefficients; without a pole this is a Gain";
   if (denominator[0] == 0.0) return "the denominator's first coefficient is 0; leave it out";
   if (numerator.size() == 0) return "the numerator needs at least one coefficient";
-  const Eigen::Index above = without_leading_zeros(numerator).size() - 1, below = denominator.size() - 1;
+  const Index above = without_leading_zeros(numerator).size() - 1, below = denominator.size() - 1;
   if (above <= below) return "";
   return fmt::format("the numerator has degree {} and the denominator {}; it must not be higher", above,
                      below);
 }
 
-Rational::Rational(const Eigen::VectorXd& numerator, const Eigen::VectorXd& denominator) {
-  const Eigen::Index n = denominator.size() - 1;
-  const Eigen::VectorXd above = without_leading_zeros(numerator);
-  Eigen::ArrayXd b = Eigen::ArrayXd::Zero(n + 1);
-  b.tail(above.size()) = above.array() / denominator[0];
-  a = denominator.tail(n).array() / denominator[0];
-  direct = b[0];
-  c = b.tail(n) - direct * a;
+Rational Rational::of(const Numbers& numerator, const Numbers& denominator) {
+  const Index n = denominator.size() - 1;
+  const Numbers above = without_leading_zeros(numerator);
+  const Index zeros = n + 1 - above.size();  // in front of the numerator's coefficients
+  const auto b = [&](Index i) { return i < zeros ? 0.0 : above[i - zeros] / denominator[0]; };
+  Rational made;
+  made.a = Numbers(denominator.data() + 1, n).map([&](double one) { return one / denominator[0]; });
+  made.direct = b(0);
+  Index i = 0;
+  made.c = made.a.map([&](double one) { return b(++i) - made.direct * one; });
+  return made;
 }
 
 }  // namespace stepwire

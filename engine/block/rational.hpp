@@ -1,7 +1,8 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <string>
+
+#include "engine/signal/numbers.hpp"
 
 namespace stepwire {
 
@@ -12,28 +13,27 @@ namespace stepwire {
 ///
 /// with states x where p x1 = head(u, x), p x2 = x1, ..., p xn = x(n-1).
 struct Rational {
-  Eigen::ArrayXd a, c;
+  Numbers a, c;
   double direct = 0.0;
 
-  Rational() = default;
   /// Coefficients stand highest power first and must have passed problem_of().
-  Rational(const Eigen::VectorXd& numerator, const Eigen::VectorXd& denominator);
+  static Rational of(const Numbers& numerator, const Numbers& denominator);
 
   /// What is wrong with the coefficients; empty where nothing is.
-  static std::string problem_of(const Eigen::VectorXd& numerator, const Eigen::VectorXd& denominator);
+  static std::string problem_of(const Numbers& numerator, const Numbers& denominator);
 
-  Eigen::Index order() const { return a.size(); }
+  Index order() const { return a.size(); }
 
   template <class State>
   double head(double u, const State& x) const {
-    for (Eigen::Index i = 0; i < a.size(); ++i) u -= a.coeff(i) * x.coeff(i);
+    for (Index i = 0; i < a.size(); ++i) u -= a[i] * x[i];
     return u;
   }
 
   template <class State>
   double output(double u, const State& x) const {
-    double y = c.coeff(0) * x.coeff(0);
-    for (Eigen::Index i = 1; i < c.size(); ++i) y += c.coeff(i) * x.coeff(i);
+    double y = c[0] * x[0];
+    for (Index i = 1; i < c.size(); ++i) y += c[i] * x[i];
     // Where nothing is passed straight through, u is not read: it may come later in the order of evaluation.
     return direct == 0.0 ? y : y + direct * u;
   }

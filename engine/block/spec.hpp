@@ -10,6 +10,8 @@
 
 namespace stepwire {
 
+class LiteralWriter;
+
 /// What kind of YAML value a parameter takes; it follows from the member's C++ type.
 enum class ParameterKind {
   number,       ///< double
@@ -19,8 +21,8 @@ enum class ParameterKind {
   text,         ///< std::string
   file,         ///< std::filesystem::path, beside the diagram file or under the data folder
   per_element,  ///< PerElement: one number for all elements or one for each
-  vector,       ///< Eigen::VectorXd: a list of numbers of its own length
-  matrix,       ///< Eigen::MatrixXd: a list of rows
+  vector,       ///< Numbers: a list of numbers of its own length
+  matrix,       ///< Matrix: a list of rows
   texts,        ///< std::vector<std::string>
   tree          ///< Value: maps and lists that the block reads itself
 };
@@ -44,9 +46,18 @@ struct ParameterSpec {
   Value (*get)(const void* block) = nullptr;
 };
 
+/// A member that a run reads and never changes, a parameter or what follows from parameters, as a program may
+/// set it.
+struct MemberSpec {
+  std::string member;  ///< its name in C++
+  /// The value as an expression of C++.
+  std::string (*literal)(const void* block, LiteralWriter& writer) = nullptr;
+};
+
 /// How an input is declared.
 struct InputSpec {
   std::string name, unit, shape, doc;
+  std::string member;       ///< its name in C++
   bool feedthrough = true;  ///< do the outputs depend on it at the same instant?
   bool optional = false;
   bool list = false;
@@ -60,13 +71,15 @@ struct InputSpec {
 /// How an output is declared.
 struct OutputSpec {
   std::string name, unit, shape, doc;
-  std::string state;  ///< name of the continuous state that it is, or empty
+  std::string member;  ///< its name in C++
+  std::string state;   ///< name of the continuous state that it is, or empty
   void (*bind)(void* block, double* data, Eigen::Index size) = nullptr;
 };
 
 /// How a state is declared.
 struct StateSpec {
   std::string name, unit, shape, doc;
+  std::string member;  ///< its name in C++
   bool continuous = true;
   bool settable = true;  ///< may a file give its initial value?
   double initial = 0.0;
@@ -76,8 +89,16 @@ struct StateSpec {
 /// How a notice is declared.
 struct NoticeSpec {
   std::string name, doc;
+  std::string member;  ///< its name in C++
   bool ends_run = false;
   void (*bind)(void* block, double* first) = nullptr;
+};
+
+/// How a member that tells the time, or the time between updates, is bound.
+struct ClockSpec {
+  std::string member;                                            ///< its name in C++
+  void (*bind_time)(void* block, const double* time) = nullptr;  ///< null for a period
+  void (*bind_period)(void* block, double period) = nullptr;     ///< null for the time
 };
 
 /// A named set of parameter values that a file chooses by `preset:`.

@@ -42,6 +42,8 @@ void plan_rates(Draft& draft);
 void configure_blocks(Draft& draft);
 /// Sizes of all ports and states; expands per-element parameters.
 void plan_shapes(Draft& draft);
+/// Lets every block compute what follows from its parameters, sizes and period.
+void prepare_blocks(Draft& draft);
 /// Order of outputs, refusing algebraic loops; blocks in the order of their first call, with which of them
 /// are called in that position (a block whose outputs cannot be ordered as one stands twice).
 std::vector<int> plan_order(Draft& draft);

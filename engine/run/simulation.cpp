@@ -112,9 +112,8 @@ void Simulation::bind_block(std::size_t index) {
                         planned.states[s].size);
   for (std::size_t n = 0; n < type.notices.size(); ++n)
     type.notices[n].bind(block, values + planned.notices[n].offset);
-  for (const auto bind_time : type.bind_time) bind_time(block, values + plan_.layout.time);
-  const double period = static_cast<double>(planned.rate.ticks) * plan_.diagram.step;
-  for (const auto bind_period : type.bind_period) bind_period(block, period);
+  for (const ClockSpec& clock : type.clocks)
+    if (clock.bind_time) clock.bind_time(block, values + plan_.layout.time);
 }
 
 void Simulation::reset() {

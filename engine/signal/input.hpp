@@ -1,23 +1,29 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <new>
-
-#include "engine/signal/signal.hpp"
+#include "engine/signal/index.hpp"
 
 namespace stepwire {
 
 /// An input port: a view of what its source writes. An optional input that nothing feeds is not connected.
 template <int size_at_build = any_size>
-class Input : public Eigen::Map<const Eigen::Array<double, size_at_build, 1>> {
+class Input {
  public:
-  using Base = Eigen::Map<const Eigen::Array<double, size_at_build, 1>>;
-  Input() : Base(nullptr, size_at_build == any_size ? 0 : size_at_build) {}
+  double operator[](Index i) const { return data_[i]; }
+  Index size() const { return size_; }
+  const double* data() const { return data_; }
+  bool connected() const { return data_ != nullptr; }
+
+  Input() = default;
   Input(const Input&) = default;
   Input& operator=(const Input&) = delete;
+  void bind(const double* data, Index size) {
+    data_ = data;
+    size_ = size;
+  }
 
-  bool connected() const { return this->data() != nullptr; }
-  void bind(const double* data, Eigen::Index size) { ::new (static_cast<Base*>(this)) Base(data, size); }
+ private:
+  const double* data_ = nullptr;
+  Index size_ = size_at_build == any_size ? 0 : size_at_build;
 };
 
 /// One number; reads as a double.
@@ -26,7 +32,7 @@ class Input<1> {
  public:
   operator double() const { return *data_; }
   bool connected() const { return data_ != nullptr; }
-  void bind(const double* data, Eigen::Index) { data_ = data; }
+  void bind(const double* data, Index) { data_ = data; }
 
  private:
   const double* data_ = nullptr;
@@ -38,26 +44,23 @@ class Inputs {
  public:
   struct Element {
     const double* data;
-    Eigen::Index size;
+    Index size;
     /// Element i of the signal; the only one where it has but one.
-    double operator[](Eigen::Index i) const { return data[size == 1 ? 0 : i]; }
+    double operator[](Index i) const { return data[size == 1 ? 0 : i]; }
   };
 
-  Eigen::Index count() const { return count_; }
-  const Element& operator[](Eigen::Index input) const { return elements_[input]; }
-  Eigen::Map<const Eigen::ArrayXd> view(Eigen::Index input) const {
-    return {elements_[input].data, elements_[input].size};
-  }
+  Index count() const { return count_; }
+  const Element& operator[](Index input) const { return elements_[input]; }
   /// The elements stay where they are: beside those of the blocks that run before and after, which is fast to
   /// walk.
-  void bind(const Element* elements, Eigen::Index count) {
+  void bind(const Element* elements, Index count) {
     elements_ = elements;
     count_ = count;
   }
 
  private:
   const Element* elements_ = nullptr;
-  Eigen::Index count_ = 0;
+  Index count_ = 0;
 };
 
 }  // namespace stepwire

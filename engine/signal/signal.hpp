@@ -1,42 +1,41 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <new>
+#include "engine/signal/index.hpp"
 
 namespace stepwire {
 
-/// A port or state whose size is known only when the diagram is planned.
-inline constexpr int any_size = Eigen::Dynamic;
-
 /// What a block writes: a view of `size` numbers in the workspace. Assigning writes through.
 template <int size_at_build = any_size>
-class Signal : public Eigen::Map<Eigen::Array<double, size_at_build, 1>> {
+class Signal {
  public:
-  using Base = Eigen::Map<Eigen::Array<double, size_at_build, 1>>;
-  Signal() : Base(nullptr, size_at_build == any_size ? 0 : size_at_build) {}
+  double& operator[](Index i) { return data_[i]; }
+  double operator[](Index i) const { return data_[i]; }
+  Index size() const { return size_; }
+  double* data() { return data_; }
+  const double* data() const { return data_; }
+
+  Signal() = default;
   Signal(const Signal&) = default;
-
-  /// One element is the common case by far, and a loop set up for it would cost more than its work.
-  template <class Expression>
-  Signal& operator=(const Eigen::DenseBase<Expression>& value) {
-    if (this->size() == 1) {
-      this->coeffRef(0) = value.derived().coeff(0);
-    } else {
-      Base::operator=(value.derived());
-    }
-    return *this;
-  }
-  Signal& operator=(const Signal& value) { return *this = static_cast<const Base&>(value); }
   Signal& operator=(double value) {
-    if (this->size() == 1) {
-      this->coeffRef(0) = value;
-    } else {
-      this->setConstant(value);
-    }
+    for (Index i = 0; i < size_; ++i) data_[i] = value;
     return *this;
   }
+  /// Copies the numbers of another signal of this size.
+  template <class Numbers>
+  Signal& operator=(const Numbers& value) {
+    for (Index i = 0; i < size_; ++i) data_[i] = value[i];
+    return *this;
+  }
+  Signal& operator=(const Signal& value) { return this->template operator=<Signal>(value); }
 
-  void bind(double* data, Eigen::Index size) { ::new (static_cast<Base*>(this)) Base(data, size); }
+  void bind(double* data, Index size) {
+    data_ = data;
+    size_ = size;
+  }
+
+ private:
+  double* data_ = nullptr;
+  Index size_ = size_at_build == any_size ? 0 : size_at_build;
 };
 
 /// One number; reads and writes as a double.
@@ -51,7 +50,7 @@ class Signal<1> {
   Signal() = default;
   Signal(const Signal&) = default;
   Signal& operator=(const Signal& value) { return *this = static_cast<double>(value); }
-  void bind(double* data, Eigen::Index) { data_ = data; }
+  void bind(double* data, Index) { data_ = data; }
 
  private:
   double* data_ = nullptr;

@@ -26,7 +26,7 @@ std::vector<double> over_time(int stop, const std::string& expression, const std
                 "y");
 }
 
-using Numbers = std::vector<double>;
+using Values = std::vector<double>;
 
 }  // namespace
 
@@ -34,18 +34,18 @@ TEST_CASE("Logic joins two inputs by its truth table") {
   const auto join = [](const std::string& word) {
     return truth_table("block: Logic, operator: " + word + ", u: [a, b]");
   };
-  CHECK(join("and") == Numbers{0, 0, 0, 1});
-  CHECK(join("or") == Numbers{0, 1, 1, 1});
-  CHECK(join("nand") == Numbers{1, 1, 1, 0});
-  CHECK(join("nor") == Numbers{1, 0, 0, 0});
-  CHECK(join("xor") == Numbers{0, 1, 1, 0});
-  CHECK(join("xnor") == Numbers{1, 0, 0, 1});
+  CHECK(join("and") == Values{0, 0, 0, 1});
+  CHECK(join("or") == Values{0, 1, 1, 1});
+  CHECK(join("nand") == Values{1, 1, 1, 0});
+  CHECK(join("nor") == Values{1, 0, 0, 0});
+  CHECK(join("xor") == Values{0, 1, 1, 0});
+  CHECK(join("xnor") == Values{1, 0, 0, 1});
 }
 
 TEST_CASE("Logic takes one input and many, and joins vectors with scalars") {
-  CHECK(truth_table("block: Logic, operator: not, u: a") == Numbers{1, 0, 1, 0});
-  CHECK(truth_table("block: Logic, operator: xor, u: [a, b, 1]") == Numbers{1, 0, 0, 1});
-  CHECK(truth_table("block: Logic, operator: and, u: [a, -1]") == Numbers{0, 0, 0, 0});
+  CHECK(truth_table("block: Logic, operator: not, u: a") == Values{1, 0, 1, 0});
+  CHECK(truth_table("block: Logic, operator: xor, u: [a, b, 1]") == Values{1, 0, 0, 1});
+  CHECK(truth_table("block: Logic, operator: and, u: [a, -1]") == Values{0, 0, 0, 0});
   const Table table = run_text(
       "step: 1\nstop: 1\nblocks:\n  v: {block: Constant, value: [1, 0]}\n"
       "  y: {block: Logic, operator: and, u: [v, 1]}\nrecord: [y]\n");
@@ -64,12 +64,12 @@ TEST_CASE("Compare knows six relations by word and by sign") {
   const auto compare = [](const std::string& relation) {
     return over_time(2, "u", "block: Compare, operator: " + relation + ", u: u, to: 1");
   };
-  CHECK(compare("less") == Numbers{1, 0, 0});
-  CHECK(compare("less_equal") == Numbers{1, 1, 0});
-  CHECK(compare("greater") == Numbers{0, 0, 1});
-  CHECK(compare("greater_equal") == Numbers{0, 1, 1});
-  CHECK(compare("equal") == Numbers{0, 1, 0});
-  CHECK(compare("not_equal") == Numbers{1, 0, 1});
+  CHECK(compare("less") == Values{1, 0, 0});
+  CHECK(compare("less_equal") == Values{1, 1, 0});
+  CHECK(compare("greater") == Values{0, 0, 1});
+  CHECK(compare("greater_equal") == Values{0, 1, 1});
+  CHECK(compare("equal") == Values{0, 1, 0});
+  CHECK(compare("not_equal") == Values{1, 0, 1});
   CHECK(compare("\"<\"") == compare("less"));
   CHECK(compare("\"<=\"") == compare("less_equal"));
   CHECK(compare("\">\"") == compare("greater"));
@@ -92,15 +92,15 @@ TEST_CASE("A switch passes one of two signals on") {
   const auto pass = [](const std::string& more) {
     return over_time(4, "u - 2", "block: Switch, control: u, then: t, else: -1" + more);
   };
-  CHECK(pass("") == Numbers{-1, -1, -1, 3, 4});
-  CHECK(pass(", threshold: 1, criterion: greater_equal") == Numbers{-1, -1, -1, 3, 4});
-  CHECK(pass(", criterion: not_equal") == Numbers{0, 1, -1, 3, 4});
+  CHECK(pass("") == Values{-1, -1, -1, 3, 4});
+  CHECK(pass(", threshold: 1, criterion: greater_equal") == Values{-1, -1, -1, 3, 4});
+  CHECK(pass(", criterion: not_equal") == Values{0, 1, -1, 3, 4});
 }
 
 TEST_CASE("Hysteresis becomes 1 at the upper and 0 at the lower threshold") {
   const auto y = over_time(8, "4 - abs(u - 4)", "block: Hysteresis, lower: 1, upper: 3, u: u");
-  CHECK(y == Numbers{0, 0, 0, 1, 1, 1, 1, 0, 0});
-  CHECK(over_time(3, "2", "block: Hysteresis, lower: 1, upper: 3, u: u, initial: 1") == Numbers{1, 1, 1, 1});
+  CHECK(y == Values{0, 0, 0, 1, 1, 1, 1, 0, 0});
+  CHECK(over_time(3, "2", "block: Hysteresis, lower: 1, upper: 3, u: u, initial: 1") == Values{1, 1, 1, 1});
   CHECK_THAT(error_of("step: 1\nstop: 1\nblocks:\n  h: {block: Hysteresis, lower: 3, upper: 1, u: 1}\n"),
              Catch::Contains("h.lower"));
 }
@@ -114,9 +114,9 @@ blocks:
   s: {block: Expression, expression: "u == 1 || u == 4", u: t}
   r: {block: Expression, expression: "u == 3 || u == 4", u: t}
   y: {block: Latch, set: s, reset: r)";
-  CHECK(column(run_text(head + "}\nrecord: [y]\n"), "y") == Numbers{0, 1, 1, 0, 0, 0});
-  CHECK(column(run_text(head + ", priority: set}\nrecord: [y]\n"), "y") == Numbers{0, 1, 1, 0, 1, 1});
-  CHECK(column(run_text(head + ", initial: 1}\nrecord: [y]\n"), "y") == Numbers{1, 1, 1, 0, 0, 0});
+  CHECK(column(run_text(head + "}\nrecord: [y]\n"), "y") == Values{0, 1, 1, 0, 0, 0});
+  CHECK(column(run_text(head + ", priority: set}\nrecord: [y]\n"), "y") == Values{0, 1, 1, 0, 1, 1});
+  CHECK(column(run_text(head + ", initial: 1}\nrecord: [y]\n"), "y") == Values{1, 1, 1, 0, 0, 0});
 }
 
 TEST_CASE("An edge is 1 for one tick, and never at the first") {
@@ -124,7 +124,7 @@ TEST_CASE("An edge is 1 for one tick, and never at the first") {
     return over_time(6, "u < 1 || (u > 2 && u < 5)",
                      "block: EdgeDetect, u: u, edge: " + edge);  // 1 0 0 1 1 0 0
   };
-  CHECK(edges("rising") == Numbers{0, 0, 0, 1, 0, 0, 0});
-  CHECK(edges("falling") == Numbers{0, 1, 0, 0, 0, 1, 0});
-  CHECK(edges("either") == Numbers{0, 1, 0, 1, 0, 1, 0});
+  CHECK(edges("rising") == Values{0, 0, 0, 1, 0, 0, 0});
+  CHECK(edges("falling") == Values{0, 1, 0, 0, 0, 1, 0});
+  CHECK(edges("either") == Values{0, 1, 0, 1, 0, 1, 0});
 }

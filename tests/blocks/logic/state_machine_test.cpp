@@ -6,7 +6,7 @@ using namespace stepwire;
 
 namespace {
 
-using Numbers = std::vector<double>;
+using Values = std::vector<double>;
 
 const std::string head =
     "step: 1\nstop: 9\nblocks:\n  t: {block: Clock}\n  x: {block: Gain, gain: 1 mm/s, u: t}\n";
@@ -29,9 +29,9 @@ TEST_CASE("A guard reads inputs with units, the time in its state, and stands in
       hold: {output: [2, 0], to: {done: "u2 >= 7", push: "u2 > 100"}}
 record: [m.state, m.y]
 )");
-  CHECK(column(table, "m.state") == Numbers{1, 1, 2, 2, 2, 3, 3, 0, 0, 0});
-  CHECK(column(table, "m.y.1") == Numbers{0, 0, 1, 1, 1, 2, 2, 0, 0, 0});
-  CHECK(column(table, "m.y.2") == Numbers{0, 0, 5e-3, 5e-3, 5e-3, 0, 0, -1, -1, -1});
+  CHECK(column(table, "m.state") == Values{1, 1, 2, 2, 2, 3, 3, 0, 0, 0});
+  CHECK(column(table, "m.y.1") == Values{0, 0, 1, 1, 1, 2, 2, 0, 0, 0});
+  CHECK(column(table, "m.y.2") == Values{0, 0, 5e-3, 5e-3, 5e-3, 0, 0, -1, -1, -1});
 }
 
 TEST_CASE("A machine without inputs and outputs counts the time in its states") {
@@ -42,8 +42,8 @@ blocks:
   m: {block: StateMachine, states: {red: {to: {green: "after >= 3"}}, green: {to: {red: "after >= 2"}}}}
 record: [m.state, m.y]
 )");
-  CHECK(column(table, "m.state") == Numbers{0, 0, 0, 1, 1, 0, 0, 0, 1, 1});
-  CHECK(column(table, "m.y") == Numbers(10, 0.0));
+  CHECK(column(table, "m.state") == Values{0, 0, 0, 1, 1, 0, 0, 0, 1, 1});
+  CHECK(column(table, "m.y") == Values(10, 0.0));
 }
 
 TEST_CASE("One input is also called u, and a slower machine acts at its own ticks") {
@@ -55,7 +55,7 @@ blocks:
   m: {block: StateMachine, u: t, every: 3, states: {low: {output: 4, to: {high: "u > 3.5"}}, high: {output: 7}}}
 record: [m.y]
 )");
-  CHECK(column(table, "m.y") == Numbers{4, 4, 4, 4, 4, 4, 7, 7, 7, 7});
+  CHECK(column(table, "m.y") == Values{4, 4, 4, 4, 4, 4, 7, 7, 7, 7});
 }
 
 TEST_CASE("What is wrong with a state machine is said at its place") {

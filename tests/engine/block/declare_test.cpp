@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "engine/block/declare.hpp"
 #include "engine/block/registry.hpp"
 
 using namespace stepwire;
@@ -18,7 +19,7 @@ struct Everything {
   DiscreteState<2> memory{};
 
   void outputs() { y = x; }
-  void derivatives() { x.dot = (u - x) / tau; }
+  void derivatives() { for (Index i = 0; i < x.size(); ++i) x.dot[i] = (u[i] - x[i]) / tau; }
 
   static void declare(Declare<Everything>& is) {
     is.block("Everything", {.doc = "a test"});

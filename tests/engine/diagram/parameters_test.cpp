@@ -27,26 +27,26 @@ std::string fault_of(const std::string& parameters, const std::string& value = "
   return refused[0];
 }
 
-using Numbers = std::vector<double>;
+using Values = std::vector<double>;
 
 }  // namespace
 
 TEST_CASE("values are numbers with units, lists, parameters and expressions of them") {
-  CHECK(value_of("5 mm") == Numbers{0.005});
-  CHECK(value_of("[1, 2 mm, 3]") == Numbers{1, 0.002, 3});
-  CHECK(value_of("{value: [1, 2], unit: mm}") == Numbers{0.001, 0.002});
-  CHECK(value_of("$v", "{v: [1, 2]}") == Numbers{1, 2});
-  CHECK(value_of("[$a, = 2*a]", "{a: 3}") == Numbers{3, 6});
-  CHECK(value_of("= 2 kHz / a", "{a: 10 Hz}") == Numbers{200});
+  CHECK(value_of("5 mm") == Values{0.005});
+  CHECK(value_of("[1, 2 mm, 3]") == Values{1, 0.002, 3});
+  CHECK(value_of("{value: [1, 2], unit: mm}") == Values{0.001, 0.002});
+  CHECK(value_of("$v", "{v: [1, 2]}") == Values{1, 2});
+  CHECK(value_of("[$a, = 2*a]", "{a: 3}") == Values{3, 6});
+  CHECK(value_of("= 2 kHz / a", "{a: 10 Hz}") == Values{200});
 }
 
 TEST_CASE("parameters may use each other in any order") {
-  CHECK(value_of("$a", "{a: = b + c, b: = 2 * c, c: {value: 3, above: $low}, low: 1}") == Numbers{9});
+  CHECK(value_of("$a", "{a: = b + c, b: = 2 * c, c: {value: 3, above: $low}, low: 1}") == Values{9});
 }
 
 TEST_CASE("an expression in quotes is one all the same") {
-  CHECK(value_of("\"= a > 1 ? 10 : 20\"", "{a: 3}") == Numbers{10});
-  CHECK(value_of("$b", "{a: 0, b: \"= max(a, a > 1 ? 10 : 20)\"}") == Numbers{20});
+  CHECK(value_of("\"= a > 1 ? 10 : 20\"", "{a: 3}") == Values{10});
+  CHECK(value_of("$b", "{a: 0, b: \"= max(a, a > 1 ? 10 : 20)\"}") == Values{20});
 }
 
 TEST_CASE("a text that begins with = stays a text where a text is wanted") {
@@ -99,8 +99,8 @@ TEST_CASE("parameters are listed with what was assumed and what was set") {
 }
 
 TEST_CASE("a setting reaches a parameter, a key of a block, an initial value and the head") {
-  CHECK(value_of("$a", "{a: 1 mm}", {{"a", "3 mm"}}) == Numbers{0.003});
-  CHECK(value_of("1", "{}", {{"c.value", "[4, 5]"}}) == Numbers{4, 5});
+  CHECK(value_of("$a", "{a: 1 mm}", {{"a", "3 mm"}}) == Values{0.003});
+  CHECK(value_of("1", "{}", {{"c.value", "[4, 5]"}}) == Values{4, 5});
   const Plan plan = plan_text("solver: euler\nblocks:\n  x: {block: Integrator, u: 1}\n",
                               {{"x.initial", "7"}, {"stop", "2 s"}, {"step", "0.5 s"}, {"solver", "rk4"}});
   CHECK(plan.steps == 4);

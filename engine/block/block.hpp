@@ -1,0 +1,18 @@
+#pragma once
+
+// What the header of a block needs. How blocks are declared and configured is for their .cpp files: see
+// declare.hpp.
+#include "engine/signal/clock.hpp"
+#include "engine/signal/input.hpp"
+#include "engine/signal/notice.hpp"
+#include "engine/signal/numbers.hpp"
+#include "engine/signal/signal.hpp"
+
+namespace stepwire {
+
+class Configure;
+
+template <class Block>
+class Declare;
+
+}  // namespace stepwire

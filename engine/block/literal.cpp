@@ -1,0 +1,28 @@
+#include "engine/block/literal.hpp"
+
+#include <fmt/format.h>
+
+namespace stepwire {
+
+std::string Literal<Numbers>::text(const Numbers& value, LiteralWriter& writer) {
+  if (value.empty()) return "Numbers()";
+  if (value.size() == 1) return fmt::format("Numbers(1, {})", writer.number(value[0]));
+  return fmt::format("Numbers::view({}, {})", writer.numbers(value.data(), value.size()), value.size());
+}
+
+std::string Literal<PerElement>::text(const PerElement& value, LiteralWriter& writer) {
+  if (value.size() == 1) return writer.number(value[0]);
+  return fmt::format("PerElement({})", Literal<Numbers>::text(value, writer));
+}
+
+std::string Literal<Matrix>::text(const Matrix& value, LiteralWriter& writer) {
+  return fmt::format("Matrix({}, {}, {})", value.rows(), value.columns(),
+                     Literal<Numbers>::text(value.elements(), writer));
+}
+
+std::string Literal<Rational>::text(const Rational& value, LiteralWriter& writer) {
+  return fmt::format("Rational{{{}, {}, {}}}", Literal<Numbers>::text(value.a, writer),
+                     Literal<Numbers>::text(value.c, writer), writer.number(value.direct));
+}
+
+}  // namespace stepwire
