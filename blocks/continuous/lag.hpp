@@ -12,7 +12,7 @@ struct Lag {
   State<> x{};
 
   void derivatives() {
-    for (Index i = 0; i < x.size(); ++i) x.dot[i] = (gain[i] * u[i] - x[i]) / tau[i];
+    x.dot.each([&](Index i) { return (gain[i] * u[i] - x[i]) / tau[i]; });
   }
 
   static void declare(Declare<Lag>& is);

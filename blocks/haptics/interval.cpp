@@ -8,7 +8,7 @@ namespace stepwire {
 
 void Interval::configure(Configure& is) {
   for (Index i = 0; i < std::max(lower.size(), upper.size()); ++i) {
-    const double low = lower[lower.size() == 1 ? 0 : i], high = upper[upper.size() == 1 ? 0 : i];
+    const double low = lower[std::min(i, lower.size() - 1)], high = upper[std::min(i, upper.size() - 1)];
     if (!(low < high))
       is.refuse<&Interval::lower>(fmt::format("{} is not below the upper bound {}", low, high));
   }

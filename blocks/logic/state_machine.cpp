@@ -39,10 +39,10 @@ void StateMachine::configure(Configure& is) {
     is.refuse<&StateMachine::states>(message, where);
   });
   stages = reader.read();
-  first = initial.empty() ? 0 : reader.index_of(initial);
+  const std::string wanted(initial.view());
+  first = wanted.empty() ? 0 : reader.index_of(wanted);
   if (first == reader.none)
-    is.refuse<&StateMachine::initial>("there is no state '" + initial + "'; the states are " +
-                                      reader.names());
+    is.refuse<&StateMachine::initial>("there is no state '" + wanted + "'; the states are " + reader.names());
   reader.refuse_unreachable(stages, first);
   known.assign(inputs + 1, 0.0);
   is.size("m", static_cast<Index>(stages[0].output.size()));

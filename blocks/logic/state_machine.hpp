@@ -33,7 +33,7 @@ struct StateMachine {
   };
 
   Value states{Value::Map{}};
-  std::string initial;
+  Text initial;
   Inputs u{};
   Output<1> state{};
   Output<> y{};

@@ -12,7 +12,7 @@ struct Abs {
   Output<> y{};
 
   void outputs() {
-    for (Index i = 0; i < y.size(); ++i) y[i] = std::abs(u[i]);
+    y.each([&](Index i) { return std::abs(u[i]); });
   }
 
   static void declare(Declare<Abs>& is);

@@ -10,7 +10,7 @@ struct Divide {
   Output<> y{};
 
   void outputs() {
-    for (Index i = 0; i < y.size(); ++i) y[i] = numerator[i] / denominator[i];
+    y.each([&](Index i) { return numerator[i] / denominator[i]; });
   }
 
   static void declare(Declare<Divide>& is);

@@ -10,7 +10,7 @@ namespace stepwire {
 
 /// A formula over its inputs, element by element: y = expression(u1, u2, ...).
 struct ExpressionBlock {
-  std::string expression = "u1";
+  Text expression = "u1";
   Inputs u{};
   Output<> y{};
   Expression formula{"u1"};

@@ -11,7 +11,7 @@ struct Gain {
   Output<> y{};
 
   void outputs() {
-    for (Index i = 0; i < y.size(); ++i) y[i] = gain[i] * u[i];
+    y.each([&](Index i) { return gain[i] * u[i]; });
   }
 
   static void declare(Declare<Gain>& is);

@@ -11,8 +11,8 @@ void LookupTable2D::configure(Configure& is) {
   require_increasing<&LookupTable2D::columns>(is, columns);
   if (values.rows() != rows.size() || values.columns() != columns.size())
     is.refuse<&LookupTable2D::values>(fmt::format("is {} x {} for {} rows and {} columns; it must be {} x {}",
-                                                  values.rows(), values.columns(), rows.size(), columns.size(),
-                                                  rows.size(), columns.size()));
+                                                  values.rows(), values.columns(), rows.size(),
+                                                  columns.size(), rows.size(), columns.size()));
 }
 
 void LookupTable2D::declare(Declare<LookupTable2D>& is) {

@@ -7,21 +7,22 @@
 namespace stepwire {
 
 void Sum::configure(Configure& is) {
-  if (signs.find_first_not_of("+-") != std::string::npos)
-    is.refuse<&Sum::signs>(
-        fmt::format("'{}' is not made of + and -; one for each input, e.g. \"+-\"", signs));
+  const std::string_view each = signs;
+  if (each.find_first_not_of("+-") != std::string::npos)
+    is.refuse<&Sum::signs>(fmt::format("'{}' is not made of + and -; one for each input, e.g. \"+-\"", each));
   const Index inputs = is.count<&Sum::u>();
   if (inputs > 64)
     is.refuse<&Sum::signs>(
         fmt::format("{} inputs are more than 64; add some of them in a Sum of their own", inputs));
-  if (!signs.empty() && static_cast<Index>(signs.size()) != inputs)
+  if (!each.empty() && static_cast<Index>(each.size()) != inputs)
     is.refuse<&Sum::signs>(
-        fmt::format("'{}' has {} signs for {} inputs; give one for each", signs, signs.size(), inputs));
+        fmt::format("'{}' has {} signs for {} inputs; give one for each", each, each.size(), inputs));
 }
 
 void Sum::prepare() {
   negative = 0;
-  for (std::size_t i = 0; i < signs.size(); ++i) negative |= std::uint64_t{signs[i] == '-'} << i;
+  const std::string_view each = signs;
+  for (std::size_t i = 0; i < each.size(); ++i) negative |= std::uint64_t{each[i] == '-'} << i;
 }
 
 void Sum::declare(Declare<Sum>& is) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 
 #include "engine/block/block.hpp"
 
@@ -12,13 +11,17 @@ struct Sum {
   Inputs u{};
   Output<> y{};
   std::uint64_t negative = 0;  ///< bit i: input i is subtracted
-  std::string signs{};
+  Text signs{};
 
   void prepare();
   void outputs() {
+    if (y.size() == 1 && u.count() == 2) {  // most of all sums
+      y[0] = with_sign(0, u.first(0)) + with_sign(1, u.first(1));
+      return;
+    }
     for (Index k = 0; k < y.size(); ++k) {
-      double sum = term(0, k);
-      for (Index i = 1; i < u.count(); ++i) sum += term(i, k);
+      double sum = with_sign(0, u[0][k]);
+      for (Index i = 1; i < u.count(); ++i) sum += with_sign(i, u[i][k]);
       y[k] = sum;
     }
   }
@@ -27,7 +30,7 @@ struct Sum {
   static void declare(Declare<Sum>& is);
 
  private:
-  double term(Index i, Index k) const { return (negative >> i) & 1u ? -u[i][k] : u[i][k]; }
+  double with_sign(Index i, double term) const { return (negative >> i) & 1u ? -term : term; }
 };
 
 }  // namespace stepwire

@@ -13,7 +13,7 @@ struct Saturation {
   Output<> y{};
 
   void outputs() {
-    for (Index i = 0; i < y.size(); ++i) y[i] = std::clamp(u[i], lower[i], upper[i]);
+    y.each([&](Index i) { return std::clamp(u[i], lower[i], upper[i]); });
   }
 
   void configure(Configure& is);

@@ -13,7 +13,7 @@ struct Mass {
 
   void derivatives() {
     position_.dot = velocity_;
-    for (Index i = 0; i < velocity_.size(); ++i) velocity_.dot[i] = force[i] / mass[i];
+    velocity_.dot.each([&](Index i) { return force[i] / mass[i]; });
   }
 
   static void declare(Declare<Mass>& is);

@@ -11,11 +11,11 @@ void Noise::configure(Configure& is) {
 }
 
 void Noise::prepare() {
-  Index k = 0;
-  spread = power.map([&](double density) {
-    const double given = deviation[k++];
-    return density > 0.0 ? std::sqrt(density / period) : given;
-  });
+  const Index size = std::max(power.size(), deviation.size());
+  std::vector<double> all;
+  for (Index k = 0; k < size; ++k)
+    all.push_back(power[k] > 0.0 ? std::sqrt(power[k] / period) : deviation[k]);
+  spread = PerElement(Numbers(all));
 }
 
 void Noise::declare(Declare<Noise>& is) {

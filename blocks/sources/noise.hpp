@@ -19,7 +19,7 @@ struct Noise {
   Output<> y{};
   DiscreteState<1> sample{};
   Period period{};
-  Numbers spread{};  ///< standard deviation of a sample
+  PerElement spread = 0.0;  ///< standard deviation of a sample
 
   void prepare();
   void outputs() {

@@ -13,7 +13,7 @@ struct Ramp {
   Time t{};
 
   void outputs() {
-    for (Index i = 0; i < y.size(); ++i) y[i] = initial[i] + slope[i] * std::max(t - start_[i], 0.0);
+    y.each([&](Index i) { return initial[i] + slope[i] * std::max(t - start_[i], 0.0); });
   }
 
   static void declare(Declare<Ramp>& is);

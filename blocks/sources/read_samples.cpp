@@ -69,7 +69,7 @@ Numbers times(const FromFile& asked, const Configure& is, const Table& table, st
     for (std::size_t row = 0; row < rows; ++row) even[row] = asked.sample_time * static_cast<double>(row);
     return Numbers(even);
   }
-  const Column& column = find_column<&FromFile::time>(asked, is, table, asked.time,
+  const Column& column = find_column<&FromFile::time>(asked, is, table, std::string(asked.time),
                                                       "; name the one with the times, or give sample_time");
   const Unit unit = read_unit<&FromFile::time>(is, column.unit.empty() ? "s" : column.unit);
   if (unit.dimension != time_dimension)

@@ -12,11 +12,11 @@ struct Sine {
   PerElement amplitude = 1.0, frequency = 1.0, phase = 0.0, bias = 0.0;
   Output<> y{};
   Time t{};
-  Numbers omega{};  ///< 2 pi frequency [rad/s]; doubling is exact, so 0.5 Hz gives pi to the last bit
+  PerElement omega = 0.0;  ///< 2 pi frequency [rad/s]; doubling is exact, so 0.5 Hz gives pi to the last bit
 
   void prepare();
   void outputs() {
-    for (Index k = 0; k < y.size(); ++k) y[k] = amplitude[k] * std::sin(omega[k] * t + phase[k]) + bias[k];
+    y.each([&](Index k) { return amplitude[k] * std::sin(omega[k] * t + phase[k]) + bias[k]; });
   }
 
   static void declare(Declare<Sine>& is);

@@ -6,7 +6,9 @@
 #include "engine/signal/input.hpp"
 #include "engine/signal/notice.hpp"
 #include "engine/signal/numbers.hpp"
+#include "engine/signal/per_element.hpp"
 #include "engine/signal/signal.hpp"
+#include "engine/signal/text.hpp"
 
 namespace stepwire {
 

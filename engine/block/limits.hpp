@@ -4,7 +4,7 @@
 #include <string>
 
 #include "engine/block/configure.hpp"
-#include "engine/signal/numbers.hpp"
+#include "engine/signal/per_element.hpp"
 
 namespace stepwire {
 

@@ -12,7 +12,10 @@ std::string Literal<Numbers>::text(const Numbers& value, LiteralWriter& writer) 
 
 std::string Literal<PerElement>::text(const PerElement& value, LiteralWriter& writer) {
   if (value.size() == 1) return writer.number(value[0]);
-  return fmt::format("PerElement({})", Literal<Numbers>::text(value, writer));
+  std::vector<double> counted{-static_cast<double>(value.size())};
+  counted.insert(counted.end(), value.begin(), value.end());
+  return fmt::format("PerElement::view({})",
+                     writer.numbers(counted.data(), static_cast<Index>(counted.size())));
 }
 
 std::string Literal<Matrix>::text(const Matrix& value, LiteralWriter& writer) {

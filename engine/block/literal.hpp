@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "engine/block/rational.hpp"
-#include "engine/signal/numbers.hpp"
+#include "engine/signal/per_element.hpp"
 
 namespace stepwire {
 

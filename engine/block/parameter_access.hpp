@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "engine/block/spec.hpp"
-#include "engine/signal/numbers.hpp"
+#include "engine/signal/per_element.hpp"
+#include "engine/signal/text.hpp"
 
 namespace stepwire {
 
@@ -15,7 +16,7 @@ namespace stepwire {
 template <class T>
 struct ParameterAccess {
   static_assert(std::is_enum_v<T>,
-                "a parameter is a double, int64, bool, enum, string, path, Eigen array, ...");
+                "a parameter is a double, int64, bool, enum, Text, path, Numbers, ...");
   static constexpr ParameterKind kind = ParameterKind::word;
   static void set(T& member, const Value& value) { member = static_cast<T>(std::get<double>(value.content)); }
   static Value get(const T& member) { return {static_cast<double>(member)}; }
@@ -34,8 +35,6 @@ template <>
 struct ParameterAccess<std::int64_t> : StoredAs<std::int64_t, ParameterKind::integer, double> {};
 template <>
 struct ParameterAccess<bool> : StoredAs<bool, ParameterKind::flag> {};
-template <>
-struct ParameterAccess<std::string> : StoredAs<std::string, ParameterKind::text> {};
 
 /// A list of numbers, which stands in a Value as a vector.
 template <class List, ParameterKind parameter_kind>
@@ -54,6 +53,13 @@ template <>
 struct ParameterAccess<Numbers> : StoredAsVector<Numbers, ParameterKind::vector> {};
 template <>
 struct ParameterAccess<PerElement> : StoredAsVector<PerElement, ParameterKind::per_element> {};
+
+template <>
+struct ParameterAccess<Text> {
+  static constexpr ParameterKind kind = ParameterKind::text;
+  static void set(Text& member, const Value& value) { member = Text(*value.text()); }
+  static Value get(const Text& member) { return {std::string(member)}; }
+};
 
 template <>
 struct ParameterAccess<Matrix> {

@@ -51,6 +51,8 @@ class Inputs {
 
   Index count() const { return count_; }
   const Element& operator[](Index input) const { return elements_[input]; }
+  /// First element of an input: all there is of it where the output has one element.
+  double first(Index input) const { return *elements_[input].data; }
   /// The elements stay where they are: beside those of the blocks that run before and after, which is fast to
   /// walk.
   void bind(const Element* elements, Index count) {

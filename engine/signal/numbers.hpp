@@ -88,14 +88,6 @@ class Numbers {
   double* many_ = nullptr;
 };
 
-/// A parameter with one number for each element of a signal. A file may give a single number for all of them;
-/// once the diagram is planned it has as many elements as the signal.
-class PerElement : public Numbers {
- public:
-  PerElement(double all) : Numbers(1, all) {}
-  explicit PerElement(Numbers elements) : Numbers(std::move(elements)) {}
-};
-
 /// A matrix that a block is given; column by column in memory.
 class Matrix {
  public:

@@ -17,14 +17,24 @@ class Signal {
   Signal() = default;
   Signal(const Signal&) = default;
   Signal& operator=(double value) {
-    for (Index i = 0; i < size_; ++i) data_[i] = value;
+    each([&](Index) { return value; });
     return *this;
   }
   /// Copies the numbers of another signal of this size.
   template <class Numbers>
   Signal& operator=(const Numbers& value) {
-    for (Index i = 0; i < size_; ++i) data_[i] = value[i];
+    each([&](Index i) { return value[i]; });
     return *this;
+  }
+  /// Sets each element to a function of its index. One element is the common case by far, and a loop set up
+  /// for it would cost more than its work.
+  template <class Function>
+  void each(const Function& of) {
+    if (size_ == 1) {
+      data_[0] = of(Index{0});
+    } else {
+      for (Index i = 0; i < size_; ++i) data_[i] = of(i);
+    }
   }
   Signal& operator=(const Signal& value) { return this->template operator=<Signal>(value); }
 

@@ -19,7 +19,7 @@ struct OneOfAll2D {
   double length = 0.004, open = -std::numeric_limits<double>::infinity();
   Law law = Law::hard;
   std::int64_t order = 2;
-  std::string signs;
+  Text signs;
   std::filesystem::path file;
   Input<> u{};
   Inputs more{};
