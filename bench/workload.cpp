@@ -2,12 +2,23 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include "blocks/register.hpp"
+#include "engine/diagram/load.hpp"
 
 namespace stepwire {
 
-std::string w1_file() {
-  return std::string(STEPWIRE_BENCH_DIR) + "/w1.yaml";
+namespace {
+
+const Registry& registry() {
+  static const Registry blocks = all_blocks();
+  return blocks;
+}
+
+}  // namespace
+
+Plan w1_plan() {
+  Loader loader(registry());
+  return make_plan(loader.load(STEPWIRE_BENCH_DIR "/w1.yaml"));
 }
 
 std::string w2_text(int blocks, int steps) {
@@ -26,6 +37,11 @@ std::string w2_text(int blocks, int steps) {
     if (j < 8) recorded += fmt::format("{}x{}", j ? ", " : "", j);
   }
   return text + "record: [" + recorded + "]\n";
+}
+
+Plan w2_plan(int blocks, int steps) {
+  Loader loader(registry());
+  return make_plan(loader.load_text(w2_text(blocks, steps), "w2.yaml"));
 }
 
 }  // namespace stepwire
