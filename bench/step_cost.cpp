@@ -49,5 +49,7 @@ int main(int argc, char** argv) {
   if (!results_agree()) return 1;
   fmt::print("results agree with the reference values to 1e-11\n\n");
   for (const Result& result : measure_steps()) results.push_back(result);
-  return json.empty() || write_json_lines(results, json) ? 0 : 3;
+  if (json.empty() || write_json_lines(results, json)) return 0;
+  fmt::print(stderr, "{} cannot be written\n", json);
+  return 3;
 }
