@@ -59,10 +59,12 @@ class Numbers {
   const double* end() const { return data_ + size_; }
 
  private:
+  static constexpr Index capacity = 6;
+
   double* make(Index size) {
     size_ = size;
-    if (size > 1) many_ = new double[static_cast<std::size_t>(size)];
-    double* place = size > 1 ? many_ : &one_;
+    if (size > capacity) many_ = new double[static_cast<std::size_t>(size)];
+    double* place = size > capacity ? many_ : few_;
     data_ = place;
     return place;
   }
@@ -76,14 +78,14 @@ class Numbers {
   }
   void take(Numbers& other) {
     many_ = std::exchange(other.many_, nullptr);
-    one_ = other.one_;
+    std::copy_n(other.few_, capacity, few_);
     size_ = other.size_;
-    data_ = other.data_ == &other.one_ ? &one_ : other.data_;
+    data_ = other.data_ == other.few_ ? few_ : other.data_;
   }
-  bool owns() const { return many_ || data_ == &one_; }
+  bool owns() const { return many_ || data_ == few_; }
 
-  double one_ = 0.0;  ///< a single number lies in the block itself: one place less to fetch from
-  const double* data_ = &one_;
+  double few_[capacity] = {};  ///< a few numbers lie in the block itself: one place less to fetch from
+  const double* data_ = few_;
   Index size_ = 0;
   double* many_ = nullptr;
 };

@@ -9,28 +9,24 @@ namespace {
 
 struct Entry {
   SolverKind kind;
-  std::unique_ptr<Solver> (*make)(std::size_t states);
+  Tableau (*tableau)();  ///< null for a method that is not explicit
 };
-
-template <Tableau (*tableau)()>
-std::unique_ptr<Solver> make_explicit(std::size_t states) {
-  return std::make_unique<ExplicitSolver>(tableau(), states);
-}
 
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> table = {
-      {{"euler", "explicit Euler", 1}, make_explicit<euler_tableau>},
-      {{"heun", "Heun's method", 2}, make_explicit<heun_tableau>},
-      {{"bogacki_shampine", "third-order method of Bogacki and Shampine", 3},
-       make_explicit<bogacki_shampine_tableau>},
-      {{"rk4", "the classical Runge-Kutta method", 4}, make_explicit<rk4_tableau>},
-      {{"dormand_prince", "fifth-order method of Dormand and Prince", 5},
-       make_explicit<dormand_prince_tableau>},
-      {{"rosenbrock", "linearly implicit, for stiff plants", 2},
-       [](std::size_t states) -> std::unique_ptr<Solver> {
-         return std::make_unique<RosenbrockSolver>(states);
-       }}};
+      {{"euler", "explicit Euler", 1}, euler_tableau},
+      {{"heun", "Heun's method", 2}, heun_tableau},
+      {{"bogacki_shampine", "third-order method of Bogacki and Shampine", 3}, bogacki_shampine_tableau},
+      {{"rk4", "the classical Runge-Kutta method", 4}, rk4_tableau},
+      {{"dormand_prince", "fifth-order method of Dormand and Prince", 5}, dormand_prince_tableau},
+      {{"rosenbrock", "linearly implicit, for stiff plants", 2}, nullptr}};
   return table;
+}
+
+const Entry* find_entry(const std::string& name) {
+  for (const Entry& entry : entries())
+    if (entry.kind.name == name) return &entry;
+  return nullptr;
 }
 
 }  // namespace
@@ -45,9 +41,15 @@ const std::vector<SolverKind>& solver_kinds() {
 }
 
 std::unique_ptr<Solver> make_solver(const std::string& name, std::size_t states) {
-  for (const Entry& entry : entries())
-    if (entry.kind.name == name) return entry.make(states);
-  return nullptr;
+  const Entry* entry = find_entry(name);
+  if (!entry) return nullptr;
+  if (!entry->tableau) return std::make_unique<RosenbrockSolver>(states);
+  return std::make_unique<ExplicitSolver>(entry->tableau(), states);
+}
+
+std::optional<Tableau> find_tableau(const std::string& name) {
+  const Entry* entry = find_entry(name);
+  return entry && entry->tableau ? std::optional(entry->tableau()) : std::nullopt;
 }
 
 }  // namespace stepwire

@@ -2,8 +2,11 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "engine/solve/tableau.hpp"
 
 namespace stepwire {
 
@@ -36,6 +39,9 @@ struct SolverKind {
 
 /// The solvers that a diagram file may name: euler, heun, bogacki_shampine, rk4, dormand_prince, rosenbrock.
 const std::vector<SolverKind>& solver_kinds();
+
+/// The numbers of an explicit solver; nothing for one that is not explicit, or not known.
+std::optional<Tableau> find_tableau(const std::string& name);
 
 /// Null for a name that is not known.
 std::unique_ptr<Solver> make_solver(const std::string& name, std::size_t states);

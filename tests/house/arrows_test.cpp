@@ -27,7 +27,7 @@ const std::map<std::string, Folders> arrows{
     {"statistics", {}},
     {"figure", {"diagram", "record", "expression", "statistics"}},
     {"realtime", {"run"}},
-    {"generate", {"plan"}},
+    {"generate", {"solve"}},
     {"identify", {"run"}},
     {"describe", {"diagram", "table", "figure", "solve"}},
     {"cli", {"run", "figure", "describe", "realtime", "generate", "identify"}},

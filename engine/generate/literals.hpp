@@ -1,0 +1,52 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/block/literal.hpp"
+
+namespace stepwire {
+
+/// Which numbers of a program are parameters, in the order in which they are written: those in which the
+/// plans that share the program differ.
+using Varying = std::vector<bool>;
+
+/// Writes the numbers of blocks into a program: as they are, longer lists as tables, and numbers that vary as
+/// `parameters[i]`.
+class Literals : public LiteralWriter {
+ public:
+  /// With the numbers themselves.
+  Literals() = default;
+  /// With `parameters[i]` for what varies.
+  explicit Literals(const Varying& varying) : varying_(&varying) {}
+
+  std::string number(double value) override;
+  std::string flag(bool value) override;
+  std::string enumerator(int value, const std::string& type) override;
+  std::string numbers(const double* values, Index size) override;
+
+  /// What the next table is called.
+  void name_tables(std::string name) {
+    name_ = std::move(name);
+    in_name_ = 0;
+  }
+  /// Definitions of all tables so far.
+  const std::string& tables() const { return tables_; }
+  /// Every number written, in order; parameters[i] is the i-th.
+  const std::vector<double>& all() const { return all_; }
+
+ private:
+  /// "parameters[i]" for the next number where it varies, else nothing.
+  std::string parameter(double value);
+  bool varies(std::size_t index) const { return varying_ && (*varying_)[index]; }
+
+  const Varying* varying_ = nullptr;
+  std::vector<double> all_;
+  std::string name_, tables_;
+  int in_name_ = 0;
+};
+
+/// A double as C++ that reads back to the same bits: "5.0", "-unlimited".
+std::string number_text(double value);
+
+}  // namespace stepwire

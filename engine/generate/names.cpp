@@ -1,0 +1,78 @@
+#include "engine/generate/names.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+namespace stepwire {
+
+std::string identifier(std::string name) {
+  for (char& c : name)
+    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+  return std::isdigit(static_cast<unsigned char>(name.front())) ? "_" + name : name;
+}
+
+namespace {
+
+std::string line_of(const Plan& plan, const Origin& origin) {
+  const Place place = plan.diagram.place(origin);
+  return fmt::format("{}:{}", std::filesystem::path(place.file).filename().string(), place.mark.line);
+}
+
+}  // namespace
+
+std::string comment_of(const Plan& plan, std::size_t block) {
+  const DiagramBlock& from = plan.diagram.blocks[block];
+  return fmt::format("{}: {}, {}", from.name, from.type().name, line_of(plan, from.origin));
+}
+
+Names::Names(const Plan& plan) {
+  for (const DiagramBlock& block : plan.diagram.blocks) blocks_.push_back(identifier(block.name));
+  places_.push_back({plan.layout.time, 1, "time", "of the evaluation [s]"});
+  by_offset_[plan.layout.time] = 0;
+  taken_["time"] = 1;
+  for (int block : plan.memory_order) add_block(plan, static_cast<std::size_t>(block));
+  for (int block : plan.memory_order) add_constants(plan, static_cast<std::size_t>(block));
+  std::sort(places_.begin(), places_.end(),
+            [](const NamedPlace& a, const NamedPlace& b) { return a.offset < b.offset; });
+  for (std::size_t i = 0; i < places_.size(); ++i) by_offset_[places_[i].offset] = i;
+}
+
+void Names::add(const Plan& plan, std::size_t block, const std::string& member, const SignalSlot& slot) {
+  if (slot.size == 0 || !by_offset_.emplace(slot.offset, 0).second) return;  // an output may be a state
+  const DiagramBlock& from = plan.diagram.blocks[block];
+  std::string name = blocks_[block] + "_" + member;
+  if (const int before = taken_[name]++; before > 0) name += fmt::format("_{}", before + 1);
+  places_.push_back(
+      {slot.offset, slot.size, std::move(name),
+       fmt::format("{}.{}, {}, {}", from.name, member, from.type().name, line_of(plan, from.origin))});
+}
+
+void Names::add_block(const Plan& plan, std::size_t block) {
+  const BlockType& type = plan.diagram.blocks[block].type();
+  const PlannedBlock& planned = plan.blocks[block];
+  for (std::size_t s = 0; s < type.states.size(); ++s) {
+    add(plan, block, type.states[s].member, planned.states[s]);
+    if (type.states[s].continuous) add(plan, block, type.states[s].member + "_dot", planned.dots[s]);
+  }
+  for (std::size_t o = 0; o < type.outputs.size(); ++o)
+    add(plan, block, type.outputs[o].member, planned.outputs[o]);
+  for (std::size_t n = 0; n < type.notices.size(); ++n)
+    add(plan, block, type.notices[n].member, planned.notices[n]);
+}
+
+void Names::add_constants(const Plan& plan, std::size_t block) {
+  const BlockType& type = plan.diagram.blocks[block].type();
+  for (std::size_t i = 0; i < type.inputs.size(); ++i)
+    for (const SignalSlot& slot : plan.blocks[block].inputs[i])
+      if (slot.offset >= plan.layout.constants) add(plan, block, type.inputs[i].member, slot);
+}
+
+std::string Names::at(std::size_t offset) const {
+  const auto found = by_offset_.find(offset);
+  return found == by_offset_.end() ? fmt::format("{}", offset) : "at::" + places_[found->second].name;
+}
+
+}  // namespace stepwire

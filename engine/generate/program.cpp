@@ -1,0 +1,237 @@
+#include "engine/generate/program.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "engine/diagram/external_input.hpp"
+#include "engine/generate/functions.hpp"
+#include "engine/generate/solver_text.hpp"
+
+namespace stepwire {
+
+namespace {
+
+constexpr std::size_t most_inlined = 150;  // calls in a stage; beyond, registers are too few anyway
+
+const std::string state_arguments = "w, parameters, tick";
+const std::string state_parameters =
+    "double* w, [[maybe_unused]] const double* parameters, [[maybe_unused]] std::int64_t tick";
+
+bool is_external(const Plan& plan, std::size_t block) {
+  return &plan.diagram.blocks[block].type() == &external_input_type();
+}
+
+/// Refuses what only the program itself can run.
+void require_headers(const Plan& plan) {
+  Faults faults;
+  for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
+    const DiagramBlock& block = plan.diagram.blocks[b];
+    const BlockType& type = block.type();
+    const char* why = type.file_output                               ? "it writes files"
+                      : type.header.empty() && !is_external(plan, b) ? "its type is not one of the library"
+                                                                     : nullptr;
+    if (why)
+      faults.add(plan.diagram.fault(block.origin, block.name,
+                                    fmt::format("{} cannot be generated: {}", type.name, why)));
+  }
+  faults.throw_if_any();
+}
+
+class Maker {
+ public:
+  Maker(const Plan& plan, Literals& literals)
+      : plan_(plan),
+        names_(plan),
+        literals_(literals),
+        statements_(plan, names_, literals),
+        small_(calls(plan.stage) + calls(plan.derivatives) <= most_inlined &&
+               plan.diagram.solver != "rosenbrock"),
+        functions_(small_) {}
+
+  std::string text() {
+    add_outputs();
+    add_updates();
+    if (plan_.layout.state_count > 0) add_slopes();
+    add_advance();
+    add_reset();
+    return name_text() + table_text() + functions_.text();
+  }
+
+ private:
+  static std::size_t calls(const std::vector<Batch>& batches) {
+    std::size_t count = 0;
+    for (const Batch& batch : batches) count += batch.count;
+    return count;
+  }
+
+  std::string name_text() const {
+    std::string text = "/// Where each number of the workspace lies.\nnamespace at {\nenum : int {\n";
+    for (const NamedPlace& place : names_.places())
+      text += fmt::format("  {} = {},  // {}\n", place.name, place.offset, place.meaning);
+    text += "};\n}  // namespace at\n\n";
+    return text + fmt::format(
+                      "constexpr double step = {};  // [s]\n"
+                      "constexpr int states = {}, dots = {};  // where the first state and slope lie\n"
+                      "constexpr int numbers = {};  // in the workspace\n\n",
+                      number_text(plan_.diagram.step), plan_.layout.states, plan_.layout.dots,
+                      plan_.layout.size);
+  }
+
+  std::string table_text() const {
+    if (literals_.tables().empty()) return "";
+    return "/// Lists of numbers that blocks read.\nnamespace table {\n" + literals_.tables() +
+           "}  // namespace table\n\n";
+  }
+
+  void add_outputs() {
+    std::vector<Code> code{{"  w[at::time] = static_cast<double>(tick) * step;\n"}};
+    append(code, calls_of(plan_, statements_, plan_.outputs, Phase::outputs, at_tick()));
+    functions_.add("evaluate", state_parameters, state_arguments, code);
+  }
+
+  void add_updates() {
+    functions_.add("update", state_parameters, state_arguments,
+                   calls_of(plan_, statements_, plan_.updates, Phase::update, at_tick()));
+  }
+
+  /// A small program is written out: then all its numbers can be in registers.
+  Places at_tick() const {
+    Places places;
+    if (small_) places.fewest_in_loop = most_inlined + 1;
+    return places;
+  }
+
+  /// Signals that a stage computes anew, and the time and the states.
+  Places stage_places() const {
+    Places places = at_tick();
+    if (!small_) return places;
+    places.fresh = "s";
+    places.is_fresh.assign(plan_.layout.dots, false);
+    places.is_fresh[plan_.layout.time] = true;
+    for (std::size_t i = plan_.layout.states; i < plan_.layout.dots; ++i) places.is_fresh[i] = true;
+    for (const Batch& batch : plan_.stage)
+      for (const PlannedBlock& block : plan_.blocks)
+        if (block.memory >= batch.first && in(batch, block))
+          for (const SignalSlot& slot : block.outputs)
+            std::fill_n(places.is_fresh.begin() + static_cast<std::ptrdiff_t>(slot.offset), slot.size, true);
+    return places;
+  }
+
+  bool in(const Batch& batch, const PlannedBlock& block) const {
+    const auto index = static_cast<std::size_t>(&block - plan_.blocks.data());
+    const std::size_t bytes = plan_.diagram.blocks[index].type().bytes;
+    return block.memory < batch.first + batch.count * bytes &&
+           plan_.diagram.blocks[index].type().run_outputs == batch.run;
+  }
+
+  void add_slopes() {
+    const std::string own = "[[maybe_unused]] double* s, ";
+    const std::string before = "double* w, ",
+                      after = "[[maybe_unused]] const double* parameters, double* dot";
+    Places tick = at_tick();
+    tick.dot = "dot";
+    functions_.add("derivatives", before + after, "w, parameters, dot",
+                   calls_of(plan_, statements_, plan_.derivatives, Phase::derivatives, tick));
+    Places at_stage = stage_places();
+    at_stage.dot = "dot";
+    std::vector<Code> code = calls_of(plan_, statements_, plan_.stage, Phase::outputs, at_stage);
+    append(code, calls_of(plan_, statements_, plan_.derivatives, Phase::derivatives, at_stage));
+    for (Code& piece : code) piece.period = 1;  // a stage computes all that it has
+    functions_.add("slopes", before + own + after, "w, s, parameters, dot", code);
+  }
+
+  void add_advance() {
+    std::string body = "  update(w, parameters, tick);\n";
+    if (plan_.layout.state_count > 0) {
+      body += "  const double now = static_cast<double>(tick) * step;\n";
+      if (plan_.updates_continuous)
+        for (const Code& code : calls_of(plan_, statements_, plan_.stage, Phase::outputs, {}))
+          body += code.text;
+      body += solver_text(plan_, small_);
+    }
+    functions_.add_text(
+        fmt::format("[[gnu::flatten]] inline void advance({}) {{\n{}}}\n\n", state_parameters, body));
+  }
+
+  void add_reset() {
+    std::vector<Code> code;
+    for (int block : plan_.memory_order) {
+      const auto b = static_cast<std::size_t>(block);
+      add_initial(b, code);
+    }
+    append(code, starts_of(plan_, statements_, at_tick()));
+    append(code, calls_of(plan_, statements_, plan_.once, Phase::outputs, at_tick()));
+    functions_.add("start", "double* w, [[maybe_unused]] const double* parameters", "w, parameters", code);
+    functions_.add_text(fmt::format(
+        "inline void reset(double* w, const double* parameters) {{\n"
+        "  for (int i = 0; i < numbers; ++i) w[i] = 0.0;\n"
+        "  for (int i = {0}; i < {1}; ++i) w[i] = Notice::never;\n{2}"
+        "  start(w, parameters);\n}}\n",
+        plan_.layout.notices, plan_.layout.notices + plan_.layout.notice_count, constants_text()));
+  }
+
+  std::string constants_text() const {
+    std::string text;
+    for (std::size_t i = 0; i < plan_.constants.size(); ++i)
+      text += fmt::format("  w[{}] = {};\n", plan_.layout.constants + i, number_text(plan_.constants[i]));
+    return text;
+  }
+
+  /// Values with which a block begins; everything is 0 before.
+  void add_initial(std::size_t b, std::vector<Code>& code) const {
+    const DiagramBlock& block = plan_.diagram.blocks[b];
+    const PlannedBlock& planned = plan_.blocks[b];
+    const auto assign = [&](const SignalSlot& slot, bool always, const auto& value) {
+      std::string text;
+      for (Index k = 0; k < slot.size; ++k)
+        if (always || value(k) != 0.0)
+          text += fmt::format("  w[{} + {}] = {};\n", names_.at(slot.offset), k, number_text(value(k)));
+      if (!text.empty()) code.push_back({std::move(text)});
+    };
+    for (std::size_t s = 0; s < planned.states.size(); ++s)
+      assign(planned.states[s], false, [&](Index) { return block.type().states[s].initial; });
+    for (const InitialValue& initial : block.initial)
+      assign(planned.states[static_cast<std::size_t>(initial.state)], true,
+             [&](Index k) { return initial.value[initial.value.size() == 1 ? 0 : k]; });
+    if (is_external(plan_, b)) {
+      const PerElement& value = static_cast<const ExternalInput*>(block.block.get())->value;
+      assign(planned.outputs.front(), false, [&](Index k) { return value[k]; });
+    }
+  }
+
+  static void append(std::vector<Code>& to, std::vector<Code> more) {
+    std::move(more.begin(), more.end(), std::back_inserter(to));
+  }
+
+  const Plan& plan_;
+  Names names_;
+  Literals& literals_;
+  Statements statements_;
+  bool small_;
+  Functions functions_;
+};
+
+std::vector<std::string> headers_of(const Plan& plan) {
+  std::set<std::string> headers;
+  for (const DiagramBlock& block : plan.diagram.blocks)
+    if (!block.type().header.empty()) headers.insert(block.type().header);
+  if (plan.diagram.solver == "rosenbrock") headers.insert("engine/solve/rosenbrock.hpp");
+  headers.insert("engine/block/block.hpp");
+  return {headers.begin(), headers.end()};
+}
+
+}  // namespace
+
+Program make_program(const Plan& plan, const Varying* varying) {
+  require_headers(plan);
+  Literals literals = varying ? Literals(*varying) : Literals();
+  Program program;
+  program.text = Maker(plan, literals).text();
+  program.headers = headers_of(plan);
+  program.parameters = literals.all();
+  return program;
+}
+
+}  // namespace stepwire

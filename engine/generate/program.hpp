@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/generate/literals.hpp"
+#include "engine/plan/plan.hpp"
+
+namespace stepwire {
+
+/// What a plan computes, as functions of C++ on the numbers of its workspace:
+///
+///     void evaluate(double* w, const double* parameters, std::int64_t tick)   outputs at a tick
+///     void advance(double* w, const double* parameters, std::int64_t tick)    updates, then the solver
+///     void reset(double* w, const double* parameters)                         everything at time 0
+///
+/// They do bit by bit what Simulation does.
+struct Program {
+  std::string text;                  ///< names of places, tables and the functions; inside of namespaces
+  std::vector<std::string> headers;  ///< that it needs, from the root of the sources
+  std::vector<double> parameters;    ///< every number of the blocks, in order
+};
+
+/// Throws Error for blocks that no program can have, with their lines. `varying` says which numbers are
+/// parameters; without it none is.
+Program make_program(const Plan& plan, const Varying* varying = nullptr);
+
+}  // namespace stepwire
