@@ -63,6 +63,16 @@ const std::vector<std::string>& Expression::variables() const {
   return parser_->program.variables;
 }
 
+std::string Expression::renamed(const std::vector<std::string>& names) const {
+  std::string result;
+  std::size_t copied = 0;
+  for (const Program::Use& use : parser_->program.uses) {
+    result += text().substr(copied, use.position - copied) + names[use.variable];
+    copied = use.position + variables()[use.variable].size();
+  }
+  return result + text().substr(copied);
+}
+
 bool Expression::has_units() const {
   return parser_->program.has_units;
 }

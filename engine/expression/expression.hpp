@@ -42,6 +42,8 @@ class Expression {
   const std::string& text() const;
   /// Names used, in order of first appearance.
   const std::vector<std::string>& variables() const;
+  /// The text with its variables called otherwise, one name for each.
+  std::string renamed(const std::vector<std::string>& names) const;
   /// Does a number in it carry a unit?
   bool has_units() const;
   /// Value with the variables in that order, one for each. Allocates nothing and throws nothing. Division by

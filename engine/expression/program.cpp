@@ -115,6 +115,7 @@ class Translator {
   void variable(const Token& token) {
     const auto [place, added] = variables_.try_emplace(token.text, program_.variables.size());
     if (added) program_.variables.emplace_back(token.text);
+    program_.uses.push_back({place->second, token.position});
     program_.code += fmt::format("{}v{}", prefix_.take(), place->second);
     value_comes_ = false;
   }

@@ -13,6 +13,11 @@ struct Program {
   std::string code;
   std::vector<double> numbers;
   std::vector<std::string> variables;
+  /// A variable in the text: which one, and at which character.
+  struct Use {
+    std::size_t variable, position;
+  };
+  std::vector<Use> uses;   ///< in the order of the text
   bool has_units = false;  ///< does a number carry one?
 };
 

@@ -177,3 +177,11 @@ TEST_CASE("copies are independent and serve their own threads") {
   moved = Expression("a - 1");
   CHECK(moved(std::vector<double>{3.0}) == 2.0);
 }
+
+TEST_CASE("the variables of a text may be renamed, and nothing else of it changes") {
+  const Expression expression("x > 5 mm && max(x, rig.v)*pi < 2 A/m ? x : rig.v");
+  REQUIRE(expression.variables() == std::vector<std::string>{"x", "rig.v"});
+  const std::string text = expression.renamed({"rig.cart.position", "m"});
+  CHECK(text == "rig.cart.position > 5 mm && max(rig.cart.position, m)*pi < 2 A/m ? rig.cart.position : m");
+  CHECK(Expression(text)(std::vector<double>{0.1, 0.3}) == expression(std::vector<double>{0.1, 0.3}));
+}
