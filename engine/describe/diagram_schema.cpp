@@ -10,14 +10,15 @@ namespace stepwire {
 namespace {
 
 constexpr const char* name_pattern = "^[A-Za-z_][A-Za-z0-9_]*$";
+constexpr const char* dotted_pattern = "^[A-Za-z_][A-Za-z0-9_]*([.][A-Za-z_][A-Za-z0-9_]*)*$";
 
 Json typed(const char* type) {
   return Json::object().set("type", type);
 }
 
 /// A map with any names as keys.
-Json map_of(const Json& values, const std::string& doc) {
-  Json names = Json::object().set("pattern", name_pattern);
+Json map_of(const Json& values, const std::string& doc, const char* pattern = name_pattern) {
+  Json names = Json::object().set("pattern", pattern);
   return explained(typed("object").set("propertyNames", std::move(names)).set("additionalProperties", values),
                    doc);
 }
@@ -74,7 +75,8 @@ Json record_entry() {
   const Json signal = text("a signal (rig.x), a state of a block (lag.x), or all");
   Json keys =
       Json::object().set("every", explained(schema_ref("time"), "time between rows; every step without it"));
-  keys.set("signals", explained(one_or_list_of(signal), "what is recorded"));
+  const Json renamed = map_of(signal, "signals under names of your own: {position: rig.x}", dotted_pattern);
+  keys.set("signals", explained(one_or_list_of(any_of({signal, renamed})), "what is recorded"));
   return any_of({signal, closed_map(std::move(keys), {"signals"})});
 }
 
@@ -116,8 +118,11 @@ Json head() {
   keys.set("outputs",
            map_of(schema_ref("output"),
                   "ports: signals that the file that uses this one as a part sees, or a program reads"));
-  keys.set("blocks", map_of(schema_ref("block"), "the blocks by name; an input is a key of its block")
-                         .set("minProperties", 1));
+  keys.set("units", explained(typed("object").set("additionalProperties", schema_ref("text")),
+                              "units that signals have, where their blocks do not say: {pull: N}"));
+  keys.set("blocks",
+           map_of(schema_ref("block"), "the blocks by name; an input is a key of its block", dotted_pattern)
+               .set("minProperties", 1));
   add_run_keys(keys);
   return keys;
 }

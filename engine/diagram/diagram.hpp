@@ -68,6 +68,8 @@ struct SignalRef {
   int block = -1;
   int output = -1;
   int state = -1;  ///< where output is -1
+
+  bool operator==(const SignalRef&) const = default;
 };
 
 struct RecordedSignal {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "engine/diagram/keys.hpp"
 
@@ -13,8 +12,8 @@ namespace stepwire {
 namespace {
 
 const std::vector<std::string> head_keys = {
-    "stepwire", "title",   "caption", "thesis",    "step",   "stop",  "solver", "parameters",
-    "inputs",   "outputs", "blocks",  "stop_when", "record", "sweep", "figure", "claims"};
+    "stepwire", "title", "caption", "thesis",    "step",   "stop",  "solver", "parameters", "inputs",
+    "outputs",  "units", "blocks",  "stop_when", "record", "sweep", "figure", "claims"};
 
 /// Times of the head: seconds, above 0.
 void read_time(const Scope& scope, Settings& settings, Report& report, const std::string& key,
@@ -163,65 +162,6 @@ void read_sweep(const Scope& scope, Report& report) {
   report.diagram().sweep = std::move(sweep);
 }
 
-void record_all(const Scope& scope, const std::string& prefix, const Origin& origin, RecordRequest& request,
-                const Diagram& diagram) {
-  for (const auto& [name, named] : scope.names) {
-    if (named.part) {
-      record_all(*named.part, prefix + name + ".", origin, request, diagram);
-      continue;
-    }
-    const BlockType& type = diagram.blocks[static_cast<std::size_t>(named.block)].type();
-    for (std::size_t i = 0; i < type.outputs.size(); ++i)
-      request.signals.push_back(
-          {type.outputs.size() == 1 ? prefix + name : prefix + name + "." + type.outputs[i].name,
-           {named.block, static_cast<int>(i), -1},
-           origin});
-  }
-}
-
-void read_signal(const Node& node, const Scope& scope, const Resolver& resolver, RecordRequest& request,
-                 Report& report) {
-  const Origin origin = scope.at(node.mark);
-  if (!node.is_scalar()) return report.add(origin, "record", "names signals, as [rig.x, limit]");
-  if (node.text == "all") return record_all(scope, "", origin, request, report.diagram());
-  if (const auto signal = resolver.signal(node.text, scope, origin, "record"))
-    request.signals.push_back({node.text, *signal, origin});
-}
-
-/// Signals of the same period belong to one recording.
-RecordRequest& request_for(std::optional<double> every, const Origin& origin,
-                           std::vector<RecordRequest>& requests) {
-  for (RecordRequest& request : requests)
-    if (request.every == every) return request;
-  return requests.emplace_back(RecordRequest{every, origin, {}});
-}
-
-void read_entry(const Node& node, const Scope& scope, const Resolver& resolver, Report& report) {
-  auto& requests = report.diagram().records;
-  if (!node.is_map())
-    return read_signal(node, scope, resolver, request_for({}, scope.at(node.mark), requests), report);
-  refuse_unknown_keys(node, {"every", "signals"}, "record", scope, report);
-  const Node* signals = node.find("signals");
-  if (!signals) return report.add(scope.at(node.mark), "record", "'signals' is missing");
-  std::optional<double> every;
-  const Node* period = node.find("every");
-  const ValueReader reader(scope.parameters, report, scope.index);
-  if (period) every = reader.read_number(*period, parse_unit("s")->dimension, "record.every");
-  if (every && *every <= 0) report.add(scope.at(period->mark), "record.every", "must be above 0");
-  RecordRequest& request = request_for(every, scope.at(period ? period->mark : node.mark), requests);
-  if (signals->is_list())
-    for (const Node& item : signals->items) read_signal(item, scope, resolver, request, report);
-  else
-    read_signal(*signals, scope, resolver, request, report);
-}
-
-/// Keeps a signal once in a recording, however often it is named.
-void drop_repeated(RecordRequest& request) {
-  std::set<std::string> seen;
-  std::erase_if(request.signals,
-                [&](const RecordedSignal& signal) { return !seen.insert(signal.name).second; });
-}
-
 }  // namespace
 
 void check_head_keys(const Scope& scope, Report& report) {
@@ -248,37 +188,6 @@ void read_head_of_file(const Scope& scope, Report& report) {
   read_sweep(scope, report);
   if (const Node* figure = scope.document->root.find("figure")) diagram.figure = *figure;
   if (const Node* claims = scope.document->root.find("claims")) diagram.claims = *claims;
-}
-
-void read_record(const Scope& scope, const Resolver& resolver, Report& report) {
-  const Node* record = scope.document->root.find("record");
-  if (!record) return;
-  if (record->is_list())
-    for (const Node& item : record->items) read_entry(item, scope, resolver, report);
-  else
-    read_entry(*record, scope, resolver, report);
-  for (RecordRequest& request : report.diagram().records) drop_repeated(request);
-}
-
-void read_stop_condition(const Scope& scope, const Resolver& resolver, Report& report) {
-  const Node* node = scope.document->root.find("stop_when");
-  if (!node) return;
-  const ValueReader reader(scope.parameters, report, scope.index);
-  const auto text = reader.fill_in(*node, "stop_when");
-  if (!text) return;
-  try {
-    StopCondition condition{Expression(*text), {}, scope.at(node->mark)};
-    for (const std::string& name : condition.expression.variables()) {
-      if (name == "time") {
-        condition.variables.push_back({});
-      } else if (const auto signal = resolver.signal(name, scope, scope.at(node->mark), "stop_when")) {
-        condition.variables.push_back(*signal);
-      }
-    }
-    report.diagram().stop_when = std::move(condition);
-  } catch (const ExpressionError& error) {
-    report.add(scope.at(node->mark), "stop_when", error.what());
-  }
 }
 
 }  // namespace stepwire

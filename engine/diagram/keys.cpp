@@ -28,11 +28,13 @@ bool is_name(const std::string& text) {
          std::all_of(text.begin(), text.end(), [&](unsigned char c) { return letter(c) || std::isdigit(c); });
 }
 
-std::vector<std::string> Scope::block_names() const {
-  std::vector<std::string> result;
-  for (const auto& [name, named] : names) result.push_back(name);
-  for (const auto& [name, port] : inputs) result.push_back(name);
-  return result;
+bool is_dotted_name(const std::string& text) {
+  for (std::size_t first = 0;;) {
+    const std::size_t dot = text.find('.', first);
+    if (!is_name(text.substr(first, dot - first))) return false;
+    if (dot == std::string::npos) return true;
+    first = dot + 1;
+  }
 }
 
 }  // namespace stepwire

@@ -15,4 +15,7 @@ void refuse_unknown_keys(const Node& map, const std::vector<std::string>& known,
 /// a digit.
 bool is_name(const std::string& text);
 
+/// Such names with dots between them: "rig.carriage".
+bool is_dotted_name(const std::string& text);
+
 }  // namespace stepwire

@@ -38,8 +38,27 @@ void require_inputs(Report& report) {
     }
 }
 
-/// Units that parts declare for their ports, in every file.
+/// Units that a file says its signals have.
+void demand_named_units(const Scope& scope, const Resolver& resolver, Report& report) {
+  const Node* units = scope.document->root.find("units");
+  if (!units) return;
+  if (!units->is_map())
+    return report.add(scope.at(units->mark), scope.prefix + "units", "must be a map of signal: unit");
+  for (const Entry& entry : units->entries) {
+    const std::string subject = scope.prefix + "units." + entry.key;
+    const auto unit = parse_unit(entry.value.text);
+    if (!unit || !entry.value.is_scalar()) {
+      report.add(scope.at(entry.value.mark), subject, fmt::format("'{}' is no unit", entry.value.text));
+    } else if (auto source = resolver.source(entry.key, scope, scope.at(entry.mark), subject)) {
+      report.diagram().unit_demands.push_back(
+          {std::move(*source), unit->dimension, subject, scope.at(entry.value.mark)});
+    }
+  }
+}
+
+/// Units that parts declare for their ports and files for their signals, in every file.
 void demand_units(const Scope& scope, const Resolver& resolver, Report& report) {
+  demand_named_units(scope, resolver, report);
   auto& demands = report.diagram().unit_demands;
   for (const auto& [name, port] : scope.inputs) {
     if (!port.dimension || !port.fed_by || !scope.parent || port.fed_by->is_list()) continue;

@@ -34,10 +34,13 @@ void Opener::fail(Scope& scope, const Entry& entry, const Mark& mark, std::strin
 
 void Opener::open_block(Scope& scope, const Entry& entry) {
   const Node& map = entry.value;
-  if (!is_name(entry.key) || entry.key == "time" || entry.key == "all")
+  if (!is_dotted_name(entry.key) || entry.key == "time" || entry.key == "all")
     return fail(
         scope, entry, entry.mark,
         "is no name for a block; use letters, digits and '_' ('time' and 'all' have a meaning of their own)");
+  if (const std::string rival = scope.rival_of(entry.key); !rival.empty())
+    return fail(scope, entry, entry.mark,
+                fmt::format("and '{}' cannot stand side by side: one would be a signal of the other", rival));
   if (!map.is_map())
     return fail(scope, entry, map.mark, "must be a map such as {block: Gain, gain: 2, u: source}");
   if (scope.inputs.contains(entry.key))

@@ -154,7 +154,7 @@ std::optional<WrittenValue> ValueReader::read_with_unit(const Node& node, const 
   if (auto* vector = std::get_if<Eigen::VectorXd>(&written->value.content))
     for (double& element : *vector) element = unit->to_si(element);
   if (auto* matrix = std::get_if<Eigen::MatrixXd>(&written->value.content))
-    *matrix = (unit->scale * matrix->array() + unit->offset).matrix();
+    for (double& element : matrix->reshaped()) element = unit->to_si(element);
   written->dimension = unit->dimension;
   written->text += " " + unit_node->text;
   return written;

@@ -18,6 +18,19 @@ std::vector<std::string> output_names(const BlockType& type) {
   return names;
 }
 
+/// A reference may be to a block itself or to one of its outputs, and names of blocks may have dots.
+std::string no_block(const std::string& text, const Scope& scope) {
+  std::vector<std::string> plain, dotted;
+  for (std::string& name : scope.block_names())
+    (name.find('.') == std::string::npos ? plain : dotted).push_back(std::move(name));
+  const std::string first = text.substr(0, text.find('.')), owner = text.substr(0, text.rfind('.'));
+  for (const auto& [name, names] :
+       {std::pair(first, &plain), std::pair(text, &dotted), std::pair(owner, &dotted)})
+    if (const std::string cure = did_you_mean(name, *names); !cure.empty())
+      return fmt::format("there is no block '{}'{}", name, cure);
+  return fmt::format("there is no block '{}'", first);
+}
+
 // A state is carried in a Source as an output number below -1.
 int encode_state(int state) {
   return -2 - state;
@@ -38,6 +51,11 @@ std::nullopt_t Resolver::refuse(const Query& query, std::string message) const {
 std::optional<Source> Resolver::source(const Node& node, const Scope& scope,
                                        const std::string& subject) const {
   return element(node, scope, {scope.at(node.mark), scope.at(node.mark), subject, false});
+}
+
+std::optional<Source> Resolver::source(const std::string& name, const Scope& scope, const Origin& origin,
+                                       const std::string& subject) const {
+  return reference(name, scope, {origin, origin, subject, false});
 }
 
 std::optional<SignalRef> Resolver::signal(const std::string& text, const Scope& scope, const Origin& origin,
@@ -72,15 +90,12 @@ std::optional<Source> Resolver::reference(const std::string& text, const Scope& 
   if (++query.hops > most_hops)
     return refuse(query,
                   fmt::format("'{}' is wired to itself through ports only, with no block in between", text));
-  const std::size_t dot = text.find('.');
-  const std::string first = text.substr(0, dot);
-  const std::string rest = dot == std::string::npos ? "" : text.substr(dot + 1);
-  if (scope.inputs.contains(first) && rest.empty()) return port(scope, first, std::move(query));
-  const auto found = scope.names.find(first);
-  if (found == scope.names.end() && scope.failed.contains(first)) return std::nullopt;
-  if (found == scope.names.end())
-    return refuse(query,
-                  fmt::format("there is no block '{}'{}", first, did_you_mean(first, scope.block_names())));
+  if (scope.inputs.contains(text)) return port(scope, text, std::move(query));
+  const std::string_view name = scope.start_of(text);
+  if (name.empty()) return refuse(query, no_block(text, scope));
+  const auto found = scope.names.find(name);
+  if (found == scope.names.end()) return std::nullopt;  // it could not be made, which has been told
+  const std::string rest = name.size() == text.size() ? "" : text.substr(name.size() + 1);
   if (found->second.part) return of_part(rest, *found->second.part, std::move(query));
   return of_block(rest, found->second.block, query);
 }
@@ -157,8 +172,7 @@ std::optional<Source> Resolver::of_part(const std::string& rest, const Scope& pa
     query.subject = part.prefix + out->first;
     return reference(out->second.signal->text, part, std::move(query));
   }
-  const bool inside = query.look_inside &&
-                      (part.names.contains(rest.substr(0, rest.find('.'))) || part.inputs.contains(rest));
+  const bool inside = query.look_inside && (!part.start_of(rest).empty() || part.inputs.contains(rest));
   if (inside) return reference(rest, part, std::move(query));
   if (names.empty())
     return refuse(query, fmt::format("'{}' is a part without outputs; its file names them under 'outputs:'",

@@ -17,6 +17,9 @@ class Resolver {
 
   /// What one element of an input is fed by: a reference, a number, `$name` or `= expression`.
   std::optional<Source> source(const Node& node, const Scope& scope, const std::string& subject) const;
+  /// The same for the name of a signal.
+  std::optional<Source> source(const std::string& name, const Scope& scope, const Origin& origin,
+                               const std::string& subject) const;
   /// A signal by name; states and what lies inside of parts may be named too. `origin` is for messages.
   std::optional<SignalRef> signal(const std::string& text, const Scope& scope, const Origin& origin,
                                   const std::string& subject) const;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/diagram/parameters.hpp"
@@ -50,6 +51,12 @@ struct Scope {
   std::map<std::string, Out, std::less<>> outputs;
 
   Origin at(const Mark& mark) const { return {index, mark}; }
+  /// The name of a block or part with which a reference begins: "rig.carriage" of "rig.carriage.position"
+  /// where there is such a block, since names of blocks may have dots; empty where there is none.
+  std::string_view start_of(std::string_view reference) const;
+  /// The block, part or input of which `name` would be a signal, or whose name would be a signal of `name`;
+  /// empty where there is none.
+  std::string rival_of(const std::string& name) const;
   std::vector<std::string> block_names() const;
 };
 

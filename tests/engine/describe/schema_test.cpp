@@ -112,6 +112,15 @@ TEST_CASE("a part takes any key, since its keys stand in its own file") {
   CHECK(faults_of(diagram("  a: {diagram: part.yaml, block: Lag, u: 1}")) != "");
 }
 
+TEST_CASE("names of blocks and of recorded signals may have dots") {
+  CHECK(faults_of(diagram("  rig.a: {block: Lag, u: 1}")) == "");
+  CHECK(faults_of(diagram("  rig.1: {block: Lag, u: 1}")) != "");
+  const std::string lag = "  a: {block: Lag, u: 1}";
+  CHECK(faults_of(diagram(lag, "record: {signals: {rig.x: a}}\nunits: {a: N, a.y: 1}")) == "");
+  CHECK(faults_of(diagram(lag, "record: {signals: [a, {rig.x: a}]}")) == "");
+  CHECK(faults_of(diagram(lag, "record: {signals: [a, {1: a}]}")) != "");
+}
+
 TEST_CASE("a claim has one reduction and one comparison, and within goes with equals") {
   const std::string lag = "  a: {block: Lag, u: 1}";
   CHECK(faults_of(diagram(lag, "claims: [{that: x, final: a, equals: 2/3, within: 1e-3}]")) == "");
