@@ -66,7 +66,7 @@ Json kind_schema(const ParameterSpec& spec) {
     case ParameterKind::matrix:
       return list_with(spec.range, true);
     case ParameterKind::texts:
-      return one_or_list_of(schema_ref("text"));
+      return any_of({schema_ref("text"), list_of(schema_ref("text"))});
     case ParameterKind::tree:
       return any_of({typed("object"), typed("array")});
   }

@@ -53,7 +53,8 @@ struct DiagramBlock {
   std::vector<Mark> input_marks;
   std::vector<Mark> parameter_marks;
   std::vector<std::optional<Dimension>>
-      parameter_dimensions;  ///< of each parameter, where written with a unit
+      parameter_dimensions;         ///< of each parameter, where written with a unit
+  std::vector<std::size_t> spread;  ///< parameters whose one number the plan repeats for every element
   std::vector<InitialValue> initial;
   std::vector<std::pair<std::string, Dimension>>
       known_units;              ///< unit variables that the block itself fixes: ("'u", mm)

@@ -3,89 +3,223 @@
 #include <fmt/format.h>
 
 #include <cstdint>
-#include <iterator>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "engine/diagram/block_keys.hpp"
+#include "engine/diagram/external_input.hpp"
+#include "engine/diagram/written.hpp"
+#include "engine/document/yaml_text.hpp"
+#include "engine/table/file.hpp"
 
 namespace stepwire {
 
 namespace {
 
-using Out = std::back_insert_iterator<std::string>;
+std::string hash_of(std::string_view text) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+  return fmt::format("{:016x}", hash);
+}
 
-struct ValueText {
-  Out out;
+constexpr Dimension time_dimension{{0.0, 0.0, 1.0}};
 
-  void operator()(double number) { fmt::format_to(out, "{}", number); }
-  void operator()(bool flag) { fmt::format_to(out, "{}", flag); }
-  void operator()(const std::string& text) { fmt::format_to(out, "\"{}\"", text); }
-  void operator()(const Eigen::VectorXd& vector) {
-    fmt::format_to(out, "[{}]", fmt::join(vector.begin(), vector.end(), ", "));
+/// Who reads the text: a person or this program, or the hash, which sees only what decides on numbers.
+enum class Reader { anyone, hash };
+
+/// A diagram as the tree of its flattened file.
+class Flattener {
+ public:
+  Flattener(const Diagram& diagram, const FileName& file_name, Reader reader)
+      : diagram_(diagram), file_name_(file_name), reader_(reader) {}
+
+  Node run() {
+    Node root;
+    add_head(root);
+    add_if_any(root, "inputs", inputs());
+    add_if_any(root, "outputs", outputs());
+    if (reader_ == Reader::anyone) add_if_any(root, "units", units());
+    add_if_any(root, "blocks", blocks());
+    add_if_any(root, "record", record());
+    return root;
   }
-  void operator()(const Eigen::MatrixXd& matrix) {
-    const auto elements = matrix.reshaped();
-    fmt::format_to(out, "{}x{}[{}]", matrix.rows(), matrix.cols(),
-                   fmt::join(elements.begin(), elements.end(), ", "));
+
+ private:
+  void add_head(Node& root) const {
+    const std::optional<Dimension> time = unit(time_dimension);
+    add_key(root, "stepwire", written_text("1"));
+    if (reader_ == Reader::anyone && !diagram_.title.empty())
+      add_key(root, "title", written_text(diagram_.title));
+    add_key(root, "step", written_numbers(one(diagram_.step), time));
+    add_key(root, "stop", written_numbers(one(diagram_.stop), time));
+    if (!diagram_.solver.empty()) add_key(root, "solver", written_text(diagram_.solver));
+    if (diagram_.stop_when) add_key(root, "stop_when", stop_condition(*diagram_.stop_when));
   }
-  void operator()(const Value::List& list) {
-    fmt::format_to(out, "[");
-    for (const Value& item : list) std::visit(*this, item.content);
-    fmt::format_to(out, "]");
+
+  static void add_if_any(Node& map, const char* key, Node value) {
+    if (!value.entries.empty() || !value.items.empty()) add_key(map, key, std::move(value));
   }
-  void operator()(const Value::Map& map) {
-    for (const ValueEntry& entry : map) {
-      fmt::format_to(out, "{{{}: ", entry.key);
-      std::visit(*this, entry.value.content);
-      fmt::format_to(out, "}}");
+
+  static Eigen::VectorXd one(double number) { return Eigen::VectorXd::Constant(1, number); }
+
+  std::optional<Dimension> unit(const std::optional<Dimension>& dimension) const {
+    return reader_ == Reader::anyone ? dimension : std::nullopt;
+  }
+
+  const DiagramBlock& block(int index) const { return diagram_.blocks[static_cast<std::size_t>(index)]; }
+
+  std::string name(const SignalRef& signal) const {
+    const DiagramBlock& owner = block(signal.block);
+    const BlockType& type = owner.type();
+    if (signal.output < 0) return owner.name + "." + type.states[static_cast<std::size_t>(signal.state)].name;
+    if (type.outputs.size() == 1) return owner.name;
+    return owner.name + "." + type.outputs[static_cast<std::size_t>(signal.output)].name;
+  }
+
+  Node stop_condition(const StopCondition& condition) const {
+    std::vector<std::string> names;
+    for (const SignalRef& signal : condition.variables)
+      names.push_back(signal.block < 0 ? "time" : name(signal));
+    return written_text(condition.expression.renamed(names));
+  }
+
+  void add_doc(Node& port, const std::string& doc) const {
+    if (reader_ == Reader::anyone && !doc.empty()) add_key(port, "doc", written_text(doc));
+  }
+
+  Node inputs() const {
+    Node map;
+    for (const DiagramInput& input : diagram_.inputs) {
+      const DiagramBlock& source = block(input.block);
+      const auto dimension = unit(source.parameter_dimensions[0]);
+      Node port;
+      if (dimension) add_key(port, "unit", written_text(si_name(*dimension)));
+      add_key(port, "default", *parameter(source, 0, {}));
+      add_doc(port, input.doc);
+      add_key(map, input.name, std::move(port));
     }
+    return map;
   }
+
+  Node outputs() const {
+    Node map;
+    for (const DiagramOutput& output : diagram_.outputs) {
+      Node port;
+      add_key(port, "signal", written_text(name(output.signal)));
+      if (output.safe) add_key(port, "safe", written_numbers(*output.safe, unit(output.safe_dimension)));
+      add_doc(port, output.doc);
+      add_key(map, output.name, std::move(port));
+    }
+    return map;
+  }
+
+  /// What ports of parts demanded of their signals.
+  Node units() const {
+    Node map;
+    std::set<std::string> said;
+    for (const UnitDemand& demand : diagram_.unit_demands) {
+      if (demand.source.block < 0) continue;
+      std::string signal = name({demand.source.block, demand.source.output});
+      if (said.insert(signal).second)
+        add_key(map, std::move(signal), written_text(si_name(demand.dimension)));
+    }
+    return map;
+  }
+
+  Node blocks() const {
+    Node map;
+    map.entries.reserve(diagram_.blocks.size());
+    for (const DiagramBlock& block : diagram_.blocks)
+      if (&block.type() != &external_input_type()) add_key(map, block.name, keys(block));
+    return map;
+  }
+
+  Node keys(const DiagramBlock& block) const {
+    const BlockType& type = block.type();
+    Node map;
+    add_key(map, "block", written_text(type.name));
+    if (block.every) add_key(map, "every", written_numbers(one(*block.every), unit(time_dimension)));
+    for (std::size_t i = 0; i < block.inputs.size(); ++i)
+      if (!block.inputs[i].empty()) add_key(map, type.inputs[i].name, input(type.inputs[i], block.inputs[i]));
+    for (std::size_t i = 0; i < type.parameters.size(); ++i)
+      if (auto value = parameter(block, i, unit(block.parameter_dimensions[i])))
+        add_key(map, type.parameters[i].name, std::move(*value));
+    for (const InitialValue& initial : block.initial)
+      add_key(map, initial_key(type, type.states[static_cast<std::size_t>(initial.state)]),
+              written_numbers(initial.value, unit(initial.dimension)));
+    return map;
+  }
+
+  Node input(const InputSpec& spec, const std::vector<Source>& sources) const {
+    if (!spec.list) return source(sources.front());
+    Node list;
+    list.kind = Node::Kind::list;
+    for (const Source& element : sources) list.items.push_back(source(element));
+    return list;
+  }
+
+  Node source(const Source& source) const {
+    if (source.block < 0) return written_numbers(source.constant, unit(source.dimension));
+    return written_signal(name({source.block, source.output}));
+  }
+
+  std::optional<Node> parameter(const DiagramBlock& block, std::size_t index,
+                                const std::optional<Dimension>& dimension) const {
+    const ParameterSpec& spec = block.type().parameters[index];
+    Value value = spec.get(block.block.get());
+    if (spec.kind == ParameterKind::file) return written_text(file_name_(*value.text()));
+    if (std::find(block.spread.begin(), block.spread.end(), index) != block.spread.end())
+      value.content = one(std::get<Eigen::VectorXd>(value.content)[0]);
+    return written_value(spec, value, dimension);
+  }
+
+  Node record() const {
+    Node list;
+    list.kind = Node::Kind::list;
+    for (const RecordRequest& request : diagram_.records) {
+      Node entry;
+      if (request.every) add_key(entry, "every", written_numbers(one(*request.every), unit(time_dimension)));
+      Node signals;
+      signals.kind = Node::Kind::list;
+      for (const RecordedSignal& signal : request.signals) signals.items.push_back(recorded(signal));
+      add_key(entry, "signals", std::move(signals));
+      list.items.push_back(std::move(entry));
+    }
+    return list;
+  }
+
+  Node recorded(const RecordedSignal& signal) const {
+    std::string full = name(signal.signal);
+    if (full == signal.name) return written_text(std::move(full));
+    Node renamed;
+    add_key(renamed, signal.name, written_text(std::move(full)));
+    return renamed;
+  }
+
+  const Diagram& diagram_;
+  const FileName& file_name_;
+  Reader reader_;
 };
-
-void write_source(Out out, const Diagram& diagram, const Source& source) {
-  if (source.block < 0) return ValueText{out}(source.constant);
-  const DiagramBlock& block = diagram.blocks[static_cast<std::size_t>(source.block)];
-  fmt::format_to(out, "{}.{}", block.name,
-                 block.type().outputs[static_cast<std::size_t>(source.output)].name);
-}
-
-void write_block(Out out, const Diagram& diagram, const DiagramBlock& block) {
-  const BlockType& type = block.type();
-  fmt::format_to(out, "{}: {}", block.name, type.name);
-  if (block.every) fmt::format_to(out, " every={}", *block.every);
-  for (const ParameterSpec& parameter : type.parameters) {
-    fmt::format_to(out, " {}=", parameter.name);
-    std::visit(ValueText{out}, parameter.get(block.block.get()).content);
-  }
-  for (const InitialValue& initial : block.initial) {
-    fmt::format_to(out, " initial_{}=", type.states[static_cast<std::size_t>(initial.state)].name);
-    ValueText{out}(initial.value);
-  }
-  for (std::size_t i = 0; i < block.inputs.size(); ++i)
-    for (const Source& source : block.inputs[i]) {
-      fmt::format_to(out, " {}<-", type.inputs[i].name);
-      write_source(out, diagram, source);
-    }
-  fmt::format_to(out, "\n");
-}
 
 }  // namespace
 
-std::string flattened_text(const Diagram& diagram) {
-  std::string text;
-  Out out(text);
-  fmt::format_to(out, "step={} stop={} solver={}\n", diagram.step, diagram.stop, diagram.solver);
-  for (const DiagramBlock& block : diagram.blocks) write_block(out, diagram, block);
-  for (const RecordRequest& request : diagram.records) {
-    fmt::format_to(out, "record every={}", request.every.value_or(diagram.step));
-    for (const RecordedSignal& signal : request.signals) fmt::format_to(out, " {}", signal.name);
-    fmt::format_to(out, "\n");
-  }
-  if (diagram.stop_when) fmt::format_to(out, "stop_when {}\n", diagram.stop_when->expression.text());
-  return text;
+std::string absolute_path(const std::string& path) {
+  return std::filesystem::absolute(path).lexically_normal().string();
+}
+
+std::string flattened_text(const Diagram& diagram, const FileName& file_name) {
+  return yaml_text(Flattener(diagram, file_name, Reader::anyone).run());
 }
 
 std::string diagram_hash(const Diagram& diagram) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (unsigned char c : flattened_text(diagram)) hash = (hash ^ c) * 0x100000001b3u;
-  return fmt::format("{:016x}", hash);
+  std::map<std::string, std::string> known;
+  const FileName content = [&](const std::string& path) {
+    const auto [hash, is_new] = known.try_emplace(path);
+    if (is_new) hash->second = hash_of(read_file(path));
+    return hash->second;
+  };
+  return hash_of(yaml_text(Flattener(diagram, content, Reader::hash).run()));
 }
 
 }  // namespace stepwire

@@ -175,8 +175,9 @@ class Shapes {
     if (size == 1) return;
     const Value value = spec.get(block.block.get());
     const auto& elements = std::get<Eigen::VectorXd>(value.content);
-    if (elements.size() == 1)
-      spec.set(block.block.get(), {Eigen::VectorXd(Eigen::VectorXd::Constant(size, elements[0]))});
+    if (elements.size() != 1) return;
+    spec.set(block.block.get(), {Eigen::VectorXd(Eigen::VectorXd::Constant(size, elements[0]))});
+    block.spread.push_back(static_cast<std::size_t>(&spec - block.type().parameters.data()));
   }
 
   Draft& draft_;
