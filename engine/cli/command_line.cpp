@@ -24,14 +24,18 @@ constexpr DocumentLimits large_limits{.bytes = std::size_t{512} << 20, .depth = 
 const CLI::Validator is_named([](const std::string& path) { return path.empty() ? "names no folder" : ""; },
                               "");
 
-void add_work_options(CLI::App& verb, RunCommand& command, std::vector<std::string>& settings,
-                      std::string& stop, bool& large) {
-  verb.add_option("FILE", command.files, "diagram files")->required();
+void add_load_options(CLI::App& verb, std::vector<std::string>& settings, bool& large) {
   verb.add_option("--set", settings,
                   "a parameter in place of the file's: name=value; reaches into parts (rig.mass=2kg)")
       ->allow_extra_args(false);
-  verb.add_option("--stop", stop, "stop time in place of the file's, e.g. 2s");
   verb.add_flag("--large", large, "read files above 8 MB, up to 512 MB");
+}
+
+void add_work_options(CLI::App& verb, RunCommand& command, std::vector<std::string>& settings,
+                      std::string& stop, bool& large) {
+  verb.add_option("FILE", command.files, "diagram files")->required();
+  add_load_options(verb, settings, large);
+  verb.add_option("--stop", stop, "stop time in place of the file's, e.g. 2s");
   verb.add_flag("--units", command.units, "print the unit of every wire");
   verb.add_flag("--json", command.json, "print the result as JSON");
 }
@@ -55,6 +59,7 @@ class CommandLine {
     app_.set_version_flag("--version", "stepwire " + program_version());
     add_run();
     add_check();
+    add_flatten();
     add_thesis();
     add_blocks();
     add_schema();
@@ -109,6 +114,21 @@ class CommandLine {
     });
   }
 
+  void add_flatten() {
+    CLI::App* verb =
+        app_.add_subcommand("flatten", "write a diagram as one file, without parts and parameters");
+    verb->footer("Example:\n  stepwire flatten rig.yaml --set rig.mass=2kg -o flat.yaml");
+    verb->add_option("FILE", flatten_.file, "a diagram file")->required();
+    add_load_options(*verb, settings_, large_);
+    verb->add_option("-o", flatten_.out, "file to write; standard output without it");
+    verb->callback([this] {
+      action_ = [this] {
+        take_load_options(flatten_.options);
+        return flatten_file(flatten_, registry_);
+      };
+    });
+  }
+
   void add_thesis() {
     CLI::App* verb =
         app_.add_subcommand("thesis", "make the figures of the thesis and a page that shows them");
@@ -136,16 +156,21 @@ class CommandLine {
     verb->callback([this] { action_ = [this] { return show_schema(registry_); }; });
   }
 
+  void take_load_options(WorkOptions& options) const {
+    for (const std::string& text : settings_) options.settings.push_back(parse_setting(text));
+    if (large_) options.limits = large_limits;
+  }
+
   ExitCode run_or_check() {
-    for (const std::string& text : settings_) run_.options.settings.push_back(parse_setting(text));
+    take_load_options(run_.options);
     if (!stop_.empty()) run_.options.stop = stop_;
-    if (large_) run_.options.limits = large_limits;
     return run_files(run_, registry_);
   }
 
   const Registry& registry_;
   CLI::App app_{"Block diagrams in text, run at a fixed step."};
   RunCommand run_;
+  FlattenCommand flatten_;
   ThesisCommand thesis_;
   BlocksCommand blocks_;
   std::vector<std::string> settings_;

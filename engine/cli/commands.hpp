@@ -17,6 +17,12 @@ struct RunCommand {
   bool check_only = false;
 };
 
+struct FlattenCommand {
+  std::string file;
+  WorkOptions options;
+  std::string out;  ///< file; empty: standard output
+};
+
 struct ThesisCommand {
   std::vector<std::string> only;  ///< beginnings of file names: "fig15"
   std::string diagrams;           ///< folder with the diagram files
@@ -31,6 +37,8 @@ struct BlocksCommand {
 
 /// `run` and `check`.
 ExitCode run_files(const RunCommand& command, const Registry& registry);
+/// `flatten`: a diagram as one file without parts and parameters.
+ExitCode flatten_file(const FlattenCommand& command, const Registry& registry);
 /// `thesis`: every figure, and the page that shows them.
 ExitCode run_thesis(const ThesisCommand& command, const Registry& registry);
 /// `blocks`.
