@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <unordered_map>
 #include <unordered_set>
 
 #include "engine/table/file.hpp"
@@ -44,10 +45,22 @@ Column column(const std::string& title) {
   return {trimmed(title.substr(0, open)), trimmed(unit), {}};
 }
 
+/// The words of one column, each with its number.
+struct Numbering {
+  std::vector<std::string>* texts = nullptr;  ///< none where the column holds numbers
+  std::unordered_map<std::string, double> numbers{};
+
+  double operator()(const std::string& text) {
+    const auto [place, is_new] = numbers.try_emplace(text, static_cast<double>(texts->size()));
+    if (is_new) texts->push_back(text);
+    return place->second;
+  }
+};
+
 class Csv {
  public:
-  Csv(const std::string& path, std::string_view text)
-      : path_(path), at_(text.data()), end_(at_ + text.size()) {
+  Csv(const std::string& path, std::string_view text, ColumnWords& words)
+      : path_(path), at_(text.data()), end_(at_ + text.size()), words_(words) {
     if (text.starts_with("\xEF\xBB\xBF")) at_ += 3;
     separator_ = separator();
   }
@@ -140,6 +153,8 @@ class Csv {
       const std::string& name = table_.columns.back().name;
       if (name.empty()) fail(fmt::format("column {} has no name", table_.columns.size()));
       if (!names.insert(name).second) fail(fmt::format("two columns are named '{}'", shown(name)));
+      const auto words = words_.find(name);
+      numberings_.push_back({words == words_.end() ? nullptr : &words->second});
     }
     skip_line_end();
   }
@@ -149,7 +164,7 @@ class Csv {
     for (std::size_t i = 0; i < table_.columns.size(); ++i) {
       if (i > 0) ++at_;  // the separator
       const bool last = i + 1 == table_.columns.size();
-      const auto value = quick_number();
+      const auto value = numberings_[i].texts ? std::nullopt : quick_number();
       if (!value || at_line_end() != last) return row_slowly(start);
       table_.columns[i].values.push_back(*value);
     }
@@ -177,7 +192,7 @@ class Csv {
                        wanted));
     }
     for (std::size_t i = 0; i < wanted; ++i) {
-      const auto value = number(texts[i]);
+      const auto value = numberings_[i].texts ? numberings_[i](texts[i]) : number(texts[i]);
       if (!value)
         fail(fmt::format("'{}' is no number (column '{}')", shown(texts[i]), shown(table_.columns[i].name)));
       table_.columns[i].values.resize(rows_);
@@ -201,13 +216,20 @@ class Csv {
   std::size_t line_ = 1;
   std::size_t rows_ = 0;
   Table table_;
+  ColumnWords& words_;
+  std::vector<Numbering> numberings_;  ///< of each column
 };
 
 }  // namespace
 
 Table read_csv(const std::string& path) {
+  ColumnWords none;
+  return read_csv(path, none);
+}
+
+Table read_csv(const std::string& path, ColumnWords& words) {
   const std::string text = read_file(path);
-  return Csv(path, text).read();
+  return Csv(path, text, words).read();
 }
 
 }  // namespace stepwire

@@ -17,11 +17,18 @@ class TableError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Words that the numbers 0, 1, ... of a column stand for, by the column's name.
+using ColumnWords = std::map<std::string, std::vector<std::string>>;
+
 /// A CSV file with a header line: comma, semicolon or tab; the unit of a column from "name [unit]" or none.
 /// Quoted fields, CRLF, a byte-order mark and an empty last line are accepted. Throws TableError with file
 /// and row for rows of another length, what is no number, double names, no rows; SurroundingsError where the
 /// file cannot be read.
 Table read_csv(const std::string& path);
+
+/// The same where the columns that `words` names hold words (or whatever else): they are numbered in the
+/// order in which they come up, and are then in `words`.
+Table read_csv(const std::string& path, ColumnWords& words);
 
 /// Every real vector of a MATLAB file (level 4, 5 or 7.3), one column each; a matrix gives columns "name(1)",
 /// "name(2)", ... Columns may differ in length here. Errors as read_csv. A damaged
@@ -30,9 +37,6 @@ Table read_mat(const std::string& path);
 
 /// By the ending of the path: .csv or .mat; TableError for others.
 Table read_table(const std::string& path);
-
-/// Words that the numbers 0, 1, ... of a column stand for, by the column's name.
-using ColumnWords = std::map<std::string, std::vector<std::string>>;
 
 /// Comma, header "name [unit]", numbers in the shortest form that reads back to the same bits; nan and inf as
 /// such; words where a column has them. Throws TableError for columns of different lengths.

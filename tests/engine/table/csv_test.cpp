@@ -78,6 +78,20 @@ TEST_CASE("infinities, nan and numbers too small for a double are numbers in a f
   CHECK(values.at(6) == 5e-324);
 }
 
+TEST_CASE("a column of words is numbered where the caller says that it is one") {
+  const Scratch scratch;
+  const std::string path = scratch.file("a.csv", "time [s],way [m],x\n0,hold,1\n1,\"a,b\",2\n2,hold,+3\n");
+  CHECK_THROWS_WITH(read_csv(path), Catch::Contains("a.csv:2: 'hold' is no number (column 'way')"));
+  stepwire::ColumnWords words{{"way", {}}, {"other", {}}};
+  const Table table = read_csv(path, words);
+  CHECK(words.at("way") == std::vector<std::string>{"hold", "a,b"});
+  CHECK(words.at("other").empty());
+  CHECK(table.find("way")->values == Values{0.0, 1.0, 0.0});
+  CHECK(table.find("way")->unit == "m");
+  CHECK(table.find("x")->values == Values{1.0, 2.0, 3.0});
+  CHECK(csv_text(table, words) == "time [s],way [m],x\n0,hold,1\n1,\"a,b\",2\n2,hold,3\n");
+}
+
 TEST_CASE("what is wrong in a CSV file is said with its line") {
   CHECK(wrong("a,b\n1,2\n3,abc\n") == "press.csv:3: 'abc' is no number (column 'b')");
   CHECK(wrong("a,b\n1,\n") == "press.csv:2: '' is no number (column 'b')");
