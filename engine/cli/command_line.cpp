@@ -60,6 +60,7 @@ class CommandLine {
     add_run();
     add_check();
     add_flatten();
+    add_verify();
     add_thesis();
     add_blocks();
     add_schema();
@@ -99,7 +100,7 @@ class CommandLine {
     verb->footer("Example:\n  stepwire run lag.yaml --set tau=0.2s --stop 2s --out out/lag");
     add_work_options(*verb, run_, settings_, stop_, large_);
     verb->add_option("--out", run_.out,
-                     "folder for signals.csv, signals.mat, pictures, claims.json, run.json")
+                     "folder for signals.csv, signals.mat, pictures, claims.json, run.json, diagram.yaml")
         ->check(is_named);
     verb->callback([this] { action_ = [this] { return run_or_check(); }; });
   }
@@ -127,6 +128,13 @@ class CommandLine {
         return flatten_file(flatten_, registry_);
       };
     });
+  }
+
+  void add_verify() {
+    CLI::App* verb = app_.add_subcommand("verify", "replay what a run left, and compare it bit by bit");
+    verb->footer("Example:\n  stepwire run lag.yaml --out out/lag && stepwire verify out/lag");
+    verb->add_option("RUN_DIR", verify_.folders, "folders that run --out wrote")->required();
+    verb->callback([this] { action_ = [this] { return verify_folders(verify_, registry_); }; });
   }
 
   void add_thesis() {
@@ -171,6 +179,7 @@ class CommandLine {
   CLI::App app_{"Block diagrams in text, run at a fixed step."};
   RunCommand run_;
   FlattenCommand flatten_;
+  VerifyCommand verify_;
   ThesisCommand thesis_;
   BlocksCommand blocks_;
   std::vector<std::string> settings_;

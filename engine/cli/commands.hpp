@@ -23,6 +23,10 @@ struct FlattenCommand {
   std::string out;  ///< file; empty: standard output
 };
 
+struct VerifyCommand {
+  std::vector<std::string> folders;
+};
+
 struct ThesisCommand {
   std::vector<std::string> only;  ///< beginnings of file names: "fig15"
   std::string diagrams;           ///< folder with the diagram files
@@ -39,6 +43,8 @@ struct BlocksCommand {
 ExitCode run_files(const RunCommand& command, const Registry& registry);
 /// `flatten`: a diagram as one file without parts and parameters.
 ExitCode flatten_file(const FlattenCommand& command, const Registry& registry);
+/// `verify`: replays what runs left in their folders.
+ExitCode verify_folders(const VerifyCommand& command, const Registry& registry);
 /// `thesis`: every figure, and the page that shows them.
 ExitCode run_thesis(const ThesisCommand& command, const Registry& registry);
 /// `blocks`.

@@ -12,11 +12,6 @@ namespace stepwire {
 
 namespace {
 
-/// "signals.csv" alone, or "signals.csv", "signals-2.csv", ...
-std::string numbered(const std::string& stem, std::size_t index, const std::string& ending) {
-  return index == 0 ? stem + ending : fmt::format("{}-{}{}", stem, index + 1, ending);
-}
-
 /// A swept word as it is meant, without the quotes of its file.
 std::string unquoted(const std::string& word) {
   const bool quoted = word.size() > 1 && word.front() == '"' && word.back() == '"';

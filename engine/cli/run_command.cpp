@@ -8,6 +8,7 @@
 #include "engine/cli/output.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/report.hpp"
+#include "engine/replay/replay_folder.hpp"
 #include "engine/table/file.hpp"
 
 namespace stepwire {
@@ -59,7 +60,10 @@ Outcome carry_out_visibly(const Work& work) {
 
 ExitCode run(const Work& work, const RunCommand& command, Json& results) {
   const std::string folder = command.out.empty() ? "" : folder_of(command, work.file);
-  if (!folder.empty()) require_folder(folder);  // better now than after an hour
+  if (!folder.empty()) {  // better now than after an hour, in which data files may change
+    require_folder(folder);
+    write_replay(folder, work.job);
+  }
   const Outcome outcome = carry_out_visibly(work);
   print_faults(outcome.result);
   if (!folder.empty()) write_outputs(folder, work, outcome);

@@ -11,6 +11,7 @@
 #include "engine/cli/progress.hpp"
 #include "engine/cli/report.hpp"
 #include "engine/figure/gallery.hpp"
+#include "engine/replay/replay_folder.hpp"
 #include "engine/table/file.hpp"
 
 namespace stepwire {
@@ -84,7 +85,7 @@ class Maker {
   }
 
   ExitCode make(const fs::path& file, GalleryEntry& entry) {
-    const std::string stem = file.stem().string();
+    const std::string stem = file.stem().string(), folder = (fs::path(command_.out) / stem).string();
     entry.title = stem;
     entry.folder = stem;
     entry.diagram = fs::proximate(file, command_.out).generic_string();
@@ -92,14 +93,14 @@ class Maker {
     return guarded([&] {
       const Work work = prepare(registry_, file.string(), {});
       describe(work, entry);
+      write_replay(folder, work.job);
       RunOptions options;
       options.interrupt = &interrupted();
       options.threads = 1;  // the figures themselves are made in parallel
       const Outcome outcome = carry_out(work, options);
       print_faults(outcome.result);
       entry.verdicts = outcome.verdicts;
-      for (const std::string& picture :
-           write_outputs((fs::path(command_.out) / stem).string(), work, outcome))
+      for (const std::string& picture : write_outputs(folder, work, outcome))
         entry.pictures.push_back(stem + "/" + picture);
       entry.error = outcome.result.faults.empty() ? "" : outcome.result.faults.front().fault.message;
       return outcome.code;

@@ -76,7 +76,7 @@ Outcome carry_out(const Work& work, const RunOptions& options) {
     outcome.verdicts.push_back(early ? not_judged(claim, "the run ended early")
                                      : judge(claim, outcome.result.recordings));
   for (const Verdict& verdict : outcome.verdicts) {
-    if (verdict.fails() && !early) outcome.code = worst(outcome.code, ExitCode::claim_fails);
+    if (verdict.fails() && !early) outcome.code = worst(outcome.code, ExitCode::fails);
     if (verdict.surprises()) outcome.code = worst(outcome.code, ExitCode::wrong);
   }
   if (!outcome.result.faults.empty()) outcome.code = worst(outcome.code, ExitCode::wrong);

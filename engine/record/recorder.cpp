@@ -19,8 +19,12 @@ std::vector<RecordedColumn> recorded_columns(const Plan& plan, const RecordReque
   return columns;
 }
 
-Recorder::Recorder(const Plan& plan, const RecordRequest& request) {
-  if (request.every) every_ = static_cast<std::int64_t>(std::llround(*request.every / plan.diagram.step));
+std::int64_t ticks_between_rows(const Plan& plan, const RecordRequest& request) {
+  return request.every ? static_cast<std::int64_t>(std::llround(*request.every / plan.diagram.step)) : 1;
+}
+
+Recorder::Recorder(const Plan& plan, const RecordRequest& request)
+    : every_(ticks_between_rows(plan, request)) {
   for (RecordedColumn& column : recorded_columns(plan, request)) {
     offsets_.push_back(column.offset);
     names_.push_back({std::move(column.name), column.dimension ? si_name(*column.dimension) : ""});

@@ -30,12 +30,15 @@ class Recorder {
     std::string name, unit;
   };
 
-  std::int64_t every_ = 1, next_tick_ = 0;
+  std::int64_t every_, next_tick_ = 0;
   std::size_t filled_ = 0;
   std::vector<std::size_t> offsets_;  ///< in the workspace, the time first
   std::vector<Name> names_;
   std::vector<double> rows_;
 };
+
+/// Ticks between two rows of a recording.
+std::int64_t ticks_between_rows(const Plan& plan, const RecordRequest& request);
 
 /// Names and dimensions of the columns that a request records, in order, the time first.
 struct RecordedColumn {

@@ -68,7 +68,11 @@ class Csv {
   Table read() {
     header();
     for (; !only_blanks_left(); ++rows_) row();
-    if (table_.rows() == 0) throw TableError(fmt::format("{}: there are no rows below the header", path_));
+    return std::move(table_);
+  }
+
+  Table read_header() {
+    header();
     return std::move(table_);
   }
 
@@ -224,12 +228,20 @@ class Csv {
 
 Table read_csv(const std::string& path) {
   ColumnWords none;
-  return read_csv(path, none);
+  Table table = read_csv(path, none);
+  if (table.rows() == 0) throw TableError(fmt::format("{}: there are no rows below the header", path));
+  return table;
 }
 
 Table read_csv(const std::string& path, ColumnWords& words) {
   const std::string text = read_file(path);
   return Csv(path, text, words).read();
+}
+
+Table read_csv_header(const std::string& path) {
+  const std::string text = read_file(path);
+  ColumnWords none;
+  return Csv(path, text, none).read_header();
 }
 
 }  // namespace stepwire

@@ -62,6 +62,10 @@ void write_and_rename(const fs::path& target, std::string_view content, const st
 
 }  // namespace
 
+std::string numbered(const std::string& stem, std::size_t index, const std::string& ending) {
+  return index == 0 ? stem + ending : fmt::format("{}-{}{}", stem, index + 1, ending);
+}
+
 std::string read_file(const std::string& path) {
   std::error_code none;
   const fs::file_status status = fs::status(path, none);

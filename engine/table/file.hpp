@@ -26,9 +26,12 @@ using ColumnWords = std::map<std::string, std::vector<std::string>>;
 /// file cannot be read.
 Table read_csv(const std::string& path);
 
-/// The same where the columns that `words` names hold words (or whatever else): they are numbered in the
-/// order in which they come up, and are then in `words`.
+/// A CSV file that this program wrote. It may have no rows, and the columns that `words` names hold words:
+/// these are numbered in the order in which they come up, and are then in `words`.
 Table read_csv(const std::string& path, ColumnWords& words);
+
+/// Its columns alone, without values.
+Table read_csv_header(const std::string& path);
 
 /// Every real vector of a MATLAB file (level 4, 5 or 7.3), one column each; a matrix gives columns "name(1)",
 /// "name(2)", ... Columns may differ in length here. Errors as read_csv. A damaged
@@ -45,6 +48,9 @@ std::string csv_text(const Table& table, const ColumnWords& words = {});
 /// Variables are named as the columns with what MATLAB does not allow replaced by '_' (made unique), doubles,
 /// one column vector each; beside them the cell arrays "names" and "units" in the same order.
 void write_mat(const std::string& path, const Table& table);
+
+/// Names of files of one kind: "signals.csv", "signals-2.csv", ... for the indices 0, 1, ...
+std::string numbered(const std::string& stem, std::size_t index, const std::string& ending);
 
 /// All bytes of a file. Throws SurroundingsError with the system's reason.
 std::string read_file(const std::string& path);

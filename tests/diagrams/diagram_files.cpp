@@ -23,23 +23,24 @@ std::vector<std::string> files_to_run() {
   return files;
 }
 
-void check_file(const std::string& file, const std::function<void(const Plan& plan)>& check) {
-  static const Registry registry = all_blocks();
-  Loader loader(registry);
-  const Job job = make_job(loader, file);
-  check(job.plan);
-  if (job.points.empty()) return;
-  check(job.points.front().plan);
-  check(job.points.back().plan);
-}
-
 }  // namespace
 
 void for_every_diagram(const std::function<void(const Plan& plan)>& check) {
+  for_every_job([&](const Job& job) {
+    check(job.plan);
+    if (job.points.empty()) return;
+    check(job.points.front().plan);
+    check(job.points.back().plan);
+  });
+}
+
+void for_every_job(const std::function<void(Job job)>& check) {
+  static const Registry registry = all_blocks();
   for (const std::string& file : files_to_run()) {
     INFO(file);
     try {
-      check_file(file, check);
+      Loader loader(registry);
+      check(make_job(loader, file));
     } catch (const SurroundingsError& error) {
       WARN("skipped: " << error.what());
     }

@@ -7,9 +7,11 @@
 
 namespace stepwire {
 
-/// Calls `check` for every diagram file under diagrams/examples and diagrams/thesis with its plan, and with
-/// those of the first and the last point of its sweep. Files whose data are not on this machine are passed
-/// over with a warning.
+/// Calls `check` for every diagram file under diagrams/examples and diagrams/thesis, ready to run. Files
+/// whose data are not on this machine are passed over with a warning.
+void for_every_job(const std::function<void(Job job)>& check);
+
+/// The same with the plan of each, and those of the first and the last point of its sweep.
 void for_every_diagram(const std::function<void(const Plan& plan)>& check);
 
 /// A number that stands for all bits of a run from its present tick to `last`.

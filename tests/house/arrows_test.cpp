@@ -24,13 +24,14 @@ const std::map<std::string, Folders> arrows{
     {"solve", {"plan"}},
     {"record", {"plan", "table"}},
     {"run", {"solve", "record"}},
+    {"replay", {"run"}},
     {"statistics", {}},
     {"figure", {"diagram", "record", "expression", "statistics"}},
     {"realtime", {"run"}},
     {"generate", {"solve"}},
     {"identify", {"run"}},
     {"describe", {"diagram", "table", "figure", "solve"}},
-    {"cli", {"run", "figure", "describe", "realtime", "generate", "identify"}},
+    {"cli", {"run", "replay", "figure", "describe", "realtime", "generate", "identify"}},
 };
 
 const Folders seen_by_blocks{"signal", "block", "expression", "table", "unit"};

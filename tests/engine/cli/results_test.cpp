@@ -37,8 +37,9 @@ TEST_CASE("run --out writes all that a run leaves, and nothing else") {
   folder.file("lag.yaml", lag_yaml);
   const Done done = run_program(folder, {"run", "lag.yaml", "--out", "deep/out"});
   REQUIRE(done.code == 0);
-  CHECK(names_in(folder.path("deep/out")) ==
-        std::set<std::string>{"signals.csv", "signals.mat", "figure.svg", "claims.json", "run.json"});
+  CHECK(names_in(folder.path("deep/out")) == std::set<std::string>{"signals.csv", "signals.mat", "figure.svg",
+                                                                   "claims.json", "run.json",
+                                                                   "diagram.yaml"});
   CHECK_THAT(content_of(folder.path("deep/out/figure.svg")), Contains("<svg") && Contains("</svg>"));
 }
 

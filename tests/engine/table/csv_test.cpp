@@ -89,6 +89,8 @@ TEST_CASE("a column of words is numbered where the caller says that it is one") 
   CHECK(table.find("way")->values == Values{0.0, 1.0, 0.0});
   CHECK(table.find("way")->unit == "m");
   CHECK(table.find("x")->values == Values{1.0, 2.0, 3.0});
+  CHECK(stepwire::read_csv_header(path).columns.at(1).unit == "m");
+  CHECK(read_csv(scratch.file("b.csv", "a,b\n"), words).columns.size() == 2);
   CHECK(csv_text(table, words) == "time [s],way [m],x\n0,hold,1\n1,\"a,b\",2\n2,hold,3\n");
 }
 

@@ -1,0 +1,34 @@
+#include <fmt/format.h>
+
+#include "engine/cli/commands.hpp"
+#include "engine/cli/interrupt.hpp"
+#include "engine/cli/report.hpp"
+#include "engine/replay/verify.hpp"
+
+namespace stepwire {
+
+namespace {
+
+ExitCode verify_folder(const std::string& folder, const Registry& registry) {
+  const Verification verification = verify(folder, registry, &interrupted());
+  if (verification.interrupted) return ExitCode::interrupted;
+  if (verification.difference.empty()) {
+    fmt::print("{}: {}\n", folder, verification_text(verification));
+    return ExitCode::done;
+  }
+  fmt::print("{}\n", verification_text(verification));
+  return ExitCode::fails;
+}
+
+}  // namespace
+
+ExitCode verify_folders(const VerifyCommand& command, const Registry& registry) {
+  ExitCode code = ExitCode::done;
+  for (const std::string& folder : command.folders) {
+    if (interrupted()) break;
+    code = worst(code, guarded([&] { return verify_folder(folder, registry); }));
+  }
+  return interrupted() ? ExitCode::interrupted : code;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "engine/run/run.hpp"
+
+namespace stepwire {
+
+/// Writes into the folder of a run what verify() needs: the flattened diagram, for a sweep one for each run,
+/// and under inputs/ a copy of every data file that they read. Throws SurroundingsError.
+void write_replay(const std::string& folder, const Job& job);
+/// The same for one plan, such as that of a real-time loop.
+void write_replay(const std::string& folder, const Plan& plan);
+
+/// Name of the flattened diagram in such a folder.
+inline constexpr const char* flattened_name = "diagram.yaml";
+/// That of one run of a sweep, counted from 0: "diagrams/0001.yaml", ...
+std::string flattened_name_of(std::size_t run);
+
+}  // namespace stepwire

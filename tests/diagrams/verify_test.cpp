@@ -1,0 +1,37 @@
+#include "engine/replay/verify.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "engine/cli/output.hpp"
+#include "engine/replay/replay_folder.hpp"
+#include "tests/diagrams/diagram_files.hpp"
+#include "tests/engine/table/scratch.hpp"
+#include "tests/support/plan_text.hpp"
+
+using namespace stepwire;
+
+namespace {
+
+constexpr std::size_t most_runs = 3;
+constexpr std::int64_t most_steps = 100;
+
+}  // namespace
+
+TEST_CASE("what every diagram leaves in its folder can be verified there") {
+  for_every_job([](Job job) {
+    const Scratch folder;
+    const std::string out = folder.path("out");
+    if (job.points.size() > most_runs) job.points.resize(most_runs);
+    write_replay(out, job);
+    job.plan.steps = std::min(job.plan.steps, most_steps);
+    for (SweepPoint& point : job.points) point.plan.steps = std::min(point.plan.steps, most_steps);
+    const Work work{job.plan.diagram.file, std::move(job), {}, {}};
+    write_outputs(out, work, carry_out(work, {}));
+    const Verification verification = verify(out, library());
+    CHECK(verification.difference == "");
+    CHECK(verification.rows > 1);
+    CHECK(verification.signals > 0);
+    CHECK(verification.runs == std::max<std::size_t>(1, work.job.points.size()));
+  });
+}

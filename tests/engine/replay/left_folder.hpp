@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "tests/support/plan_text.hpp"
+
+namespace stepwire {
+
+/// Runs a diagram file of the folder and leaves in `out` what `run --out` would.
+void leave(const DiagramFolder& folder, const std::string& file, const std::string& out);
+
+/// Replaces a text that is in a file of the folder.
+void change(const DiagramFolder& folder, const std::string& file, const std::string& what,
+            const std::string& by);
+
+/// What verify() finds in a folder: its text, or the message with which it refuses, without the path.
+std::string verdict_of(const DiagramFolder& folder, const std::string& out);
+
+}  // namespace stepwire
