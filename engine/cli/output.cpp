@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "engine/cli/version.hpp"
-#include "engine/diagram/flatten.hpp"
 #include "engine/table/file.hpp"
 
 namespace stepwire {
@@ -90,7 +89,7 @@ Json run_json(const Work& work, const Outcome& outcome) {
   return Json::object()
       .set("file", work.file)
       .set("title", diagram.title)
-      .set("hash", diagram_hash(diagram))
+      .set("hash", work.hash)
       .set("parameters", parameters_json(diagram))
       .set("step", diagram.step)
       .set("stop", diagram.stop)

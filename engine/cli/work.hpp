@@ -18,6 +18,7 @@ struct Work {
   Job job;
   std::vector<Figure> figures;
   std::vector<Claim> claims;
+  std::string hash;  ///< of the flattened diagram and its data as they were before the run
 };
 
 /// What a call asks of each file.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -168,7 +169,7 @@ class Flattener {
                                 const std::optional<Dimension>& dimension) const {
     const ParameterSpec& spec = block.type().parameters[index];
     Value value = spec.get(block.block.get());
-    if (spec.kind == ParameterKind::file) return written_text(file_name_(*value.text()));
+    if (spec.kind == ParameterKind::file) return written_filled_in(file_name_(*value.text()));
     if (std::find(block.spread.begin(), block.spread.end(), index) != block.spread.end())
       value.content = one(std::get<Eigen::VectorXd>(value.content)[0]);
     return written_value(spec, value, dimension);

@@ -180,6 +180,11 @@ std::optional<std::string> ValueReader::fill_in(const Node& node, const std::str
       result += text[i++];
       continue;
     }
+    if (text.substr(i, 2) == "$$") {
+      result += '$';
+      i += 2;
+      continue;
+    }
     std::size_t end = i + 1;
     while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '_'))
       ++end;

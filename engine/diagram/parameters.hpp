@@ -45,7 +45,7 @@ class ValueReader {
   /// One finite number of the given dimension.
   std::optional<double> read_number(const Node& node, const Dimension& demanded,
                                     const std::string& subject) const;
-  /// Replaces each `$name` inside of a text by that parameter's number or text.
+  /// Replaces each `$name` inside of a text by that parameter's number or text, and `$$` by `$`.
   std::optional<std::string> fill_in(const Node& node, const std::string& subject) const;
 
   Origin at(const Mark& mark) const { return {scope_, mark}; }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "engine/diagram/resolve.hpp"
 
@@ -44,7 +45,7 @@ struct Writer {
     return std::isfinite(value) ? std::optional(with_unit(number(value), dimension)) : std::nullopt;
   }
   std::optional<Node> operator()(bool value) const { return written_text(value ? "true" : "false"); }
-  std::optional<Node> operator()(const std::string& text) const { return written_text(text); }
+  std::optional<Node> operator()(const std::string& text) const { return written_filled_in(text); }
   std::optional<Node> operator()(const Eigen::VectorXd& vector) const {
     if (vector.size() == 0 || !vector.allFinite()) return std::nullopt;
     if (spec.kind == ParameterKind::per_element) return written_numbers(vector, dimension);
@@ -79,6 +80,12 @@ Node written_text(std::string text) {
   node.kind = Node::Kind::scalar;
   node.text = std::move(text);
   return node;
+}
+
+Node written_filled_in(const std::string& text) {
+  std::string result;
+  for (const char c : text) result.append(c == '$' ? 2 : 1, c);
+  return written_text(std::move(result));
 }
 
 Node written_signal(std::string name) {

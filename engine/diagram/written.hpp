@@ -9,8 +9,10 @@
 
 namespace stepwire {
 
-/// A text, or a name.
+/// A text as it stands, or a name.
 Node written_text(std::string text);
+/// A text in which a file's reader looks for `$name`.
+Node written_filled_in(const std::string& text);
 /// The name of a signal where a number could stand as well.
 Node written_signal(std::string name);
 /// Numbers in SI, in the shortest digits that read back to the same bits, with the name of the unit where

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <functional>
 
 #include "engine/diagram/flatten.hpp"
 #include "engine/table/file.hpp"

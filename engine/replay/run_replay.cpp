@@ -1,7 +1,9 @@
 #include "engine/replay/run_replay.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 namespace stepwire {
 

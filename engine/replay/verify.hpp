@@ -1,7 +1,7 @@
 #pragma once
 
 #include <atomic>
-#include <optional>
+#include <cstddef>
 #include <string>
 
 #include "engine/block/registry.hpp"

@@ -109,6 +109,17 @@ record: [all, lag.x]
   CHECK_THAT(text, Catch::Contains("limit: {block: Saturation, u: lag, lower: -1}"));
 }
 
+TEST_CASE("a word with a $ in it stays what it is") {
+  const DiagramFolder folder;
+  folder.write("$x.csv", "time [s],a$b [m]\n0,1\n3,2\n");
+  folder.write("main.yaml",
+               head + "blocks: {a: {block: FromFile, file: $$x.csv, column: a$$b}}\nrecord: a\n");
+  const Plan plan = folder.plan("main.yaml");
+  CHECK_THAT(flattened(plan), Catch::Contains("$$x.csv\n") && Catch::Contains("column: [a$$b]"));
+  CHECK(flattened(again(plan)) == flattened(plan));
+  CHECK(run_plan(again(plan)).recordings.at(0).table.columns.at(1).values.back() == 2.0);
+}
+
 TEST_CASE("a recorded name may be that of a block inside that it does not mean") {
   const DiagramFolder folder;
   folder.write("part.yaml",
