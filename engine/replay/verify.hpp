@@ -19,9 +19,9 @@ struct Verification {
   std::string difference;        ///< the first in time, with its place; empty where all bits agree
 };
 
-/// Replays what `run` or `loop` left in a folder, and compares all that was recorded bit by bit. Once
-/// `interrupt` is true it gives up. Throws Error or TableError where the folder is not such a one or damaged,
-/// SurroundingsError.
+/// Replays what `run` or `loop` left in a folder, and compares all signals that were recorded bit by bit.
+/// Once `interrupt` is true it gives up. Throws Error or TableError where the folder is not such a one or
+/// damaged, SurroundingsError.
 Verification verify(const std::string& folder, const Registry& registry,
                     const std::atomic<bool>* interrupt = nullptr);
 
