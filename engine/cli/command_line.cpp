@@ -21,6 +21,9 @@ namespace {
 
 constexpr DocumentLimits large_limits{.bytes = std::size_t{512} << 20, .depth = 64, .nodes = 64'000'000};
 
+const std::map<std::string, Engine> engines = {
+    {"interpreted", Engine::interpreted}, {"compiled", Engine::compiled}, {"auto", Engine::automatic}};
+
 const CLI::Validator is_named([](const std::string& path) { return path.empty() ? "names no folder" : ""; },
                               "");
 
@@ -60,6 +63,7 @@ class CommandLine {
     add_run();
     add_check();
     add_flatten();
+    add_generate();
     add_verify();
     add_thesis();
     add_blocks();
@@ -99,6 +103,10 @@ class CommandLine {
     CLI::App* verb = app_.add_subcommand("run", "run diagram files, judge their claims");
     verb->footer("Example:\n  stepwire run lag.yaml --set tau=0.2s --stop 2s --out out/lag");
     add_work_options(*verb, run_, settings_, stop_, large_);
+    verb->add_option("--engine", run_.engine,
+                     "interpreted, compiled, or auto: compiled once that is worth it; all to the same bits")
+        ->transform(CLI::CheckedTransformer(engines, CLI::ignore_case))
+        ->option_text("ENGINE");
     verb->add_option("--out", run_.out,
                      "folder for signals.csv, signals.mat, pictures, claims.json, run.json, diagram.yaml")
         ->check(is_named);
@@ -112,6 +120,20 @@ class CommandLine {
     verb->callback([this] {
       run_.check_only = true;
       action_ = [this] { return run_or_check(); };
+    });
+  }
+
+  void add_generate() {
+    CLI::App* verb = app_.add_subcommand("generate", "write a diagram as C++ that is built without stepwire");
+    verb->footer("Example:\n  stepwire generate controller.yaml -o controller");
+    verb->add_option("FILE", generate_.file, "a diagram file")->required();
+    add_load_options(*verb, settings_, large_);
+    verb->add_option("-o", generate_.out, "folder for the program")->required()->check(is_named);
+    verb->callback([this] {
+      action_ = [this] {
+        take_load_options(generate_.options);
+        return generate_files(generate_, registry_);
+      };
     });
   }
 
@@ -178,6 +200,7 @@ class CommandLine {
   const Registry& registry_;
   CLI::App app_{"Block diagrams in text, run at a fixed step."};
   RunCommand run_;
+  GenerateCommand generate_;
   FlattenCommand flatten_;
   VerifyCommand verify_;
   ThesisCommand thesis_;

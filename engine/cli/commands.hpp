@@ -15,6 +15,7 @@ struct RunCommand {
   bool json = false;
   bool units = false;
   bool check_only = false;
+  Engine engine = Engine::automatic;
 };
 
 struct FlattenCommand {
@@ -33,6 +34,12 @@ struct ThesisCommand {
   std::string out = "out/thesis";
 };
 
+struct GenerateCommand {
+  std::string file;
+  WorkOptions options;
+  std::string out;  ///< folder
+};
+
 struct BlocksCommand {
   std::string name;
   bool json = false;
@@ -47,6 +54,8 @@ ExitCode flatten_file(const FlattenCommand& command, const Registry& registry);
 ExitCode verify_folders(const VerifyCommand& command, const Registry& registry);
 /// `thesis`: every figure, and the page that shows them.
 ExitCode run_thesis(const ThesisCommand& command, const Registry& registry);
+/// `generate`: a diagram as C++.
+ExitCode generate_files(const GenerateCommand& command, const Registry& registry);
 /// `blocks`.
 ExitCode show_blocks(const BlocksCommand& command, const Registry& registry);
 /// `schema`.

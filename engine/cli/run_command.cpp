@@ -8,6 +8,7 @@
 #include "engine/cli/output.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/report.hpp"
+#include "engine/generate/generated_code.hpp"
 #include "engine/replay/replay_folder.hpp"
 #include "engine/table/file.hpp"
 
@@ -50,21 +51,34 @@ ExitCode check(const Work& work, const RunCommand& command, Json& results) {
   return ExitCode::done;
 }
 
-Outcome carry_out_visibly(const Work& work) {
-  Progress progress(std::filesystem::path(work.file).filename().string());
-  RunOptions options;
-  options.interrupt = &interrupted();
-  options.progress = [&](double fraction) { progress.show(fraction); };
-  return carry_out(work, options);
+/// Says once why nothing is compiled.
+void tell_problem(GeneratedCode& code) {
+  const std::string problem = code.take_problem();
+  if (!problem.empty()) fmt::print(stderr, "interpreted, since {}\n", problem);
 }
 
-ExitCode run(const Work& work, const RunCommand& command, Json& results) {
+Outcome carry_out_visibly(const Work& work, Engine engine, GeneratedCode& code) {
+  RunOptions options;
+  options.interrupt = &interrupted();
+  options.engine = engine;
+  options.code = &code;
+  Outcome outcome;
+  {
+    Progress progress(std::filesystem::path(work.file).filename().string());
+    options.progress = [&](double fraction) { progress.show(fraction); };
+    outcome = carry_out(work, options);
+  }
+  tell_problem(code);
+  return outcome;
+}
+
+ExitCode run(const Work& work, const RunCommand& command, GeneratedCode& code, Json& results) {
   const std::string folder = command.out.empty() ? "" : folder_of(command, work.file);
   if (!folder.empty()) {  // better now than after an hour, in which data files may change
     require_folder(folder);
     write_replay(folder, work.job);
   }
-  const Outcome outcome = carry_out_visibly(work);
+  const Outcome outcome = carry_out_visibly(work, command.engine, code);
   print_faults(outcome.result);
   if (!folder.empty()) write_outputs(folder, work, outcome);
   if (command.json) {
@@ -82,12 +96,14 @@ ExitCode run(const Work& work, const RunCommand& command, Json& results) {
 ExitCode run_files(const RunCommand& command, const Registry& registry) {
   if (!folders_differ(command)) return ExitCode::wrong;
   ExitCode code = ExitCode::done;
+  GeneratedCode compiler;
   Json results = Json::list();
   for (const std::string& file : command.files) {
     if (interrupted()) break;
     code = worst(code, guarded([&] {
                    const Work work = prepare(registry, file, command.options);
-                   return command.check_only ? check(work, command, results) : run(work, command, results);
+                   return command.check_only ? check(work, command, results)
+                                             : run(work, command, compiler, results);
                  }));
   }
   if (command.json) fmt::print("{}\n", results.text());

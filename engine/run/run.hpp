@@ -8,6 +8,7 @@
 
 #include "engine/diagram/load.hpp"
 #include "engine/record/recording.hpp"
+#include "engine/run/changeover.hpp"
 #include "engine/run/simulation.hpp"
 
 namespace stepwire {
@@ -17,6 +18,8 @@ struct RunOptions {
   const std::atomic<bool>* interrupt = nullptr;  ///< once true, the run ends and keeps what it has
   std::function<void(double)> progress;  ///< told the fraction done, 0 to 1, now and then, from any thread
   unsigned threads = 0;                  ///< for sweeps; 0: all cores
+  Engine engine = Engine::interpreted;
+  CodeSource* code = nullptr;  ///< for any other engine
 };
 
 /// What a run, or all runs of a sweep, gave.
@@ -25,11 +28,15 @@ struct RunResult {
   std::vector<RunFault> faults;       ///< at most one for each run
   std::vector<RaisedNotice> notices;
   bool interrupted = false;
-  std::int64_t ticks = 0;  ///< of all runs together
+  std::int64_t ticks = 0;           ///< of all runs together
+  std::int64_t compiled_ticks = 0;  ///< of them, those that compiled code made
 };
 
 /// Runs a plan once, from 0 to its stop.
 RunResult run_plan(const Plan& plan, const RunOptions& options = {});
+
+/// The same as one of several runs, the `index`-th, that share a changeover to compiled code.
+RunResult run_plan(const Plan& plan, const RunOptions& options, Changeover& changeover, std::size_t index);
 
 /// One point of a sweep: what it sets, and what columns that adds to the recording.
 struct SweepPoint {

@@ -171,21 +171,32 @@ void Simulation::find_due() {
 }
 
 void Simulation::evaluate() {
-  workspace_.values[plan_.layout.time] = time();
-  find_due();
-  run_due(plan_.outputs);
+  if (code_) {
+    code_->functions.evaluate(workspace_.values.data(), code_->parameters.data(), workspace_.tick);
+  } else {
+    workspace_.values[plan_.layout.time] = time();
+    find_due();
+    run_due(plan_.outputs);
+  }
   healthy_ = healthy_ && all_finite();
 }
 
 void Simulation::advance() {
-  run_due(plan_.updates);
-  if (!ending_notices_.empty() && notice_ends_run()) healthy_ = false;
-  if (solver_) {
-    if (plan_.updates_continuous) run(plan_.stage);
-    run(plan_.derivatives);
-    solver_->advance(*equations_, time(), plan_.diagram.step);
+  if (code_) {
+    code_->functions.advance(workspace_.values.data(), code_->parameters.data(), workspace_.tick);
+  } else {
+    take_step();
   }
+  if (!ending_notices_.empty() && notice_ends_run()) healthy_ = false;
   ++workspace_.tick;
+}
+
+void Simulation::take_step() {
+  run_due(plan_.updates);
+  if (!solver_) return;
+  if (plan_.updates_continuous) run(plan_.stage);
+  run(plan_.derivatives);
+  solver_->advance(*equations_, time(), plan_.diagram.step);
 }
 
 bool Simulation::all_finite() const {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/plan/plan.hpp"
+#include "engine/plan/compiled_plan.hpp"
 #include "engine/signal/input.hpp"
 #include "engine/solve/solver.hpp"
 
@@ -44,6 +44,9 @@ class Simulation {
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
+  /// From now on steps with compiled code, which must outlive this; call it between advance() and evaluate().
+  void use(const CompiledPlan& code) { code_ = &code; }
+
   /// Puts everything at time 0.
   void reset();
   /// Computes all outputs at the present tick.
@@ -77,6 +80,7 @@ class Simulation {
   void run(const std::vector<Batch>& batches);
   void run_due(const std::vector<Batch>& batches);
   void find_due();
+  void take_step();
   bool all_finite() const;
   bool notice_ends_run() const;
   std::optional<RunFault> not_finite() const;
@@ -94,6 +98,7 @@ class Simulation {
   std::vector<char> due_;  ///< for each of the plan's periods
   std::vector<std::size_t> ending_notices_;
   bool healthy_ = true;
+  const CompiledPlan* code_ = nullptr;  ///< none while interpreted
 };
 
 }  // namespace stepwire

@@ -98,7 +98,10 @@ void append(Recording& all, Recording&& one) {
 class Pool {
  public:
   Pool(const Job& job, const RunOptions& options)
-      : job_(job), options_(options), results_(job.points.size()) {}
+      : job_(job),
+        options_(options),
+        results_(job.points.size()),
+        changeover_(options.engine, options.code, plans_of(job)) {}
 
   std::vector<RunResult> run() {
     const std::size_t wanted =
@@ -119,7 +122,8 @@ class Pool {
       try {
         results_[point].interrupted =
             own.interrupt && *own.interrupt;  // nothing is kept of what has not begun
-        if (!results_[point].interrupted) results_[point] = run_plan(job_.points[point].plan, own);
+        if (!results_[point].interrupted)
+          results_[point] = run_plan(job_.points[point].plan, own, changeover_, point);
       } catch (...) {
         const std::lock_guard lock(mutex_);
         failure_ = std::current_exception();
@@ -130,9 +134,16 @@ class Pool {
     }
   }
 
+  static std::vector<const Plan*> plans_of(const Job& job) {
+    std::vector<const Plan*> plans;
+    for (const SweepPoint& point : job.points) plans.push_back(&point.plan);
+    return plans;
+  }
+
   const Job& job_;
   const RunOptions& options_;
   std::vector<RunResult> results_;
+  Changeover changeover_;
   std::atomic<std::size_t> next_ = 0;
   std::size_t done_ = 0;
   std::mutex mutex_;
@@ -162,6 +173,7 @@ RunResult pool(const Job& job, std::vector<RunResult> results) {
     }
     all.interrupted = all.interrupted || one.interrupted;
     all.ticks += one.ticks;
+    all.compiled_ticks += one.compiled_ticks;
   }
   return all;
 }

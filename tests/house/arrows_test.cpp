@@ -28,7 +28,7 @@ const std::map<std::string, Folders> arrows{
     {"statistics", {}},
     {"figure", {"diagram", "record", "expression", "statistics"}},
     {"realtime", {"run"}},
-    {"generate", {"solve"}},
+    {"generate", {"solve", "record"}},
     {"identify", {"run"}},
     {"describe", {"diagram", "table", "figure", "solve"}},
     {"cli", {"run", "replay", "figure", "describe", "realtime", "generate", "identify"}},

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace stepwire {
+
+/// A C++ compiler of this machine.
+class Compiler {
+ public:
+  /// What the environment variable CXX names, else the first of c++, g++ and clang++ that is there.
+  Compiler();
+
+  bool found() const { return !path_.empty(); }
+  /// Name and version, as the compiler tells them.
+  const std::string& version() const { return version_; }
+  /// How generated code is compiled: the same bits as the interpreter, so no contraction of multiply and add,
+  /// and functions such as sin only ever computed by the library, never by the compiler.
+  static std::vector<std::string> flags();
+
+  /// Compiles a source into a shared library. Empty if that went well, else what the compiler said. A stop
+  /// kills the compiler.
+  std::string compile(const std::string& source, const std::string& library,
+                      const std::stop_token& stop) const;
+
+ private:
+  std::string path_, version_;
+};
+
+/// The folder in which headers of blocks lie.
+std::string source_folder();
+
+}  // namespace stepwire

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <stop_token>
+#include <thread>
+#include <vector>
+
+#include "engine/plan/compiled_plan.hpp"
+
+namespace stepwire {
+
+/// How a run is computed. The results are the same to the last bit.
+enum class Engine {
+  interpreted,
+  compiled,  ///< from the first tick on; where nothing can be compiled, interpreted
+  automatic  ///< interpreted at first; compiled once that is worth it and ready
+};
+
+/// Compiles the plans of some runs, at once or beside them, and hands out the code when it is there.
+class Changeover {
+ public:
+  Changeover(Engine engine, CodeSource* source, std::vector<const Plan*> plans);
+
+  /// The code of the i-th plan; null while there is none. From any thread.
+  const CompiledPlan* code(std::size_t plan) const;
+  /// Told by the runs, now and then, that so many more ticks are done. From any thread.
+  void done(std::int64_t ticks);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void compile(const std::stop_token& stop);
+  bool is_worth_it(std::int64_t done) const;
+
+  CodeSource* source_;
+  std::vector<const Plan*> plans_;
+  std::int64_t all_ticks_ = 0;
+  double compile_seconds_ = 0.0;
+  Clock::time_point start_ = Clock::now();
+  std::atomic<std::int64_t> done_ = 0;
+  std::atomic<bool> begun_ = false, ready_ = false;
+  std::vector<CompiledPlan> code_;
+  std::jthread thread_;  ///< last: it uses the others
+};
+
+}  // namespace stepwire
