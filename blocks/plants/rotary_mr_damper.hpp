@@ -43,4 +43,24 @@ struct RotaryMRDamper : MRDamperCore {
   static void declare(Declare<RotaryMRDamper>& is);
 };
 
+/// Thesis eq. 8-10, with the angle in rad, time in s and current in A. The torque's unit is not printed and
+/// assumed to be pound-force inch: the limit of 17.7 at 0.75 A is then the 2 N m of the transducer that was
+/// used.
+inline void rd_2087_01(RotaryMRDamper& damper) {
+  damper.k0 = 0.0;
+  damper.A = 2.7789;
+  damper.beta = 5.1269;
+  damper.n = 1.0;
+  damper.gamma = 1.5960;
+  damper.c = {-0.208, 0.377, -0.215, 0.042};
+  damper.alpha = {-25.99, 49.02, 28.05, 5.23};
+  damper.torque_unit = RotaryMRDamper::TorqueUnit::lbf_in;
+  damper.current_range = {0.0, 0.75};
+  damper.assumed_below = 0.50;
+}
+
+inline RotaryMRDamper::RotaryMRDamper() {
+  rd_2087_01(*this);
+}
+
 }  // namespace stepwire

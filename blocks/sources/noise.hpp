@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "blocks/sources/random.hpp"
+#include "blocks/sources/normal_quantile.hpp"
 #include "engine/block/block.hpp"
 
 namespace stepwire {

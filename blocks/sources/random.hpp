@@ -33,9 +33,4 @@ inline double portable_log(double x) {
   return 2.0 * s * sum + exponent * 0.69314718055994530942;
 }
 
-/// The number that a standard normal variable stays below with this probability, to 1e-16 relative
-/// (Wichura: The percentage points of the normal distribution, Applied Statistics 37, 1988, algorithm AS
-/// 241).
-double normal_quantile(double probability);
-
 }  // namespace stepwire

@@ -25,7 +25,8 @@ TEST_CASE("a band-limited signal repeats in both directions and runs through its
   std::vector<double> values;
   for (int n = 0; n < 50; ++n) values.push_back(std::fmod(n * n * 0.37, 2.0) - 1.0);
   const BandLimited limited = BandLimited::through({1, 50, Numbers(values)});
-  for (int n = 0; n < 50; ++n) REQUIRE(limited(0, n / 50.0) == Approx(values[static_cast<std::size_t>(n)]).margin(1e-13));
+  for (int n = 0; n < 50; ++n)
+    REQUIRE(limited(0, n / 50.0) == Approx(values[static_cast<std::size_t>(n)]).margin(1e-13));
   REQUIRE(limited(0, -0.3) == Approx(limited(0, 0.7)).margin(1e-13));
   REQUIRE(limited(0, 12.7) == Approx(limited(0, 0.7)).margin(1e-12));
   REQUIRE(limited(0, -1e-20) == Approx(values[0]).margin(1e-13));
