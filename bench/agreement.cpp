@@ -8,6 +8,7 @@
 
 #include "bench/hand_written.hpp"
 #include "bench/workload.hpp"
+#include "engine/generate/generated_code.hpp"
 #include "engine/run/simulation.hpp"
 
 namespace stepwire {
@@ -57,32 +58,50 @@ void go(Simulation& simulation, int steps) {
   }
 }
 
+/// The same with compiled code.
+void go_compiled(Simulation& simulation, int steps) {
+  static GeneratedCode source;
+  const std::vector<CompiledPlan> code = source.compile({&simulation.plan()}, {});
+  if (!code.empty()) simulation.use(code.front());
+  go(simulation, steps);
+}
+
 bool w1_agrees(const ReferenceW1& reference) {
   const Plan plan = w1_plan();
   Simulation simulation(plan);
+  Simulation generated(plan);
   go(simulation, reference.steps);
-  HandWrittenW1 by_hand;
+  go_compiled(generated, reference.steps);
+  HandWrittenW1<> by_hand;
   for (int i = 0; i < reference.steps; ++i) by_hand.step();
   bool good = true;
   for (std::size_t i = 0; i < reference.state.size(); ++i) {
     const std::string name = std::array{"x", "v", "z", "amp"}[i];
     const std::string what = fmt::format("W1 {} after {} steps", name, reference.steps);
     good = agrees(what, state(simulation, name), reference.state[i]) && good;
+    good = agrees(what + " generated", state(generated, name), reference.state[i]) && good;
     good = agrees(what + " by hand", by_hand.state()[i], reference.state[i]) && good;
   }
   return good;
 }
 
+double sum_of_states(const Simulation& simulation, int blocks) {
+  double sum = 0.0;
+  for (int j = 0; j < blocks / 5; ++j) sum += state(simulation, fmt::format("x{}", j));
+  return sum;
+}
+
 bool w2_agrees(const ReferenceW2& reference) {
   const Plan plan = w2_plan(reference.blocks, reference.steps);
   Simulation simulation(plan);
+  Simulation generated(plan);
   go(simulation, reference.steps);
-  double sum = 0.0;
-  for (int j = 0; j < reference.blocks / 5; ++j) sum += state(simulation, fmt::format("x{}", j));
-  HandWrittenW2 by_hand(reference.blocks);
+  go_compiled(generated, reference.steps);
+  HandWrittenW2<> by_hand(reference.blocks);
   for (int i = 0; i < reference.steps; ++i) by_hand.step();
   const std::string what = fmt::format("W2 {} after {} steps", reference.blocks, reference.steps);
-  const bool good = agrees(what, sum, reference.sum);
+  const bool good = agrees(what, sum_of_states(simulation, reference.blocks), reference.sum) &&
+                    agrees(what + " generated", sum_of_states(generated, reference.blocks), reference.sum);
   return agrees(what + " by hand", by_hand.sum(), reference.sum) && good;
 }
 

@@ -16,21 +16,24 @@ double hand(double time) {
 
 }  // namespace
 
-double HandWrittenW1::force(const std::array<double, 4>& s) const {
+template <int level>
+double HandWrittenW1<level>::force(const std::array<double, 4>& s) const {
   const double i = std::clamp(s[3], 0.0, 0.35);
   const double c = (((-9.37 * i + 10.22) * i - 4.33) * i + 0.89) * i + 0.02;
   const double alpha = ((72.8 * i - 42.88) * i + 14.83) * i + 0.29;
   return c * s[1] + alpha * s[2];
 }
 
-std::array<double, 4> HandWrittenW1::slope(double time, const std::array<double, 4>& s) const {
+template <int level>
+std::array<double, 4> HandWrittenW1<level>::slope(double time, const std::array<double, 4>& s) const {
   const double v = s[1], z = s[2];
   const double net = 5.0 * hand(time) - force(s);
   return {v, 1000.0 * (1.0 * net), 36.2095 * v - 10.614 * (std::abs(v) * z) - -7.0773 * (v * std::abs(z)),
           (held_current_ - s[3]) * (1.0 / 0.005)};
 }
 
-void HandWrittenW1::control(double time) {
+template <int level>
+void HandWrittenW1<level>::control(double time) {
   const double x = 0.02 * std::floor(state_[0] / 0.02 + 0.5);
   const double region = x > 5.0 ? x - 5.0 : x < -4.0 ? x + 4.0 : 0.0;
   const double gate = region * (5.0 * hand(time));
@@ -42,7 +45,8 @@ void HandWrittenW1::control(double time) {
   held_current_ = std::clamp(output, 0.0, 0.35);
 }
 
-void HandWrittenW1::step() {
+template <int level>
+void HandWrittenW1<level>::step() {
   const double time = static_cast<double>(tick_++) * h;
   control(time);
   const auto moved = [&](const std::array<double, 4>& k, double by) {
@@ -58,7 +62,8 @@ void HandWrittenW1::step() {
     state_[n] += h / 6 * (k1[n] + 2 * k2[n] + 2 * k3[n] + k4[n]);
 }
 
-HandWrittenW2::HandWrittenW2(int blocks) {
+template <int level>
+HandWrittenW2<level>::HandWrittenW2(int blocks) {
   const auto cells = static_cast<std::size_t>(blocks / 5);
   for (auto* vector : {&x_, &stage_, &k1_, &k2_, &k3_, &k4_, &gain_, &pass_}) vector->assign(cells, 0.0);
   for (std::size_t j = 0; j < cells; ++j) {
@@ -67,7 +72,8 @@ HandWrittenW2::HandWrittenW2(int blocks) {
   }
 }
 
-void HandWrittenW2::slope(double time, const std::vector<double>& x, std::vector<double>& dot) const {
+template <int level>
+void HandWrittenW2<level>::slope(double time, const std::vector<double>& x, std::vector<double>& dot) const {
   const double source = std::sin(2.0 * std::numbers::pi * time);
   const double w = 0.1 * source;
   double u = source;
@@ -77,7 +83,8 @@ void HandWrittenW2::slope(double time, const std::vector<double>& x, std::vector
   }
 }
 
-void HandWrittenW2::step() {
+template <int level>
+void HandWrittenW2<level>::step() {
   const double time = static_cast<double>(tick_++) * h;
   const auto move = [&](const std::vector<double>& k, double by) {
     for (std::size_t j = 0; j < x_.size(); ++j) stage_[j] = x_[j] + by * k[j];
@@ -92,10 +99,14 @@ void HandWrittenW2::step() {
   for (std::size_t j = 0; j < x_.size(); ++j) x_[j] += h / 6 * (k1_[j] + 2 * k2_[j] + 2 * k3_[j] + k4_[j]);
 }
 
-double HandWrittenW2::sum() const {
+template <int level>
+double HandWrittenW2<level>::sum() const {
   double sum = 0.0;
   for (double x : x_) sum += x;
   return sum;
 }
+
+template class HandWrittenW1<HAND_WRITTEN_LEVEL>;
+template class HandWrittenW2<HAND_WRITTEN_LEVEL>;
 
 }  // namespace stepwire

@@ -7,6 +7,7 @@
 namespace stepwire {
 
 /// W1 as one would write it by hand: the same mathematics, nothing recorded, nothing checked.
+template <int level = 2>
 class HandWrittenW1 {
  public:
   void step();
@@ -24,6 +25,7 @@ class HandWrittenW1 {
 };
 
 /// W2 as one would write it by hand.
+template <int level = 2>
 class HandWrittenW2 {
  public:
   explicit HandWrittenW2(int blocks);

@@ -3,11 +3,13 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include <deque>
 #include <map>
 #include <utility>
 
 #include "bench/hand_written.hpp"
 #include "bench/workload.hpp"
+#include "engine/generate/generated_code.hpp"
 #include "engine/record/recorder.hpp"
 #include "engine/run/simulation.hpp"
 
@@ -15,9 +17,10 @@ namespace stepwire {
 
 namespace {
 
-/// Steps a diagram with its 8 signals recorded and the finite check on.
-void run_diagram(benchmark::State& bench, const Plan& plan) {
+/// Steps a diagram with its 8 signals recorded and the finite check on; with compiled code if there is any.
+void run_diagram(benchmark::State& bench, const Plan& plan, const CompiledPlan* code = nullptr) {
   Simulation simulation(plan);
+  if (code) simulation.use(*code);
   Recorder recorder(plan, plan.diagram.records.front());
   const Workspace start = simulation.workspace();
   for (auto _ : bench) {
@@ -45,13 +48,21 @@ void run_by_hand(benchmark::State& bench, HandWritten loop) {
 class Steps : public benchmark::ConsoleReporter {
  public:
   /// One workload by all means.
-  template <class HandWritten>
-  void add(const std::string& workload, Plan plan, const HandWritten& by_hand) {
+  template <class HandWritten2, class HandWritten3>
+  void add(const std::string& workload, const Plan& plan, const HandWritten2& by_hand,
+           const HandWritten3& by_hand_O3) {
     const std::size_t blocks = plan.diagram.blocks.size();
     add_loop({workload, "by hand", "ns per step", 0.0, blocks},
              [by_hand](benchmark::State& bench) { run_by_hand(bench, by_hand); });
+    add_loop({workload, "by hand, -O3", "ns per step", 0.0, blocks},
+             [by_hand_O3](benchmark::State& bench) { run_by_hand(bench, by_hand_O3); });
     add_loop({workload, "interpreted", "ns per step", 0.0, blocks},
-             [plan = std::move(plan)](benchmark::State& bench) { run_diagram(bench, plan); });
+             [&plan](benchmark::State& bench) { run_diagram(bench, plan); });
+    const std::vector<CompiledPlan> code = source_.compile({&plan}, {});
+    if (code.empty()) fmt::print(stderr, "{} is not generated: {}\n", workload, source_.take_problem());
+    if (!code.empty())
+      add_loop({workload, "generated", "ns per step", 0.0, blocks},
+               [&plan, code](benchmark::State& bench) { run_diagram(bench, plan, &code[0]); });
   }
 
   const std::vector<Result>& results() const { return results_; }
@@ -73,6 +84,7 @@ class Steps : public benchmark::ConsoleReporter {
     }
   }
 
+  GeneratedCode source_;
   std::map<std::string, Result> loops_;  ///< by the names of benchmarks
   std::vector<Result> results_;
 };
@@ -81,9 +93,11 @@ class Steps : public benchmark::ConsoleReporter {
 
 std::vector<Result> measure_steps() {
   Steps steps;
-  steps.add("W1", w1_plan(), HandWrittenW1());
+  std::deque<Plan> plans{w1_plan()};  // they stay where they are
+  steps.add("W1", plans.back(), HandWrittenW1<2>(), HandWrittenW1<3>());
   for (const int blocks : {10, 100, 1000, 10000})
-    steps.add(fmt::format("W2 {}", blocks), w2_plan(blocks, 1000), HandWrittenW2(blocks));
+    steps.add(fmt::format("W2 {}", blocks), plans.emplace_back(w2_plan(blocks, 1000)),
+              HandWrittenW2<2>(blocks), HandWrittenW2<3>(blocks));
   benchmark::RunSpecifiedBenchmarks(&steps);
   return steps.results();
 }

@@ -139,8 +139,9 @@ std::string struct_definitions(const Plan& plan, const std::string& name) {
       "[[gnu::flatten]] void Diagram::evaluate() {{\n{2}  ::evaluate(w_, nullptr, tick);\n{3}{4}}}\n\n"
       "[[gnu::flatten]] void Diagram::advance() {{\n  ::advance(w_, nullptr, tick);\n  ++tick;\n}}\n\n"
       "bool Diagram::finite() const {{\n"
-      "  double sum = 0.0;  // a product with 0 is 0 for what is finite and nan for the rest\n"
-      "  for (int i = {5}; i < {6}; ++i) sum += w_[i] * 0.0;\n  return sum == 0.0;\n}}\n\n"
+      "  std::uint64_t bits = 0;  // a product with 0 is 0 for what is finite and nan for the rest\n"
+      "  for (int i = {5}; i < {6}; ++i) bits |= std::bit_cast<std::uint64_t>(w_[i] * 0.0);\n"
+      "  return (bits << 1) == 0;\n}}\n\n"
       "const char* Diagram::fault() const {{\n{7}  return nullptr;\n}}\n\n}}  // namespace {0}\n",
       name, copies("inputs", inputs_of(plan), true), copies("inputs", inputs_of(plan), false),
       copies("outputs", outputs_of(plan), true), copies("recorded", recorded_of(plan), true), layout.signals,

@@ -32,7 +32,8 @@ std::string cmake_text(const std::string& name) {
 }
 
 std::string source_text(const Plan& plan, const Program& program, const std::string& name) {
-  std::string text = fmt::format("#include \"{}.hpp\"\n\n#include <cmath>\n#include <limits>\n\n", name);
+  std::string text =
+      fmt::format("#include \"{}.hpp\"\n\n#include <bit>\n#include <cmath>\n#include <limits>\n\n", name);
   for (const std::string& header : program.headers) text += fmt::format("#include \"{}\"\n", header);
   text += "\nnamespace {\n\nusing namespace stepwire;\n\n" + program.text + "\n}  // namespace\n\n";
   return text + struct_definitions(plan, name);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <new>
 
+#include "engine/run/finite.hpp"
 #include "engine/signal/notice.hpp"
 
 namespace stepwire {
@@ -178,7 +179,7 @@ void Simulation::evaluate() {
     find_due();
     run_due(plan_.outputs);
   }
-  healthy_ = healthy_ && all_finite();
+  healthy_ = healthy_ && is_finite();
 }
 
 void Simulation::advance() {
@@ -199,13 +200,9 @@ void Simulation::take_step() {
   solver_->advance(*equations_, time(), plan_.diagram.step);
 }
 
-bool Simulation::all_finite() const {
-  // A product with 0 is 0 for what is finite and nan for the rest, and so is the sum: no branch for each
-  // number.
+bool Simulation::is_finite() const {
   const Layout& layout = plan_.layout;
-  const auto count = static_cast<Eigen::Index>(layout.states + layout.state_count - layout.signals);
-  const Eigen::Map<const Eigen::ArrayXd> numbers(values() + layout.signals, count);
-  return (numbers * 0.0).sum() == 0.0;
+  return all_finite(values() + layout.signals, layout.states + layout.state_count - layout.signals);
 }
 
 bool Simulation::notice_ends_run() const {

@@ -81,7 +81,7 @@ class Simulation {
   void run_due(const std::vector<Batch>& batches);
   void find_due();
   void take_step();
-  bool all_finite() const;
+  bool is_finite() const;
   bool notice_ends_run() const;
   std::optional<RunFault> not_finite() const;
 

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <cstddef>
+
+namespace stepwire {
+
+/// Are all of these numbers finite?
+bool all_finite(const double* numbers, std::size_t count);
+
+}  // namespace stepwire
