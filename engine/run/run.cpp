@@ -1,36 +1,13 @@
 #include "engine/run/run.hpp"
 
-#include <algorithm>
-
 #include "engine/record/recorder.hpp"
+#include "engine/run/stopper.hpp"
 
 namespace stepwire {
 
 namespace {
 
 constexpr std::int64_t ticks_between_looks = 256;  // at the interrupt flag and the stop condition's progress
-
-/// Evaluates `stop_when` at a tick.
-class Stopper {
- public:
-  explicit Stopper(const Plan& plan) {
-    if (!plan.diagram.stop_when) return;
-    condition_ = plan.diagram.stop_when->expression;
-    for (const SignalRef& signal : plan.diagram.stop_when->variables)
-      offsets_.push_back(signal.block < 0 ? plan.layout.time : plan.slot(signal).offset);
-    numbers_.resize(offsets_.size());
-  }
-  bool stops(const double* values) {
-    if (!condition_) return false;
-    for (std::size_t i = 0; i < offsets_.size(); ++i) numbers_[i] = values[offsets_[i]];
-    return (*condition_)(numbers_) != 0.0;
-  }
-
- private:
-  std::optional<Expression> condition_;
-  std::vector<std::size_t> offsets_;
-  std::vector<double> numbers_;
-};
 
 }  // namespace
 
