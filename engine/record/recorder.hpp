@@ -22,6 +22,14 @@ class Recorder {
     ++filled_;
   }
 
+  /// Period [ticks].
+  std::int64_t every() const { return every_; }
+  /// Goes back to just before a tick that was reached: what is recorded from there on replaces what was kept.
+  void go_back_to(std::int64_t tick) {
+    filled_ = static_cast<std::size_t>((tick + every_ - 1) / every_);
+    next_tick_ = static_cast<std::int64_t>(filled_) * every_;
+  }
+
   /// What was kept: "time" and the signals, a vector signal p as p.1, p.2, ...
   Recording take() const;
 

@@ -67,6 +67,12 @@ class Simulation {
   /// Returns to a kept moment (as it was between advance() and evaluate()).
   void restore(const Workspace& workspace);
 
+  /// Makes one call of the plan, which may be cut down to some of its blocks, at the present moment: for
+  /// measuring what it costs.
+  void call(const Batch& batch) { batch.run(blocks_.get() + batch.first, batch.count); }
+  /// Are all signals and continuous states finite? evaluate() asks this at every tick.
+  bool is_finite() const;
+
   /// What ended the run, once healthy() is false.
   std::optional<RunFault> fault() const;
   std::vector<RaisedNotice> notices() const;
@@ -81,7 +87,6 @@ class Simulation {
   void run_due(const std::vector<Batch>& batches);
   void find_due();
   void take_step();
-  bool is_finite() const;
   bool notice_ends_run() const;
   std::optional<RunFault> not_finite() const;
 
