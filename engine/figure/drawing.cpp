@@ -5,28 +5,12 @@
 
 #include "engine/figure/gnuplot.hpp"
 #include "engine/figure/grid.hpp"
+#include "engine/figure/picture.hpp"
 #include "engine/figure/plot_kind.hpp"
 #include "engine/figure/script.hpp"
 
 namespace stepwire {
 namespace {
-
-constexpr const char* style = R"(reset
-set border 3 lc rgb '#8a8a8a' lw 0.8
-set tics nomirror out scale 0.6 textcolor rgb '#333333'
-set grid back lt 1 lc rgb '#e4e4e4' lw 0.7
-set format '%h'
-set xlabel textcolor rgb '#111111'
-set ylabel textcolor rgb '#111111'
-set zlabel textcolor rgb '#111111'
-set cblabel textcolor rgb '#111111' offset 1.2,0
-set title textcolor rgb '#111111' font ',14'
-set minussign
-set key noenhanced samplen 2.2 spacing 1.15 textcolor rgb '#222222' font ',12'
-set colorbox noborder
-set palette defined (0 '#3b46b3', 0.15 '#4681f7', 0.28 '#2fb2f4', 0.4 '#35dcb0', 0.52 '#9ae657', \
-  0.64 '#e3d939', 0.76 '#faa339', 0.87 '#ee5a1d', 1 '#b41203') maxcolors 96
-)";
 
 /// Curves where the boundaries of the panel are zero, over the plane that is shown.
 void draw_boundaries(const Panel& panel, Script& script) {
@@ -140,26 +124,6 @@ std::string place_panel(const Figure& figure, const Layout& layout, std::size_t 
                      1.0 / static_cast<double>(columns), height / layout.height);
 }
 
-void replace_all(std::string& text, const std::string& from, const std::string& to) {
-  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
-    text.replace(at, from.size(), to);
-}
-
-std::string escaped(std::string text) {
-  replace_all(text, "&", "&amp;");
-  replace_all(text, "<", "&lt;");
-  replace_all(text, ">", "&gt;");
-  return text;
-}
-
-/// What gnuplot does not offer: a list of fonts, crisp cells of maps, and a title that a screen reader says.
-std::string finish(std::string svg, const Figure& figure) {
-  replace_all(svg, "font-family=\"Helvetica\"", "font-family=\"Helvetica, Arial, sans-serif\"");
-  replace_all(svg, "<image ", "<image style='image-rendering:pixelated' ");
-  replace_all(svg, "<title>Gnuplot</title>", "<title>" + escaped(figure.title) + "</title>");
-  return svg;
-}
-
 }  // namespace
 
 Drawing draw(const Figure& figure, std::span<const Recording> recordings) {
@@ -169,14 +133,9 @@ Drawing draw(const Figure& figure, std::span<const Recording> recordings) {
   for (std::size_t i = 0; i < figure.panels.size(); ++i)
     panels.push_back(draw_panel(figure, recordings, i, panel_width));
   const Layout layout = lay_out(figure, panels, panel_width);
-  std::string script = fmt::format(
-      "set encoding utf8\nset terminal svg size {:.0f},{:.0f} noenhanced rounded font 'Helvetica,13' "
-      "background "
-      "'#ffffff'\n"
-      "set multiplot\n",
-      layout.width, layout.height);
+  std::string script = picture_terminal(layout.width, layout.height) + "set multiplot\n";
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    script += style + margins(figure, panels) + place_panel(figure, layout, i);
+    script += picture_style() + margins(figure, panels) + place_panel(figure, layout, i);
     if (i == 0 && !figure.title.empty())
       script +=
           fmt::format("set label {} at screen 0.5, screen {:.6f} center font ',15' textcolor rgb '#111111'\n",
@@ -184,7 +143,7 @@ Drawing draw(const Figure& figure, std::span<const Recording> recordings) {
     script += panels[i].commands;
   }
   const GnuplotAnswer answer = run_gnuplot(script + "unset multiplot\n");
-  return {finish(answer.output, figure), answer.complaints};
+  return {finished_picture(answer.output, figure.title), answer.complaints};
 }
 
 }  // namespace stepwire

@@ -1,0 +1,57 @@
+#include "engine/figure/picture.hpp"
+
+#include <fmt/format.h>
+
+namespace stepwire {
+namespace {
+
+constexpr const char* style = R"(reset
+set border 3 lc rgb '#8a8a8a' lw 0.8
+set tics nomirror out scale 0.6 textcolor rgb '#333333'
+set grid back lt 1 lc rgb '#e4e4e4' lw 0.7
+set format '%h'
+set xlabel textcolor rgb '#111111'
+set ylabel textcolor rgb '#111111'
+set zlabel textcolor rgb '#111111'
+set cblabel textcolor rgb '#111111' offset 1.2,0
+set title textcolor rgb '#111111' font ',14'
+set minussign
+set key noenhanced samplen 2.2 spacing 1.15 textcolor rgb '#222222' font ',12'
+set colorbox noborder
+set palette defined (0 '#3b46b3', 0.15 '#4681f7', 0.28 '#2fb2f4', 0.4 '#35dcb0', 0.52 '#9ae657', \
+  0.64 '#e3d939', 0.76 '#faa339', 0.87 '#ee5a1d', 1 '#b41203') maxcolors 96
+)";
+
+void replace_all(std::string& text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+    text.replace(at, from.size(), to);
+}
+
+std::string escaped(std::string text) {
+  replace_all(text, "&", "&amp;");
+  replace_all(text, "<", "&lt;");
+  replace_all(text, ">", "&gt;");
+  return text;
+}
+
+}  // namespace
+
+std::string picture_style() {
+  return style;
+}
+
+std::string picture_terminal(double width, double height) {
+  return fmt::format(
+      "set encoding utf8\nset terminal svg size {:.0f},{:.0f} noenhanced rounded font 'Helvetica,13' "
+      "background '#ffffff'\n",
+      width, height);
+}
+
+std::string finished_picture(std::string svg, const std::string& title) {
+  replace_all(svg, "font-family=\"Helvetica\"", "font-family=\"Helvetica, Arial, sans-serif\"");
+  replace_all(svg, "<image ", "<image style='image-rendering:pixelated' ");
+  replace_all(svg, "<title>Gnuplot</title>", "<title>" + escaped(title) + "</title>");
+  return svg;
+}
+
+}  // namespace stepwire

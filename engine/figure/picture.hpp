@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+namespace stepwire {
+
+/// The gnuplot commands that give all pictures one look.
+std::string picture_style();
+
+/// The gnuplot command that starts a picture of so many pixels.
+std::string picture_terminal(double width, double height);
+
+/// The picture that gnuplot made, with what it does not offer: a list of fonts, crisp cells of maps, and a
+/// title that a screen reader says.
+std::string finished_picture(std::string svg, const std::string& title);
+
+}  // namespace stepwire
