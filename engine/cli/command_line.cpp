@@ -110,6 +110,8 @@ class CommandLine {
     verb->add_option("--out", run_.out,
                      "folder for signals.csv, signals.mat, pictures, claims.json, run.json, diagram.yaml")
         ->check(is_named);
+    verb->add_flag("--profile", run_.profile,
+                   "measure what each block costs; with --out also in profile.csv and profile.svg");
     verb->callback([this] { action_ = [this] { return run_or_check(); }; });
   }
 

@@ -14,6 +14,7 @@ struct RunCommand {
   std::string out;  ///< folder; empty: nothing is written
   bool json = false;
   bool units = false;
+  bool profile = false;  ///< measure what each block costs
   bool check_only = false;
   Engine engine = Engine::automatic;
 };

@@ -6,6 +6,7 @@
 #include "engine/cli/commands.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/output.hpp"
+#include "engine/cli/profile_report.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/report.hpp"
 #include "engine/generate/generated_code.hpp"
@@ -72,6 +73,17 @@ Outcome carry_out_visibly(const Work& work, Engine engine, GeneratedCode& code) 
   return outcome;
 }
 
+/// Measured behind the run, on a run of its own: what is recorded and judged is that of any other call.
+std::optional<Profile> wanted_profile(const Work& work, const RunCommand& command) {
+  if (!command.profile || interrupted()) return std::nullopt;
+  return profile_of(work);
+}
+
+void write_profile(const std::string& folder, const Work& work, const Profile& profile) {
+  write_file(folder + "/profile.csv", profile_csv(profile));
+  write_file(folder + "/profile.svg", profile_picture(work, profile));
+}
+
 ExitCode run(const Work& work, const RunCommand& command, GeneratedCode& code, Json& results) {
   const std::string folder = command.out.empty() ? "" : folder_of(command, work.file);
   if (!folder.empty()) {  // better now than after an hour, in which data files may change
@@ -81,12 +93,17 @@ ExitCode run(const Work& work, const RunCommand& command, GeneratedCode& code, J
   const Outcome outcome = carry_out_visibly(work, command.engine, code);
   print_faults(outcome.result);
   if (!folder.empty()) write_outputs(folder, work, outcome);
+  const std::optional<Profile> profile = wanted_profile(work, command);
+  if (profile && !folder.empty()) write_profile(folder, work, *profile);
   if (command.json) {
-    results.push(run_json(work, outcome).set("claims", claims_json(work, outcome)));
+    Json result = run_json(work, outcome).set("claims", claims_json(work, outcome));
+    if (profile) result.set("profile", profile_json(*profile));
+    results.push(std::move(result));
     return outcome.code;
   }
   if (command.units) fmt::print("{}", units_text(work.job.plan.diagram));
   fmt::print("{}", outcome_text(work, outcome));
+  if (profile) fmt::print("{}", profile_text(work, *profile));
   if (!folder.empty()) fmt::print("  written to {}\n", folder);
   return outcome.code;
 }
