@@ -7,6 +7,7 @@
 
 #include "engine/cli/interrupt.hpp"
 #include "engine/figure/bar_chart.hpp"
+#include "engine/figure/script.hpp"
 
 namespace stepwire {
 
@@ -146,8 +147,9 @@ Json profile_json(const Profile& profile) {
 std::string profile_picture(const Work& work, const Profile& profile) {
   const std::string& title = work.job.plan.diagram.title;
   BarChart chart{title.empty() ? work.file : title, "share of the run [%]", {}, {}};
-  chart.kinds.assign(phase_names.begin(), phase_names.end());
-  chart.kinds.push_back("the run itself");
+  for (std::size_t phase = 0; phase < phase_count; ++phase)
+    chart.kinds.push_back({phase_names[phase], curve_color(phase)});
+  chart.kinds.push_back({"the run", "#9a9a9a"});
   for (const BlockCost& block : profile.blocks)
     if (!block.part && block.self() > 0.0 && chart.bars.size() < most_shown)
       chart.bars.push_back(bar_of(profile, block));

@@ -12,11 +12,18 @@ struct Bar {
   bool aside = false;          ///< drawn below the others, behind a gap
 };
 
-/// Horizontal bars below each other, the first on top, each stacked of pieces of several kinds.
+/// What pieces of one colour are.
+struct BarKind {
+  std::string name;
+  std::string color;  ///< "#0072B2"
+};
+
+/// Horizontal bars below each other, the first on top, each stacked of pieces of several kinds, with
+/// its length (one decimal) behind it.
 struct BarChart {
   std::string title;
-  std::string axis;                ///< what the length of a bar is, with its unit
-  std::vector<std::string> kinds;  ///< a colour each
+  std::string axis;            ///< what the length of a bar is, with its unit
+  std::vector<BarKind> kinds;  ///< at most five, whose names stand in one line
   std::vector<Bar> bars;
 };
 
