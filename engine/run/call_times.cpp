@@ -1,5 +1,6 @@
 #include "engine/run/call_times.hpp"
 
+#include <algorithm>
 #include <map>
 #include <numeric>
 
@@ -59,7 +60,8 @@ void CallTimes::add_to(std::vector<BlockCost>& blocks, std::size_t phase, const 
   for (const Call& call : calls_) apart += call.seconds;
   for (const Call& call : calls_) {
     const std::int64_t count = calls(plan_.periods[static_cast<std::size_t>(call.batch.period)]);
-    const double of_call = table_ * ratio(call.seconds, apart) / samples_ * static_cast<double>(count);
+    const double of_call =
+        table_ * ratio(call.seconds, apart) / std::max(1, samples_) * static_cast<double>(count);
     const double alone = std::accumulate(call.alone.begin(), call.alone.end(), 0.0);
     for (std::size_t i = 0; i < call.blocks.size(); ++i) {
       const double share = call.blocks.size() == 1 ? 1.0 : ratio(call.alone[i], alone);

@@ -45,12 +45,13 @@ struct RunCost {
 /// Where the time of a run goes.
 struct Profile {
   std::int64_t ticks = 0;
-  double seconds = 0.0;           ///< of the whole run, without making and keeping it
+  double seconds = 0.0;  ///< of all its steps; taking memory for what is recorded, and keeping it, is extra
   std::vector<BlockCost> blocks;  ///< and parts; the most expensive first
   std::vector<RunCost> others;
 
   double share(double part) const { return seconds > 0.0 ? part / seconds : 0.0; }
-  /// What is in none of the other numbers [s]: loops over the tables of calls, and errors of measuring.
+  /// What is in none of the other numbers [s]: going through the tables of calls, waiting of one table for
+  /// what another has just computed, and errors of measuring, by which it may be below 0.
   double left() const;
 };
 

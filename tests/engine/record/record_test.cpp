@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "engine/record/recorder.hpp"
 #include "tests/support/plan_text.hpp"
 #include "tests/support/run_text.hpp"
 
@@ -39,4 +40,15 @@ TEST_CASE("a recording that no memory holds is refused before the run") {
   Loader loader(library());
   REQUIRE_THROWS_WITH(make_job(loader, folder.path("long.yaml")),
                       Catch::Contains("long.yaml:6:9: record") && Catch::Contains("GB"));
+}
+
+TEST_CASE("a recorder that goes back replaces what it kept from there on") {
+  const Plan plan = plan_text("blocks:\n  t: {block: Clock}\nstop: 9 s\nrecord: {every: 2 s, signals: t}\n");
+  Recorder recorder(plan, plan.diagram.records.front());
+  std::vector<double> values(plan.layout.size, 1.0);
+  for (std::int64_t tick = 0; tick <= 9; ++tick) recorder.record(tick, values.data());
+  recorder.go_back_to(3);
+  values.assign(values.size(), 2.0);
+  for (std::int64_t tick = 3; tick <= 7; ++tick) recorder.record(tick, values.data());
+  CHECK(column(recorder.take().table, "t") == std::vector<double>{1, 1, 2, 2});  // at 0, 2, 4 and 6 s
 }
