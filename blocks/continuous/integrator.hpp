@@ -32,10 +32,9 @@ struct Integrator {
   void derivatives() {
     if (!limited && !resets) {
       x.dot = u;
-      return;
+    } else {
+      integrate_within_limits();
     }
-    const bool held = resets && trigger == Trigger::level && reset > 0.0;
-    for (Index i = 0; i < x.size(); ++i) x.dot[i] = held ? 0.0 : gated(u[i], i);
   }
 
   void update() {
@@ -52,6 +51,10 @@ struct Integrator {
   static void declare(Declare<Integrator>& is);
 
  private:
+  STEPWIRE_RARE void integrate_within_limits() {
+    const bool held = resets && trigger == Trigger::level && reset > 0.0;
+    for (Index i = 0; i < x.size(); ++i) x.dot[i] = held ? 0.0 : gated(u[i], i);
+  }
   bool resetting() const {
     if (!resets) return false;
     const bool high = reset > 0.0;

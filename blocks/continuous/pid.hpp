@@ -20,7 +20,7 @@ struct PID {
   State<> integral{}, filter{};
 
   void outputs() {
-    for (Index i = 0; i < y.size(); ++i) y[i] = limited(wanted(i), i);
+    y.each([&](Index i) { return limited(wanted(i), i); });
   }
 
   void derivatives() {

@@ -20,7 +20,7 @@ struct DiscreteIntegrator {
   double before = 0.0, after = 1.0;  // shares of u T that count before and after the output is given
 
   void outputs() {
-    for (Index i = 0; i < y.size(); ++i) y[i] = sum(i);
+    y.each([&](Index i) { return sum(i); });
   }
 
   void update() {

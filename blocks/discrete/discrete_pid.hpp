@@ -25,7 +25,7 @@ struct DiscretePID {
   double before = 0.0, after = 1.0;  // shares of ki T e that count before and after the output is given
 
   void outputs() {
-    for (Index i = 0; i < y.size(); ++i) y[i] = limited(wanted(i), i);
+    y.each([&](Index i) { return limited(wanted(i), i); });
   }
 
   void update() {

@@ -18,7 +18,7 @@ struct Proportionality {
   Output<> y{};
 
   void outputs() {
-    for (Index i = 0; i < u.size(); ++i) y[i] = magnitude(u[i]);
+    y.each([&](Index i) { return magnitude(u[i]); });
   }
 
   double magnitude(double error) const {

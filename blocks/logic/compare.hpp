@@ -16,7 +16,7 @@ struct Compare {
   Relation relation = Relation::less;
 
   void outputs() {
-    for (Index i = 0; i < y.size(); ++i) y[i] = holds(u[i], to[i]) ? 1.0 : 0.0;
+    y.each([&](Index i) { return holds(u[i], to[i]) ? 1.0 : 0.0; });
   }
 
   void prepare() { relation = static_cast<Relation>(static_cast<int>(operator_) % relations); }

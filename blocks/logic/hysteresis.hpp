@@ -12,7 +12,7 @@ struct Hysteresis {
   DiscreteState<> last{};
 
   void outputs() {
-    for (Index i = 0; i < y.size(); ++i) y[i] = holds(i) ? 1.0 : 0.0;
+    y.each([&](Index i) { return holds(i) ? 1.0 : 0.0; });
   }
 
   void update() {

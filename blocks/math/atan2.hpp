@@ -12,7 +12,7 @@ struct Atan2 {
   Output<> y{};
 
   void outputs() {
-    for (Index k = 0; k < y.size(); ++k) y[k] = std::atan2(opposite[k], adjacent[k]);
+    y.each([&](Index k) { return std::atan2(opposite[k], adjacent[k]); });
   }
 
   static void declare(Declare<Atan2>& is);

@@ -13,12 +13,13 @@ struct Polynomial {
   Output<> y{};
 
   void outputs() {
-    for (Index k = 0; k < y.size(); ++k) {
-      const double x = held(u[k]);
-      double sum = coefficients[0];
-      for (Index i = 1; i < coefficients.size(); ++i) sum = sum * x + coefficients[i];
-      y[k] = sum;
-    }
+    y.each([&](Index k) { return at(held(u[k])); });
+  }
+
+  double at(double x) const {
+    double sum = coefficients[0];
+    for (Index i = 1; i < coefficients.size(); ++i) sum = sum * x + coefficients[i];
+    return sum;
   }
 
   /// A fit says nothing outside of what it was fitted to.

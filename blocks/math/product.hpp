@@ -10,19 +10,23 @@ struct Product {
   Output<> y{};
 
   void outputs() {
-    const Index inputs = u.count();
-    if (y.size() == 1 && inputs == 2) {  // most of all products
+    if (y.size() == 1 && u.count() == 2) {  // most of all products
       y[0] = u.first(0) * u.first(1);
-      return;
-    }
-    for (Index k = 0; k < y.size(); ++k) {
-      double product = u[0][k];
-      for (Index i = 1; i < inputs; ++i) product *= u[i][k];
-      y[k] = product;
+    } else {
+      multiply_all();
     }
   }
 
   static void declare(Declare<Product>& is);
+
+ private:
+  STEPWIRE_RARE void multiply_all() {
+    for (Index k = 0; k < y.size(); ++k) {
+      double product = u[0][k];
+      for (Index i = 1; i < u.count(); ++i) product *= u[i][k];
+      y[k] = product;
+    }
+  }
 };
 
 }  // namespace stepwire

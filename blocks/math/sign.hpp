@@ -10,7 +10,7 @@ struct Sign {
   Output<> y{};
 
   void outputs() {
-    for (Index k = 0; k < y.size(); ++k) y[k] = static_cast<double>((u[k] > 0.0) - (u[k] < 0.0));
+    y.each([&](Index k) { return static_cast<double>((u[k] > 0.0) - (u[k] < 0.0)); });
   }
 
   static void declare(Declare<Sign>& is);

@@ -13,12 +13,20 @@ struct Sum {
   std::uint64_t negative = 0;  ///< bit i: input i is subtracted
   Text signs{};
 
-  void prepare();
   void outputs() {
     if (y.size() == 1 && u.count() == 2) {  // most of all sums
       y[0] = with_sign(0, u.first(0)) + with_sign(1, u.first(1));
-      return;
+    } else {
+      add_all();
     }
+  }
+
+  void prepare();
+  void configure(Configure& is);
+  static void declare(Declare<Sum>& is);
+
+ private:
+  STEPWIRE_RARE void add_all() {
     for (Index k = 0; k < y.size(); ++k) {
       double sum = with_sign(0, u[0][k]);
       for (Index i = 1; i < u.count(); ++i) sum += with_sign(i, u[i][k]);
@@ -26,10 +34,6 @@ struct Sum {
     }
   }
 
-  void configure(Configure& is);
-  static void declare(Declare<Sum>& is);
-
- private:
   double with_sign(Index i, double term) const { return (negative >> i) & 1u ? -term : term; }
 };
 

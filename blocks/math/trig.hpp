@@ -15,7 +15,7 @@ struct Trig {
   Output<> y{};
 
   void outputs() {
-    for (Index k = 0; k < y.size(); ++k) y[k] = of(u[k]);
+    y.each([&](Index k) { return of(u[k]); });
   }
 
   double of(double x) const {

@@ -13,7 +13,7 @@ struct Coulomb {
   Output<> y{};
 
   void outputs() {
-    for (Index i = 0; i < y.size(); ++i) y[i] = coulomb[i] * direction(i) + viscous[i] * u[i];
+    y.each([&](Index i) { return coulomb[i] * direction(i) + viscous[i] * u[i]; });
   }
 
   static void declare(Declare<Coulomb>& is);

@@ -13,7 +13,7 @@ struct DeadZone {
   Output<> y{};
 
   void outputs() {
-    for (Index i = 0; i < y.size(); ++i) y[i] = u[i] - std::clamp(u[i], lower[i], upper[i]);
+    y.each([&](Index i) { return u[i] - std::clamp(u[i], lower[i], upper[i]); });
   }
 
   void configure(Configure& is);

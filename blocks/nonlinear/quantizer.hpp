@@ -13,7 +13,7 @@ struct Quantizer {
   Output<> y{};
 
   void outputs() {
-    for (Index i = 0; i < y.size(); ++i) y[i] = interval[i] * std::floor(u[i] / interval[i] + 0.5);
+    y.each([&](Index i) { return interval[i] * std::floor(u[i] / interval[i] + 0.5); });
   }
 
   static void declare(Declare<Quantizer>& is);

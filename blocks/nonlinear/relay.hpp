@@ -12,7 +12,7 @@ struct Relay {
   DiscreteState<> on{};
 
   void outputs() {
-    for (Index i = 0; i < y.size(); ++i) y[i] = is_on(i) ? when_on[i] : when_off[i];
+    y.each([&](Index i) { return is_on(i) ? when_on[i] : when_off[i]; });
   }
 
   void update() {

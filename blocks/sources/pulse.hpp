@@ -15,7 +15,7 @@ struct Pulse {
   Time t{};
 
   void outputs() {
-    for (Index k = 0; k < y.size(); ++k) y[k] = bias[k] + (high(k) ? amplitude[k] : 0.0);
+    y.each([&](Index k) { return bias[k] + (high(k) ? amplitude[k] : 0.0); });
   }
 
   /// Edges are compared as instants of the run, since that is where their rounding is known.

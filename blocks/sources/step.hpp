@@ -12,7 +12,7 @@ struct Step {
   Time t{};
 
   void outputs() {
-    for (Index k = 0; k < y.size(); ++k) y[k] = reached(t, time[k]) ? after[k] : before[k];
+    y.each([&](Index k) { return reached(t, time[k]) ? after[k] : before[k]; });
   }
 
   static void declare(Declare<Step>& is);

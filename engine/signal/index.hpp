@@ -2,6 +2,14 @@
 
 #include <cstddef>
 
+// Marks what is rarely needed in a function that is called all the time: it stays outside, so that the
+// function needs few registers. In generated code sizes are constants, and nothing has to be kept apart.
+#ifdef STEPWIRE_GENERATED
+#define STEPWIRE_RARE
+#else
+#define STEPWIRE_RARE [[gnu::noinline]]
+#endif
+
 namespace stepwire {
 
 /// Counts elements; the same type as Eigen's.

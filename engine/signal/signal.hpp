@@ -33,7 +33,7 @@ class Signal {
     if (size_ == 1) {
       data_[0] = of(Index{0});
     } else {
-      for (Index i = 0; i < size_; ++i) data_[i] = of(i);
+      each_of_many(of);
     }
   }
   Signal& operator=(const Signal& value) { return this->template operator=<Signal>(value); }
@@ -44,6 +44,11 @@ class Signal {
   }
 
  private:
+  template <class Function>
+  STEPWIRE_RARE void each_of_many(const Function& of) {
+    for (Index i = 0; i < size_; ++i) data_[i] = of(i);
+  }
+
   double* data_ = nullptr;
   Index size_ = size_at_build == any_size ? 0 : size_at_build;
 };
