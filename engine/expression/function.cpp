@@ -8,6 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "engine/expression/language.hpp"
+
 namespace stepwire {
 namespace {
 
@@ -41,34 +43,6 @@ constexpr std::array<std::pair<std::string_view, Arity>, 25> functions{{
     {"max", {1, any_number}},
 }};
 
-double sign(double x) {
-  return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : x;
-}
-
-/// The remainder with the sign of the divisor, so that an angle modulo a turn is never negative.
-double mod(double x, double y) {
-  const double rest = std::fmod(x, y);
-  return rest != 0.0 && (rest < 0.0) != (y < 0.0) ? rest + y : rest;
-}
-
-/// A nan among the values is the result, whichever place it has.
-template <class Better>
-double best(const double* values, int count, Better better) {
-  double result = values[0];
-  for (int i = 1; i < count; ++i) {
-    if (better(values[i], result) || std::isnan(values[i])) result = values[i];
-  }
-  return result;
-}
-
-double smallest(const double* values, int count) {
-  return best(values, count, [](double a, double b) { return a < b; });
-}
-
-double largest(const double* values, int count) {
-  return best(values, count, [](double a, double b) { return a > b; });
-}
-
 double negative(double x) {
   return -x;
 }
@@ -97,16 +71,17 @@ void define_functions(mu::Parser& parser) {
   using One = double (*)(double);
   using Two = double (*)(double, double);
   constexpr std::pair<const char*, One> ones[] = {
-      {"sin", std::sin},     {"cos", std::cos},     {"tan", std::tan},   {"asin", std::asin},
-      {"acos", std::acos},   {"atan", std::atan},   {"sinh", std::sinh}, {"cosh", std::cosh},
-      {"tanh", std::tanh},   {"exp", std::exp},     {"log", std::log},   {"log2", std::log2},
-      {"log10", std::log10}, {"sqrt", std::sqrt},   {"cbrt", std::cbrt}, {"abs", std::fabs},
-      {"sign", sign},        {"floor", std::floor}, {"ceil", std::ceil}, {"round", std::round}};
-  constexpr std::pair<const char*, Two> twos[] = {{"atan2", std::atan2}, {"hypot", std::hypot}, {"mod", mod}};
+      {"sin", std::sin},        {"cos", std::cos},     {"tan", std::tan},   {"asin", std::asin},
+      {"acos", std::acos},      {"atan", std::atan},   {"sinh", std::sinh}, {"cosh", std::cosh},
+      {"tanh", std::tanh},      {"exp", std::exp},     {"log", std::log},   {"log2", std::log2},
+      {"log10", std::log10},    {"sqrt", std::sqrt},   {"cbrt", std::cbrt}, {"abs", std::fabs},
+      {"sign", language::sign}, {"floor", std::floor}, {"ceil", std::ceil}, {"round", std::round}};
+  constexpr std::pair<const char*, Two> twos[] = {
+      {"atan2", std::atan2}, {"hypot", std::hypot}, {"mod", language::mod}};
   for (const auto& [name, function] : ones) parser.DefineFun(name, function, false);
   for (const auto& [name, function] : twos) parser.DefineFun(name, function, false);
-  parser.DefineFun("min", smallest, false);
-  parser.DefineFun("max", largest, false);
+  parser.DefineFun("min", language::smallest, false);
+  parser.DefineFun("max", language::largest, false);
 }
 
 }  // namespace
