@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/expression/cpp_text.hpp"
 #include "engine/expression/function.hpp"
 #include "engine/expression/program.hpp"
 
@@ -81,6 +82,20 @@ double Expression::operator()(std::span<const double> values) const {
   const std::size_t count = std::min(values.size(), parser_->values.size());
   std::copy_n(values.begin(), count, parser_->values.begin());
   return parser_->parser.Eval();
+}
+
+double Expression::operator()(const double* numbers, std::span<const std::size_t> places) const {
+  double* const values = parser_->values.data();
+  for (std::size_t i = 0; i < places.size(); ++i) values[i] = numbers[places[i]];
+  return parser_->parser.Eval();
+}
+
+std::string Expression::cpp() const {
+  return cpp([](std::size_t i) { return "v[" + std::to_string(i) + "]"; });
+}
+
+std::string Expression::cpp(const std::function<std::string(std::size_t i)>& variable) const {
+  return cpp_text(parser_->program, variable);
 }
 
 }  // namespace stepwire

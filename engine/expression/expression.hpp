@@ -50,6 +50,12 @@ class Expression {
   /// zero gives inf or nan, as IEEE says. One object is for one thread at a time, const or not; every thread
   /// takes its own copy.
   double operator()(std::span<const double> values) const;
+  /// The same where variable i is numbers[places[i]].
+  double operator()(const double* numbers, std::span<const std::size_t> places) const;
+  /// Its value as an expression of C++ over v[0], v[1], ..., the variables: see cpp_text.hpp.
+  std::string cpp() const;
+  /// The same where `variable(i)` writes variable i.
+  std::string cpp(const std::function<std::string(std::size_t i)>& variable) const;
 
  private:
   struct Parser;

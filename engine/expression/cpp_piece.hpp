@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stepwire {
+
+/// How strongly the operators of the language bind, which is how those of C++ do; a power becomes a call.
+enum class Binding { open, condition, either, both, comparison, sum, product, prefix, power, atom };
+
+/// A part of an expression of C++.
+struct CppPiece {
+  std::string text;
+  Binding binding = Binding::atom;
+  bool truth = false;  ///< a bool, which must not meet arithmetic: C++ would divide whole numbers
+};
+
+CppPiece cpp_number(double value);
+CppPiece cpp_sign(std::string_view sign, const CppPiece& a);
+CppPiece cpp_operation(std::string_view sign, Binding binding, const CppPiece& a, const CppPiece& b);
+CppPiece cpp_choice(const CppPiece& condition, const CppPiece& a, const CppPiece& b);
+CppPiece cpp_call(std::string_view function, const std::vector<CppPiece>& values);
+
+}  // namespace stepwire
