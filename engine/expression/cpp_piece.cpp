@@ -21,15 +21,10 @@ CppPiece number(const CppPiece& piece) {
   return piece.truth ? CppPiece{"double(" + piece.text + ")"} : piece;
 }
 
-CppPiece truth(const CppPiece& piece) {
-  if (piece.truth) return piece;
-  return {in(Binding::sum, piece) + " != 0.0", Binding::comparison, true};
-}
-
 /// && inside of || stands in parentheses, or compilers take it for a mistake.
 CppPiece logic(std::string_view sign, Binding binding, const CppPiece& a, const CppPiece& b) {
-  const std::string left = in(a.binding == binding ? binding : Binding::comparison, truth(a));
-  return {fmt::format("{} {} {}", left, sign, in(Binding::comparison, truth(b))), binding, true};
+  const std::string left = in(a.binding == binding ? binding : Binding::comparison, cpp_truth(a));
+  return {fmt::format("{} {} {}", left, sign, in(Binding::comparison, cpp_truth(b))), binding, true};
 }
 
 CppPiece comparison(std::string_view sign, const CppPiece& a, const CppPiece& b) {
@@ -55,6 +50,11 @@ CppPiece cpp_number(double value) {
   return {std::move(text), std::signbit(value) ? Binding::prefix : Binding::atom};
 }
 
+CppPiece cpp_truth(const CppPiece& piece) {
+  if (piece.truth) return piece;
+  return {in(Binding::sum, piece) + " != 0.0", Binding::comparison, true};
+}
+
 /// Two minuses side by side would be another operator.
 CppPiece cpp_sign(std::string_view sign, const CppPiece& a) {
   if (sign == "!" && a.truth) return {"!" + in(Binding::prefix, a), Binding::prefix, true};
@@ -69,8 +69,8 @@ CppPiece cpp_operation(std::string_view sign, Binding binding, const CppPiece& a
 }
 
 CppPiece cpp_choice(const CppPiece& condition, const CppPiece& a, const CppPiece& b) {
-  if (!a.truth || !b.truth) return choice(truth(condition), number(a), number(b));
-  return choice(truth(condition), a, b);
+  if (!a.truth || !b.truth) return choice(cpp_truth(condition), number(a), number(b));
+  return choice(cpp_truth(condition), a, b);
 }
 
 CppPiece cpp_call(std::string_view function, const std::vector<CppPiece>& values) {

@@ -17,6 +17,8 @@ struct CppPiece {
 };
 
 CppPiece cpp_number(double value);
+/// Whether it is not 0.
+CppPiece cpp_truth(const CppPiece& piece);
 CppPiece cpp_sign(std::string_view sign, const CppPiece& a);
 CppPiece cpp_operation(std::string_view sign, Binding binding, const CppPiece& a, const CppPiece& b);
 CppPiece cpp_choice(const CppPiece& condition, const CppPiece& a, const CppPiece& b);

@@ -49,7 +49,7 @@ class Writer {
   Writer(const Program& program, const VariableText& variable)
       : program_(program), variable_(variable), rest_(program.code) {}
 
-  std::string run() {
+  CppPiece run() {
     waiting_.push_back({{}, Binding::open});
     while (!rest_.empty()) {
       if (rest_.front() == ' ') {
@@ -59,7 +59,7 @@ class Writer {
       }
     }
     settle(Binding::condition);
-    return std::move(pieces_.back().text);
+    return std::move(pieces_.back());
   }
 
  private:
@@ -165,7 +165,11 @@ class Writer {
 }  // namespace
 
 std::string cpp_text(const Program& program, const VariableText& variable) {
-  return Writer(program, variable).run();
+  return Writer(program, variable).run().text;
+}
+
+std::string cpp_condition_text(const Program& program, const VariableText& variable) {
+  return cpp_truth(Writer(program, variable).run()).text;
 }
 
 }  // namespace stepwire

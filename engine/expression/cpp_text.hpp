@@ -1,14 +1,11 @@
 #pragma once
 
-#include <functional>
 #include <string>
 
+#include "engine/expression/expression.hpp"
 #include "engine/expression/program.hpp"
 
 namespace stepwire {
-
-/// How variable i of an expression is written.
-using VariableText = std::function<std::string(std::size_t i)>;
 
 /// A checked expression as one of C++, whose value has the bits that the parser library gives; only the sign
 /// of a nan may differ. It is a double or a bool, binds as weakly as ?: does, and stands in namespace
@@ -16,5 +13,8 @@ using VariableText = std::function<std::string(std::size_t i)>;
 /// without knowledge of those functions of <cmath> that round (-fno-builtin-sin, ...), which a compiler
 /// rounds in its own way for constants.
 std::string cpp_text(const Program& program, const VariableText& variable);
+
+/// Whether that is not 0: a bool.
+std::string cpp_condition_text(const Program& program, const VariableText& variable);
 
 }  // namespace stepwire

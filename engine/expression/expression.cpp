@@ -90,12 +90,16 @@ double Expression::operator()(const double* numbers, std::span<const std::size_t
   return parser_->parser.Eval();
 }
 
-std::string Expression::cpp() const {
-  return cpp([](std::size_t i) { return "v[" + std::to_string(i) + "]"; });
+std::string element_of_v(std::size_t i) {
+  return "v[" + std::to_string(i) + "]";
 }
 
-std::string Expression::cpp(const std::function<std::string(std::size_t i)>& variable) const {
+std::string Expression::cpp(const VariableText& variable) const {
   return cpp_text(parser_->program, variable);
+}
+
+std::string Expression::cpp_condition(const VariableText& variable) const {
+  return cpp_condition_text(parser_->program, variable);
 }
 
 }  // namespace stepwire

@@ -18,6 +18,12 @@ class ExpressionError : public std::runtime_error {
   std::size_t position;
 };
 
+/// How C++ gets at variable i of an expression.
+using VariableText = std::function<std::string(std::size_t i)>;
+
+/// "v[i]"
+std::string element_of_v(std::size_t i);
+
 /// A scalar formula over named numbers, the one language of parameters, figures, claims and blocks.
 /// Operators + - * / ^ ( ) < <= > >= == != && || ! and cond ? a : b; functions sin cos tan asin acos atan
 /// atan2 sinh cosh tanh exp log (natural) log10 log2 sqrt cbrt abs sign floor ceil round (halves away from 0)
@@ -52,10 +58,10 @@ class Expression {
   double operator()(std::span<const double> values) const;
   /// The same where variable i is numbers[places[i]].
   double operator()(const double* numbers, std::span<const std::size_t> places) const;
-  /// Its value as an expression of C++ over v[0], v[1], ..., the variables: see cpp_text.hpp.
-  std::string cpp() const;
-  /// The same where `variable(i)` writes variable i.
-  std::string cpp(const std::function<std::string(std::size_t i)>& variable) const;
+  /// Its value as an expression of C++: a double or a bool. See cpp_text.hpp.
+  std::string cpp(const VariableText& variable = element_of_v) const;
+  /// Whether it is not 0, as an expression of C++: a bool.
+  std::string cpp_condition(const VariableText& variable = element_of_v) const;
 
  private:
   struct Parser;

@@ -116,6 +116,8 @@ std::vector<std::string> texts() {
                                "sign(x)",
                                "round(x)",
                                "x == x",
+                               "0.30000000000000004*x",
+                               "x - 123456789012345678",
                                "1/0 - 1/0",
                                repeated(150, "-") + "x",
                                repeated(100, "x?y:") + "z",
@@ -201,6 +203,8 @@ TEST_CASE("an expression reads as C++ does, with the parentheses that C++ needs"
   CHECK(cpp("x ? y ? 1 : x < 2 : max(x, mod(y, pi))") ==
         "v[0] != 0.0 ? (v[1] != 0.0 ? 1.0 : double(v[0] < 2.0)) : "
         "language::max({v[0], language::mod(v[1], 3.141592653589793)})");
+  CHECK(Expression("x * y").cpp_condition() == "v[0] * v[1] != 0.0");
+  CHECK(Expression("x < y").cpp_condition() == "v[0] < v[1]");
   CHECK(Expression("a + b").cpp([](std::size_t i) { return i == 0 ? "force" : "load"; }) == "force + load");
 }
 
