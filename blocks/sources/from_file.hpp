@@ -21,7 +21,7 @@ struct FromFile {
 
   std::filesystem::path file{};
   std::vector<std::string> column{}, unit{};
-  Text time = "time";
+  Text time = Text::literal<"time">();
   double sample_time = 0.0, from = -open, to = open, start_ = -open;
   Interpolation interpolation = Interpolation::linear;
   AfterEnd after_end = AfterEnd::refuse;

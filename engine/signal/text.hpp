@@ -1,29 +1,65 @@
 #pragma once
 
-#include <memory>
+#include <algorithm>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace stepwire {
+
+namespace detail {
+
+/// A literal as an argument of a template.
+template <std::size_t n>
+struct LiteralText {
+  consteval LiteralText(const char (&literal)[n]) { std::copy_n(literal, n, text); }
+  char text[n]{};
+};
+
+}  // namespace detail
 
 /// Text that a block is given and reads before a run only: a parameter. It takes no more room in the block
 /// than a pointer.
 class Text {
  public:
   Text() = default;
-  Text(std::string_view text) : text_(text.empty() ? nullptr : std::make_unique<std::string>(text)) {}
+  Text(std::string_view text) : held_(text.empty() ? nullptr : new Owned(text)) {}
   Text(const char* text) : Text(std::string_view(text)) {}
-  Text(const Text& other) : Text(other.view()) {}
-  Text(Text&&) noexcept = default;
-  Text& operator=(const Text& other) { return *this = Text(other); }
-  Text& operator=(Text&&) noexcept = default;
-  ~Text() = default;
+  /// A default that takes no memory: Text::literal<"time">().
+  template <detail::LiteralText text>
+  static Text literal() {
+    static constexpr Held held{text.text, false};
+    Text result;
+    result.held_ = &held;
+    return result;
+  }
 
-  std::string_view view() const { return text_ ? std::string_view(*text_) : std::string_view(); }
+  Text(const Text& other) : held_(other.owns() ? new Owned(other.view()) : other.held_) {}
+  Text(Text&& other) noexcept : held_(std::exchange(other.held_, nullptr)) {}
+  Text& operator=(Text other) noexcept {
+    std::swap(held_, other.held_);
+    return *this;
+  }
+  ~Text() {
+    if (owns()) delete static_cast<const Owned*>(held_);
+  }
+
+  std::string_view view() const { return held_ ? held_->view : std::string_view(); }
   operator std::string_view() const { return view(); }
 
  private:
-  std::unique_ptr<std::string> text_;
+  struct Held {
+    std::string_view view;
+    bool owned;
+  };
+  struct Owned : Held {
+    explicit Owned(std::string_view from) : Held{{}, true}, text(from) { view = text; }
+    std::string text;
+  };
+
+  bool owns() const { return held_ && held_->owned; }
+
+  const Held* held_ = nullptr;
 };
 
 }  // namespace stepwire
