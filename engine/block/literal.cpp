@@ -23,6 +23,13 @@ std::string Literal<Matrix>::text(const Matrix& value, LiteralWriter& writer) {
                      Literal<Numbers>::text(value.elements(), writer));
 }
 
+std::string Literal<Function>::text(const Function& value, LiteralWriter&) {
+  if (!value.source()) return "Function()";
+  const std::string code = value.source()->cpp();
+  const bool reads = code.find("v[") != std::string::npos;  // a name that nothing reads is warned of
+  return fmt::format("Function([](const double*{}) -> double {{ return {}; }})", reads ? " v" : "", code);
+}
+
 std::string Literal<Rational>::text(const Rational& value, LiteralWriter& writer) {
   return fmt::format("Rational{{{}, {}, {}}}", Literal<Numbers>::text(value.a, writer),
                      Literal<Numbers>::text(value.c, writer), writer.number(value.direct));

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "engine/block/rational.hpp"
+#include "engine/signal/function.hpp"
 #include "engine/signal/per_element.hpp"
 
 namespace stepwire {
@@ -75,6 +76,11 @@ struct Literal<PerElement> {
 template <>
 struct Literal<Matrix> {
   static std::string text(const Matrix& value, LiteralWriter& writer);
+};
+/// The function's code is written where it is assigned.
+template <>
+struct Literal<Function> {
+  static std::string text(const Function& value, LiteralWriter& writer);
 };
 template <>
 struct Literal<Rational> {
