@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "engine/block/declare.hpp"
+#include "engine/expression/expression_function.hpp"
 
 namespace stepwire {
 
@@ -19,24 +20,33 @@ Index input_of(std::string_view name) {
   return error == std::errc() && end == name.data() + name.size() ? number - 1 : -1;
 }
 
-}  // namespace
-
-void ExpressionBlock::configure(Configure& is) {
-  const Index inputs = is.count<&ExpressionBlock::u>();
+Function read_formula(const ExpressionBlock& block, Index inputs, const Configure& is) {
   const auto known = [&](std::string_view name) {
     const Index index = input_of(name);
     return index >= 0 && index < inputs;
   };
   try {
-    formula = Expression(expression, known);
+    Expression expression(block.expression, known);
+    std::vector<std::size_t> places;
+    for (const std::string& name : expression.variables())
+      places.push_back(static_cast<std::size_t>(input_of(name)));
+    return function_of(std::move(expression), std::move(places));
   } catch (const ExpressionError& error) {
     is.refuse<&ExpressionBlock::expression>(fmt::format(
         "'{}', character {}: {}; it may use u1 to u{}, and for the time the output of a Clock among them",
-        expression, error.position + 1, error.what(), inputs));
+        block.expression.view(), error.position + 1, error.what(), inputs));
   }
-  input.clear();
-  for (const std::string& name : formula.variables()) input.push_back(input_of(name));
-  value.assign(input.size(), 0.0);
+}
+
+}  // namespace
+
+void ExpressionBlock::configure(Configure& is) {
+  const Index inputs = is.count<&ExpressionBlock::u>();
+  if (inputs > most_inputs)
+    is.refuse<&ExpressionBlock::expression>(
+        fmt::format("{} inputs are more than {}; combine some of them in an Expression of their own", inputs,
+                    most_inputs));
+  formula = read_formula(*this, inputs, is);
 }
 
 void ExpressionBlock::declare(Declare<ExpressionBlock>& is) {
@@ -54,6 +64,7 @@ void ExpressionBlock::declare(Declare<ExpressionBlock>& is) {
   is.input<&ExpressionBlock::u>(
       {.unit = "*", .doc = "signals; one element counts for every element of the others"});
   is.output<&ExpressionBlock::y>({.unit = "*", .doc = "the value"});
+  is.derived<&ExpressionBlock::formula>();
 }
 
 }  // namespace stepwire

@@ -1,26 +1,25 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "engine/block/block.hpp"
-#include "engine/expression/expression.hpp"
+#include "engine/expression/language.hpp"  // for formulas that are code
+#include "engine/signal/function.hpp"
 
 namespace stepwire {
 
 /// A formula over its inputs, element by element: y = expression(u1, u2, ...).
 struct ExpressionBlock {
-  Text expression = "u1";
+  static constexpr Index most_inputs = 64;
+
+  Text expression = Text::literal<"u1">();
   Inputs u{};
   Output<> y{};
-  Expression formula{"u1"};
-  std::vector<Index> input{};   ///< which one each variable of the formula is
-  std::vector<double> value{};  ///< of each variable, for one element
+  Function formula{};  ///< of one element of each input
 
   void outputs() {
+    double values[most_inputs];
     for (Index k = 0; k < y.size(); ++k) {
-      for (std::size_t i = 0; i < input.size(); ++i) value[i] = u[input[i]][k];
-      y[k] = formula(value);
+      for (Index i = 0; i < u.count(); ++i) values[i] = u[i][k];
+      y[k] = formula(values);
     }
   }
 

@@ -1,6 +1,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "blocks/math/expression.hpp"
+#include "engine/block/declare.hpp"
+#include "tests/support/literal_text.hpp"
 #include "tests/support/run_text.hpp"
 
 using namespace stepwire;
@@ -43,4 +46,39 @@ TEST_CASE("a formula that cannot be read is refused with the place in it") {
   REQUIRE_THAT(error_of(diagram("expression: u1 + u2, u: [t]")),
                Catch::Contains("y.expression") && Catch::Contains("character 6"));
   REQUIRE_THAT(error_of(diagram("expression: u1 + t, u: [t]")), Catch::Contains("Clock"));
+}
+
+TEST_CASE("a formula has at most 64 inputs") {
+  const auto with_inputs = [](int count) {
+    std::string list = "t";
+    for (int i = 1; i < count; ++i) list += ", t";
+    return diagram("expression: u1 + u64 + u, u: [" + list + "]");
+  };
+  CHECK(column(run_text(with_inputs(64)), "y").back() == 3.0);
+  CHECK_THAT(error_of(with_inputs(65)), Catch::Contains("y.expression: 65 inputs are more than 64"));
+}
+
+TEST_CASE("a formula reads as C++ over its inputs, and its block runs with that in its place") {
+  Declare<ExpressionBlock> declaration;
+  ExpressionBlock::declare(declaration);
+  const BlockType type = declaration.take();
+  ExpressionBlock block;
+  block.expression = "u3 > 4 mm ? u1 : 2";
+  Configure is({}, 0.0, {{"u", 3}});
+  block.configure(is);
+  CHECK(literal_text(type, &block, "formula") ==
+        "Function([](const double* v) -> double { return v[2] > 0.004 ? v[0] : 2.0; })");
+  block.expression = "1 + 1";
+  block.configure(is);
+  CHECK(literal_text(type, &block, "formula") ==
+        "Function([](const double*) -> double { return 1.0 + 1.0; })");
+
+  const double numbers[] = {7.0, 8.0, 0.005, 0.003};
+  double y[2] = {};
+  const Inputs::Element inputs[] = {{numbers, 1}, {numbers, 1}, {numbers + 2, 2}};
+  block.u.bind(inputs, 3);
+  block.y.bind(y, 2);
+  block.formula = Function([](const double* v) -> double { return v[2] > 0.004 ? v[0] : 2.0; });
+  block.outputs();
+  CHECK((y[0] == 7.0 && y[1] == 2.0));
 }
