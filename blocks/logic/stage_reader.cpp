@@ -24,10 +24,10 @@ std::string shown(const Value& tree) {
 StageReader::StageReader(const Value& tree, std::size_t inputs, Refuse refuse)
     : tree_(tree), inputs_(inputs), refuse_(std::move(refuse)) {}
 
-std::vector<StateMachine::Stage> StageReader::read() const {
+std::vector<Stage> StageReader::read() const {
   if (!tree_.map() || tree_.map()->empty())
     refuse_("it must be a map of states, as {idle: {to: {push: \"u > 5\"}}, push: {output: [1]}}", tree_);
-  std::vector<StateMachine::Stage> stages;
+  std::vector<Stage> stages;
   for (const auto& [name, tree] : *tree_.map()) stages.push_back(read_stage(name, tree));
   level_outputs(stages);
   return stages;
@@ -46,8 +46,8 @@ std::string StageReader::names() const {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-StateMachine::Stage StageReader::read_stage(const std::string& name, const Value& tree) const {
-  StateMachine::Stage stage{name, {}, {}};
+Stage StageReader::read_stage(const std::string& name, const Value& tree) const {
+  Stage stage{name, {}, {}};
   if (is_empty(tree)) return stage;
   if (!tree.map()) refuse_(fmt::format("state '{}' must be a map of output and to", name), tree);
   for (const auto& [key, value] : *tree.map()) {
@@ -84,8 +84,7 @@ double StageReader::read_number(const std::string& name, const Value& tree) cons
   return number;
 }
 
-StateMachine::Transition StageReader::read_transition(const std::string& name,
-                                                      const ValueEntry& entry) const {
+Transition StageReader::read_transition(const std::string& name, const ValueEntry& entry) const {
   const std::size_t target = index_of(entry.key);
   if (target == none)
     refuse_(
@@ -94,13 +93,11 @@ StateMachine::Transition StageReader::read_transition(const std::string& name,
   return {target, read_guard(fmt::format("from '{}' to '{}'", name, entry.key), entry.value)};
 }
 
-StateMachine::Guard StageReader::read_guard(const std::string& subject, const Value& tree) const {
+Guard StageReader::read_guard(const std::string& subject, const Value& tree) const {
   if (!tree.text()) refuse_(fmt::format("the guard {} must be a formula, as \"u > 5 mm\"", subject), tree);
   try {
-    StateMachine::Guard guard{
-        Expression(*tree.text(), [&](std::string_view n) { return variable(n) != none; }), {}, {}};
-    for (const std::string& name : guard.formula.variables()) guard.reads.push_back(variable(name));
-    guard.values.resize(guard.reads.size());
+    Guard guard{Expression(*tree.text(), [&](std::string_view n) { return variable(n) != none; }), {}};
+    for (const std::string& name : guard.formula.variables()) guard.places.push_back(variable(name));
     return guard;
   } catch (const ExpressionError& error) {
     const std::string inputs = inputs_ == 0   ? "no inputs"
@@ -122,20 +119,19 @@ std::size_t StageReader::variable(std::string_view name) const {
   return none;
 }
 
-void StageReader::level_outputs(std::vector<StateMachine::Stage>& stages) const {
+void StageReader::level_outputs(std::vector<Stage>& stages) const {
   std::size_t size = 0;
-  for (StateMachine::Stage& stage : stages) {
+  for (Stage& stage : stages) {
     if (!stage.output.empty() && size > 0 && stage.output.size() != size)
       refuse_(fmt::format("state '{}' has {} outputs and one before has {}; all must have the same number",
                           stage.name, stage.output.size(), size),
               *tree_.find(stage.name));
     size = std::max(size, stage.output.size());
   }
-  for (StateMachine::Stage& stage : stages) stage.output.resize(std::max<std::size_t>(size, 1), 0.0);
+  for (Stage& stage : stages) stage.output.resize(std::max<std::size_t>(size, 1), 0.0);
 }
 
-void StageReader::refuse_unreachable(const std::vector<StateMachine::Stage>& stages,
-                                     std::size_t first) const {
+void StageReader::refuse_unreachable(const std::vector<Stage>& stages, std::size_t first) const {
   std::vector<bool> reached(stages.size(), false);
   std::vector<std::size_t> open{first};
   while (!open.empty()) {
@@ -143,7 +139,7 @@ void StageReader::refuse_unreachable(const std::vector<StateMachine::Stage>& sta
     open.pop_back();
     if (reached[now]) continue;
     reached[now] = true;
-    for (const StateMachine::Transition& transition : stages[now].to) open.push_back(transition.target);
+    for (const Transition& transition : stages[now].to) open.push_back(transition.target);
   }
   for (std::size_t i = 0; i < stages.size(); ++i)
     if (!reached[i])

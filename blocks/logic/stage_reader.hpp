@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "blocks/logic/state_machine.hpp"
+#include "blocks/logic/stages.hpp"
+#include "engine/block/value.hpp"
 
 namespace stepwire {
 
@@ -17,19 +18,19 @@ class StageReader {
 
   StageReader(const Value& tree, std::size_t inputs, Refuse refuse);
 
-  std::vector<StateMachine::Stage> read() const;
+  std::vector<Stage> read() const;
   std::size_t index_of(const std::string& name) const;  ///< or none
   std::string names() const;
-  void refuse_unreachable(const std::vector<StateMachine::Stage>& stages, std::size_t first) const;
+  void refuse_unreachable(const std::vector<Stage>& stages, std::size_t first) const;
 
  private:
-  StateMachine::Stage read_stage(const std::string& name, const Value& tree) const;
+  Stage read_stage(const std::string& name, const Value& tree) const;
   std::vector<double> read_output(const std::string& name, const Value& tree) const;
   double read_number(const std::string& name, const Value& tree) const;
-  StateMachine::Transition read_transition(const std::string& name, const ValueEntry& entry) const;
-  StateMachine::Guard read_guard(const std::string& subject, const Value& tree) const;
+  Transition read_transition(const std::string& name, const ValueEntry& entry) const;
+  Guard read_guard(const std::string& subject, const Value& tree) const;
   std::size_t variable(std::string_view name) const;
-  void level_outputs(std::vector<StateMachine::Stage>& stages) const;
+  void level_outputs(std::vector<Stage>& stages) const;
 
   const Value& tree_;
   std::size_t inputs_;

@@ -1,10 +1,21 @@
 #include "blocks/logic/state_machine.hpp"
 
-#include "engine/block/declare.hpp"
+#include <fmt/format.h>
 
 #include "blocks/logic/stage_reader.hpp"
+#include "engine/block/declare.hpp"
 
 namespace stepwire {
+
+namespace {
+
+Numbers outputs_of(const std::vector<Stage>& stages) {
+  std::vector<double> all;
+  for (const Stage& stage : stages) all.insert(all.end(), stage.output.begin(), stage.output.end());
+  return Numbers(all);
+}
+
+}  // namespace
 
 void StateMachine::declare(Declare<StateMachine>& is) {
   is.block(
@@ -31,21 +42,29 @@ void StateMachine::declare(Declare<StateMachine>& is) {
   is.state<&StateMachine::active>({.doc = "index of the active state", .settable = false});
   is.state<&StateMachine::ticks>({.doc = "ticks since it was entered", .settable = false});
   is.clock<&StateMachine::period>();
+  is.derived<&StateMachine::successor>();
+  is.derived<&StateMachine::values>();
+  is.derived<&StateMachine::first>();
 }
 
 void StateMachine::configure(Configure& is) {
   const auto inputs = static_cast<std::size_t>(is.count<&StateMachine::u>());
-  StageReader reader(states, inputs, [&](const std::string& message, const Value& where) {
+  if (inputs > most_inputs)
+    is.refuse<&StateMachine::states>(fmt::format("{} inputs are more than {}", inputs, most_inputs));
+  const Value tree = states.value();
+  const StageReader reader(tree, inputs, [&](const std::string& message, const Value& where) {
     is.refuse<&StateMachine::states>(message, where);
   });
-  stages = reader.read();
+  const std::vector<Stage> stages = reader.read();
   const std::string wanted(initial.view());
-  first = wanted.empty() ? 0 : reader.index_of(wanted);
-  if (first == reader.none)
+  const std::size_t start = wanted.empty() ? 0 : reader.index_of(wanted);
+  if (start == reader.none)
     is.refuse<&StateMachine::initial>("there is no state '" + wanted + "'; the states are " + reader.names());
-  reader.refuse_unreachable(stages, first);
-  known.assign(inputs + 1, 0.0);
+  reader.refuse_unreachable(stages, start);
+  first = static_cast<Index>(start);
+  values = outputs_of(stages);
   is.size("m", static_cast<Index>(stages[0].output.size()));
+  successor = successor_among(stages, inputs);
 }
 
 }  // namespace stepwire

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/block/spec.hpp"
+#include "engine/block/tree.hpp"
 #include "engine/signal/per_element.hpp"
 #include "engine/signal/text.hpp"
 
@@ -15,8 +16,7 @@ namespace stepwire {
 /// How a parameter of C++ type T is written in a file, and moved between it and a Value.
 template <class T>
 struct ParameterAccess {
-  static_assert(std::is_enum_v<T>,
-                "a parameter is a double, int64, bool, enum, Text, path, Numbers, ...");
+  static_assert(std::is_enum_v<T>, "a parameter is a double, int64, bool, enum, Text, path, Numbers, ...");
   static constexpr ParameterKind kind = ParameterKind::word;
   static void set(T& member, const Value& value) { member = static_cast<T>(std::get<double>(value.content)); }
   static Value get(const T& member) { return {static_cast<double>(member)}; }
@@ -96,10 +96,10 @@ struct ParameterAccess<std::vector<std::string>> {
 };
 
 template <>
-struct ParameterAccess<Value> {
+struct ParameterAccess<Tree> {
   static constexpr ParameterKind kind = ParameterKind::tree;
-  static void set(Value& member, const Value& value) { member = value; }
-  static Value get(const Value& member) { return member; }
+  static void set(Tree& member, const Value& value) { member = Tree(value); }
+  static Value get(const Tree& member) { return member.value(); }
 };
 
 }  // namespace stepwire

@@ -24,7 +24,7 @@ enum class ParameterKind {
   vector,       ///< Numbers: a list of numbers of its own length
   matrix,       ///< Matrix: a list of rows
   texts,        ///< std::vector<std::string>
-  tree          ///< Value: maps and lists that the block reads itself
+  tree          ///< Tree: maps and lists that the block reads itself
 };
 
 /// A range for numbers; every element of a vector or matrix is held to it.

@@ -1,5 +1,8 @@
 #include <catch2/catch.hpp>
 
+#include "blocks/logic/state_machine.hpp"
+#include "engine/block/declare.hpp"
+#include "tests/support/literal_text.hpp"
 #include "tests/support/run_text.hpp"
 
 using namespace stepwire;
@@ -77,4 +80,35 @@ TEST_CASE("What is wrong with a state machine is said at its place") {
   CHECK_THAT(refusal("    states: {}\n"), Catch::Contains("must be a map of states"));
   const std::string placed = refusal("    states:\n      a:\n        to:\n          b: u1 > 1\n");
   CHECK_THAT(placed, Catch::Contains(":14:14: m.states"));
+}
+
+TEST_CASE("A machine has at most 64 inputs") {
+  std::string list = "t";
+  for (int i = 1; i < 64; ++i) list += ", t";
+  const std::string states = "    states: {a: {to: {b: u64 > 1}}, b: {}}\n";
+  CHECK(refusal(states, "[" + list + "]").empty());
+  CHECK_THAT(refusal(states, "[" + list + ", t]"), Catch::Contains("m.states: 65 inputs are more than 64"));
+}
+
+TEST_CASE("Transitions and outputs of a machine read as C++") {
+  const auto text = [](const char* of) { return Value{std::string(of)}; };
+  const Value idle{
+      Value::Map{{"output", text("5 mm")},
+                 {"to", {Value::Map{{"push", text("u2 > 1")}, {"hold", text("after >= 2 s")}}}}}};
+  Declare<StateMachine> declaration;
+  StateMachine::declare(declaration);
+  const BlockType type = declaration.take();
+  StateMachine machine;
+  machine.states = Tree({Value::Map{{"push", {Value::Map{{"to", {Value::Map{{"idle", text("u1 * u2")}}}}}}},
+                                    {"idle", idle},
+                                    {"hold", text("")}}});
+  machine.initial = "idle";
+  Configure is({}, 0.0, {{"u", 2}});
+  machine.configure(is);
+  CHECK(literal_text(type, &machine, "first") == "1");
+  CHECK(literal_text(type, &machine, "values") == "Numbers::view({0, 0.005, 0}, 3)");
+  CHECK(literal_text(type, &machine, "successor") ==
+        "Function([](const double* v) -> double { return "
+        "v[3] == 0.0 ? ((v[0] * v[1] != 0.0) ? 1.0 : 0.0) : "
+        "v[3] == 1.0 ? ((v[1] > 1.0) ? 0.0 : (v[2] >= 2.0) ? 2.0 : 1.0) : 2.0; })");
 }
