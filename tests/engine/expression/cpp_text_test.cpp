@@ -157,11 +157,12 @@ class Compiled {
 
  private:
   std::string command() const {
-    std::string text = "c++ -std=c++20 -O2 -ffp-contract=off -shared -fPIC -I" STEPWIRE_SOURCE_DIR;
+    std::string text = "c++ -std=c++20 -O2 -ffp-contract=off -shared -fPIC -I'" STEPWIRE_SOURCE_DIR "'";
     for (const char* function : {"sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh",
                                  "exp", "log", "log2", "log10", "cbrt", "hypot", "pow"})
       text += std::string(" -fno-builtin-") + function;
-    return text + " -o " + (folder_ / "formulas.so").string() + " " + (folder_ / "formulas.cpp").string();
+    return text + " -o '" + (folder_ / "formulas.so").string() + "' '" + (folder_ / "formulas.cpp").string() +
+           "'";
   }
 
   std::filesystem::path folder_ = std::filesystem::temp_directory_path() /
