@@ -26,12 +26,13 @@ struct Sum {
   static void declare(Declare<Sum>& is);
 
  private:
+  double sum_of(Index k) const {
+    double sum = with_sign(0, u[0][k]);
+    for (Index i = 1; i < u.count(); ++i) sum += with_sign(i, u[i][k]);
+    return sum;
+  }
   STEPWIRE_RARE void add_all() {
-    for (Index k = 0; k < y.size(); ++k) {
-      double sum = with_sign(0, u[0][k]);
-      for (Index i = 1; i < u.count(); ++i) sum += with_sign(i, u[i][k]);
-      y[k] = sum;
-    }
+    y.each([&](Index k) { return sum_of(k); });
   }
 
   double with_sign(Index i, double term) const { return (negative >> i) & 1u ? -term : term; }

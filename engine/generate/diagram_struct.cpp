@@ -18,12 +18,6 @@ struct Member {
   SignalSlot slot;
 };
 
-/// Names that two signals would share are told apart.
-std::string distinct(std::map<std::string, int>& taken, const std::string& name) {
-  const int before = taken[name]++;
-  return before == 0 ? name : fmt::format("{}_{}", name, before + 1);
-}
-
 std::string unit_text(const Plan& plan, const SignalRef& signal) {
   const auto dimension = plan.dimension(signal);
   return dimension ? fmt::format(" [{}]", si_name(*dimension)) : "";

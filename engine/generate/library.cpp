@@ -47,7 +47,8 @@ StepFunctions open_library(const std::string& path, std::string& problem) {
 }  // namespace
 
 std::string library_source(const Program& program) {
-  std::string source = "#define STEPWIRE_GENERATED\n#include <cmath>\n#include <cstdint>\n#include <limits>\n\n";
+  std::string source =
+      "#define STEPWIRE_GENERATED\n#include <cmath>\n#include <cstdint>\n#include <limits>\n\n";
   for (const std::string& header : program.headers) source += fmt::format("#include \"{}\"\n", header);
   source += "\nnamespace {\n\nusing namespace stepwire;\n\n" + program.text + "\n}  // namespace\n\n";
   for (const char* function : {"evaluate", "advance"})

@@ -46,7 +46,10 @@ class Inputs {
     const double* data;
     Index size;
     /// Element i of the signal; the only one where it has but one.
-    double operator[](Index i) const { return data[size == 1 ? 0 : i]; }
+    double operator[](Index i) const {
+      if (__builtin_constant_p(i) && i == 0) return *data;
+      return data[size == 1 ? 0 : i];
+    }
   };
 
   Index count() const { return count_; }

@@ -34,7 +34,10 @@ class PerElement {
     if (owns()) delete[](many_ - 1);
   }
 
-  double operator[](Index i) const { return many_ ? many_[i] : one_; }
+  double operator[](Index i) const {
+    if (__builtin_constant_p(i) && i == 0) return one_;  // the compiler sees that the signal has one element
+    return many_ ? many_[i] : one_;
+  }
   Index size() const { return many_ ? static_cast<Index>(many_[-1] < 0.0 ? -many_[-1] : many_[-1]) : 1; }
   const double* data() const { return many_ ? many_ : &one_; }
   const double* begin() const { return data(); }
@@ -54,7 +57,7 @@ class PerElement {
   }
   bool owns() const { return many_ && many_[-1] >= 0.0; }
 
-  double one_;
+  double one_;                    ///< the first number
   const double* many_ = nullptr;  ///< where there is not just one; the element before them is their number
 };
 
