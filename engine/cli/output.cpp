@@ -97,6 +97,7 @@ Json run_json(const Work& work, const Outcome& outcome) {
       .set("sweep", sweep_json(work.job))
       .set("runs", work.job.points.empty() ? std::size_t{1} : work.job.points.size())
       .set("ticks", outcome.result.ticks)
+      .set("compiled_ticks", outcome.result.compiled_ticks)
       .set("blocks", diagram.blocks.size())
       .set("notices", std::move(notices))
       .set("faults", std::move(faults))

@@ -91,6 +91,15 @@ std::string fault_text(const Plan& plan) {
   return text;
 }
 
+/// The condition under which the run ends early, on the numbers of the workspace.
+std::string stop_text(const Plan& plan) {
+  if (!plan.diagram.stop_when) return "false";
+  return plan.diagram.stop_when->expression.cpp_condition([&](std::size_t i) {
+    const SignalRef& signal = plan.diagram.stop_when->variables[i];
+    return fmt::format("w_[{}]", signal.block < 0 ? plan.layout.time : plan.slot(signal).offset);
+  });
+}
+
 }  // namespace
 
 std::string recorded_member(const RecordedSignal& signal) {
@@ -119,7 +128,8 @@ std::string struct_text(const Plan& plan, const std::string& name) {
              "  void step() {{\n    evaluate();\n    advance();\n  }}\n"
              "  /// Of this tick [s].\n  double time() const {{ return static_cast<double>(tick) * {0}; }}\n"
              "  /// Is every signal and state a finite number?\n  bool finite() const;\n"
-             "  /// Why a block has ended the run; null while none has.\n  const char* fault() const;\n\n"
+             "  /// Why a block has ended the run; null while none has.\n  const char* fault() const;\n"
+             "  /// Is the diagram's `stop_when` true?\n  bool stops() const;\n\n"
              " private:\n  double w_[{1}];  // where each number lies is told in the source\n}};\n\n"
              "}}  // namespace {2}\n",
              number_text(plan.diagram.step), plan.layout.size, name);
@@ -136,10 +146,11 @@ std::string struct_definitions(const Plan& plan, const std::string& name) {
       "  std::uint64_t bits = 0;  // a product with 0 is 0 for what is finite and nan for the rest\n"
       "  for (int i = {5}; i < {6}; ++i) bits |= std::bit_cast<std::uint64_t>(w_[i] * 0.0);\n"
       "  return (bits << 1) == 0;\n}}\n\n"
-      "const char* Diagram::fault() const {{\n{7}  return nullptr;\n}}\n\n}}  // namespace {0}\n",
+      "const char* Diagram::fault() const {{\n{7}  return nullptr;\n}}\n\n"
+      "bool Diagram::stops() const {{\n  return {8};\n}}\n\n}}  // namespace {0}\n",
       name, copies("inputs", inputs_of(plan), true), copies("inputs", inputs_of(plan), false),
       copies("outputs", outputs_of(plan), true), copies("recorded", recorded_of(plan), true), layout.signals,
-      layout.states + layout.state_count, fault_text(plan));
+      layout.states + layout.state_count, fault_text(plan), stop_text(plan));
 }
 
 }  // namespace stepwire

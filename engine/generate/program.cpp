@@ -218,6 +218,7 @@ std::vector<std::string> headers_of(const Plan& plan) {
   for (const DiagramBlock& block : plan.diagram.blocks)
     if (!block.type().header.empty()) headers.insert(block.type().header);
   if (plan.diagram.solver == "rosenbrock") headers.insert("engine/solve/rosenbrock.hpp");
+  if (plan.diagram.stop_when) headers.insert("engine/expression/language.hpp");
   headers.insert("engine/block/block.hpp");
   return {headers.begin(), headers.end()};
 }

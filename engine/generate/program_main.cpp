@@ -94,7 +94,7 @@ std::string main_text(const Plan& plan, const std::string& name) {
                     "  while (true) {{\n    d.evaluate();\n"
                     "    if (!d.finite()) fault = \"a signal is no longer a finite number\";\n    if (fault) "
                     "break;\n{1}"
-                    "    if (d.tick >= {2}) break;\n    d.advance();\n"
+                    "    if (d.tick >= {2} || d.stops()) break;\n    d.advance();\n"
                     "    fault = d.fault();\n    if (fault) break;\n  }}\n{3}"
                     "  if (!fault) return 0;\n"
                     "  std::fprintf(stderr, \"%s (at %g s); the run ends here\\n\", fault, d.time());\n  "

@@ -12,11 +12,11 @@
 struct Call {
   std::vector<std::string> arguments;
   std::map<std::string, std::optional<std::string>>
-      environment;                                  ///< set, or taken away where there is no value
-  std::optional<unsigned long> most_bytes_of_file;  ///< a disk that is full beyond
-  std::optional<double> interrupt_after;            ///< [s]; SIGINT
-  std::string out_to;                               ///< where standard output goes; a file of ours if empty
-  bool closed_pipe = false;                         ///< standard output is a pipe that nobody reads
+      environment;                                    ///< set, or taken away where there is no value
+  std::optional<unsigned long> most_bytes_of_file{};  ///< a disk that is full beyond
+  std::optional<double> interrupt_after{};            ///< [s]; SIGINT
+  std::string out_to{};                               ///< where standard output goes; a file of ours if empty
+  bool closed_pipe = false;                           ///< standard output is a pipe that nobody reads
 };
 
 /// What became of it.

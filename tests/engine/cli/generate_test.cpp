@@ -1,0 +1,118 @@
+#include <catch2/catch.hpp>
+#include <cstdlib>
+
+#include "engine/generate/compiler.hpp"
+#include "engine/generate/process.hpp"
+#include "tests/engine/cli/program.hpp"
+
+using namespace stepwire;
+using Catch::Contains;
+
+namespace {
+
+/// With all that a program has of its own: an input, outputs, vectors, two periods, noise, an end before its
+/// time.
+const std::string rig_yaml = R"(stepwire: 1
+title: a rig
+step: 1 ms
+stop: 2 s
+solver: rk4
+stop_when: fast > 0.5 && time > 0.2
+inputs: {force: {unit: N, default: [3 N, 4 N], doc: of the hand}}
+outputs: {current: {signal: held, safe: 0}}
+blocks:
+  noise:  {block: Noise, seed: 3, deviation: 0.1, every: 5 ms}
+  push:   {block: Sum, u: [force, wave]}
+  wave:   {block: Sine, frequency: 2, amplitude: [1 N, 2 N]}
+  fast:   {block: Lag, tau: 0.3, u: noise, initial: -1}
+  slow:   {block: Integrator, u: push, initial: [1, -1]}
+  held:   {block: ZeroOrderHold, u: fast, every: 10 ms}
+  shape:  {block: Expression, expression: "u1 > 0 ? u1^2 : -u1", u: [fast]}
+record:
+  - {every: 2 ms, signals: [slow, shape]}
+  - {every: 10 ms, signals: [held, force]}
+)";
+
+/// Where the compilers' standard streams and search path are those of this machine.
+bool there_is_a_compiler() {
+  if (Compiler().found()) return true;
+  WARN("there is no C++ compiler here; nothing was compared");
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("a generated program is built without us and writes the same bytes as a run") {
+  if (!there_is_a_compiler()) return;
+  const Scratch folder;
+  folder.file("rig.yaml", rig_yaml);
+  REQUIRE(run_program(folder, {"run", "rig.yaml", "--out", "out"}).code == 0);
+  const Done done = run_program(folder, {"generate", "rig.yaml", "-o", "rig"});
+  INFO(done.err);
+  REQUIRE(done.code == 0);
+  const std::string made = folder.path("rig");
+  const ProcessResult configured = run_process({"cmake", "-S", made, "-B", made + "/build", "-G", "Ninja"});
+  INFO(configured.output);
+  REQUIRE(configured.status == 0);
+  const ProcessResult built = run_process({"cmake", "--build", made + "/build"});
+  INFO(built.output);
+  REQUIRE(built.status == 0);
+  REQUIRE(run_process({made + "/build/rig", made}).status == 0);
+  CHECK(content_of(made + "/signals.csv") == content_of(folder.path("out/signals.csv")));
+  CHECK(content_of(made + "/signals-2.csv") == content_of(folder.path("out/signals-2.csv")));
+  CHECK(lines_of(content_of(made + "/signals.csv")).size() > 100);
+}
+
+TEST_CASE("the struct of a generated program has inputs, outputs and recorded signals as members") {
+  const Scratch folder;
+  folder.file("rig.yaml", rig_yaml);
+  REQUIRE(run_program(folder, {"generate", "rig.yaml", "-o", "rig"}).code == 0);
+  const std::string header = content_of(folder.path("rig/rig.hpp"));
+  CHECK_THAT(header, Contains("double force_[2]{};  ///< of the hand [N]"));
+  CHECK_THAT(header, Contains("double current_{};"));
+  CHECK_THAT(header, Contains("double slow_[2]{};"));
+  CHECK_THAT(content_of(folder.path("rig/rig.cpp")), Contains("// fast: Lag, rig.yaml:13"));
+}
+
+TEST_CASE("a run gives the same bytes with any engine") {
+  if (!there_is_a_compiler()) return;
+  const Scratch folder;
+  folder.file("rig.yaml", rig_yaml);
+  for (const std::string engine : {"interpreted", "compiled", "auto"}) {
+    const Done done =
+        run_program(folder, {.arguments = {"run", "rig.yaml", "--engine", engine, "--out", engine},
+                             .environment = {{"STEPWIRE_CACHE", folder.path("cache")}}});
+    INFO(done.err);
+    CHECK(done.code == 0);
+    CHECK(content_of(folder.path(engine + "/signals.csv")) ==
+          content_of(folder.path("interpreted/signals.csv")));
+  }
+  CHECK_THAT(content_of(folder.path("compiled/run.json")), !Contains("\"compiled_ticks\": 0,"));
+  CHECK_THAT(content_of(folder.path("interpreted/run.json")), Contains("\"compiled_ticks\": 0,"));
+}
+
+TEST_CASE("without a compiler a run says so once and goes on interpreted") {
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml);
+  folder.file("too.yaml", lag_yaml);
+  const Done done = run_program(folder, {.arguments = {"run", "lag.yaml", "too.yaml", "--engine", "compiled"},
+                                         .environment = {{"PATH", "/nowhere"}, {"CXX", {}}}});
+  CHECK(done.code == 0);
+  CHECK(done.err == "interpreted, since no C++ compiler is there (c++, g++ or clang++, or what CXX names)\n");
+}
+
+TEST_CASE("the cache keeps compiled code, and goes on where nothing can be kept") {
+  if (!there_is_a_compiler()) return;
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml);
+  const auto run_with = [&](const std::string& cache) {
+    return run_program(folder, {.arguments = {"run", "lag.yaml", "--engine", "compiled"},
+                                .environment = {{"STEPWIRE_CACHE", cache}}});
+  };
+  CHECK(run_with(folder.path("cache")).code == 0);
+  const auto kept = std::filesystem::directory_iterator(folder.path("cache"));
+  CHECK(std::distance(begin(kept), end(kept)) == 1);
+  const Done done = run_with("/proc/nowhere");
+  CHECK(done.code == 0);
+  CHECK_THAT(done.err, Contains("interpreted, since "));
+}
