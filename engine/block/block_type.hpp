@@ -31,6 +31,7 @@ struct BlockType {
   bool file_output = false;
   std::string struct_name;  ///< in C++, with its namespace
   std::string header;  ///< that declares the struct, from the root of the sources; empty if there is none
+  std::string not_real_time;  ///< why its steps are not fit for a real-time loop; empty: they are
 
   std::vector<ParameterSpec> parameters;
   std::vector<InputSpec> inputs;

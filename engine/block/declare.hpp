@@ -18,6 +18,9 @@ struct BlockOptions {
   std::string doc;
   std::string source = "";
   Timing timing = Timing::inherited;
+  /// Why a real-time loop refuses the block: "reads a file at every step". Left out where no step allocates,
+  /// locks, calls the system, or takes a time that nothing bounds.
+  std::string not_real_time = "";
 };
 
 struct ParameterOptions {
@@ -128,6 +131,7 @@ class Declare {
     type_.header = detail::header_beside(where.file_name());
     type_.doc = std::move(options.doc);
     type_.source = std::move(options.source);
+    type_.not_real_time = std::move(options.not_real_time);
     if (options.timing != Timing::inherited) type_.timing = options.timing;
   }
 

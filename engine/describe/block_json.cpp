@@ -130,6 +130,7 @@ Json value_json(const ParameterSpec& spec, const Value& value) {
 Json block_json(const BlockType& type) {
   Json json = Json::object().set("name", type.name).set("folder", type.folder).set("doc", type.doc);
   json.set("source", type.source).set("timing", timing_word(type.timing));
+  json.set("not_real_time", type.not_real_time.empty() ? Json() : Json(type.not_real_time));
   json.set("parameters",
            list_json(type.parameters, [&](const auto& spec) { return parameter_json(type, spec); }));
   json.set("inputs", list_json(type.inputs, input_json));

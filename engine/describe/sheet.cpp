@@ -101,6 +101,8 @@ BlockSheet sheet_of(const BlockType& type) {
   sheet.facts.emplace_back("timing", timing_text(type.timing));
   if (const std::string text = feedthrough_text(type); !text.empty())
     sheet.facts.emplace_back("feedthrough", text);
+  if (!type.not_real_time.empty())
+    sheet.facts.emplace_back("real time", "not in a real-time loop: " + type.not_real_time);
   for (SheetTable table : {parameters_of(type), inputs_of(type), outputs_of(type), states_of(type),
                            presets_of(type), notices_of(type)}) {
     if (table.rows.empty()) continue;

@@ -38,7 +38,7 @@ struct Plain {
   Input<> u{};
   void update() {}
   static void declare(Declare<Plain>& is) {
-    is.block("Plain", {.doc = "a test"});
+    is.block("Plain", {.doc = "a test", .not_real_time = "it waits"});
     is.input<&Plain::u>({.doc = "signal"});
   }
 };
@@ -74,6 +74,13 @@ TEST_CASE("phases, timing and shapes of a block come from what it has") {
   CHECK(type.outputs[1].shape == "1");
   CHECK(type.states[1].shape == "2");
   CHECK(type.states[1].initial == 4.0);
+}
+
+TEST_CASE("a block is fit for a real-time loop unless its declaration says why not") {
+  Declare<Plain> plain;
+  Plain::declare(plain);
+  CHECK(everything().not_real_time.empty());
+  CHECK(plain.take().not_real_time == "it waits");
 }
 
 TEST_CASE("a copy of a block has its parameters, and a place of its own") {

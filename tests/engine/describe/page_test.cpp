@@ -38,7 +38,9 @@ void shorten(OneOfAll2D& block) {
 }
 
 void OneOfAll2D::declare(Declare<OneOfAll2D>& is) {
-  is.block("OneOfAll2D", {.doc = "Has one of each: y = |u|. And a second sentence.", .source = "a book"});
+  is.block("OneOfAll2D", {.doc = "Has one of each: y = |u|. And a second sentence.",
+                          .source = "a book",
+                          .not_real_time = "it reads a book at every step"});
   is.parameter<&OneOfAll2D::length>({.unit = "mm", .doc = "how long", .above = 0.0, .at_most = 0.01});
   is.parameter<&OneOfAll2D::open>({.unit = "mm", .doc = "a bound"});
   is.parameter<&OneOfAll2D::law>({.doc = "which law", .words = {"soft", "hard"}});
@@ -87,11 +89,26 @@ TEST_CASE("a page for the terminal says all that is declared, no line too wide")
   const std::string page = block_page(type_in(all));
   INFO(page);
   CHECK(page.starts_with("OneOfAll2D (examples)\n  Has one of each: y = |u|. And a second sentence.\n"));
-  for (const char* piece :
-       {"source       a book\n", "timing       continuous", "on more\n", "  length  number", "4 mm",
-        "above 0, at most 10 mm", "none", "hard", "soft, hard", "required", "list of signals, optional",
-        "any", "value (the state level)\n", "initial", "  held", "ends the run  too late\n", "  short",
-        "a shorter one\n", "A unit with a quote"})
+  for (const char* piece : {"source       a book\n",
+                            "timing       continuous",
+                            "real time    not in a real-time loop: it reads a book at every step\n",
+                            "on more\n",
+                            "  length  number",
+                            "4 mm",
+                            "above 0, at most 10 mm",
+                            "none",
+                            "hard",
+                            "soft, hard",
+                            "required",
+                            "list of signals, optional",
+                            "any",
+                            "value (the state level)\n",
+                            "initial",
+                            "  held",
+                            "ends the run  too late\n",
+                            "  short",
+                            "a shorter one\n",
+                            "A unit with a quote"})
     has(page, piece);
   CHECK(page.ends_with(
       "Example\n  one_of_all_2d: {block: OneOfAll2D, preset: short, u: source, file: record.csv}\n"));
@@ -124,6 +141,7 @@ TEST_CASE("the JSON of a block is complete, with numbers in SI") {
   const json block = json::parse(block_json(type_in(all)).text());
   CHECK(block.at("name") == "OneOfAll2D");
   CHECK(block.at("timing") == "continuous");
+  CHECK(block.at("not_real_time") == "it reads a book at every step");
   CHECK(block.at("parameters").at(0) ==
         json::parse(R"({"name": "length", "kind": "number", "unit": "mm", "shape": "",
       "doc": "how long", "required": false, "default": 0.004, "above": 0.0, "at_most": 0.01})"));
