@@ -23,15 +23,6 @@ void append_title(std::string& text, const Column& column) {
   append_word(text, column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit));
 }
 
-void append_number(std::string& text, double value) {
-  if (std::isnan(value)) {
-    text += "nan";  // without the sign that a nan may have
-    return;
-  }
-  std::array<char, 32> digits{};
-  text.append(digits.data(), std::to_chars(digits.begin(), digits.end(), value).ptr);
-}
-
 using WordsOfColumns = std::vector<const std::vector<std::string>*>;
 
 WordsOfColumns words_of(const Table& table, const ColumnWords& words) {
@@ -50,7 +41,7 @@ void append_row(std::string& text, const Table& table, const WordsOfColumns& wor
     if (words[i]) {
       append_word(text, words[i]->at(static_cast<std::size_t>(value)));
     } else {
-      append_number(text, value);
+      append_csv_number(text, value);
     }
   }
   text += '\n';
@@ -66,15 +57,28 @@ void check_lengths(const Table& table) {
 
 }  // namespace
 
+void append_csv_head(std::string& text, const std::vector<Column>& columns) {
+  for (const Column& column : columns) {
+    if (&column != &columns.front()) text += ',';
+    append_title(text, column);
+  }
+  text += '\n';
+}
+
+void append_csv_number(std::string& text, double value) {
+  if (std::isnan(value)) {
+    text += "nan";  // without the sign that a nan may have
+    return;
+  }
+  std::array<char, 32> digits{};
+  text.append(digits.data(), std::to_chars(digits.begin(), digits.end(), value).ptr);
+}
+
 std::string csv_text(const Table& table, const ColumnWords& words) {
   check_lengths(table);
   std::string text;
   text.reserve(table.rows() * table.columns.size() * 12);
-  for (const Column& column : table.columns) {
-    if (&column != &table.columns.front()) text += ',';
-    append_title(text, column);
-  }
-  text += '\n';
+  append_csv_head(text, table.columns);
   const WordsOfColumns by_column = words_of(table, words);
   for (std::size_t row = 0; row < table.rows(); ++row) append_row(text, table, by_column, row);
   return text;

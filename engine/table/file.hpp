@@ -45,6 +45,11 @@ Table read_table(const std::string& path);
 /// such; words where a column has them. Throws TableError for columns of different lengths.
 std::string csv_text(const Table& table, const ColumnWords& words = {});
 
+/// The pieces of such a text, for a file that grows: its first line, with names and units of columns, and one
+/// number of a row.
+void append_csv_head(std::string& text, const std::vector<Column>& columns);
+void append_csv_number(std::string& text, double value);
+
 /// Variables are named as the columns with what MATLAB does not allow replaced by '_' (made unique), doubles,
 /// one column vector each; beside them the cell arrays "names" and "units" in the same order.
 void write_mat(const std::string& path, const Table& table);
