@@ -81,6 +81,10 @@ struct Plan {
   double time_of(std::int64_t tick) const { return static_cast<double>(tick) * diagram.step; }
 };
 
+/// How many steps a time is; nothing if it is not a whole number of them. Decimal times are not exact in
+/// binary, so a difference that only rounding explains is none.
+std::optional<std::int64_t> whole_ticks(double time, double step);
+
 /// Plans a checked diagram. Throws Error for what shows only here: algebraic loops, sizes that do not agree,
 /// rates that do not fit the step, and what blocks refuse about their own parameters.
 Plan make_plan(Diagram diagram);

@@ -12,15 +12,6 @@ namespace {
 
 constexpr double most_ticks = 9e15;  // whole numbers beyond are not exact in a double
 
-/// How many ticks a time is; nothing if it is not a whole number of them. Decimal times are not exact in
-/// binary, so a difference that only rounding explains is none.
-std::optional<std::int64_t> whole_ticks(double time, double step) {
-  const double ratio = time / step;
-  const double ticks = std::round(ratio);
-  if (!(ratio < most_ticks) || ticks < 1.0 || std::abs(ratio - ticks) > 1e-9 * ratio) return std::nullopt;
-  return static_cast<std::int64_t>(ticks);
-}
-
 void require_whole(Draft& draft, double time, const Origin& origin, const std::string& subject,
                    std::int64_t& ticks) {
   const double step = draft.diagram().step;
@@ -143,6 +134,13 @@ Configure what_is_known(const Draft& draft, std::size_t index) {
 }
 
 }  // namespace
+
+std::optional<std::int64_t> whole_ticks(double time, double step) {
+  const double ratio = time / step;
+  const double ticks = std::round(ratio);
+  if (!(ratio < most_ticks) || ticks < 1.0 || std::abs(ratio - ticks) > 1e-9 * ratio) return std::nullopt;
+  return static_cast<std::int64_t>(ticks);
+}
 
 void plan_rates(Draft& draft) {
   Diagram& diagram = draft.diagram();
