@@ -157,15 +157,31 @@ void Simulation::write_input(std::size_t input, const double* numbers) {
 }
 
 void Simulation::run(const std::vector<Batch>& batches) {
+  if (watcher_ && watcher_->phase == &batches) return run_watched(batches);
   std::byte* blocks = blocks_.get();
   for (const Batch& batch : batches) batch.run(blocks + batch.first, batch.count);
 }
 
 void Simulation::run_due(const std::vector<Batch>& batches) {
   if (due_.size() == 1) return run(batches);  // nothing is slower than the step
+  if (watcher_ && watcher_->phase == &batches) return run_watched(batches);
+  run_range(batches, 0, batches.size());
+}
+
+void Simulation::run_range(const std::vector<Batch>& batches, std::size_t first, std::size_t end) {
   std::byte* blocks = blocks_.get();
-  for (const Batch& batch : batches)
-    if (due_[static_cast<std::size_t>(batch.period)]) batch.run(blocks + batch.first, batch.count);
+  for (std::size_t i = first; i < end; ++i)
+    if (due_[static_cast<std::size_t>(batches[i].period)])
+      batches[i].run(blocks + batches[i].first, batches[i].count);
+}
+
+/// What runs between ticks is continuous, and what is continuous is due at every tick.
+void Simulation::run_watched(const std::vector<Batch>& batches) {
+  run_range(batches, 0, watcher_->first);
+  watcher_->enter();
+  run_range(batches, watcher_->first, watcher_->end);
+  watcher_->leave();
+  run_range(batches, watcher_->end, batches.size());
 }
 
 void Simulation::find_due() {

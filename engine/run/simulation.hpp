@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/plan/compiled_plan.hpp"
+#include "engine/run/batch_watcher.hpp"
 #include "engine/signal/input.hpp"
 #include "engine/solve/solver.hpp"
 
@@ -64,6 +65,8 @@ class Simulation {
   const double* values() const { return workspace_.values.data(); }
   /// Writes an input of the diagram, by its index in Diagram::inputs: as many numbers as it has elements.
   void write_input(std::size_t input, const double* numbers);
+  /// Who is told of a stretch of batches, from now on; null: nobody.
+  void watch(BatchWatcher* watcher) { watcher_ = watcher; }
   /// Returns to a kept moment (as it was between advance() and evaluate()).
   void restore(const Workspace& workspace);
 
@@ -85,6 +88,8 @@ class Simulation {
   void* memory(std::size_t block) { return blocks_.get() + plan_.blocks[block].memory; }
   void run(const std::vector<Batch>& batches);
   void run_due(const std::vector<Batch>& batches);
+  void run_watched(const std::vector<Batch>& batches);
+  void run_range(const std::vector<Batch>& batches, std::size_t first, std::size_t end);
   void find_due();
   void take_step();
   bool notice_ends_run() const;
@@ -102,6 +107,7 @@ class Simulation {
   std::unique_ptr<Equations> equations_;
   std::vector<char> due_;  ///< for each of the plan's periods
   std::vector<std::size_t> ending_notices_;
+  BatchWatcher* watcher_ = nullptr;
   bool healthy_ = true;
   const CompiledPlan* code_ = nullptr;  ///< none while interpreted
 };
