@@ -55,7 +55,7 @@ class FakeDevice : public Device {
   std::map<std::int64_t, std::int64_t> read_takes;  ///< n-th read, from 0 [ns]
   std::int64_t write_takes = 0;                     ///< each, after the outputs are taken [ns]
   std::function<double(std::int64_t)> input;        ///< first input at the n-th read
-  std::size_t size = 1;                             ///< numbers of the outputs
+  std::size_t size = 0;                             ///< numbers of the outputs
   std::int64_t reads = 0;
   std::vector<double> written;  ///< first output of each write
   std::vector<std::int64_t> written_at;
@@ -82,7 +82,10 @@ struct LoopRig {
       : plan(plan_text(yaml)),
         ring(ring_numbers),
         recorder(plan, ring),
-        loop(plan, options, device, clock, &recorder) {}
+        loop(plan, options, device, clock, &recorder) {
+    for (const DiagramOutput& output : plan.diagram.outputs)
+      device.size += static_cast<std::size_t>(plan.slot(output.signal).size);
+  }
 
   /// What is in the ring, row by row: index of the file, time, tick, ...
   std::vector<std::vector<double>> rows(std::size_t width) {
