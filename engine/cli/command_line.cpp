@@ -43,6 +43,27 @@ void add_work_options(CLI::App& verb, RunCommand& command, std::vector<std::stri
   verb.add_flag("--json", command.json, "print the result as JSON");
 }
 
+void add_loop_options(CLI::App& verb, LoopCommand& command) {
+  LoopWords& words = command.words;
+  verb.add_option("FILE", command.file, "a diagram file")->required();
+  verb.add_option("--rate", words.rate, "how often the thread wakes [Hz]")->capture_default_str();
+  verb.add_option("--duration", words.duration, "for how long [s]; the file's stop does not end it")
+      ->capture_default_str();
+  verb.add_option("--policy", words.policy, "how it is scheduled: fifo:1 to fifo:99, or other")
+      ->capture_default_str();
+  verb.add_option("--cpu", words.cpu, "the processor to which it is bound");
+  verb.add_option("--overrun", words.overrun,
+                  "what a missed deadline means: skip drops it, catch-up runs it late, stop:N ends the loop "
+                  "after N in a row")
+      ->capture_default_str();
+  verb.add_option("--spin", words.spin,
+                  "time before each deadline at which it is awake and waits, e.g. 200us")
+      ->capture_default_str();
+  verb.add_option("--out", command.out, "folder for signals.csv, inputs.csv, loop.json, loop.svg")
+      ->check(is_named);
+  verb.add_flag("--baseline", command.baseline, "measure cyclictest by turns, and set it beside the loop");
+}
+
 /// "name=value" as a setting; throws CLI::ValidationError for anything else.
 Setting parse_setting(const std::string& text) {
   const std::size_t equals = text.find('=');
@@ -65,6 +86,7 @@ class CommandLine {
     add_flatten();
     add_generate();
     add_verify();
+    add_loop();
     add_thesis();
     add_blocks();
     add_schema();
@@ -161,6 +183,20 @@ class CommandLine {
     verb->callback([this] { action_ = [this] { return verify_folders(verify_, registry_); }; });
   }
 
+  void add_loop() {
+    CLI::App* verb = app_.add_subcommand("loop", "run a diagram file in real time, and measure how well");
+    verb->footer(
+        "Example:\n  stepwire loop lag.yaml --rate 1000 --duration 10 --overrun stop:3 --out out/lag");
+    add_loop_options(*verb, loop_);
+    add_load_options(*verb, settings_, large_);
+    verb->callback([this] {
+      action_ = [this] {
+        take_load_options(loop_.options);
+        return run_loop(loop_, registry_);
+      };
+    });
+  }
+
   void add_thesis() {
     CLI::App* verb =
         app_.add_subcommand("thesis", "make the figures of the thesis and a page that shows them");
@@ -205,6 +241,7 @@ class CommandLine {
   GenerateCommand generate_;
   FlattenCommand flatten_;
   VerifyCommand verify_;
+  LoopCommand loop_;
   ThesisCommand thesis_;
   BlocksCommand blocks_;
   std::vector<std::string> settings_;

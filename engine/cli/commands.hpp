@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/block/registry.hpp"
+#include "engine/cli/loop_settings.hpp"
 #include "engine/cli/work.hpp"
 
 namespace stepwire {
@@ -41,6 +42,14 @@ struct GenerateCommand {
   std::string out;  ///< folder
 };
 
+struct LoopCommand {
+  std::string file;
+  WorkOptions options;
+  LoopWords words;
+  std::string out;  ///< folder; empty: nothing is recorded
+  bool baseline = false;
+};
+
 struct BlocksCommand {
   std::string name;
   bool json = false;
@@ -57,6 +66,8 @@ ExitCode verify_folders(const VerifyCommand& command, const Registry& registry);
 ExitCode run_thesis(const ThesisCommand& command, const Registry& registry);
 /// `generate`: a diagram as C++.
 ExitCode generate_files(const GenerateCommand& command, const Registry& registry);
+/// `loop`: runs in real time. Judges no claims.
+ExitCode run_loop(const LoopCommand& command, const Registry& registry);
 /// `blocks`.
 ExitCode show_blocks(const BlocksCommand& command, const Registry& registry);
 /// `schema`.

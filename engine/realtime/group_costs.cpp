@@ -7,6 +7,8 @@ namespace stepwire {
 
 namespace {
 
+constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
 /// The type of the block that lies at this offset of the memory of blocks.
 const BlockType& type_at(const Plan& plan, std::size_t memory) {
   const auto found = std::lower_bound(plan.memory_order.begin(), plan.memory_order.end(), memory,
@@ -16,19 +18,10 @@ const BlockType& type_at(const Plan& plan, std::size_t memory) {
   return plan.diagram.blocks[static_cast<std::size_t>(*found)].type();
 }
 
-/// What a measured time is too long by: the least of some looks at the clock, one right behind the other.
-std::int64_t cost_of_look(LoopClock& clock) {
-  std::int64_t least = std::numeric_limits<std::int64_t>::max();
-  for (int i = 0; i < 1000; ++i) {
-    const std::int64_t before = clock.now();
-    least = std::min(least, clock.now() - before);
-  }
-  return least;
-}
-
 }  // namespace
 
-GroupCosts::GroupCosts(const Plan& plan, LoopClock& clock) : clock_(clock), look_(cost_of_look(clock)) {
+GroupCosts::GroupCosts(const Plan& plan, LoopClock& clock)
+    : clock_(clock), stretches_{{&plan.outputs, 0, 0, none}} {
   for (const auto* phase : {&plan.outputs, &plan.updates, &plan.stage, &plan.derivatives}) cut(plan, *phase);
   for (GroupCost& group : groups_)
     group.blocks = static_cast<std::size_t>(
@@ -53,7 +46,6 @@ void GroupCosts::cut(const Plan& plan, const std::vector<Batch>& phase) {
 }
 
 void GroupCosts::before_tick(Simulation& simulation) {
-  if (stretches_.empty()) return;
   sequence_ = sequence_ * 6364136223846793005u + 1442695040888963407u;  // Knuth's, of full period
   now_ = &stretches_[static_cast<std::size_t>((sequence_ >> 33) % stretches_.size())];
   phase = now_->phase;
@@ -73,16 +65,24 @@ void GroupCosts::enter() {
 }
 
 void GroupCosts::leave() {
+  now_->spent += clock_.now() - entered_;
+  ++now_->looks;
   ran_ = true;
-  now_->spent += std::max<std::int64_t>(0, clock_.now() - entered_ - look_);
+}
+
+double GroupCosts::cost_of_look() const {
+  const Stretch& empty = stretches_.front();
+  return empty.looks > 0 ? static_cast<double>(empty.spent) / static_cast<double>(empty.looks) : 0.0;
 }
 
 std::vector<GroupCost> GroupCosts::costs() const {
   std::vector<GroupCost> costs = groups_;
   for (const Stretch& stretch : stretches_) {
-    if (stretch.samples == 0) continue;
+    if (stretch.samples == 0 || stretch.group == none) continue;
+    const double spent =
+        static_cast<double>(stretch.spent) - cost_of_look() * static_cast<double>(stretch.looks);
     costs[stretch.group].samples += stretch.samples;
-    costs[stretch.group].mean += static_cast<double>(stretch.spent) / static_cast<double>(stretch.samples);
+    costs[stretch.group].mean += std::max(0.0, spent) / static_cast<double>(stretch.samples);
   }
   std::stable_sort(costs.begin(), costs.end(),
                    [](const GroupCost& a, const GroupCost& b) { return a.mean > b.mean; });

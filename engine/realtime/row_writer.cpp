@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::size_t most_at_once = 1 << 14;  // numbers from the ring
 constexpr std::size_t full_piece = 1 << 16;    // bytes
-constexpr std::chrono::milliseconds nap{20};
+// Seldom and much: every time that it works it may hold what the loop thread needs to wake.
+constexpr std::chrono::milliseconds nap{250};
 
 /// In all digits: the shortest form of 100000 would be 1e+05.
 void append_whole(std::string& text, double value) {
@@ -75,17 +76,25 @@ RowWriter::~RowWriter() {
 }
 
 void RowWriter::stop() {
-  ending_ = true;
+  {
+    const std::lock_guard lock(mutex_);
+    ending_ = true;
+  }
+  ended_.notify_all();
   if (thread_.joinable()) thread_.join();
 }
 
 void RowWriter::work() {
+  std::unique_lock lock(mutex_);
   while (true) {
     const bool last = ending_;  // looked at before the ring: what was put in before it is still found
-    if (take()) continue;
+    lock.unlock();
+    while (take()) {
+    }
     for (auto& sink : sinks_) sink->flush();
     if (last) return;
-    std::this_thread::sleep_for(nap);
+    lock.lock();
+    ended_.wait_for(lock, nap, [this] { return ending_; });
   }
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <atomic>
+#include <condition_variable>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
@@ -43,7 +44,9 @@ class RowWriter {
   std::vector<double> numbers_;  ///< taken from the ring; a row whose end has not come waits at the front
   std::size_t filled_ = 0;
   std::int64_t rows_ = 0, lost_ = 0;
-  std::atomic<bool> ending_ = false;
+  std::mutex mutex_;  ///< between finish() and the writing thread; the loop thread knows nothing of it
+  std::condition_variable ended_;
+  bool ending_ = false;
   std::thread thread_;
 };
 

@@ -139,7 +139,8 @@ TEST_CASE("the cost of a block type is sampled where it arises") {
   CHECK(costs[1].mean == 0.0);
   std::int64_t samples = 0;
   for (const GroupCost& cost : costs) samples += cost.samples;
-  CHECK(samples == 200);
+  CHECK(samples > 100);  // the others are of nothing, to know what looking costs
+  CHECK(samples < 200);
 }
 
 TEST_CASE("an interrupt ends the loop at its next wake-up with the safe values") {

@@ -1,0 +1,125 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "engine/cli/commands.hpp"
+#include "engine/cli/interrupt.hpp"
+#include "engine/cli/loop_report.hpp"
+#include "engine/cli/report.hpp"
+#include "engine/realtime/row_writer.hpp"
+#include "engine/run/memory.hpp"
+#include "engine/table/file.hpp"
+
+namespace stepwire {
+
+namespace {
+
+constexpr double seconds_in_ring = 4.0;  // that the writer may be late
+constexpr double fewest_numbers = 1 << 16, most_numbers = 1 << 23;
+constexpr double slice = 1.0;  // [s] of each in turn with a baseline
+
+/// A loop runs the file once with its own values, so its sweep, figures and claims are left alone.
+Plan plan_for_loop(const LoopCommand& command, const Registry& registry, const LoopSettings& settings) {
+  Loader loader(registry, command.options.limits);
+  Plan plan = make_plan(loader.load_point(command.file, command.options.settings));
+  require_solver_memory(plan);
+  ticks_per_period(plan.diagram, settings.rate);
+  require_fit_for_loop(plan);
+  return plan;
+}
+
+std::size_t ring_size(const Plan& plan, const LoopSettings& settings) {
+  const auto of_tick = static_cast<double>(LoopRecorder::numbers_per_tick(plan));
+  const auto ticks = static_cast<double>(ticks_per_period(plan.diagram, settings.rate));
+  const double wanted = seconds_in_ring * settings.rate * ticks * of_tick;
+  return static_cast<std::size_t>(
+      std::max(std::clamp(wanted, fewest_numbers, most_numbers), 16.0 * ticks * of_tick));
+}
+
+/// The way of rows from the loop into the files of a folder.
+class RowsToFolder {
+ public:
+  RowsToFolder(const Plan& plan, const LoopSettings& settings, const std::string& folder)
+      : ring_(ring_size(plan, settings)), recorder_(plan, ring_), writer_(ring_, folder, loop_files(plan)) {}
+
+  LoopRecorder& recorder() { return recorder_; }
+  LoopRows finish() {
+    writer_.finish();
+    return {writer_.rows(), recorder_.lost(), writer_.lost(), writer_.trouble()};
+  }
+
+ private:
+  RowRing ring_;
+  LoopRecorder recorder_;
+  RowWriter writer_;
+};
+
+/// Serves all deadlines; in slices, with one of the baseline before each, where there is one.
+Served serve_all(Loop& loop, const LoopSettings& settings, std::optional<Cyclictest>& baseline) {
+  const auto count =
+      baseline ? std::max<std::int64_t>(1, std::llround(slice * settings.rate)) : settings.deadlines;
+  Served served;
+  while (!loop.ended()) {
+    const std::int64_t left = settings.deadlines - loop.deadlines().index();
+    if (baseline && !interrupted()) baseline->run(std::min(count, left));
+    served = serve_in_real_time(loop, count, settings.policy, settings.cpu);
+  }
+  return served;
+}
+
+/// Everything that a loop leaves behind in its folder besides the rows, which are there.
+void write_results(const std::string& folder, const LoopOutcome& outcome) {
+  write_file(folder + "/loop.json", loop_json(outcome).text() + "\n");
+  write_file(folder + "/loop.svg", loop_figure(outcome));
+  fmt::print("  written to {}\n", folder);
+}
+
+ExitCode code_of(const LoopOutcome& outcome) {
+  switch (outcome.loop.end()) {
+    case Loop::End::stopped:
+      return ExitCode::claim_fails;
+    case Loop::End::interrupted:
+      return ExitCode::interrupted;
+    case Loop::End::fault:
+      return ExitCode::wrong;
+    case Loop::End::done:
+      break;
+  }
+  return ExitCode::done;
+}
+
+/// What went wrong, on the standard error.
+ExitCode print_troubles(const LoopOutcome& outcome) {
+  ExitCode code = code_of(outcome);
+  if (const auto fault = outcome.loop.simulation().fault()) fmt::print(stderr, "{}\n", fault->fault.text());
+  if (!outcome.rows || outcome.rows->trouble.empty()) return code;
+  fmt::print(stderr, "{}; {} rows are lost\n", outcome.rows->trouble, outcome.rows->lost_to_disk);
+  return worst(code, ExitCode::surroundings);
+}
+
+}  // namespace
+
+ExitCode run_loop(const LoopCommand& command, const Registry& registry) {
+  const LoopSettings settings = read_loop_settings(command.words);
+  const Plan plan = plan_for_loop(command, registry, settings);
+  std::optional<Cyclictest> baseline;
+  if (command.baseline) baseline.emplace(settings.rate, settings.policy, settings.cpu);
+  std::unique_ptr<RowsToFolder> recording;
+  if (!command.out.empty()) {
+    require_folder(command.out);
+    recording = std::make_unique<RowsToFolder>(plan, settings, command.out);
+  }
+  NoDevice device;
+  SystemClock clock(settings.spin);
+  const LoopOptions options{settings.rate, settings.deadlines, settings.overrun, &interrupted()};
+  Loop loop(plan, options, device, clock, recording ? &recording->recorder() : nullptr);
+  LoopOutcome outcome{loop, settings, serve_all(loop, settings, baseline), {}, std::move(baseline)};
+  if (recording) outcome.rows = recording->finish();
+  fmt::print("{}", loop_text(outcome));
+  const ExitCode code = print_troubles(outcome);
+  if (recording) write_results(command.out, outcome);
+  return code;
+}
+
+}  // namespace stepwire
