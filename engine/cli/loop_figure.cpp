@@ -98,12 +98,13 @@ Recording worst_over_time(const LoopOutcome& outcome) {
   for (const char* name : {"time", "worst_wake_up", "worst_response", "worst_step"})
     columns.push_back({name, "s", {}});
   const double stretch = outcome.settings.duration / static_cast<double>(Measurements::worst_count);
-  for (const Measurements::Worst& worst : outcome.loop.measurements().worst()) {
-    if (worst.wake_up == 0 && worst.response == 0) continue;  // never reached
-    columns[0].values.push_back(stretch * (static_cast<double>(columns[0].values.size()) + 0.5));
-    columns[1].values.push_back(ns * static_cast<double>(worst.wake_up));
-    columns[2].values.push_back(ns * static_cast<double>(worst.response));
-    columns[3].values.push_back(ns * static_cast<double>(worst.step));
+  const auto& all = outcome.loop.measurements().worst();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].wake_up == 0 && all[i].response == 0) continue;  // no deadline, or not reached
+    columns[0].values.push_back(stretch * (static_cast<double>(i) + 0.5));
+    columns[1].values.push_back(ns * static_cast<double>(all[i].wake_up));
+    columns[2].values.push_back(ns * static_cast<double>(all[i].response));
+    columns[3].values.push_back(ns * static_cast<double>(all[i].step));
   }
   return recording;
 }
