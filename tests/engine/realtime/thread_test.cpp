@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "engine/realtime/allocations.hpp"
 #include "engine/realtime/machine.hpp"
 #include "engine/realtime/serve.hpp"
 #include "tests/engine/realtime/fakes.hpp"
@@ -76,9 +77,11 @@ TEST_CASE("what is not allowed is said in one line each, with the reason and the
     return;
   }
   INFO(text);
-  CHECK(std::count(text.begin(), text.end(), '\n') >= 3);
-  CHECK_THAT(text, Catch::Contains("memory is not locked") && Catch::Contains("CAP_IPC_LOCK") &&
-                       Catch::Contains("the thread does not run with fifo:80 (Operation not permitted)") &&
+  const bool sanitized = !thread_allocations();  // then mlockall() does nothing, and says that it did
+  if (!sanitized)
+    CHECK_THAT(text, Catch::Contains("memory is not locked") && Catch::Contains("CAP_IPC_LOCK"));
+  CHECK(std::count(text.begin(), text.end(), '\n') >= 2);
+  CHECK_THAT(text, Catch::Contains("the thread does not run with fifo:80 (Operation not permitted)") &&
                        Catch::Contains("ulimit -r 80") && Catch::EndsWith("\nother\n"));
 }
 
