@@ -71,9 +71,9 @@ void Loop::serve(std::int64_t count) {
   if (!began_) began_ = deadlines_.at(0);
   const ThreadCounts before = ThreadCounts::now();
   while (!end_ && deadlines_.index() < end) wait_and_step(end);
+  write_safe_values();
   counts_.add(before, ThreadCounts::now());
   if (!end_ && deadlines_.index() >= options_.deadlines) end_ = End::done;
-  write_safe_values();
 }
 
 void Loop::wait_and_step(std::int64_t end) {
@@ -112,9 +112,11 @@ void Loop::step(std::int64_t woke) {
   measurements_.stepped(k, clock_.now() - woke);
 }
 
-/// What can wait until the outputs are written: records, states, and the further ticks of the period.
+/// What can wait until the outputs are written: records, states, and the further ticks of the period. The
+/// states need not wait for anything where the loop stops: the safe values do.
 void Loop::go_on(double wall) {
   record(wall);
+  if (deadlines_.must_stop()) return;
   simulation_.advance();
   groups_.after_tick(simulation_);
   for (std::int64_t tick = 1; tick < ticks_ && simulation_.healthy(); ++tick) {
@@ -149,11 +151,12 @@ void Loop::record(double wall) {
   recorder_->record_signals(simulation_.tick(), wall, simulation_.values());
 }
 
+/// The deadlines that still wait for outputs get these.
 void Loop::write_safe_values() {
   for (std::size_t i = 0; i < outputs_.size(); ++i) outputs_[i] = safe_[i].value_or(outputs_[i]);
   device_.write(outputs_.data());
   const std::int64_t written = clock_.now();
-  for (; unwritten_ < deadlines_.index(); ++unwritten_)
+  for (; unwritten_ < measurements_.wake_up().count(); ++unwritten_)
     measurements_.wrote(unwritten_, written - deadlines_.at(unwritten_));
 }
 

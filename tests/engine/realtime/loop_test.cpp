@@ -143,6 +143,24 @@ TEST_CASE("the cost of a block type is sampled where it arises") {
   CHECK(samples < 200);
 }
 
+TEST_CASE("a loop that stops hands out the safe values before it advances the states") {
+  const Plan plan = plan_text(
+      "step: 1 ms\noutputs: {held: {signal: held, safe: 7}}\nblocks:\n  held: {block: Laborious, u: wave}\n"
+      "  wave: {block: Sine, frequency: 1 Hz}\n",
+      {}, with_test_blocks());
+  FakeClock clock;
+  FakeDevice device(clock);
+  device.size = 1;
+  device.read_takes[4] = 3 * ms / 2;
+  Loop loop(plan, options_of(50, Overrun::Kind::stop, 1), device, clock, nullptr);
+  clock_of_blocks = &clock;
+  loop.serve(50);
+  clock_of_blocks = nullptr;
+  CHECK(loop.end() == Loop::End::stopped);
+  CHECK(device.written.back() == 7.0);
+  CHECK(device.written_at.back() == device.written_at[4]);
+}
+
 TEST_CASE("an interrupt ends the loop at its next wake-up with the safe values") {
   const Plan plan = plan_text(counting_yaml);
   FakeClock clock;
@@ -165,6 +183,8 @@ TEST_CASE("a value that is not finite is never written; the loop ends with the s
   CHECK(rig.loop.end() == Loop::End::fault);
   CHECK(rig.device.written == std::vector<double>{0.5, 0.5, 0.5, 0.5});
   CHECK(rig.device.last[1] == 0.001);
+  CHECK(rig.loop.measurements().wake_up().count() == 4);
+  CHECK(rig.loop.measurements().response().count() == 4);
   CHECK_THAT(rig.loop.simulation().fault()->fault.text(),
              Catch::Contains("test.yaml:") && Catch::Contains("became nan at 0.003 s"));
 }
