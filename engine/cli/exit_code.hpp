@@ -5,7 +5,7 @@ namespace stepwire {
 /// What scripts may rely on. Where several apply, the greatest but for 130 wins.
 enum class ExitCode {
   done = 0,          ///< and all claims hold
-  fails = 1,         ///< a claim, or a replay that is not the same
+  fails = 1,         ///< a claim, a replay that is not the same, a loop that stops after misses
   wrong = 2,         ///< the diagram or the call, also where it shows only in the run
   surroundings = 3,  ///< disk full, gnuplot missing, data folder absent, no permission
   interrupted = 130

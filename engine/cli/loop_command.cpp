@@ -8,6 +8,7 @@
 #include "engine/cli/loop_report.hpp"
 #include "engine/cli/report.hpp"
 #include "engine/realtime/row_writer.hpp"
+#include "engine/replay/replay_folder.hpp"
 #include "engine/run/memory.hpp"
 #include "engine/table/file.hpp"
 
@@ -78,7 +79,7 @@ void write_results(const std::string& folder, const LoopOutcome& outcome) {
 ExitCode code_of(const LoopOutcome& outcome) {
   switch (outcome.loop.end()) {
     case Loop::End::stopped:
-      return ExitCode::claim_fails;
+      return ExitCode::fails;
     case Loop::End::interrupted:
       return ExitCode::interrupted;
     case Loop::End::fault:
@@ -108,6 +109,7 @@ ExitCode run_loop(const LoopCommand& command, const Registry& registry) {
   std::unique_ptr<RowsToFolder> recording;
   if (!command.out.empty()) {
     require_folder(command.out);
+    write_replay(command.out, plan);  // of the data files as they are now
     recording = std::make_unique<RowsToFolder>(plan, settings, command.out);
   }
   NoDevice device;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/record/recorder.hpp"
+#include "engine/table/file.hpp"
 
 namespace stepwire {
 
@@ -23,8 +24,7 @@ void refuse_taken(const Plan& plan, const std::string& name, const Origin& origi
 
 LoopFile signals_file(const Plan& plan, std::size_t index, Faults& faults) {
   const RecordRequest& request = plan.diagram.records[index];
-  LoopFile file{index == 0 ? "signals.csv" : fmt::format("signals-{}.csv", index + 1),
-                {{"time", "s", {}}, {"tick", "", {}}, {"wall", "s", {}}}};
+  LoopFile file{numbered("signals", index, ".csv"), {{"time", "s", {}}, {"tick", "", {}}, {"wall", "s", {}}}};
   for (const RecordedSignal& signal : request.signals) refuse_taken(plan, signal.name, signal.origin, faults);
   const auto columns = recorded_columns(plan, request);
   for (std::size_t i = 1; i < columns.size(); ++i)
@@ -70,7 +70,7 @@ std::vector<LoopFile> loop_files(const Plan& plan) {
 LoopRecorder::LoopRecorder(const Plan& plan, RowRing& ring) : ring_(ring), step_(plan.diagram.step) {
   for (const RecordRequest& request : plan.diagram.records) {
     Signals& signals = signals_.emplace_back();
-    if (request.every) signals.every = whole_ticks(*request.every, step_).value_or(1);
+    signals.every = ticks_between_rows(plan, request);
     const auto columns = recorded_columns(plan, request);
     for (std::size_t i = 1; i < columns.size(); ++i) signals.offsets.push_back(columns[i].offset);
     signals.row.assign(before_signals + signals.offsets.size(), 0.0);

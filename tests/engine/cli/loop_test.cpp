@@ -74,6 +74,19 @@ TEST_CASE("a loop serves all deadlines, leaves its files, and judges no claims")
   CHECK_THAT(content_of(folder.path("out/loop.svg")), Contains("A lag with an input: 1000 Hz, other"));
 }
 
+TEST_CASE("what a loop leaves is verified bit by bit, inputs and dropped deadlines included") {
+  const Scratch folder;
+  REQUIRE(loop(folder, slide_yaml,
+               {"--duration", "0.3", "--rate", "500", "--policy", "other", "--set", "lag.tau=0.07 s", "--out",
+                "out"})
+              .code == 0);
+  const auto ticks = report_in(folder)["ticks"].get<int>();
+  const Done done = run_program(folder, {"verify", "out"});
+  INFO(done.err << done.out);
+  CHECK(done.code == 0);
+  CHECK_THAT(done.out, Contains("1 signal in " + std::to_string(ticks) + " rows: all bits agree"));
+}
+
 TEST_CASE("what a loop is asked wrongly is refused with 2, with what would be right, all at once") {
   const Scratch folder;
   const Done done = loop(folder, slide_yaml,
