@@ -1,7 +1,6 @@
 #pragma once
 
 #include <initializer_list>
-#include <source_location>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -124,11 +123,12 @@ class Declare {
     find_phases();
   }
 
-  void block(std::string name, BlockOptions options,
-             const std::source_location& where = std::source_location::current()) {
+  void block(
+      std::string name, BlockOptions options,
+      const char* file = __builtin_FILE()) {  // of the declaration; clang 14 has no std::source_location
     type_.name = std::move(name);
     type_.struct_name = detail::type_name<Block>();
-    type_.header = detail::header_beside(where.file_name());
+    type_.header = detail::header_beside(file);
     type_.doc = std::move(options.doc);
     type_.source = std::move(options.source);
     type_.not_real_time = std::move(options.not_real_time);

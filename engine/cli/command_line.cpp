@@ -43,6 +43,12 @@ void add_work_options(CLI::App& verb, RunCommand& command, std::vector<std::stri
   verb.add_flag("--json", command.json, "print the result as JSON");
 }
 
+void add_engine_option(CLI::App& verb, Engine& engine, const std::string& what) {
+  verb.add_option("--engine", engine, what)
+      ->transform(CLI::CheckedTransformer(engines, CLI::ignore_case))
+      ->option_text("ENGINE");
+}
+
 void add_loop_options(CLI::App& verb, LoopCommand& command) {
   LoopWords& words = command.words;
   verb.add_option("FILE", command.file, "a diagram file")->required();
@@ -59,6 +65,8 @@ void add_loop_options(CLI::App& verb, LoopCommand& command) {
   verb.add_option("--spin", words.spin,
                   "time before each deadline at which it is awake and waits, e.g. 200us")
       ->capture_default_str();
+  add_engine_option(verb, command.engine,
+                    "interpreted, or compiled before the loop begins; to the same bits");
   verb.add_option("--out", command.out, "folder for signals.csv, inputs.csv, loop.json, loop.svg")
       ->check(is_named);
   verb.add_flag("--baseline", command.baseline, "measure cyclictest by turns, and set it beside the loop");
@@ -125,10 +133,8 @@ class CommandLine {
     CLI::App* verb = app_.add_subcommand("run", "run diagram files, judge their claims");
     verb->footer("Example:\n  stepwire run lag.yaml --set tau=0.2s --stop 2s --out out/lag");
     add_work_options(*verb, run_, settings_, stop_, large_);
-    verb->add_option("--engine", run_.engine,
-                     "interpreted, compiled, or auto: compiled once that is worth it; all to the same bits")
-        ->transform(CLI::CheckedTransformer(engines, CLI::ignore_case))
-        ->option_text("ENGINE");
+    add_engine_option(*verb, run_.engine,
+                      "interpreted, compiled, or auto: compiled once that is worth it; all to the same bits");
     verb->add_option("--out", run_.out,
                      "folder for signals.csv, signals.mat, pictures, claims.json, run.json, diagram.yaml")
         ->check(is_named);

@@ -48,6 +48,7 @@ struct LoopCommand {
   LoopWords words;
   std::string out;  ///< folder; empty: nothing is recorded
   bool baseline = false;
+  Engine engine = Engine::interpreted;
 };
 
 struct BlocksCommand {

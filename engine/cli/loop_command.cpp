@@ -7,6 +7,7 @@
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/loop_report.hpp"
 #include "engine/cli/report.hpp"
+#include "engine/generate/generated_code.hpp"
 #include "engine/realtime/row_writer.hpp"
 #include "engine/replay/replay_folder.hpp"
 #include "engine/run/memory.hpp"
@@ -55,6 +56,17 @@ class RowsToFolder {
   LoopRecorder recorder_;
   RowWriter writer_;
 };
+
+/// Compiled code, where that is asked for and can be; with `auto`, too, since a loop has no time for it
+/// later.
+std::vector<CompiledPlan> code_for(const Plan& plan, Engine engine) {
+  if (engine == Engine::interpreted) return {};
+  GeneratedCode source;
+  std::vector<CompiledPlan> code = source.compile({&plan}, {});
+  const std::string problem = source.take_problem();
+  if (!problem.empty()) fmt::print(stderr, "interpreted, since {}\n", problem);
+  return code;
+}
 
 /// Serves all deadlines; in slices, with one of the baseline before each, where there is one.
 Served serve_all(Loop& loop, const LoopSettings& settings, std::optional<Cyclictest>& baseline) {
@@ -114,7 +126,9 @@ ExitCode run_loop(const LoopCommand& command, const Registry& registry) {
   }
   NoDevice device;
   SystemClock clock(settings.spin);
-  const LoopOptions options{settings.rate, settings.deadlines, settings.overrun, &interrupted()};
+  const std::vector<CompiledPlan> compiled = code_for(plan, command.engine);
+  const LoopOptions options{settings.rate, settings.deadlines, settings.overrun, &interrupted(),
+                            compiled.empty() ? nullptr : &compiled.front()};
   Loop loop(plan, options, device, clock, recording ? &recording->recorder() : nullptr);
   LoopOutcome outcome{loop, settings, serve_all(loop, settings, baseline), {}, std::move(baseline)};
   if (recording) outcome.rows = recording->finish();

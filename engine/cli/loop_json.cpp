@@ -120,14 +120,16 @@ Json deadlines_json(const LoopOutcome& outcome) {
       .set("longest_row", deadlines.longest_row());
 }
 
-Json diagram_json(const Plan& plan) {
+Json diagram_json(const Simulation& simulation) {
+  const Plan& plan = simulation.plan();
   return Json::object()
       .set("file", plan.diagram.file)
       .set("title", plan.diagram.title)
       .set("hash", diagram_hash(plan.diagram))
       .set("blocks", plan.diagram.blocks.size())
       .set("states", plan.layout.state_count + plan.layout.discrete_count)
-      .set("step_s", plan.diagram.step);
+      .set("step_s", plan.diagram.step)
+      .set("engine", simulation.compiled() ? "compiled" : "interpreted");
 }
 
 }  // namespace
@@ -137,7 +139,7 @@ Json loop_json(const LoopOutcome& outcome) {
   Json faults = Json::list();
   if (const auto fault = loop.simulation().fault()) faults.push(fault->fault.text());
   return Json::object()
-      .set("diagram", diagram_json(loop.simulation().plan()))
+      .set("diagram", diagram_json(loop.simulation()))
       .set("end", end_word(loop.end()))
       .set("faults", std::move(faults))
       .set("rate_hz", outcome.settings.rate)

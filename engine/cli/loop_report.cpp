@@ -23,14 +23,15 @@ std::string head_text(const LoopOutcome& outcome) {
   const Plan& plan = outcome.loop.simulation().plan();
   const Deadlines& deadlines = outcome.loop.deadlines();
   return fmt::format(
-      "{}\n  {}: {} blocks, {} states, step {:.6g} s; {:.6g} Hz for {:.6g} s, {}\n"
+      "{}\n  {}: {} blocks, {} states, step {:.6g} s, {}; {:.6g} Hz for {:.6g} s, {}\n"
       "  {}: {} of {} deadlines, {} steps, diagram time {:.6g} s\n"
       "  missed {}: {} late, {} dropped; the longest row {}\n",
       plan.diagram.title.empty() ? plan.diagram.file : plan.diagram.title, plan.diagram.file,
       plan.diagram.blocks.size(), plan.layout.state_count + plan.layout.discrete_count, plan.diagram.step,
-      outcome.settings.rate, outcome.settings.duration, outcome.served.policy, end_word(outcome.loop.end()),
-      deadlines.index(), outcome.settings.deadlines, outcome.loop.steps(), outcome.loop.simulation().time(),
-      deadlines.missed(), deadlines.late(), deadlines.dropped(), deadlines.longest_row());
+      outcome.loop.simulation().compiled() ? "compiled" : "interpreted", outcome.settings.rate,
+      outcome.settings.duration, outcome.served.policy, end_word(outcome.loop.end()), deadlines.index(),
+      outcome.settings.deadlines, outcome.loop.steps(), outcome.loop.simulation().time(), deadlines.missed(),
+      deadlines.late(), deadlines.dropped(), deadlines.longest_row());
 }
 
 std::string row_of(const std::string& name, const Histogram& times) {

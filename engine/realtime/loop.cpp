@@ -27,6 +27,7 @@ Loop::Loop(const Plan& plan, const LoopOptions& options, Device& device, LoopClo
       measurements_(options.deadlines),
       groups_(plan, clock) {
   require_fit_for_loop(plan);
+  if (options.code) simulation_.use(*options.code);
   warm_up();
   prepare_inputs();
   prepare_outputs();

@@ -23,6 +23,7 @@ struct LoopOptions {
   std::int64_t deadlines = 1;  ///< after which it is done
   Overrun overrun;
   const std::atomic<bool>* interrupt = nullptr;  ///< once true, the loop ends at its next wake-up
+  const CompiledPlan* code = nullptr;            ///< to step with; interpreted without it
 };
 
 /// How many ticks one period of the rate is. Throws Error where it is no whole number of the diagram's steps.

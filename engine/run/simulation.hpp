@@ -47,6 +47,7 @@ class Simulation {
 
   /// From now on steps with compiled code, which must outlive this; call it between advance() and evaluate().
   void use(const CompiledPlan& code) { code_ = &code; }
+  bool compiled() const { return code_ != nullptr; }
 
   /// Puts everything at time 0.
   void reset();

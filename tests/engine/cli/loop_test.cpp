@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "engine/generate/compiler.hpp"
 #include "engine/table/file.hpp"
 #include "tests/engine/cli/program.hpp"
 
@@ -85,6 +86,19 @@ TEST_CASE("what a loop leaves is verified bit by bit, inputs and dropped deadlin
   INFO(done.err << done.out);
   CHECK(done.code == 0);
   CHECK_THAT(done.out, Contains("1 signal in " + std::to_string(ticks) + " rows: all bits agree"));
+}
+
+TEST_CASE("a loop of compiled code gives the bits that the interpreter gives") {
+  if (!stepwire::Compiler().found()) {
+    WARN("there is no C++ compiler here; nothing was compared");
+    return;
+  }
+  const Scratch folder;
+  REQUIRE(loop(folder, slide_yaml,
+               {"--duration", "0.3", "--policy", "other", "--engine", "compiled", "--out", "out"})
+              .code == 0);
+  CHECK(report_in(folder)["diagram"]["engine"] == "compiled");
+  CHECK(run_program(folder, {"verify", "out"}).code == 0);
 }
 
 TEST_CASE("what a loop is asked wrongly is refused with 2, with what would be right, all at once") {
