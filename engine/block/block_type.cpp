@@ -9,7 +9,9 @@ namespace stepwire {
 
 std::string detail::header_beside(std::string_view source) {
   const std::size_t folder = source.rfind("blocks/"), ending = source.rfind(".cpp");
-  if (folder == source.npos || ending == source.npos) return "";
+  const bool of_library =
+      folder != source.npos && ending != source.npos && source.find("tests/") == source.npos;
+  if (!of_library) return "";
   return std::string(source.substr(folder, ending - folder)) + ".hpp";
 }
 

@@ -84,7 +84,7 @@ std::string shape_of(const std::string& given) {
   }
 }
 
-/// "blocks/math/gain.hpp" for what "blocks/math/gain.cpp" declares.
+/// "blocks/math/gain.hpp" for what "blocks/math/gain.cpp" declares; empty for what is not of the library.
 std::string header_beside(std::string_view source);
 
 template <class Port>

@@ -7,9 +7,9 @@ namespace stepwire {
 namespace {
 
 /// Numbers in which the programs differ; nothing where they have not the same numbers at all.
-Varying differences(const std::vector<Program>& programs) {
+Varying differences(const std::vector<GeneratedProgram>& programs) {
   Varying varying(programs.front().parameters.size(), false);
-  for (const Program& program : programs) {
+  for (const GeneratedProgram& program : programs) {
     if (program.parameters.size() != varying.size()) return {};
     for (std::size_t i = 0; i < varying.size(); ++i)
       if (program.parameters[i] != programs.front().parameters[i]) varying[i] = true;
@@ -18,8 +18,8 @@ Varying differences(const std::vector<Program>& programs) {
 }
 
 /// The plans' programs, with what varies between them as parameters.
-std::vector<Program> programs_of(const std::vector<const Plan*>& plans) {
-  std::vector<Program> programs;
+std::vector<GeneratedProgram> programs_of(const std::vector<const Plan*>& plans) {
+  std::vector<GeneratedProgram> programs;
   for (const Plan* plan : plans) programs.push_back(make_program(*plan));
   const Varying varying = differences(programs);
   if (std::find(varying.begin(), varying.end(), true) == varying.end()) return programs;
@@ -41,10 +41,11 @@ std::vector<CompiledPlan> GeneratedCode::compile(const std::vector<const Plan*>&
   return {};
 }
 
-std::vector<CompiledPlan> GeneratedCode::load(std::vector<Program> programs, const std::stop_token& stop) {
+std::vector<CompiledPlan> GeneratedCode::load(std::vector<GeneratedProgram> programs,
+                                              const std::stop_token& stop) {
   std::vector<CompiledPlan> code;
   const std::string* last = nullptr;
-  for (Program& program : programs) {
+  for (GeneratedProgram& program : programs) {
     std::string problem;
     const bool same = last && program.text == *last;
     const StepFunctions functions =

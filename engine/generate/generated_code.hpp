@@ -19,7 +19,7 @@ class GeneratedCode : public CodeSource {
   std::string take_problem() { return std::exchange(problem_, ""); }
 
  private:
-  std::vector<CompiledPlan> load(std::vector<Program> programs, const std::stop_token& stop);
+  std::vector<CompiledPlan> load(std::vector<GeneratedProgram> programs, const std::stop_token& stop);
   void tell(const std::string& problem);
 
   std::optional<Compiler> compiler_;  ///< looked for when it is needed

@@ -46,7 +46,7 @@ StepFunctions open_library(const std::string& path, std::string& problem) {
 
 }  // namespace
 
-std::string library_source(const Program& program) {
+std::string library_source(const GeneratedProgram& program) {
   std::string source =
       "#define STEPWIRE_GENERATED\n#include <cmath>\n#include <cstdint>\n#include <limits>\n\n";
   for (const std::string& header : program.headers) source += fmt::format("#include \"{}\"\n", header);
@@ -62,7 +62,7 @@ std::string library_source(const Program& program) {
 
 CodeCache::CodeCache() : CodeCache(default_folder()) {}
 
-std::string CodeCache::key(const std::string& source, const Program& program,
+std::string CodeCache::key(const std::string& source, const GeneratedProgram& program,
                            const Compiler& compiler) const {
   std::uint64_t hash = hash_of(source);
   for (const std::string& header : with_included(program.headers)) hash = hash_of(header_text(header), hash);
@@ -71,8 +71,8 @@ std::string CodeCache::key(const std::string& source, const Program& program,
   return fmt::format("{:016x}{:08x}", hash, source.size());
 }
 
-StepFunctions CodeCache::load(const Program& program, const Compiler& compiler, const std::stop_token& stop,
-                              std::string& problem) const {
+StepFunctions CodeCache::load(const GeneratedProgram& program, const Compiler& compiler,
+                              const std::stop_token& stop, std::string& problem) const {
   try {
     const std::string source = library_source(program);
     const std::string path = fmt::format("{}/{}.so", folder_, key(source, program, compiler));

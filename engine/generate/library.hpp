@@ -10,7 +10,7 @@
 namespace stepwire {
 
 /// The source of a shared library with a program's functions.
-std::string library_source(const Program& program);
+std::string library_source(const GeneratedProgram& program);
 
 /// A folder that keeps compiled programs, so that the same diagram is compiled once. Several processes may
 /// use it at a time: a library appears whole or not at all. The least recently used ones go when there are
@@ -24,11 +24,11 @@ class CodeCache {
 
   /// The functions of a program, from the cache or compiled; they stay loaded. On failure they are null and
   /// `problem` says why.
-  StepFunctions load(const Program& program, const Compiler& compiler, const std::stop_token& stop,
+  StepFunctions load(const GeneratedProgram& program, const Compiler& compiler, const std::stop_token& stop,
                      std::string& problem) const;
 
  private:
-  std::string key(const std::string& source, const Program& program, const Compiler& compiler) const;
+  std::string key(const std::string& source, const GeneratedProgram& program, const Compiler& compiler) const;
   bool make(const std::string& source, const std::string& library, const Compiler& compiler,
             const std::stop_token& stop, std::string& problem) const;
   void drop_old() const;

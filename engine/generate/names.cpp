@@ -28,7 +28,7 @@ std::string comment_of(const Plan& plan, std::size_t block) {
   return fmt::format("{}: {}, {}", from.name, from.type().name, line_of(plan, from.origin));
 }
 
-Names::Names(const Plan& plan) {
+PlaceNames::PlaceNames(const Plan& plan) {
   for (const DiagramBlock& block : plan.diagram.blocks) blocks_.push_back(identifier(block.name));
   places_.push_back({plan.layout.time, 1, "time", "of the evaluation [s]"});
   by_offset_[plan.layout.time] = 0;
@@ -40,7 +40,7 @@ Names::Names(const Plan& plan) {
   for (std::size_t i = 0; i < places_.size(); ++i) by_offset_[places_[i].offset] = i;
 }
 
-void Names::add(const Plan& plan, std::size_t block, const std::string& member, const SignalSlot& slot) {
+void PlaceNames::add(const Plan& plan, std::size_t block, const std::string& member, const SignalSlot& slot) {
   if (slot.size == 0 || !by_offset_.emplace(slot.offset, 0).second) return;  // an output may be a state
   const DiagramBlock& from = plan.diagram.blocks[block];
   std::string name = blocks_[block] + "_" + member;
@@ -50,7 +50,7 @@ void Names::add(const Plan& plan, std::size_t block, const std::string& member, 
        fmt::format("{}.{}, {}, {}", from.name, member, from.type().name, line_of(plan, from.origin))});
 }
 
-void Names::add_block(const Plan& plan, std::size_t block) {
+void PlaceNames::add_block(const Plan& plan, std::size_t block) {
   const BlockType& type = plan.diagram.blocks[block].type();
   const PlannedBlock& planned = plan.blocks[block];
   for (std::size_t s = 0; s < type.states.size(); ++s) {
@@ -63,14 +63,14 @@ void Names::add_block(const Plan& plan, std::size_t block) {
     add(plan, block, type.notices[n].member, planned.notices[n]);
 }
 
-void Names::add_constants(const Plan& plan, std::size_t block) {
+void PlaceNames::add_constants(const Plan& plan, std::size_t block) {
   const BlockType& type = plan.diagram.blocks[block].type();
   for (std::size_t i = 0; i < type.inputs.size(); ++i)
     for (const SignalSlot& slot : plan.blocks[block].inputs[i])
       if (slot.offset >= plan.layout.constants) add(plan, block, type.inputs[i].member, slot);
 }
 
-std::string Names::at(std::size_t offset) const {
+std::string PlaceNames::at(std::size_t offset) const {
   const auto found = by_offset_.find(offset);
   return found == by_offset_.end() ? fmt::format("{}", offset) : "at::" + places_[found->second].name;
 }

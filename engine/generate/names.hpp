@@ -17,9 +17,9 @@ struct NamedPlace {
 };
 
 /// What generated code calls the numbers of a workspace.
-class Names {
+class PlaceNames {
  public:
-  explicit Names(const Plan& plan);
+  explicit PlaceNames(const Plan& plan);
 
   const std::vector<NamedPlace>& places() const { return places_; }
   /// "at::rig_carriage_position"

@@ -206,7 +206,7 @@ class Maker {
   }
 
   const Plan& plan_;
-  Names names_;
+  PlaceNames names_;
   Literals& literals_;
   Statements statements_;
   bool small_;
@@ -225,10 +225,10 @@ std::vector<std::string> headers_of(const Plan& plan) {
 
 }  // namespace
 
-Program make_program(const Plan& plan, const Varying* varying) {
+GeneratedProgram make_program(const Plan& plan, const Varying* varying) {
   require_headers(plan);
   Literals literals = varying ? Literals(*varying) : Literals();
-  Program program;
+  GeneratedProgram program;
   program.text = Maker(plan, literals).text();
   program.headers = headers_of(plan);
   program.parameters = literals.all();

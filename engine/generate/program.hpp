@@ -15,7 +15,7 @@ namespace stepwire {
 ///     void reset(double* w, const double* parameters)                         everything at time 0
 ///
 /// They do bit by bit what Simulation does.
-struct Program {
+struct GeneratedProgram {
   std::string text;                  ///< names of places, tables and the functions; inside of namespaces
   std::vector<std::string> headers;  ///< that it needs, from the root of the sources
   std::vector<double> parameters;    ///< every number of the blocks, in order
@@ -23,6 +23,6 @@ struct Program {
 
 /// Throws Error for blocks that no program can have, with their lines. `varying` says which numbers are
 /// parameters; without it none is.
-Program make_program(const Plan& plan, const Varying* varying = nullptr);
+GeneratedProgram make_program(const Plan& plan, const Varying* varying = nullptr);
 
 }  // namespace stepwire

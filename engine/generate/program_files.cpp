@@ -31,7 +31,7 @@ std::string cmake_text(const std::string& name) {
       name, flags);
 }
 
-std::string source_text(const Plan& plan, const Program& program, const std::string& name) {
+std::string source_text(const Plan& plan, const GeneratedProgram& program, const std::string& name) {
   std::string text =
       fmt::format("#include \"{}.hpp\"\n\n#include <bit>\n#include <cmath>\n#include <limits>\n\n", name);
   for (const std::string& header : program.headers) text += fmt::format("#include \"{}\"\n", header);
@@ -43,7 +43,7 @@ std::string source_text(const Plan& plan, const Program& program, const std::str
 
 std::map<std::string, std::string> program_files(const Plan& plan, const std::string& name,
                                                  const std::string& made_by) {
-  const Program program = make_program(plan);
+  const GeneratedProgram program = make_program(plan);
   const std::string own = identifier(name);
   const std::string note = fmt::format("// {} made this from {}.\n\n", made_by, plan.diagram.file);
   std::map<std::string, std::string> files;

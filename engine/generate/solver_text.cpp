@@ -14,7 +14,7 @@ constexpr std::size_t few = 16;  // states that are written out one by one
 
 class ExplicitText {
  public:
-  ExplicitText(const std::vector<Stage>& stages, std::size_t states, bool small)
+  ExplicitText(const std::vector<SolverStage>& stages, std::size_t states, bool small)
       : stages_(stages), states_(states), small_(small) {}
 
   std::string text() const {
@@ -58,7 +58,7 @@ class ExplicitText {
     });
   }
 
-  const std::vector<Stage>& stages_;
+  const std::vector<SolverStage>& stages_;
   std::size_t states_;
   bool small_;
 };

@@ -38,7 +38,7 @@ std::map<std::string, std::string> defaults_of(const BlockType& type) {
 
 }  // namespace
 
-Statements::Statements(const Plan& plan, const Names& names, Literals& literals)
+Statements::Statements(const Plan& plan, const PlaceNames& names, Literals& literals)
     : plan_(plan), names_(names), members_(plan.blocks.size()) {
   std::map<std::string, std::map<std::string, std::string>> defaults;
   for (int index : plan.memory_order) {

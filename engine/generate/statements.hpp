@@ -25,7 +25,7 @@ enum class Phase { outputs, derivatives, update, start };
 /// the compiler sees through.
 class Statements {
  public:
-  Statements(const Plan& plan, const Names& names, Literals& literals);
+  Statements(const Plan& plan, const PlaceNames& names, Literals& literals);
 
   /// The call of one block.
   std::string call(std::size_t block, Phase phase, const Places& places) const;
@@ -49,7 +49,7 @@ class Statements {
   std::string base(std::size_t offset, const Places& places) const;
 
   const Plan& plan_;
-  const Names& names_;
+  const PlaceNames& names_;
   struct Member {
     std::string name, value;
     bool is_default;

@@ -24,7 +24,7 @@ class Earliest {
   std::string text_;
 };
 
-void compare(const Recorded& recorded, const Rows& rows, const Table& computed, Earliest& earliest) {
+void compare(const Recorded& recorded, const RowRange& rows, const Table& computed, Earliest& earliest) {
   const std::size_t common = std::min(rows.count, computed.rows());
   for (std::size_t k = 0; k < common; ++k) {
     const auto number = [&](std::size_t i) { return computed.columns[i].values[k]; };
@@ -41,7 +41,7 @@ void compare(const Recorded& recorded, const Rows& rows, const Table& computed, 
 }
 
 /// Ticks until each table would have one row more than it has: whether the run went on shows there.
-std::int64_t ticks_to_replay(const Plan& plan, const std::vector<Rows>& rows) {
+std::int64_t ticks_to_replay(const Plan& plan, const std::vector<RowRange>& rows) {
   std::int64_t ticks = 0;
   for (std::size_t i = 0; i < rows.size(); ++i)
     ticks = std::max(
@@ -52,7 +52,7 @@ std::int64_t ticks_to_replay(const Plan& plan, const std::vector<Rows>& rows) {
 }  // namespace
 
 std::vector<std::size_t> replay_run(Plan plan, const std::vector<Recorded>& tables,
-                                    const std::vector<Rows>& rows, const RunOptions& options,
+                                    const std::vector<RowRange>& rows, const RunOptions& options,
                                     Verification& verification) {
   const std::int64_t steps = std::exchange(plan.steps, ticks_to_replay(plan, rows));
   const RunResult result = run_plan(plan, options);

@@ -7,14 +7,14 @@
 namespace stepwire {
 
 /// Rows of a table, one behind the other.
-struct Rows {
+struct RowRange {
   std::size_t first = 0, count = 0;
 };
 
 /// Runs a plan as far as its rows go and compares them, one entry of `rows` for each table; adds what came of
 /// it. Returns how many rows of each table were this run's.
 std::vector<std::size_t> replay_run(Plan plan, const std::vector<Recorded>& tables,
-                                    const std::vector<Rows>& rows, const RunOptions& options,
+                                    const std::vector<RowRange>& rows, const RunOptions& options,
                                     Verification& verification);
 
 }  // namespace stepwire

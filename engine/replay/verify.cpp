@@ -126,7 +126,7 @@ class Verifier {
   void verify_run() {
     Plan plan = plan_of(flattened_name);
     const std::vector<Recorded> tables = read_tables(plan, 1);
-    std::vector<Rows> rows;
+    std::vector<RowRange> rows;
     for (const Recorded& table : tables) rows.push_back({0, table.table.rows()});
     replay_run(std::move(plan), tables, rows, options_, result_);
   }
@@ -136,7 +136,7 @@ class Verifier {
     ColumnWords words;
     for (const std::string& parameter : note.swept) words[parameter];
     std::vector<Recorded> tables;
-    std::vector<Rows> rows;
+    std::vector<RowRange> rows;
     for (std::size_t run = 0; run < note.runs && result_.difference.empty() && !result_.interrupted; ++run) {
       Plan plan = plan_of(flattened_name_of(run));
       if (run == 0) {

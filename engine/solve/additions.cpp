@@ -19,8 +19,8 @@ bool waits(const std::vector<double>& row) {
 
 }  // namespace
 
-std::vector<Stage> stages_of(const Tableau& tableau) {
-  std::vector<Stage> stages(tableau.b.size());
+std::vector<SolverStage> stages_of(const Tableau& tableau) {
+  std::vector<SolverStage> stages(tableau.b.size());
   for (std::size_t stage = 0; stage < tableau.c.size(); ++stage) stages[stage].next = tableau.c[stage];
   int places = 1;
   for (const auto& row : rows_of(tableau)) {
@@ -36,9 +36,9 @@ std::vector<Stage> stages_of(const Tableau& tableau) {
   return stages;
 }
 
-int places_of(const std::vector<Stage>& stages) {
+int places_of(const std::vector<SolverStage>& stages) {
   int most = Addition::start;
-  for (const Stage& stage : stages)
+  for (const SolverStage& stage : stages)
     for (const Addition& addition : stage.additions) most = std::max(most, addition.to);
   return most + 1;
 }

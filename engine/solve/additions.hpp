@@ -15,16 +15,16 @@ struct Addition {
 };
 
 /// One stage of an explicit method.
-struct Stage {
+struct SolverStage {
   std::vector<Addition> additions;
   double next = 1.0;  ///< time of the next stage, in steps
 };
 
 /// A Runge-Kutta method in which every stage uses the slope before it, as a list of stages. No slope has to
 /// be kept.
-std::vector<Stage> stages_of(const Tableau& tableau);
+std::vector<SolverStage> stages_of(const Tableau& tableau);
 
 /// How many places the additions name, the start among them.
-int places_of(const std::vector<Stage>& stages);
+int places_of(const std::vector<SolverStage>& stages);
 
 }  // namespace stepwire

@@ -20,7 +20,7 @@ double* ExplicitSolver::place(int number, System& system) {
   return sums_.data() + static_cast<std::size_t>(number) * system.count;
 }
 
-void ExplicitSolver::use_slope(const Stage& stage, System& system, double step) {
+void ExplicitSolver::use_slope(const SolverStage& stage, System& system, double step) {
   for (const Addition& addition : stage.additions)
     add(place(addition.to, system), place(addition.from, system), step * addition.weight, system.dot,
         system.count);

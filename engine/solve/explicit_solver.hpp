@@ -16,9 +16,9 @@ class ExplicitSolver : public Solver {
  private:
   /// The place of a sum: the states themselves, or a row of `sums_`.
   double* place(int number, System& system);
-  void use_slope(const Stage& stage, System& system, double step);
+  void use_slope(const SolverStage& stage, System& system, double step);
 
-  std::vector<Stage> stages_;
+  std::vector<SolverStage> stages_;
   std::vector<double> sums_;  ///< states at the start, then one row for each sum that waits for more slopes
 };
 
