@@ -6,24 +6,35 @@ namespace stepwire {
 
 namespace {
 
-/// Numbers in which the programs differ; nothing where they have not the same numbers at all.
-Varying differences(const std::vector<GeneratedProgram>& programs) {
-  Varying varying(programs.front().parameters.size(), false);
-  for (const GeneratedProgram& program : programs) {
-    if (program.parameters.size() != varying.size()) return {};
-    for (std::size_t i = 0; i < varying.size(); ++i)
-      if (program.parameters[i] != programs.front().parameters[i]) varying[i] = true;
+/// Numbers in which the plans differ; empty where they differ in nothing, or have not the same numbers at
+/// all.
+Varying differences(const std::vector<const Plan*>& plans) {
+  if (plans.size() == 1) return {};
+  const std::vector<double> first = make_program(*plans.front()).parameters;
+  Varying varying(first.size(), false);
+  for (const Plan* plan : plans) {
+    const std::vector<double> own = make_program(*plan).parameters;
+    if (own.size() != first.size()) return {};
+    for (std::size_t i = 0; i < own.size(); ++i)
+      if (own[i] != first[i]) varying[i] = true;
   }
-  return varying;
+  return std::find(varying.begin(), varying.end(), true) == varying.end() ? Varying{} : varying;
 }
 
-/// The plans' programs, with what varies between them as parameters.
+/// The plans' programs, with what varies between them as parameters. A text that is that of the plan before
+/// is left out: a sweep may have very many points.
 std::vector<GeneratedProgram> programs_of(const std::vector<const Plan*>& plans) {
+  const Varying varying = differences(plans);
   std::vector<GeneratedProgram> programs;
-  for (const Plan* plan : plans) programs.push_back(make_program(*plan));
-  const Varying varying = differences(programs);
-  if (std::find(varying.begin(), varying.end(), true) == varying.end()) return programs;
-  for (std::size_t i = 0; i < plans.size(); ++i) programs[i] = make_program(*plans[i], &varying);
+  std::string last;
+  for (const Plan* plan : plans) {
+    programs.push_back(make_program(*plan, varying.empty() ? nullptr : &varying));
+    if (programs.back().text == last) {
+      programs.back().text.clear();
+    } else {
+      last = programs.back().text;
+    }
+  }
   return programs;
 }
 
@@ -44,16 +55,14 @@ std::vector<CompiledPlan> GeneratedCode::compile(const std::vector<const Plan*>&
 std::vector<CompiledPlan> GeneratedCode::load(std::vector<GeneratedProgram> programs,
                                               const std::stop_token& stop) {
   std::vector<CompiledPlan> code;
-  const std::string* last = nullptr;
   for (GeneratedProgram& program : programs) {
     std::string problem;
-    const bool same = last && program.text == *last;
+    const bool same = program.text.empty();
     const StepFunctions functions =
         same ? code.back().functions : cache_.load(program, *compiler_, stop, problem);
     if (!problem.empty() && !stop.stop_requested()) tell(problem);
     if (!functions.evaluate || !functions.advance) return {};
     code.push_back({functions, std::move(program.parameters)});
-    last = &program.text;
   }
   return code;
 }
