@@ -41,11 +41,20 @@ std::vector<Member> outputs_of(const Plan& plan) {
 
 std::vector<Member> recorded_of(const Plan& plan) {
   std::vector<Member> members;
-  std::map<std::string, int> taken;
+  std::map<std::string, std::size_t> taken;
   for (const RecordRequest& request : plan.diagram.records)
-    for (const RecordedSignal& signal : request.signals)
-      if (const std::string name = recorded_member(signal); taken[name]++ == 0)
-        members.push_back({name, signal.name + unit_text(plan, signal.signal), plan.slot(signal.signal)});
+    for (const RecordedSignal& signal : request.signals) {
+      const std::string name = recorded_member(signal);
+      const SignalSlot slot = plan.slot(signal.signal);
+      const auto [known, is_new] = taken.emplace(name, slot.offset);
+      if (known->second != slot.offset)
+        throw Error(
+            plan.diagram.fault(signal.origin, "record",
+                               fmt::format("'{}' would be called {} in C++ as another recorded signal is; "
+                                           "give it another name",
+                                           signal.name, name)));
+      if (is_new) members.push_back({name, signal.name + unit_text(plan, signal.signal), slot});
+    }
   return members;
 }
 
