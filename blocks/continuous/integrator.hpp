@@ -13,7 +13,7 @@ struct Integrator {
   // What every step needs lies together; most integrators have neither limits nor a reset.
   Input<> u{};
   State<> x{};
-  bool limited = false, resets = false;
+  bool plain = true, limited = false, resets = false;
 
   PerElement lower = -unlimited, upper = unlimited;
   Trigger trigger = Trigger::rising;
@@ -30,7 +30,7 @@ struct Integrator {
   }
 
   void derivatives() {
-    if (!limited && !resets) {
+    if (plain) {
       x.dot = u;
     } else {
       integrate_within_limits();

@@ -29,12 +29,12 @@ struct DiscretePID {
   }
 
   void update() {
-    for (Index i = 0; i < integral.size(); ++i) {
+    integral.each([&](Index i) {
       const double next = next_integral(i);
       rate[i] = slope(i);
       last[i] = weighted(weight_d, i);
-      integral[i] = next;
-    }
+      return next;
+    });
   }
 
   void configure(Configure& is);

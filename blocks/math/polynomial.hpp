@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-
 #include "engine/block/block.hpp"
 
 namespace stepwire {
@@ -23,7 +21,12 @@ struct Polynomial {
   }
 
   /// A fit says nothing outside of what it was fitted to.
-  double held(double x) const { return hold.size() == 0 ? x : std::min(std::max(x, hold[0]), hold[1]); }
+  double held(double x) const {
+    if (hold.size() == 0) return x;
+    const double lowest = hold[0], highest = hold[1];
+    const double above = x < lowest ? lowest : x;
+    return above > highest ? highest : above;
+  }
 
   void configure(Configure& is);
   static void declare(Declare<Polynomial>& is);

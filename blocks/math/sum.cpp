@@ -17,11 +17,7 @@ void Sum::configure(Configure& is) {
   if (!each.empty() && static_cast<Index>(each.size()) != inputs)
     is.refuse<&Sum::signs>(
         fmt::format("'{}' has {} signs for {} inputs; give one for each", each, each.size(), inputs));
-}
-
-void Sum::prepare() {
   negative = 0;
-  const std::string_view each = signs;
   for (std::size_t i = 0; i < each.size(); ++i) negative |= std::uint64_t{each[i] == '-'} << i;
 }
 

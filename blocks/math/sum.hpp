@@ -14,18 +14,26 @@ struct Sum {
   Text signs{};
 
   void outputs() {
-    if (y.size() == 1 && u.count() == 2) {  // most of all sums
-      y[0] = with_sign(0, u.first(0)) + with_sign(1, u.first(1));
+    if (y.size() == 1) {
+      y[0] = sum_of_first_elements();
     } else {
       add_all();
     }
   }
 
-  void prepare();
   void configure(Configure& is);
   static void declare(Declare<Sum>& is);
 
  private:
+  double sum_of_first_elements() const {
+    const double a = u.first(0);
+    if (u.count() == 1) return with_sign(0, a);
+    const double b = u.first(1);
+    const std::uint64_t two = negative & 3u;  // most sums have two inputs, and these signs
+    double sum = two == 0 ? a + b : two == 2 ? a - b : with_sign(0, a) + with_sign(1, b);
+    for (Index i = 2; i < u.count(); ++i) sum += with_sign(i, u.first(i));
+    return sum;
+  }
   double sum_of(Index k) const {
     double sum = with_sign(0, u[0][k]);
     for (Index i = 1; i < u.count(); ++i) sum += with_sign(i, u[i][k]);

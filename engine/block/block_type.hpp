@@ -10,8 +10,19 @@
 
 namespace stepwire {
 
-/// Runs one phase of `count` blocks of one type that lie one behind the other in memory.
-using Kernel = void (*)(void* first, std::size_t count);
+/// Runs one phase of the blocks of one type, at least one, that lie one behind the other in memory up to
+/// `end`.
+using Kernel = void (*)(void* first, void* end);
+
+/// The kernels of one phase. The more is known of a block, the less has to be asked at every step.
+struct Kernels {
+  Kernel any = nullptr;  ///< null where the type has no such phase
+  Kernel one = nullptr;  ///< for blocks of which every port and state has one element
+  Kernel one_of_two =
+      nullptr;  ///< and that have two inputs in the list `u`; null where there is no such list
+
+  explicit operator bool() const { return any != nullptr; }
+};
 
 /// When a block runs unless its file says `every`.
 enum class Timing {
@@ -42,9 +53,7 @@ struct BlockType {
   std::vector<MemberSpec> members;  ///< that a run reads and never changes
   std::vector<ClockSpec> clocks;
 
-  Kernel run_outputs = nullptr;  ///< null where the block has no such phase
-  Kernel run_derivatives = nullptr;
-  Kernel run_update = nullptr;
+  Kernels run_outputs, run_derivatives, run_update;
   void (*configure)(void* block, Configure& is) = nullptr;
   void (*prepare)(void* block) = nullptr;
   void (*start)(void* block) = nullptr;

@@ -65,6 +65,12 @@ class Configure {
   void skip_outputs() { skips_outputs_ = true; }
   /// This instance has nothing to do in update().
   void skip_update() { skips_update_ = true; }
+  /// The slope of this state is this input as it stands, and derivatives() does nothing else: where the plan
+  /// lets the input's source write into the slope's place, nothing needs to be called.
+  template <auto state, auto input>
+  void slope_is_input() {
+    slope_source_ = {std::string(member_name<state>()), std::string(member_name<input>())};
+  }
   /// Refuses a parameter: what is wrong and what would be right.
   template <auto parameter>
   [[noreturn]] void refuse(const std::string& message) const {
@@ -80,6 +86,8 @@ class Configure {
   const std::map<std::string, std::string>& units() const { return units_; }
   const std::map<std::pair<std::string, std::string>, bool>& feedthrough() const { return feedthrough_; }
   const std::vector<std::pair<std::string, std::string>>& required() const { return required_; }
+  /// State and input; both empty where there are none.
+  const std::pair<std::string, std::string>& slope_source() const { return slope_source_; }
   bool skips_outputs() const { return skips_outputs_; }
   bool skips_update() const { return skips_update_; }
 
@@ -91,6 +99,7 @@ class Configure {
   std::map<std::string, std::string> units_;
   std::map<std::pair<std::string, std::string>, bool> feedthrough_;
   std::vector<std::pair<std::string, std::string>> required_;
+  std::pair<std::string, std::string> slope_source_;
   bool skips_outputs_ = false, skips_update_ = false;
 };
 

@@ -36,9 +36,10 @@ std::vector<std::string> Compiler::flags() {
 }
 
 std::string Compiler::compile(const std::string& source, const std::string& library,
-                              const std::stop_token& stop) const {
+                              const std::vector<std::string>& more, const std::stop_token& stop) const {
   std::vector<std::string> command{path_};
   for (const std::string& flag : flags()) command.push_back(flag);
+  command.insert(command.end(), more.begin(), more.end());
   // What these passes find in straight-line code is little, and the first one's time grows with its square.
   if (version_.find("clang") == std::string::npos)
     command.insert(command.end(), {"-fno-tree-pta", "-fno-tree-slp-vectorize"});

@@ -19,10 +19,13 @@ class Compiler {
   /// and functions such as sin only ever computed by the library, never by the compiler.
   static std::vector<std::string> flags();
 
-  /// Compiles a source into a shared library. Empty if that went well, else what the compiler said. A stop
-  /// kills the compiler.
+  /// Lets the compiler use all that this machine's processor has.
+  static constexpr const char* native = "-march=native";
+
+  /// Compiles a source into a shared library, with further flags. Empty if that went well, else what the
+  /// compiler said. A stop kills the compiler.
   std::string compile(const std::string& source, const std::string& library,
-                      const std::stop_token& stop) const;
+                      const std::vector<std::string>& more, const std::stop_token& stop) const;
 
  private:
   std::string path_, version_;

@@ -105,7 +105,7 @@ std::string stop_text(const Plan& plan) {
   if (!plan.diagram.stop_when) return "false";
   return plan.diagram.stop_when->expression.cpp_condition([&](std::size_t i) {
     const SignalRef& signal = plan.diagram.stop_when->variables[i];
-    return fmt::format("w_[{}]", signal.block < 0 ? plan.layout.time : plan.slot(signal).offset);
+    return fmt::format("w_[{}]", signal.block < 0 ? Layout::time : plan.slot(signal).offset);
   });
 }
 
@@ -159,7 +159,7 @@ std::string struct_definitions(const Plan& plan, const std::string& name) {
       "bool Diagram::stops() const {{\n  return {8};\n}}\n\n}}  // namespace {0}\n",
       name, copies("inputs", inputs_of(plan), true), copies("inputs", inputs_of(plan), false),
       copies("outputs", outputs_of(plan), true), copies("recorded", recorded_of(plan), true), layout.signals,
-      layout.states + layout.state_count, fault_text(plan), stop_text(plan));
+      layout.dots + layout.state_count, fault_text(plan), stop_text(plan));
 }
 
 }  // namespace stepwire

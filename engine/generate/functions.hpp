@@ -20,10 +20,10 @@ class Functions {
            const std::vector<Code>& code);
   void add_text(const std::string& text) { text_ += text; }
   const std::string& text() const { return text_; }
-
- private:
+  /// What stands before a function that may be put into others.
   std::string attribute() const;
 
+ private:
   bool small_;
   std::string text_;
 };

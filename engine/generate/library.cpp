@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 
 #include "engine/generate/headers.hpp"
 #include "engine/table/file.hpp"
@@ -30,6 +31,24 @@ std::string default_folder() {
   if (!variable("STEPWIRE_CACHE").empty()) return variable("STEPWIRE_CACHE");
   if (!variable("XDG_CACHE_HOME").empty()) return variable("XDG_CACHE_HOME") + "/stepwire";
   return variable("HOME") + "/.cache/stepwire";
+}
+
+/// What tells this machine's processor from others.
+std::string processor() {
+  std::ifstream info("/proc/cpuinfo");
+  std::string text, line;
+  while (std::getline(info, line) && !line.empty())  // the first core
+    for (const char* field : {"model name", "flags", "Features", "CPU part"})
+      if (line.starts_with(field)) text += line + "\n";
+  return text;
+}
+
+/// Eigen adds in an order that depends on the processor it is compiled for, and the interpreter is compiled
+/// for any: only code without it gives the same bits when it is compiled for this one.
+std::vector<std::string> flags_for_this_machine(const std::vector<std::string>& headers) {
+  for (const std::string& header : headers)
+    if (header_text(header).find("#include <Eigen/") != std::string::npos) return {};
+  return {Compiler::native};
 }
 
 StepFunctions open_library(const std::string& path, std::string& problem) {
@@ -65,8 +84,10 @@ CodeCache::CodeCache() : CodeCache(default_folder()) {}
 std::string CodeCache::key(const std::string& source, const GeneratedProgram& program,
                            const Compiler& compiler) const {
   std::uint64_t hash = hash_of(source);
-  for (const std::string& header : with_included(program.headers)) hash = hash_of(header_text(header), hash);
+  const std::vector<std::string> headers = with_included(program.headers);
+  for (const std::string& header : headers) hash = hash_of(header_text(header), hash);
   for (const std::string& flag : Compiler::flags()) hash = hash_of(flag, hash);
+  for (const std::string& flag : flags_for_this_machine(headers)) hash = hash_of(flag + processor(), hash);
   hash = hash_of(compiler.version(), hash);
   return fmt::format("{:016x}{:08x}", hash, source.size());
 }
@@ -76,7 +97,8 @@ StepFunctions CodeCache::load(const GeneratedProgram& program, const Compiler& c
   try {
     const std::string source = library_source(program);
     const std::string path = fmt::format("{}/{}.so", folder_, key(source, program, compiler));
-    if (!fs::exists(path) && !make(source, path, compiler, stop, problem)) return {};
+    const std::vector<std::string> flags = flags_for_this_machine(with_included(program.headers));
+    if (!fs::exists(path) && !make(source, path, flags, compiler, stop, problem)) return {};
     fs::last_write_time(path, fs::file_time_type::clock::now());  // used just now
     return open_library(path, problem);
   } catch (const std::exception& error) {  // no folder, no room, no sources: the run goes on without
@@ -85,13 +107,14 @@ StepFunctions CodeCache::load(const GeneratedProgram& program, const Compiler& c
   }
 }
 
-bool CodeCache::make(const std::string& source, const std::string& library, const Compiler& compiler,
+bool CodeCache::make(const std::string& source, const std::string& library,
+                     const std::vector<std::string>& flags, const Compiler& compiler,
                      const std::stop_token& stop, std::string& problem) const {
   fs::create_directories(folder_);
   drop_old();
   const std::string own = fmt::format("{}.{}", library, ::getpid());  // two runs may make the same at a time
   write_file(own + ".cpp", source);
-  problem = compiler.compile(own + ".cpp", own, stop);
+  problem = compiler.compile(own + ".cpp", own, flags, stop);
   fs::remove(own + ".cpp");
   if (problem.empty()) {
     fs::rename(own, library);

@@ -29,8 +29,8 @@ class CodeCache {
 
  private:
   std::string key(const std::string& source, const GeneratedProgram& program, const Compiler& compiler) const;
-  bool make(const std::string& source, const std::string& library, const Compiler& compiler,
-            const std::stop_token& stop, std::string& problem) const;
+  bool make(const std::string& source, const std::string& library, const std::vector<std::string>& flags,
+            const Compiler& compiler, const std::stop_token& stop, std::string& problem) const;
   void drop_old() const;
 
   std::string folder_;

@@ -30,9 +30,12 @@ std::string comment_of(const Plan& plan, std::size_t block) {
 
 PlaceNames::PlaceNames(const Plan& plan) {
   for (const DiagramBlock& block : plan.diagram.blocks) blocks_.push_back(identifier(block.name));
-  places_.push_back({plan.layout.time, 1, "time", "of the evaluation [s]"});
-  by_offset_[plan.layout.time] = 0;
-  taken_["time"] = 1;
+  places_.push_back({Layout::time, 1, "time", "of the evaluation [s]"});
+  places_.push_back({Layout::timed, 1, "timed", "for which `timed` was computed last [s]"});
+  for (const NamedPlace& place : places_) {
+    by_offset_[place.offset] = 0;
+    taken_[place.name] = 1;
+  }
   for (int block : plan.memory_order) add_block(plan, static_cast<std::size_t>(block));
   for (int block : plan.memory_order) add_constants(plan, static_cast<std::size_t>(block));
   std::sort(places_.begin(), places_.end(),
@@ -55,7 +58,8 @@ void PlaceNames::add_block(const Plan& plan, std::size_t block) {
   const PlannedBlock& planned = plan.blocks[block];
   for (std::size_t s = 0; s < type.states.size(); ++s) {
     add(plan, block, type.states[s].member, planned.states[s]);
-    if (type.states[s].continuous) add(plan, block, type.states[s].member + "_dot", planned.dots[s]);
+    if (type.states[s].continuous && !planned.slope_is_input)
+      add(plan, block, type.states[s].member + "_dot", planned.dots[s]);
   }
   for (std::size_t o = 0; o < type.outputs.size(); ++o)
     add(plan, block, type.outputs[o].member, planned.outputs[o]);

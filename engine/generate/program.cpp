@@ -51,6 +51,7 @@ class Maker {
         functions_(small_) {}
 
   std::string text() {
+    if (!plan_.timed.empty()) add_timed();
     add_outputs();
     add_updates();
     if (plan_.layout.state_count > 0) add_slopes();
@@ -85,8 +86,21 @@ class Maker {
            "}  // namespace table\n\n";
   }
 
+  void add_timed() {
+    const std::string parameters = "double* w, [[maybe_unused]] const double* parameters";
+    functions_.add("timed", parameters, "w, parameters",
+                   calls_of(plan_, statements_, plan_.timed, Phase::outputs, at_tick()));
+    functions_.add_text(
+        fmt::format("/// Computes what follows from the time alone, if it has changed.\n"
+                    "{} void follow_time({}) {{\n"
+                    "  if (w[at::timed] == w[at::time]) return;\n"
+                    "  w[at::timed] = w[at::time];\n  timed(w, parameters);\n}}\n\n",
+                    functions_.attribute(), parameters));
+  }
+
   void add_outputs() {
     std::vector<Code> code{{"  w[at::time] = static_cast<double>(tick) * step;\n"}};
+    if (!plan_.timed.empty()) code.front().text += "  follow_time(w, parameters);\n";
     append(code, calls_of(plan_, statements_, plan_.outputs, Phase::outputs, at_tick()));
     functions_.add("evaluate", state_parameters, state_arguments, code);
   }
@@ -108,8 +122,8 @@ class Maker {
     Places places = at_tick();
     if (!small_) return places;
     places.fresh = "s";
-    places.is_fresh.assign(plan_.layout.dots, false);
-    places.is_fresh[plan_.layout.time] = true;
+    places.is_fresh.assign(plan_.layout.dots + plan_.layout.state_count, false);
+    places.is_fresh[Layout::time] = true;
     for (std::size_t i = plan_.layout.states; i < plan_.layout.dots; ++i) places.is_fresh[i] = true;
     for (const Batch& batch : plan_.stage)
       for (const PlannedBlock& block : plan_.blocks)
@@ -121,9 +135,9 @@ class Maker {
 
   bool in(const Batch& batch, const PlannedBlock& block) const {
     const auto index = static_cast<std::size_t>(&block - plan_.blocks.data());
-    const std::size_t bytes = plan_.diagram.blocks[index].type().bytes;
-    return block.memory < batch.first + batch.count * bytes &&
-           plan_.diagram.blocks[index].type().run_outputs == batch.run;
+    const Kernels& kernels = plan_.diagram.blocks[index].type().run_outputs;
+    return block.memory < batch.end &&
+           (batch.run == kernels.any || batch.run == kernels.one || batch.run == kernels.one_of_two);
   }
 
   void add_slopes() {
@@ -132,8 +146,9 @@ class Maker {
                       after = "[[maybe_unused]] const double* parameters, double* dot";
     Places tick = at_tick();
     tick.dot = "dot";
-    functions_.add("derivatives", before + after, "w, parameters, dot",
-                   calls_of(plan_, statements_, plan_.derivatives, Phase::derivatives, tick));
+    std::vector<Code> at_start = given_slopes();
+    append(at_start, calls_of(plan_, statements_, plan_.derivatives, Phase::derivatives, tick));
+    functions_.add("derivatives", before + after, "w, parameters, dot", at_start);
     Places at_stage = stage_places();
     at_stage.dot = "dot";
     std::vector<Code> code = calls_of(plan_, statements_, plan_.stage, Phase::outputs, at_stage);
@@ -142,10 +157,24 @@ class Maker {
     functions_.add("slopes", before + own + after, "w, s, parameters, dot", code);
   }
 
+  /// Slopes that outputs have written to the workspace, where slopes have a place of their own.
+  std::vector<Code> given_slopes() const {
+    std::vector<Code> code;
+    if (!small_) return code;
+    for (const PlannedBlock& block : plan_.blocks)
+      for (const SignalSlot& slot : block.dots)
+        for (std::size_t i = slot.offset; i < slot.offset + static_cast<std::size_t>(slot.size); ++i)
+          if (block.slope_is_input && i >= plan_.layout.dots)  // discrete states have no slopes
+            code.push_back({fmt::format("  dot[{0}] = w[dots + {0}];\n", i - plan_.layout.dots)});
+    return code;
+  }
+
   void add_advance() {
     std::string body = "  update(w, parameters, tick);\n";
     if (plan_.layout.state_count > 0) {
-      body += "  const double now = static_cast<double>(tick) * step;\n";
+      body +=
+          "  const double now = static_cast<double>(tick) * step;\n"
+          "  const double end = static_cast<double>(tick + 1) * step;\n";
       if (plan_.updates_continuous)
         for (const Code& code : calls_of(plan_, statements_, plan_.stage, Phase::outputs, {}))
           body += code.text;
@@ -164,12 +193,14 @@ class Maker {
     append(code, starts_of(plan_, statements_, at_tick()));
     append(code, calls_of(plan_, statements_, plan_.once, Phase::outputs, at_tick()));
     functions_.add("start", "double* w, [[maybe_unused]] const double* parameters", "w, parameters", code);
-    functions_.add_text(fmt::format(
-        "inline void reset(double* w, const double* parameters) {{\n"
-        "  for (int i = 0; i < numbers; ++i) w[i] = 0.0;\n"
-        "  for (int i = {0}; i < {1}; ++i) w[i] = Notice::never;\n{2}"
-        "  start(w, parameters);\n}}\n",
-        plan_.layout.notices, plan_.layout.notices + plan_.layout.notice_count, constants_text()));
+    functions_.add_text(
+        fmt::format("inline void reset(double* w, const double* parameters) {{\n"
+                    "  for (int i = 0; i < numbers; ++i) w[i] = 0.0;\n"
+                    "  w[at::timed] = {3};\n"
+                    "  for (int i = {0}; i < {1}; ++i) w[i] = Notice::never;\n{2}"
+                    "  start(w, parameters);\n}}\n",
+                    plan_.layout.notices, plan_.layout.notices + plan_.layout.notice_count, constants_text(),
+                    number_text(Layout::never)));
   }
 
   std::string constants_text() const {

@@ -54,11 +54,6 @@ Statements::Statements(const Plan& plan, const PlaceNames& names, Literals& lite
   }
 }
 
-std::string Statements::base(std::size_t offset, const Places& places) const {
-  const bool fresh = offset < places.is_fresh.size() && places.is_fresh[offset];
-  return fresh ? places.fresh : "w";
-}
-
 Statements::Pieces Statements::set_up(std::size_t block, const Places& places, bool complete) const {
   Pieces pieces;
   for (const Member& member : members_[block])
@@ -73,7 +68,11 @@ Statements::Pieces Statements::set_up(std::size_t block, const Places& places, b
 
 Statements::Piece Statements::place(const std::string& before, std::size_t offset, const std::string& after,
                                     const Places& places) const {
-  return {before + base(offset, places) + " + ", names_.at(offset), after, static_cast<std::int64_t>(offset)};
+  const bool fresh = offset < places.is_fresh.size() && places.is_fresh[offset];
+  const auto at = static_cast<std::int64_t>(offset);
+  if (fresh && offset >= plan_.layout.dots)
+    return {fmt::format("{}{} + (", before, places.dot), names_.at(offset), " - dots)" + after, at};
+  return {fmt::format("{}{} + ", before, fresh ? places.fresh : "w"), names_.at(offset), after, at};
 }
 
 void Statements::bind_inputs(std::size_t block, const Places& places, Pieces& pieces) const {
@@ -129,7 +128,7 @@ void Statements::bind_rest(std::size_t block, const Places& places, Pieces& piec
   const double period = static_cast<double>(planned.rate.ticks) * plan_.diagram.step;
   for (const ClockSpec& clock : type.clocks) {
     const std::string before = fmt::format("    b.{}.bind(", clock.member);
-    pieces.push_back(clock.bind_time ? place(before, plan_.layout.time, ");\n", places)
+    pieces.push_back(clock.bind_time ? place(before, Layout::time, ");\n", places)
                                      : Piece{before, number_text(period), ");\n"});
   }
 }

@@ -10,7 +10,7 @@
 namespace stepwire {
 
 /// Where the statements of a function find their numbers: outputs that the function computes and states in
-/// `fresh`, everything else in `w`, slopes in `dot`.
+/// `fresh`, everything else in `w`, slopes in `dot`, also those that are outputs that it computes.
 struct Places {
   std::string fresh = "w";
   std::vector<bool> is_fresh;  ///< by offset; empty: nothing is
@@ -46,7 +46,6 @@ class Statements {
   void bind_outputs(std::size_t block, const Places& places, Pieces& pieces) const;
   void bind_states(std::size_t block, const Places& places, Pieces& pieces) const;
   void bind_rest(std::size_t block, const Places& places, Pieces& pieces) const;
-  std::string base(std::size_t offset, const Places& places) const;
 
   const Plan& plan_;
   const PlaceNames& names_;

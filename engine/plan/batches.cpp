@@ -12,19 +12,37 @@ int period_index(Plan& plan, std::int64_t ticks) {
   return static_cast<int>(std::find(plan.periods.begin(), plan.periods.end(), ticks) - plan.periods.begin());
 }
 
+bool has_one_element_each(const Draft::Block& block) {
+  const auto all_one = [](const std::vector<Eigen::Index>& sizes) {
+    return std::all_of(sizes.begin(), sizes.end(), [](Eigen::Index size) { return size == 1; });
+  };
+  return all_one(block.output_sizes) && all_one(block.state_sizes) && all_one(block.input_sizes);
+}
+
+/// The kernel that takes the most for granted of what is true of a block.
+Kernel kernel_of(const Draft& draft, std::size_t block, const Kernels& kernels) {
+  if (!has_one_element_each(draft.blocks[block])) return kernels.any;
+  const int list = draft.type(block).input("u");
+  const bool two =
+      list >= 0 && draft.plan.diagram.blocks[block].inputs[static_cast<std::size_t>(list)].size() == 2;
+  return two && kernels.one_of_two ? kernels.one_of_two : kernels.one;
+}
+
 /// Appends a call, or lengthens the last one where the block lies right behind.
-void append(std::vector<Batch>& batches, Plan& plan, std::size_t block, Kernel kernel) {
-  const std::size_t bytes = plan.diagram.blocks[block].type().bytes;
-  const std::size_t memory = plan.blocks[block].memory;
+void append(std::vector<Batch>& batches, const Draft& draft, std::size_t block, const Kernels& kernels) {
+  Plan& plan = draft.plan;
+  const Kernel kernel = kernel_of(draft, block, kernels);
+  const std::size_t bytes = draft.type(block).bytes, memory = plan.blocks[block].memory;
   const int period = period_index(plan, plan.blocks[block].rate.ticks);
   if (!batches.empty()) {
     Batch& last = batches.back();
-    if (last.run == kernel && last.period == period && last.first + last.count * bytes == memory) {
+    if (last.run == kernel && last.period == period && last.end == memory) {
       ++last.count;
+      last.end += bytes;
       return;
     }
   }
-  batches.push_back({kernel, memory, 1, period});
+  batches.push_back({kernel, memory, memory + bytes, 1, period});
 }
 
 }  // namespace
@@ -34,12 +52,14 @@ void plan_batches(Draft& draft, const std::vector<int>& order) {
   plan.periods = {1};
   for (int b : order) {
     const auto block = static_cast<std::size_t>(b);
-    const Kernel kernel = draft.type(block).run_outputs;
+    const Kernels& kernels = draft.type(block).run_outputs;
     if (plan.blocks[block].rate.kind == Rate::Kind::constant) {
-      append(plan.once, plan, block, kernel);
+      append(plan.once, draft, block, kernels);
+    } else if (draft.blocks[block].timed) {
+      append(plan.timed, draft, block, kernels);
     } else {
-      append(plan.outputs, plan, block, kernel);
-      if (draft.blocks[block].in_stages) append(plan.stage, plan, block, kernel);
+      append(plan.outputs, draft, block, kernels);
+      if (draft.blocks[block].in_stages) append(plan.stage, draft, block, kernels);
     }
   }
   // Updates of continuous states come last: a discrete block that reads such a state still sees its value at
@@ -48,9 +68,10 @@ void plan_batches(Draft& draft, const std::vector<int>& order) {
     for (int b : plan.memory_order) {
       const auto block = static_cast<std::size_t>(b);
       const BlockType& type = draft.type(block);
-      if (type.run_derivatives && !continuous) append(plan.derivatives, plan, block, type.run_derivatives);
+      if (type.run_derivatives && !continuous && !plan.blocks[block].slope_is_input)
+        append(plan.derivatives, draft, block, type.run_derivatives);
       if (!draft.blocks[block].updates || type.has_continuous_state() != continuous) continue;
-      append(plan.updates, plan, block, type.run_update);
+      append(plan.updates, draft, block, type.run_update);
       plan.updates_continuous = plan.updates_continuous || continuous;
     }
 }

@@ -16,9 +16,11 @@ struct Draft {
     std::map<std::pair<std::string, std::string>, bool> feedthrough;  ///< what configure() said
     std::map<std::string, Eigen::Index> sizes;                        ///< sizes that configure() gave
     std::map<std::string, Eigen::Index> least_sizes;                  ///< below which it refuses a size
+    std::pair<std::string, std::string> slope_source;  ///< state and input, where one is the other's slope
     bool computes = false;                                            ///< has outputs() to call
     bool updates = false;
     bool in_stages = false;  ///< do derivatives depend on its outputs?
+    bool timed = false;      ///< do its outputs follow from the time and constants alone?
     std::vector<Eigen::Index> output_sizes, state_sizes, input_sizes;
   };
 
@@ -44,6 +46,8 @@ void configure_blocks(Draft& draft);
 void plan_shapes(Draft& draft);
 /// Lets every block compute what follows from its parameters, sizes and period.
 void prepare_blocks(Draft& draft);
+/// Finds the blocks whose outputs follow from the time and constants alone.
+void find_timed(Draft& draft);
 /// Order of outputs, refusing algebraic loops; blocks in the order of their first call, with which of them
 /// are called in that position (a block whose outputs cannot be ordered as one stands twice).
 std::vector<int> plan_order(Draft& draft);

@@ -30,6 +30,7 @@ class LayoutMaker {
 
   void run() {
     Layout& layout = plan_.layout;
+    each([&](std::size_t b) { find_slope(b); });
     layout.signals = end_;
     each([&](std::size_t b) { place_signals(b); });
     layout.states = end_;
@@ -38,6 +39,8 @@ class LayoutMaker {
     layout.dots = end_;
     each([&](std::size_t b) { place_dots(b); });
     end_ += layout.state_count;
+    for (const auto& [source, state] : slopes_)
+      plan_.blocks[source.first].outputs[source.second] = plan_.blocks[state.first].dots[state.second];
     layout.discrete = end_;
     each([&](std::size_t b) { place_states(b, false); });
     layout.discrete_count = end_ - layout.discrete;
@@ -58,6 +61,24 @@ class LayoutMaker {
     for (int block : plan_.memory_order) visit(static_cast<std::size_t>(block));
   }
 
+  /// Lets the source of a block's slope write right into the slope's place, where no other has it already.
+  void find_slope(std::size_t b) {
+    const auto& [state_name, input_name] = draft_.blocks[b].slope_source;
+    if (state_name.empty()) return;
+    const BlockType& type = draft_.type(b);
+    const auto state = static_cast<std::size_t>(type.state(state_name));
+    const Source& source =
+        draft_.diagram().blocks[b].inputs[static_cast<std::size_t>(type.input(input_name))].front();
+    if (source.block < 0) return;
+    const auto from = static_cast<std::size_t>(source.block),
+               output = static_cast<std::size_t>(source.output);
+    const Draft::Block& feeding = draft_.blocks[from];
+    if (!feeding.computes || feeding.timed ||
+        feeding.output_sizes[output] != draft_.blocks[b].state_sizes[state])
+      return;
+    plan_.blocks[b].slope_is_input = slopes_.try_emplace({from, output}, std::pair{b, state}).second;
+  }
+
   SignalSlot take(Eigen::Index size) {
     const SignalSlot slot{end_, size};
     end_ += static_cast<std::size_t>(size);
@@ -70,7 +91,8 @@ class LayoutMaker {
     block.states.resize(draft_.type(b).states.size());
     block.dots.resize(draft_.type(b).states.size());
     for (std::size_t o = 0; o < block.outputs.size(); ++o)
-      if (!draft_.is_state(b, o)) block.outputs[o] = take(draft_.blocks[b].output_sizes[o]);
+      if (!draft_.is_state(b, o) && !slopes_.contains({b, o}))
+        block.outputs[o] = take(draft_.blocks[b].output_sizes[o]);
   }
 
   void place_states(std::size_t b, bool continuous) {
@@ -113,7 +135,9 @@ class LayoutMaker {
 
   Draft& draft_;
   Plan& plan_;
-  std::size_t end_ = 1;  // the time comes first
+  std::map<std::pair<std::size_t, std::size_t>, std::pair<std::size_t, std::size_t>>
+      slopes_;  ///< outputs (block, output) that lie in the slopes of states (block, state)
+  std::size_t end_ = Layout::first;
 };
 
 }  // namespace

@@ -39,6 +39,11 @@ class Order {
  private:
   std::size_t node_count(std::size_t block) const { return first_node_[block + 1] - first_node_[block]; }
 
+  /// What depends on a node at the same instant.
+  auto readers(std::size_t node) const {
+    return boost::make_iterator_range(boost::adjacent_vertices(node, graph_));
+  }
+
   /// The node that computes a source, or nothing for states and constants.
   std::optional<std::size_t> node_of(const Source& source) const {
     if (source.block < 0 || !draft_.blocks[static_cast<std::size_t>(source.block)].computes)
@@ -46,11 +51,19 @@ class Order {
     return first_node_[static_cast<std::size_t>(source.block)] + static_cast<std::size_t>(source.output);
   }
 
+  /// Is a block called before another in any case, from a table of its own?
+  bool comes_first(std::size_t block, std::size_t other) const {
+    const auto table = [&](std::size_t b) {
+      return draft_.plan.blocks[b].rate.kind == Rate::Kind::constant ? 0 : draft_.blocks[b].timed ? 1 : 2;
+    };
+    return table(block) < table(other);
+  }
+
   void add_edges(std::size_t block) {
     const auto& inputs = draft_.diagram().blocks[block].inputs;
     for (std::size_t i = 0; i < inputs.size(); ++i)
       for (const Source& source : inputs[i])
-        if (const auto from = node_of(source))
+        if (const auto from = node_of(source); from && !comes_first(owners_[*from].first, block))
           for (std::size_t o = 0; o < node_count(block); ++o)
             if (draft_.depends(block, i, o)) add_edge(*from, first_node_[block] + o);
   }
@@ -82,7 +95,7 @@ class Order {
     while (!queue.empty()) {
       const std::size_t node = queue.front();
       queue.pop_front();
-      for (const std::size_t next : boost::make_iterator_range(boost::adjacent_vertices(node, graph_))) {
+      for (const std::size_t next : readers(node)) {
         if (component[next] != component[start] || came_from.contains(next)) continue;
         came_from[next] = node;
         queue.push_back(next);
@@ -145,18 +158,37 @@ class Order {
     }
   }
 
-  /// Blocks that can share one call: same type, same ticks, both or neither between ticks.
-  using Group = std::tuple<const BlockType*, int, std::int64_t, bool>;
+  /// Blocks that can share one call: same type, same ticks, both or neither between ticks, both or neither by
+  /// the time alone.
+  using Group = std::tuple<const BlockType*, int, std::int64_t, bool, bool>;
 
   Group group(std::size_t block) const {
     const Rate& rate = draft_.plan.blocks[block].rate;
-    return {&draft_.type(block), static_cast<int>(rate.kind), rate.ticks, draft_.blocks[block].in_stages};
+    const Draft::Block& known = draft_.blocks[block];
+    return {&draft_.type(block), static_cast<int>(rate.kind), rate.ticks, known.in_stages, known.timed};
   }
 
-  /// Lists blocks so that each comes after what it depends on, as many of one group in a row as can be. A
-  /// block of which only some outputs can be computed, while nothing else can go on, is listed there and once
-  /// more later.
+  /// How many calls, one waiting for the other, each block begins.
+  std::vector<int> heights() const {
+    std::vector<int> waiting = waiting_;
+    std::vector<std::size_t> order;
+    for (std::size_t n = 0; n < waiting.size(); ++n)
+      if (waiting[n] == 0) order.push_back(n);
+    for (std::size_t k = 0; k < order.size(); ++k)
+      for (const std::size_t next : readers(order[k]))
+        if (--waiting[next] == 0) order.push_back(next);
+    std::vector<int> heights(draft_.blocks.size(), 0);
+    for (auto n = order.rbegin(); n != order.rend(); ++n)
+      for (const std::size_t next : readers(*n))
+        heights[owners_[*n].first] = std::max(heights[owners_[*n].first], heights[owners_[next].first] + 1);
+    return heights;
+  }
+
+  /// Lists blocks so that each comes after what it depends on, as many of one group in a row as can be, and
+  /// those first for which the most others wait: a processor works on several calls at once. A block of which
+  /// only some outputs can be computed, while nothing else can go on, is listed there and once more later.
   std::vector<int> schedule() {
+    heights_ = heights();
     open_nodes_.resize(draft_.blocks.size());
     emitted_.assign(owners_.size(), false);
     for (std::size_t b = 0; b < draft_.blocks.size(); ++b) {
@@ -164,30 +196,37 @@ class Order {
       for (std::size_t n = first_node_[b]; n < first_node_[b + 1]; ++n)
         if (waiting_[n] == 0) node_ready(n);
     }
-    while (Bucket* bucket = fullest()) {
-      while (!bucket->empty()) {
-        const std::size_t block = bucket->front();
-        bucket->pop_front();
+    while (Bucket* bucket = next_bucket()) {
+      while (!bucket->blocks.empty()) {
+        const std::size_t block = bucket->blocks.front();
+        bucket->blocks.pop_front();
         emit(block);
       }
+      bucket->height = 0;
     }
     return std::move(order_);
   }
 
-  using Bucket = std::deque<std::size_t>;
+  /// Blocks of one group that are ready.
+  struct Bucket {
+    std::deque<std::size_t> blocks;
+    int height = 0;  ///< of the highest
+
+    auto rank() const { return std::pair(height, blocks.size()); }
+  };
 
   /// The bucket to go on with; where no block is ready as a whole, one that is in part.
-  Bucket* fullest() {
+  Bucket* next_bucket() {
     Bucket* best = nullptr;
     for (auto& bucket : buckets_)
-      if (!bucket.empty() && (!best || bucket.size() > best->size())) best = &bucket;
+      if (!bucket.blocks.empty() && (!best || bucket.rank() > best->rank())) best = &bucket;
     if (best) return best;
     while (!partly_ready_.empty()) {
       const std::size_t node = partly_ready_.front();
       partly_ready_.pop_front();
       if (emitted_[node]) continue;
       emit(owners_[node].first);
-      return fullest();
+      return next_bucket();
     }
     return nullptr;
   }
@@ -200,7 +239,9 @@ class Order {
     }
     const auto [found, added] = bucket_of_.try_emplace(group(block), buckets_.size());
     if (added) buckets_.emplace_back();
-    buckets_[found->second].push_back(block);
+    Bucket& bucket = buckets_[found->second];
+    bucket.blocks.push_back(block);
+    bucket.height = std::max(bucket.height, heights_[block]);
   }
 
   void emit(std::size_t block) {
@@ -208,7 +249,7 @@ class Order {
     for (std::size_t n = first_node_[block]; n < first_node_[block + 1]; ++n) {
       if (emitted_[n] || waiting_[n] > 0) continue;
       emitted_[n] = true;
-      for (const std::size_t next : boost::make_iterator_range(boost::adjacent_vertices(n, graph_)))
+      for (const std::size_t next : readers(n))
         if (--waiting_[next] == 0) node_ready(next);
     }
   }
@@ -219,6 +260,7 @@ class Order {
   Graph graph_;
   std::vector<int> waiting_;  ///< for each node, how many it still waits for
   std::vector<std::size_t> open_nodes_;
+  std::vector<int> heights_;  ///< of blocks
   std::vector<bool> emitted_;
   std::vector<int> order_;
   std::map<Group, std::size_t> bucket_of_;

@@ -51,6 +51,7 @@ Plan make_plan(Diagram diagram) {
   plan_shapes(draft);
   draft.report.faults().throw_if_any();
   prepare_blocks(draft);
+  find_timed(draft);
   const std::vector<int> order = plan_order(draft);
   draft.report.faults().throw_if_any();
   plan_layout(draft, order);

@@ -20,7 +20,7 @@ struct Rate {
 /// Blocks of one type that lie one behind the other and run at the same ticks: one call of a kernel.
 struct Batch {
   Kernel run;
-  std::size_t first;  ///< offset of the first block in the memory of blocks [bytes]
+  std::size_t first, end;  ///< offsets of the first block and behind the last in the memory of blocks [bytes]
   std::size_t count;
   int period;  ///< index in Plan::periods
 };
@@ -28,17 +28,20 @@ struct Batch {
 /// Where the numbers of a run lie in its workspace; offsets in doubles. Signals and continuous states lie
 /// side by side, so that one sweep over them finds what is not finite.
 struct Layout {
-  std::size_t time = 0;
-  std::size_t signals = 1;
-  std::size_t states = 1;
+  static constexpr std::size_t time = 0;
+  static constexpr std::size_t timed = 1;  ///< for which time Plan::timed was computed last
+  static constexpr std::size_t first = 2;  ///< of what blocks have
+  static constexpr double never = -1.0;    ///< stands at `timed` before the start
+  std::size_t signals = first;
+  std::size_t states = first;
   std::size_t state_count = 0;
-  std::size_t dots = 1;
-  std::size_t discrete = 1;
+  std::size_t dots = first;
+  std::size_t discrete = first;
   std::size_t discrete_count = 0;
-  std::size_t notices = 1;
+  std::size_t notices = first;
   std::size_t notice_count = 0;
-  std::size_t constants = 1;
-  std::size_t size = 1;
+  std::size_t constants = first;
+  std::size_t size = first;
 };
 
 /// Where a signal lies, for recording and for messages.
@@ -56,6 +59,7 @@ struct PlannedBlock {
   std::vector<SignalSlot> dots;  ///< parallel to states; unused for discrete ones
   std::vector<SignalSlot> notices;
   std::vector<std::vector<SignalSlot>> inputs;
+  bool slope_is_input = false;  ///< its input lies in the place of its slope: derivatives() is not called
 };
 
 /// What a run walks: the order of calls and the layout of memory. Nothing in it changes while runs use it.
@@ -70,6 +74,7 @@ struct Plan {
   std::vector<double> constants;
 
   std::vector<Batch> once;     ///< outputs that never change, computed at the start
+  std::vector<Batch> timed;    ///< outputs that follow from the time alone, whenever that has changed
   std::vector<Batch> outputs;  ///< at every tick
   std::vector<Batch> stage;    ///< outputs on which derivatives depend, at the solver's stages between ticks
   std::vector<Batch> derivatives;

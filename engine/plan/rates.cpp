@@ -52,7 +52,7 @@ class Rates {
  private:
   Rate& rate(std::size_t block) { return draft_.plan.blocks[block].rate; }
 
-  static bool acts(const BlockType& type) { return type.timing == Timing::discrete || type.run_update; }
+  static bool acts(const BlockType& type) { return type.timing == Timing::discrete || bool(type.run_update); }
 
   /// Rates only ever rise (constant, slower, faster, continuous), so this ends, and in whatever order the
   /// same.
@@ -158,8 +158,8 @@ void configure_blocks(Draft& draft) {
     DiagramBlock& block = draft.diagram().blocks[i];
     const BlockType& type = block.type();
     Draft::Block& made = draft.blocks[i];
-    made.computes = type.run_outputs != nullptr;
-    made.updates = type.run_update != nullptr;
+    made.computes = bool(type.run_outputs);
+    made.updates = bool(type.run_update);
     if (!type.configure) continue;
     Configure is = what_is_known(draft, i);
     try {
@@ -180,6 +180,7 @@ void configure_blocks(Draft& draft) {
     made.feedthrough = is.feedthrough();
     made.sizes = is.sizes();
     made.least_sizes = is.least_sizes();
+    made.slope_source = is.slope_source();
     for (const auto& [variable, unit] : is.units())
       if (const auto parsed = parse_unit(unit)) block.known_units.emplace_back(variable, parsed->dimension);
     made.computes = made.computes && !is.skips_outputs();

@@ -8,7 +8,7 @@ namespace stepwire {
 
 std::vector<RecordedColumn> recorded_columns(const Plan& plan, const RecordRequest& request) {
   std::vector<RecordedColumn> columns;
-  columns.push_back({"time", parse_unit("s")->dimension, plan.layout.time});
+  columns.push_back({"time", parse_unit("s")->dimension, Layout::time});
   for (const RecordedSignal& signal : request.signals) {
     const SignalSlot slot = plan.slot(signal.signal);
     const auto dimension = plan.dimension(signal.signal);

@@ -14,7 +14,7 @@ class BatchWatcher {
   virtual void enter() = 0;
   virtual void leave() = 0;
 
-  const std::vector<Batch>* phase = nullptr;  ///< outputs, stage, derivatives or updates of the plan
+  const std::vector<Batch>* phase = nullptr;  ///< timed, outputs, stage, derivatives or updates of the plan
   std::size_t first = 0, end = 0;             ///< the stretch: batches first to end - 1 of the phase
 };
 

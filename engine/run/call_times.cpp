@@ -18,7 +18,8 @@ std::map<std::size_t, std::size_t> blocks_by_memory(const Plan& plan) {
 }
 
 Batch only(const Batch& batch, std::size_t index, std::size_t bytes) {
-  return {batch.run, batch.first + index * bytes, 1, batch.period};
+  const std::size_t first = batch.first + index * bytes;
+  return {batch.run, first, first + bytes, 1, batch.period};
 }
 
 double ratio(double part, double whole) {

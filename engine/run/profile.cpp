@@ -24,17 +24,28 @@ class NoEquations : public System {
     dot = dot_.data();
     count = states;
   }
-  void evaluate() override { ++evaluations; }
+  void evaluate() override {
+    ++evaluations;
+    follow_time();
+  }
+  /// Counts the times that differ from the one before.
+  void follow_time() {
+    if (std::exchange(last_time_, time_) != time_) ++times;
+  }
+  void start(double at) {
+    time_ = last_time_ = at;
+    evaluations = times = 0;
+  }
   /// Takes the numbers of a run: those of all zeros might cost less.
   void take(const double* values, const Layout& layout) {
     std::copy_n(values + layout.states, count, x_.begin());
     std::copy_n(values + layout.dots, count, dot_.begin());
   }
 
-  std::int64_t evaluations = 0;
+  std::int64_t evaluations = 0, times = 0;
 
  private:
-  double time_ = 0.0;
+  double time_ = 0.0, last_time_ = 0.0;
   std::vector<double> x_, dot_;
 };
 
@@ -48,8 +59,8 @@ class Profiler {
         simulation_(plan),
         stopper_(plan),
         equations_(plan.layout.state_count),
-        tables_{CallTimes(plan, plan.outputs), CallTimes(plan, plan.stage), CallTimes(plan, plan.derivatives),
-                CallTimes(plan, plan.updates)} {
+        tables_{CallTimes(plan, plan.timed), CallTimes(plan, plan.outputs), CallTimes(plan, plan.stage),
+                CallTimes(plan, plan.derivatives), CallTimes(plan, plan.updates)} {
     for (const RecordRequest& request : plan.diagram.records) recorders_.emplace_back(plan, request);
     if (!plan.diagram.solver.empty() && plan.layout.state_count > 0)
       solver_ = make_solver(plan.diagram.solver, plan.layout.state_count);
@@ -115,36 +126,44 @@ class Profiler {
   void sample_solver() {
     if (!solver_) return;
     equations_.take(simulation_.values(), plan_.layout);
-    solving_ += stopwatch_.repeated(
-        aim, [&] { solver_->advance(equations_, simulation_.time(), plan_.diagram.step); });
+    solving_ +=
+        stopwatch_.repeated(aim, [&] { solver_->advance(equations_, step_from(simulation_.tick())); });
   }
 
   /// In how many of the first ticks a period is due.
   static std::int64_t due(std::int64_t ticks, std::int64_t period) { return (ticks + period - 1) / period; }
 
-  /// Evaluations of the equations in one step of the solver, besides that at its start.
-  std::int64_t evaluations() {
-    if (!solver_) return 0;
-    equations_.evaluations = 0;
-    solver_->advance(equations_, 0.0, plan_.diagram.step);
-    return equations_.evaluations;
+  Step step_from(std::int64_t tick) const {
+    return {plan_.time_of(tick), plan_.time_of(tick + 1), plan_.diagram.step};
+  }
+
+  /// Counts the evaluations of the equations in one step of the solver besides that at its start, and the
+  /// times that are new up to the next tick, that included.
+  void count_evaluations() {
+    equations_.start(0.0);
+    if (solver_) solver_->advance(equations_, step_from(0));
+    *equations_.time = plan_.time_of(1);
+    equations_.follow_time();
   }
 
   Profile profile() {
     Profile profile{simulation_.tick(), seconds_, {}, others()};
     for (const DiagramBlock& block : plan_.diagram.blocks)
       profile.blocks.push_back({block.name, block.type().name});
-    const std::int64_t steps = simulation_.tick(), per_step = evaluations();
+    count_evaluations();
+    const std::int64_t steps = simulation_.tick(), per_step = equations_.evaluations;
+    const auto at_times = [&](std::int64_t) { return 1 + steps * equations_.times; };
     const auto at_ticks = [&](std::int64_t period) { return due(evaluated_, period); };
     const auto at_steps = [&](std::int64_t period) { return due(steps, period); };
     const auto at_stages = [&](std::int64_t) {
       return steps * (per_step + (plan_.updates_continuous ? 1 : 0));
     };
     const auto at_slopes = [&](std::int64_t) { return steps * (per_step + 1); };
-    tables_[0].add_to(profile.blocks, 0, at_ticks);
-    tables_[1].add_to(profile.blocks, 1, at_stages);
-    tables_[2].add_to(profile.blocks, 2, at_slopes);
-    tables_[3].add_to(profile.blocks, 3, at_steps);
+    tables_[0].add_to(profile.blocks, 0, at_times);
+    tables_[1].add_to(profile.blocks, 1, at_ticks);
+    tables_[2].add_to(profile.blocks, 2, at_stages);
+    tables_[3].add_to(profile.blocks, 3, at_slopes);
+    tables_[4].add_to(profile.blocks, 4, at_steps);
     return profile;
   }
 

@@ -10,10 +10,10 @@
 
 namespace stepwire {
 
-/// What a block is called for: outputs at ticks, outputs at the solver's stages between ticks, derivatives,
-/// updates.
-inline constexpr std::size_t phase_count = 4;
-inline constexpr std::array<const char*, phase_count> phase_names{"outputs", "stages", "derivatives",
+/// What a block is called for: outputs by the time alone, other outputs at ticks, those at the solver's stages
+/// between ticks, derivatives, updates.
+inline constexpr std::size_t phase_count = 5;
+inline constexpr std::array<const char*, phase_count> phase_names{"timed", "outputs", "stages", "derivatives",
                                                                   "updates"};
 
 /// Calls in a whole run, and what they take together.

@@ -35,14 +35,15 @@ class Simulation::Equations : public System {
   explicit Equations(Simulation& simulation) : simulation_(simulation) {
     const Layout& layout = simulation.plan_.layout;
     double* values = simulation.workspace_.values.data();
-    time = values + layout.time;
+    time = values + Layout::time;
     x = values + layout.states;
     dot = values + layout.dots;
     count = layout.state_count;
   }
   void evaluate() override {
-    simulation_.run(simulation_.plan_.stage);
-    simulation_.run(simulation_.plan_.derivatives);
+    simulation_.follow_time();
+    simulation_.run(simulation_.stage_);
+    simulation_.run(simulation_.derivatives_);
   }
 
  private:
@@ -56,7 +57,12 @@ void Simulation::FreeBlocks::operator()(std::byte* memory) const {
 Simulation::Simulation(const Plan& plan)
     : plan_(plan),
       solver_(solver_of(plan)),
-      blocks_(static_cast<std::byte*>(::operator new(plan.block_bytes + 1, block_alignment))) {
+      blocks_(static_cast<std::byte*>(::operator new(plan.block_bytes + 1, block_alignment))),
+      timed_(plan.timed, blocks_.get()),
+      outputs_(plan.outputs, blocks_.get()),
+      stage_(plan.stage, blocks_.get()),
+      derivatives_(plan.derivatives, blocks_.get()),
+      updates_(plan.updates, blocks_.get()) {
   workspace_.values.assign(plan.layout.size, 0.0);
   due_.assign(plan.periods.size(), 1);
   for (int block : plan.memory_order) {
@@ -114,7 +120,7 @@ void Simulation::bind_block(std::size_t index) {
   for (std::size_t n = 0; n < type.notices.size(); ++n)
     type.notices[n].bind(block, values + planned.notices[n].offset);
   for (const ClockSpec& clock : type.clocks)
-    if (clock.bind_time) clock.bind_time(block, values + plan_.layout.time);
+    if (clock.bind_time) clock.bind_time(block, values + Layout::time);
 }
 
 void Simulation::reset() {
@@ -122,6 +128,7 @@ void Simulation::reset() {
   healthy_ = true;
   auto& values = workspace_.values;
   std::fill(values.begin(), values.end(), 0.0);
+  values[Layout::timed] = Layout::never;
   std::copy(plan_.constants.begin(), plan_.constants.end(),
             values.begin() + static_cast<std::ptrdiff_t>(plan_.layout.constants));
   std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(plan_.layout.notices), plan_.layout.notice_count,
@@ -140,7 +147,7 @@ void Simulation::reset() {
     }
     if (from.type().start) from.type().start(memory(index));
   }
-  run(plan_.once);
+  for (const Batch& batch : plan_.once) call(batch);
 }
 
 void Simulation::restore(const Workspace& workspace) {
@@ -156,32 +163,41 @@ void Simulation::write_input(std::size_t input, const double* numbers) {
   std::copy_n(numbers, slot.size, workspace_.values.begin() + static_cast<std::ptrdiff_t>(slot.offset));
 }
 
-void Simulation::run(const std::vector<Batch>& batches) {
-  if (watcher_ && watcher_->phase == &batches) return run_watched(batches);
-  std::byte* blocks = blocks_.get();
-  for (const Batch& batch : batches) batch.run(blocks + batch.first, batch.count);
+Simulation::Table::Table(const std::vector<Batch>& batches, std::byte* blocks) : batches(batches) {
+  for (const Batch& batch : batches) calls.push_back({batch.run, blocks + batch.first, blocks + batch.end});
 }
 
-void Simulation::run_due(const std::vector<Batch>& batches) {
-  if (due_.size() == 1) return run(batches);  // nothing is slower than the step
-  if (watcher_ && watcher_->phase == &batches) return run_watched(batches);
-  run_range(batches, 0, batches.size());
+void Simulation::run(const Table& table) {
+  if (watcher_ && watcher_->phase == &table.batches) return run_watched(table);
+  for (const Table::Call& call : table.calls) call.run(call.first, call.end);
 }
 
-void Simulation::run_range(const std::vector<Batch>& batches, std::size_t first, std::size_t end) {
-  std::byte* blocks = blocks_.get();
+void Simulation::follow_time() {
+  double* values = workspace_.values.data();
+  if (values[Layout::timed] == values[Layout::time] || plan_.timed.empty()) return;
+  values[Layout::timed] = values[Layout::time];
+  run(timed_);
+}
+
+void Simulation::run_due(const Table& table) {
+  if (due_.size() == 1) return run(table);  // nothing is slower than the step
+  if (watcher_ && watcher_->phase == &table.batches) return run_watched(table);
+  run_range(table, 0, table.calls.size());
+}
+
+void Simulation::run_range(const Table& table, std::size_t first, std::size_t end) {
   for (std::size_t i = first; i < end; ++i)
-    if (due_[static_cast<std::size_t>(batches[i].period)])
-      batches[i].run(blocks + batches[i].first, batches[i].count);
+    if (due_[static_cast<std::size_t>(table.batches[i].period)])
+      table.calls[i].run(table.calls[i].first, table.calls[i].end);
 }
 
 /// What runs between ticks is continuous, and what is continuous is due at every tick.
-void Simulation::run_watched(const std::vector<Batch>& batches) {
-  run_range(batches, 0, watcher_->first);
+void Simulation::run_watched(const Table& table) {
+  run_range(table, 0, watcher_->first);
   watcher_->enter();
-  run_range(batches, watcher_->first, watcher_->end);
+  run_range(table, watcher_->first, watcher_->end);
   watcher_->leave();
-  run_range(batches, watcher_->end, batches.size());
+  run_range(table, watcher_->end, table.calls.size());
 }
 
 void Simulation::find_due() {
@@ -192,9 +208,10 @@ void Simulation::evaluate() {
   if (code_) {
     code_->functions.evaluate(workspace_.values.data(), code_->parameters.data(), workspace_.tick);
   } else {
-    workspace_.values[plan_.layout.time] = time();
+    workspace_.values[Layout::time] = time();
+    follow_time();
     find_due();
-    run_due(plan_.outputs);
+    run_due(outputs_);
   }
   healthy_ = healthy_ && is_finite();
 }
@@ -210,16 +227,16 @@ void Simulation::advance() {
 }
 
 void Simulation::take_step() {
-  run_due(plan_.updates);
+  run_due(updates_);
   if (!solver_) return;
-  if (plan_.updates_continuous) run(plan_.stage);
-  run(plan_.derivatives);
-  solver_->advance(*equations_, time(), plan_.diagram.step);
+  if (plan_.updates_continuous) run(stage_);
+  run(derivatives_);
+  solver_->advance(*equations_, {time(), plan_.time_of(workspace_.tick + 1), plan_.diagram.step});
 }
 
 bool Simulation::is_finite() const {
   const Layout& layout = plan_.layout;
-  return all_finite(values() + layout.signals, layout.states + layout.state_count - layout.signals);
+  return all_finite(values() + layout.signals, layout.dots + layout.state_count - layout.signals);
 }
 
 bool Simulation::notice_ends_run() const {

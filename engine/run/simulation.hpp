@@ -73,7 +73,7 @@ class Simulation {
 
   /// Makes one call of the plan, which may be cut down to some of its blocks, at the present moment: for
   /// measuring what it costs.
-  void call(const Batch& batch) { batch.run(blocks_.get() + batch.first, batch.count); }
+  void call(const Batch& batch) { batch.run(blocks_.get() + batch.first, blocks_.get() + batch.end); }
   /// Are all signals and continuous states finite? evaluate() asks this at every tick.
   bool is_finite() const;
 
@@ -87,10 +87,24 @@ class Simulation {
   void bind();
   void bind_block(std::size_t block);
   void* memory(std::size_t block) { return blocks_.get() + plan_.blocks[block].memory; }
-  void run(const std::vector<Batch>& batches);
-  void run_due(const std::vector<Batch>& batches);
-  void run_watched(const std::vector<Batch>& batches);
-  void run_range(const std::vector<Batch>& batches, std::size_t first, std::size_t end);
+  /// A table of calls of the plan, and where its blocks lie in this run.
+  struct Table {
+    struct Call {
+      Kernel run;
+      std::byte *first, *end;
+    };
+    Table(const std::vector<Batch>& batches, std::byte* blocks);
+
+    const std::vector<Batch>& batches;
+    std::vector<Call> calls;
+  };
+
+  void run(const Table& table);
+  /// Computes what follows from the time alone, if it has changed.
+  void follow_time();
+  void run_due(const Table& table);
+  void run_watched(const Table& table);
+  void run_range(const Table& table, std::size_t first, std::size_t end);
   void find_due();
   void take_step();
   bool notice_ends_run() const;
@@ -105,6 +119,7 @@ class Simulation {
   Workspace workspace_;
   std::vector<Inputs::Element> list_elements_;  ///< of all list inputs, in the order of blocks in memory
   std::unique_ptr<std::byte, FreeBlocks> blocks_;
+  Table timed_, outputs_, stage_, derivatives_, updates_;
   std::unique_ptr<Equations> equations_;
   std::vector<char> due_;  ///< for each of the plan's periods
   std::vector<std::size_t> ending_notices_;

@@ -14,7 +14,7 @@ class Stopper {
     if (!plan.diagram.stop_when) return;
     condition_ = plan.diagram.stop_when->expression;
     for (const SignalRef& signal : plan.diagram.stop_when->variables)
-      offsets_.push_back(signal.block < 0 ? plan.layout.time : plan.slot(signal).offset);
+      offsets_.push_back(signal.block < 0 ? Layout::time : plan.slot(signal).offset);
     numbers_.resize(offsets_.size());
   }
   bool stops(const double* values) {

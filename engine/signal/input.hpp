@@ -55,15 +55,19 @@ class Inputs {
   Index count() const { return count_; }
   const Element& operator[](Index input) const { return elements_[input]; }
   /// First element of an input: all there is of it where the output has one element.
-  double first(Index input) const { return *elements_[input].data; }
+  double first(Index input) const {
+    return __builtin_constant_p(input) && input < 2 ? *few_[input] : *elements_[input].data;
+  }
   /// The elements stay where they are: beside those of the blocks that run before and after, which is fast to
   /// walk.
   void bind(const Element* elements, Index count) {
     elements_ = elements;
     count_ = count;
+    for (Index i = 0; i < 2; ++i) few_[i] = i < count ? elements[i].data : nullptr;
   }
 
  private:
+  const double* few_[2] = {};  ///< the first two, which are all that most lists have, lie in the block itself
   const Element* elements_ = nullptr;
   Index count_ = 0;
 };

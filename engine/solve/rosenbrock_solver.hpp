@@ -9,8 +9,8 @@ namespace stepwire {
 class RosenbrockSolver : public Solver {
  public:
   explicit RosenbrockSolver(std::size_t states) : method_(static_cast<Eigen::Index>(states)) {}
-  void advance(System& system, double time, double step) override {
-    method_.advance(system.x, system.dot, system.time, time, step, [&] { system.evaluate(); });
+  void advance(System& system, const Step& step) override {
+    method_.advance(system.x, system.dot, system.time, step.start, step.length, [&] { system.evaluate(); });
   }
 
  private:

@@ -23,13 +23,22 @@ class System {
   std::size_t count = 0;
 };
 
+/// A fixed step in time [s]. `end` is the time of the next tick as that will have it, which start + length
+/// may miss by a rounding.
+struct Step {
+  double start, end, length;
+
+  /// The time of a stage, a fraction of the step behind its start.
+  double at(double fraction) const { return fraction == 1.0 ? end : start + fraction * length; }
+};
+
 /// Advances x over one fixed step. Scratch memory is its own and made once.
 class Solver {
  public:
   virtual ~Solver() = default;
-  /// x becomes the state at time + step. On entry dot is already evaluated at (time, x). Leaves *time as it
-  /// pleases.
-  virtual void advance(System& system, double time, double step) = 0;
+  /// x becomes the state at the step's end. On entry dot is already evaluated at its start. Leaves *time as
+  /// it pleases.
+  virtual void advance(System& system, const Step& step) = 0;
 };
 
 struct SolverKind {

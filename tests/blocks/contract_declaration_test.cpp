@@ -203,16 +203,16 @@ TEST_CASE("outputs are computed or are continuous states, and states have what m
     for (const OutputSpec& output : type->outputs) {
       INFO(output.name);
       const int state = type->state(output.state);
-      if (output.state.empty()) CHECK(type->run_outputs != nullptr);
+      if (output.state.empty()) CHECK(type->run_outputs);
       if (output.state.empty()) continue;
       REQUIRE(state >= 0);
       CHECK(type->states[static_cast<std::size_t>(state)].continuous);
     }
     for (const StateSpec& state : type->states) {
       INFO(state.name);
-      CHECK((state.continuous ? type->run_derivatives : type->run_update) != nullptr);
+      CHECK((state.continuous ? type->run_derivatives : type->run_update));
     }
-    if (!type->notices.empty()) CHECK(type->run_update != nullptr);
+    if (!type->notices.empty()) CHECK(type->run_update);
   }
 }
 

@@ -32,7 +32,7 @@ class Problem : public System {
     for (int k = 0; k < steps; ++k) {
       time_ = k * step;
       evaluate();
-      solver->advance(*this, k * step, step);
+      solver->advance(*this, {k * step, (k + 1) * step, step});
     }
     const std::vector<double> exact = solution_(stop);
     double worst = 0.0;

@@ -36,7 +36,7 @@ class Decay : public System {
   double factor(const std::string& solver) {
     state_ = 1.0;
     evaluate();
-    make_solver(solver, 1)->advance(*this, 0.0, 1.0);
+    make_solver(solver, 1)->advance(*this, {0.0, 1.0, 1.0});
     return state_;
   }
 
