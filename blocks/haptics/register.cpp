@@ -2,12 +2,14 @@
 
 #include "blocks/haptics/interval.hpp"
 #include "blocks/haptics/proportionality.hpp"
+#include "blocks/haptics/region.hpp"
 
 namespace stepwire {
 
 void register_haptics(Registry& registry) {
   registry.add<Interval>("haptics");
   registry.add<Proportionality>("haptics");
+  registry.add<Region>("haptics");
 }
 
 }  // namespace stepwire

@@ -30,6 +30,7 @@ const std::map<std::string, std::string> contract_values{
     {"Proportionality.maximum", "5"},
     {"Proportionality.offset", "1"},
     {"Proportionality.slope", "2"},
+    {"Region.shape", "{union: [{center: [0.5, 0.7], radius: 0.1}, {polygon: [[2, 0], [4, 0], [4, 1]]}]}"},
     {"StateMachine.states",
      "{idle: {output: [1], to: {busy: \"after >= 3 ms\"}}, "
      "busy: {output: [2], to: {idle: \"after >= 6 ms || u1 > 1.2\"}}}"},
@@ -39,7 +40,8 @@ const std::map<std::string, std::string> contract_values{
 };
 
 /// Sizes that an input needs where nothing else fixes them.
-const std::map<std::string, int> contract_sizes{{"Cross.u", 3}, {"Demux.u", 3}, {"Select.u", 3}};
+const std::map<std::string, int> contract_sizes{
+    {"Cross.u", 3}, {"Demux.u", 3}, {"Region.position", 2}, {"Select.u", 3}};
 
 /// Optional inputs that the values above need.
 const std::set<std::string> contract_inputs{"StateMachine.u"};
@@ -69,7 +71,7 @@ class Feeds {
  private:
   std::string one(int elements) {
     std::string start = fmt::format("{}", 0.5 + 0.05 * count_);
-    if (elements > 1) start = fmt::format("[{}, 0.7, 0.3]", start);
+    if (elements > 1) start = fmt::format("[{}, 0.7{}]", start, elements > 2 ? ", 0.3" : "");
     const std::string name = fmt::format("feed_{}", count_++);
     blocks_ += fmt::format("  {}: {{block: Lag, u: 1, tau: 20 ms, initial: {}}}\n", name, start);
     return name;
