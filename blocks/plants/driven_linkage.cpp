@@ -26,7 +26,7 @@ void DrivenLinkage::declare(Declare<DrivenLinkage>& is) {
               "at constant speed whatever resists.",
        .source = "as Linkage",
        .timing = Timing::continuous});
-  declare_linkage(is);
+  declare_linkage(is, false);
   is.input<&DrivenLinkage::position>({.unit = "m", .shape = "d", .doc = "of the pin"});
   is.input<&DrivenLinkage::velocity>(
       {.unit = "m/s", .shape = "d", .doc = "of the pin, the derivative of the position"});

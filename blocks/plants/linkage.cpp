@@ -44,7 +44,7 @@ void Linkage::declare(Declare<Linkage>& is) {
               "friction; no gravity. Forces along the links and on the pin move it. DrivenLinkage is the "
               "same mechanism along a given motion.",
        .source = "Lagrange's equations of the kinetic energy; thesis 2.4, 2.5"});
-  declare_linkage(is);
+  declare_linkage(is, true);
   is.input<&Linkage::force>({.unit = "N",
                              .doc = "force along each link; positive lengthens it (a damper gives minus its "
                                     "resistance)",

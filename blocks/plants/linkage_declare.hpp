@@ -9,16 +9,18 @@ namespace stepwire {
 /// Which link left its stroke, with its length and limit.
 std::string strayed_link(const LinkageCore& linkage);
 
-/// Declares the parameters and ports that both linkages have.
+/// Declares the parameters and ports that both linkages have. Only a free pin needs a mass.
 template <class Block>
-void declare_linkage(Declare<Block>& is) {
+void declare_linkage(Declare<Block>& is, bool free_pin) {
   is.template parameter<&Block::anchors>(
       {.unit = "m",
        .shape = "n x d",
        .doc = "joints at the ground: a row for each link, with 1, 2 or 3 coordinates",
        .required = true});
-  is.template parameter<&Block::pin_mass>(
-      {.unit = "kg", .doc = "point mass at the pin: end-effector and joint", .at_least = 0.0});
+  is.template parameter<&Block::pin_mass>({.unit = "kg",
+                                           .doc = "point mass at the pin: end-effector and joint",
+                                           .at_least = 0.0,
+                                           .required = free_pin});
   is.template parameter<&Block::rod_mass>(
       {.unit = "kg", .doc = "of the part that slides and ends at the pin", .at_least = 0.0});
   is.template parameter<&Block::rod_inertia>(

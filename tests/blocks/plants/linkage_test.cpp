@@ -190,10 +190,10 @@ TEST_CASE("What is no linkage is refused with the reason") {
   };
   CHECK_THAT(error("anchors: [[0, 0, 0, 1]], pin_mass: 1 kg"),
              Catch::Contains("rig.anchors") && Catch::Contains("4 columns"));
-  CHECK_THAT(error("anchors: [[0, 1]]"),
+  CHECK_THAT(error("anchors: [[0, 1]], pin_mass: 0 kg"),
              Catch::Contains("rig.pin_mass") && Catch::Contains("mass in every direction"));
-  CHECK_THAT(error("anchors: [[0, 1]], rod_mass: 1 kg"), Catch::Contains("rig.pin_mass"));
-  CHECK(error("anchors: [[0, 1]], rod_mass: 1 kg, housing_inertia: 1e-3").empty());
+  CHECK_THAT(error("anchors: [[0, 1]], pin_mass: 0 kg, rod_mass: 1 kg"), Catch::Contains("rig.pin_mass"));
+  CHECK(error("anchors: [[0, 1]], pin_mass: 0 kg, rod_mass: 1 kg, housing_inertia: 1e-3").empty());
   CHECK_THAT(error("anchors: [[0, 1]], pin_mass: 1 kg, shortest: 2 m, longest: 1 m"),
              Catch::Contains("rig.shortest"));
   CHECK_THAT(error("anchors: [[0, 1], [1, 1]], pin_mass: 1 kg, rod_mass: [1 kg, 1 kg, 1 kg]"),
