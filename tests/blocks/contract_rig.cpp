@@ -34,6 +34,8 @@ const std::map<std::string, std::string> contract_values{
     {"Linkage.housing_inertia", "0.2"},
     {"MatrixGain.gain", "[[1, 2], [3, 4]]"},
     {"MovingAverage.window", "5 ms"},
+    {"GuidePath.trail", "2 mm"},
+    {"ReOrigin.margin", "1 mm"},
     {"Select.indices", "[2, 1]"},
     {"Interval.lower", "-1"},
     {"Interval.upper", "0.5"},
