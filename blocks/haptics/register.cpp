@@ -1,13 +1,19 @@
 #include "blocks/haptics/register.hpp"
 
+#include "blocks/haptics/guide_path.hpp"
 #include "blocks/haptics/interval.hpp"
 #include "blocks/haptics/proportionality.hpp"
+#include "blocks/haptics/re_origin.hpp"
+#include "blocks/haptics/region.hpp"
 
 namespace stepwire {
 
 void register_haptics(Registry& registry) {
+  registry.add<GuidePath>("haptics");
   registry.add<Interval>("haptics");
   registry.add<Proportionality>("haptics");
+  registry.add<ReOrigin>("haptics");
+  registry.add<Region>("haptics");
 }
 
 }  // namespace stepwire

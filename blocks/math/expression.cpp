@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 
 #include "engine/block/declare.hpp"
@@ -20,21 +21,40 @@ Index input_of(std::string_view name) {
   return error == std::errc() && end == name.data() + name.size() ? number - 1 : -1;
 }
 
+/// What a block's formula calls its inputs.
+class InputNames {
+ public:
+  InputNames(const std::vector<std::string>& variables, Index inputs)
+      : variables_(variables), inputs_(inputs) {}
+
+  /// -1 where no input has the name.
+  Index operator()(std::string_view name) const {
+    if (variables_.empty()) return input_of(name) < inputs_ ? input_of(name) : -1;
+    const auto found = std::find(variables_.begin(), variables_.end(), name);
+    return found == variables_.end() ? -1 : found - variables_.begin();
+  }
+  std::string text() const {
+    return variables_.empty() ? fmt::format("u1 to u{}", inputs_)
+                              : fmt::format("{}", fmt::join(variables_, ", "));
+  }
+
+ private:
+  const std::vector<std::string>& variables_;
+  Index inputs_;
+};
+
 Function read_formula(const ExpressionBlock& block, Index inputs, const Configure& is) {
-  const auto known = [&](std::string_view name) {
-    const Index index = input_of(name);
-    return index >= 0 && index < inputs;
-  };
+  const InputNames names(block.variables, inputs);
   try {
-    Expression expression(block.expression, known);
+    Expression expression(block.expression, [&](std::string_view name) { return names(name) >= 0; });
     std::vector<std::size_t> places;
     for (const std::string& name : expression.variables())
-      places.push_back(static_cast<std::size_t>(input_of(name)));
+      places.push_back(static_cast<std::size_t>(names(name)));
     return function_of(std::move(expression), std::move(places));
   } catch (const ExpressionError& error) {
     is.refuse<&ExpressionBlock::expression>(fmt::format(
-        "'{}', character {}: {}; it may use u1 to u{}, and for the time the output of a Clock among them",
-        block.expression.view(), error.position + 1, error.what(), inputs));
+        "'{}', character {}: {}; it may use {}, and for the time the output of a Clock among them",
+        block.expression.view(), error.position + 1, error.what(), names.text()));
   }
 }
 
@@ -46,6 +66,9 @@ void ExpressionBlock::configure(Configure& is) {
     is.refuse<&ExpressionBlock::expression>(
         fmt::format("{} inputs are more than {}; combine some of them in an Expression of their own", inputs,
                     most_inputs));
+  if (!variables.empty() && static_cast<Index>(variables.size()) != inputs)
+    is.refuse<&ExpressionBlock::variables>(
+        fmt::format("there are {} names for {} inputs; each needs one", variables.size(), inputs));
   formula = read_formula(*this, inputs, is);
 }
 
@@ -61,6 +84,8 @@ void ExpressionBlock::declare(Declare<ExpressionBlock>& is) {
       {.doc = "+ - * / ^ ( ), comparisons, && || !, cond ? a : b; sin cos tan asin acos atan atan2 sinh cosh "
               "tanh exp log "
               "log10 log2 sqrt cbrt abs sign floor ceil round min max mod hypot; pi, e"});
+  is.parameter<&ExpressionBlock::variables>(
+      {.doc = "names of the inputs in the formula, in their order: [x, y]; u1, u2, ... where left out"});
   is.input<&ExpressionBlock::u>(
       {.unit = "*", .doc = "signals; one element counts for every element of the others"});
   is.output<&ExpressionBlock::y>({.unit = "*", .doc = "the value"});

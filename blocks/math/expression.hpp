@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "engine/block/block.hpp"
 #include "engine/expression/language.hpp"  // for formulas that are code
 #include "engine/signal/function.hpp"
@@ -11,6 +14,7 @@ struct ExpressionBlock {
   static constexpr Index most_inputs = 64;
 
   Text expression = Text::literal<"u1">();
+  std::vector<std::string> variables{};
   Inputs u{};
   Output<> y{};
   Function formula{};  ///< of one element of each input

@@ -19,17 +19,30 @@ namespace {
 const std::map<std::string, std::string> contract_values{
     {"Delay.delay", "5 ms"},
     {"Demux.sizes", "[1, 2]"},
+    {"DrivenLinkage.anchors", "[[2, 0, 0], [0, 2, 0], [0, 0, 2]]"},
+    {"DrivenLinkage.pin_mass", "1"},
+    {"DrivenLinkage.rod_mass", "0.5"},
+    {"DrivenLinkage.rod_centre", "0.1"},
+    {"DrivenLinkage.housing_inertia", "0.2"},
     {"FromFile.column", "x"},
     {"FromFile.file", "contract_record.csv"},
     {"Hysteresis.lower", "0.6"},
+    {"Linkage.anchors", "[[2, 0, 0], [0, 2, 0], [0, 0, 2]]"},
+    {"Linkage.pin_mass", "1"},
+    {"Linkage.rod_mass", "0.5"},
+    {"Linkage.rod_centre", "0.1"},
+    {"Linkage.housing_inertia", "0.2"},
     {"MatrixGain.gain", "[[1, 2], [3, 4]]"},
     {"MovingAverage.window", "5 ms"},
+    {"GuidePath.trail", "2 mm"},
+    {"ReOrigin.margin", "1 mm"},
     {"Select.indices", "[2, 1]"},
     {"Interval.lower", "-1"},
     {"Interval.upper", "0.5"},
     {"Proportionality.maximum", "5"},
     {"Proportionality.offset", "1"},
     {"Proportionality.slope", "2"},
+    {"Region.shape", "{union: [{center: [0.5, 0.7], radius: 0.1}, {polygon: [[2, 0], [4, 0], [4, 1]]}]}"},
     {"StateMachine.states",
      "{idle: {output: [1], to: {busy: \"after >= 3 ms\"}}, "
      "busy: {output: [2], to: {idle: \"after >= 6 ms || u1 > 1.2\"}}}"},
@@ -39,7 +52,15 @@ const std::map<std::string, std::string> contract_values{
 };
 
 /// Sizes that an input needs where nothing else fixes them.
-const std::map<std::string, int> contract_sizes{{"Cross.u", 3}, {"Demux.u", 3}, {"Select.u", 3}};
+const std::map<std::string, int> contract_sizes{{"Cross.u", 3},
+                                                {"Demux.u", 3},
+                                                {"DrivenLinkage.acceleration", 3},
+                                                {"DrivenLinkage.force", 3},
+                                                {"DrivenLinkage.position", 3},
+                                                {"DrivenLinkage.velocity", 3},
+                                                {"Linkage.external", 3},
+                                                {"Linkage.force", 3},
+                                                {"Select.u", 3}};
 
 /// Optional inputs that the values above need.
 const std::set<std::string> contract_inputs{"StateMachine.u"};
@@ -69,7 +90,7 @@ class Feeds {
  private:
   std::string one(int elements) {
     std::string start = fmt::format("{}", 0.5 + 0.05 * count_);
-    if (elements > 1) start = fmt::format("[{}, 0.7, 0.3]", start);
+    if (elements > 1) start = fmt::format("[{}, 0.7{}]", start, elements > 2 ? ", 0.3" : "");
     const std::string name = fmt::format("feed_{}", count_++);
     blocks_ += fmt::format("  {}: {{block: Lag, u: 1, tau: 20 ms, initial: {}}}\n", name, start);
     return name;

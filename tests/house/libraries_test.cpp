@@ -16,6 +16,7 @@ struct Home {
 const std::vector<Home> homes{
     {"boost/math/", "engine/statistics"},
     {"boost/lockfree/", "engine/realtime"},
+    {"boost/geometry", "blocks/haptics"},
     {"boost/", "engine/plan"},
     {"yaml-cpp/", "engine/document"},
     {"udunits2", "engine/unit"},

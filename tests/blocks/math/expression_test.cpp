@@ -48,6 +48,16 @@ TEST_CASE("a formula that cannot be read is refused with the place in it") {
   REQUIRE_THAT(error_of(diagram("expression: u1 + t, u: [t]")), Catch::Contains("Clock"));
 }
 
+TEST_CASE("inputs of a formula may have names of their own, one for each") {
+  CHECK(
+      column(run_text(diagram("expression: radius*cos(t), variables: [t, radius], u: [t, 3]")), "y").back() ==
+      Approx(3.0 * std::cos(1.0)));
+  CHECK_THAT(error_of(diagram("expression: u1, variables: [t, radius], u: [t, 3]")),
+             Catch::Contains("it may use t, radius"));
+  CHECK_THAT(error_of(diagram("expression: t, variables: [t, radius], u: [t]")),
+             Catch::Contains("y.variables: there are 2 names for 1 inputs; each needs one"));
+}
+
 TEST_CASE("a formula has at most 64 inputs") {
   const auto with_inputs = [](int count) {
     std::string list = "t";

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/block/block.hpp"
+
+namespace stepwire {
+
+/// Eases the resistance along a path from where the pin left the region, or started outside, to the nearest
+/// point of its boundary: error = min(distance, (1 - easing) distance + steepness beside), where beside is
+/// how far the pin is from the path beyond its half width.
+struct GuidePath {
+  enum class Renewal { none, every_sample };
+
+  Renewal renewal = Renewal::every_sample;
+  double half_width = 1e-3, steepness = 5.0, easing = 1.0;
+  double trail = 3e-3;
+  Input<> position{}, nearest{};
+  Input<1> distance{};
+  Output<1> error{}, beside{};
+  Output<> start{}, target{};
+  DiscreteState<> from{}, to{};  // ends of the path
+  DiscreteState<1> laid{};       // 1 while there is a path
+
+  void outputs() {
+    const bool kept = laid != 0.0;
+    start.each([&](Index i) { return kept ? from[i] : position[i]; });
+    target.each([&](Index i) { return kept && renewal == Renewal::none ? to[i] : nearest[i]; });
+    beside = std::max(0.0, distance_from_path() - half_width);
+    const double outside = std::max(0.0, static_cast<double>(distance));
+    error = std::min(outside, (1.0 - easing) * outside + steepness * beside);
+  }
+
+  void update() {
+    const bool outside = distance > 0.0;
+    if (!outside || laid == 0.0) {
+      from = position;
+      to = nearest;
+    }
+    laid = outside ? 1.0 : 0.0;
+    if (renewal == Renewal::every_sample) follow();
+  }
+
+  void configure(Configure& is);
+  static void declare(Declare<GuidePath>& is);
+
+ private:
+  double distance_from_path() const {
+    double along = 0.0, square = 0.0;
+    for (Index i = 0; i < position.size(); ++i) {
+      const double way = target[i] - start[i];
+      along += way * (position[i] - start[i]);
+      square += way * way;
+    }
+    const double share = square > 0.0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
+    double away = 0.0;
+    for (Index i = 0; i < position.size(); ++i) {
+      const double gap = position[i] - start[i] - share * (target[i] - start[i]);
+      away += gap * gap;
+    }
+    return std::sqrt(away);
+  }
+
+  /// The start stays where it is until the pin is farther away than the trail, which then pulls it along.
+  void follow() {
+    double square = 0.0;
+    for (Index i = 0; i < position.size(); ++i) square += (position[i] - from[i]) * (position[i] - from[i]);
+    if (square <= trail * trail) return;
+    const double share = trail / std::sqrt(square);
+    from.each([&](Index i) { return position[i] - share * (position[i] - from[i]); });
+  }
+};
+
+}  // namespace stepwire

@@ -1,0 +1,183 @@
+#include "blocks/haptics/plane_chain.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace stepwire {
+
+std::string shown(double length) {
+  return fmt::format("{:.6g} mm", 1e3 * length);
+}
+
+std::string shown(Vector2 point) {
+  return fmt::format("({:.6g}, {:.6g}) mm", 1e3 * point.x, 1e3 * point.y);
+}
+
+namespace {
+
+constexpr std::size_t most_pieces = 20000;
+
+/// Puts arcs through three points of a curve each, as many as it takes.
+class ArcFit {
+ public:
+  ArcFit(const PlaneCurve& curve, double first, double last, double tolerance)
+      : curve_(curve), tolerance_(tolerance), narrow_(1e-4 * std::abs(last - first)) {
+    chain_.knots.push_back(at(first));
+    add(first, last);
+  }
+
+  PlaneChain take() { return std::move(chain_); }
+
+ private:
+  static double middle(double first, double last) { return first + 0.5 * (last - first); }
+
+  void add(double first, double last) {
+    const PlanePiece piece = arc_through(at(first), at(middle(first, last)), at(last));
+    if (fits(piece, first, last)) {
+      if (std::abs(last - first) < narrow_) refuse_jump(first, last);
+      return append(piece, last);
+    }
+    if (chain_.pieces.size() > most_pieces)
+      throw ShapeError(
+          fmt::format("it takes more than {} arcs to follow it; give a smoother one", most_pieces));
+    add(first, middle(first, last));
+    add(middle(first, last), last);
+  }
+
+  Vector2 at(double parameter) const {
+    const Vector2 point = curve_(parameter);
+    if (std::isfinite(point.x) && std::isfinite(point.y)) return point;
+    throw ShapeError(fmt::format("it has no finite value at {}", shown(parameter)));
+  }
+
+  /// Beyond this radius the distance from the centre has too few digits left.
+  static constexpr double largest_radius = 1e5;
+
+  bool fits(const PlanePiece& piece, double first, double last) const {
+    constexpr int samples = 16;
+    if (piece.radius > largest_radius) return false;
+    if (!(piece.extent > 0.0)) return true;
+    for (int i = 1; i < samples; ++i)
+      if (!(distance(piece, at(first + (last - first) * i / samples)) < tolerance_)) return false;
+    return true;
+  }
+
+  static double distance(const PlanePiece& piece, Vector2 point) {
+    if (piece.is_line()) return std::abs(cross(piece.along, point - piece.start));
+    return std::abs(length(point - piece.centre) - piece.radius);
+  }
+
+  /// However near to each other two parameters are, across a jump their points are not: a line that is all
+  /// but level fits there as well.
+  void refuse_jump(double first, double last) const {
+    const double before = length(at(last) - at(first));
+    for (int i = 0; i < 18; ++i) {
+      const double half = middle(first, last);
+      const bool in_first = length(at(half) - at(first)) > length(at(last) - at(half));
+      (in_first ? last : first) = half;
+    }
+    if (before > 10.0 * tolerance_ && length(at(last) - at(first)) > 0.5 * before)
+      throw ShapeError(fmt::format("it jumps near {}; it must be continuous", shown(at(first))));
+  }
+
+  void append(const PlanePiece& piece, double last) {
+    if (!(piece.extent > 0.0)) return;
+    chain_.pieces.push_back(piece);
+    chain_.knots.push_back(at(last));
+  }
+
+  const PlaneCurve& curve_;
+  double tolerance_, narrow_;
+  PlaneChain chain_;
+};
+
+}  // namespace
+
+PlaneChain chain_along(const PlaneCurve& curve, double first, double last, double tolerance) {
+  return ArcFit(curve, first, last, tolerance).take();
+}
+
+PlaneChain chain_through(const std::vector<Vector2>& points, bool closed) {
+  PlaneChain chain{{}, points, closed};
+  if (closed) chain.knots.push_back(points.front());
+  for (std::size_t i = 0; i + 1 < chain.knots.size(); ++i) {
+    if (!(length(chain.knots[i + 1] - chain.knots[i]) > 0.0))
+      throw ShapeError(
+          fmt::format("two points that follow each other are both {}; leave one out", shown(chain.knots[i])));
+    chain.pieces.push_back(line_between(chain.knots[i], chain.knots[i + 1]));
+  }
+  return chain;
+}
+
+namespace {
+
+/// Slopes at the knots of a cubic spline of continuous curvature: the rows of a band matrix with three
+/// diagonals, and for a closed one with the corners, solved by elimination.
+std::vector<Vector2> spline_slopes(const std::vector<Vector2>& knots, const std::vector<double>& widths,
+                                   bool closed) {
+  const std::size_t n = closed ? widths.size() : knots.size();
+  std::vector<std::vector<double>> rows(n, std::vector<double>(n, 0.0));
+  std::vector<Vector2> right(n);
+  const auto rise = [&](std::size_t i) { return (1.0 / widths[i]) * (knots[i + 1] - knots[i]); };
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool starts = !closed && i == 0, ends = !closed && i == n - 1;
+    const std::size_t before = i == 0 ? widths.size() - 1 : i - 1;
+    if (!starts) {
+      rows[i][i] += 2.0 / widths[before];
+      rows[i][before] += 1.0 / widths[before];
+      right[i] = right[i] + (3.0 / widths[before]) * rise(before);
+    }
+    if (!ends) {
+      rows[i][i] += 2.0 / widths[i];
+      rows[i][(i + 1) % n] += 1.0 / widths[i];
+      right[i] = right[i] + (3.0 / widths[i]) * rise(i);
+    }
+  }
+  for (std::size_t k = 0; k < n; ++k)  // diagonally dominant: no pivots are looked for
+    for (std::size_t i = k + 1; i < n; ++i) {
+      const double share = rows[i][k] / rows[k][k];
+      if (share == 0.0) continue;
+      for (std::size_t j = k; j < n; ++j) rows[i][j] -= share * rows[k][j];
+      right[i] = right[i] - share * right[k];
+    }
+  for (std::size_t k = n; k-- > 0;) {
+    for (std::size_t j = k + 1; j < n; ++j) right[k] = right[k] - rows[k][j] * right[j];
+    right[k] = (1.0 / rows[k][k]) * right[k];
+  }
+  if (closed) right.push_back(right.front());
+  return right;
+}
+
+/// The cubic with these values and slopes at the ends of an interval of this width.
+Vector2 cubic(Vector2 a, Vector2 b, Vector2 slope_a, Vector2 slope_b, double width, double t) {
+  const double u = 1.0 - t;
+  return (u * u * (1.0 + 2.0 * t)) * a + (t * t * (1.0 + 2.0 * u)) * b +
+         (width * t * u) * (u * slope_a - t * slope_b);
+}
+
+void append(PlaneChain& chain, PlaneChain more) {
+  if (chain.knots.empty()) chain.knots.push_back(more.knots.front());
+  chain.knots.insert(chain.knots.end(), more.knots.begin() + 1, more.knots.end());
+  chain.pieces.insert(chain.pieces.end(), more.pieces.begin(), more.pieces.end());
+}
+
+}  // namespace
+
+PlaneChain spline_through(const std::vector<Vector2>& points, bool closed, double tolerance) {
+  const PlaneChain straight = chain_through(points, closed);
+  const std::vector<Vector2>& knots = straight.knots;
+  std::vector<double> widths;
+  for (const PlanePiece& piece : straight.pieces) widths.push_back(piece.extent);
+  const std::vector<Vector2> slopes = spline_slopes(knots, widths, closed);
+  PlaneChain chain{{}, {}, closed};
+  for (std::size_t i = 0; i < widths.size(); ++i) {
+    const auto curve = [&](double t) {
+      return cubic(knots[i], knots[i + 1], slopes[i], slopes[i + 1], widths[i], t);
+    };
+    append(chain, chain_along(curve, 0.0, 1.0, tolerance));
+  }
+  return chain;
+}
+
+}  // namespace stepwire
