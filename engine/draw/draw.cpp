@@ -53,6 +53,7 @@ DrawnFile::DrawnFile(Loader& loader, const std::string& path) : diagram_(load(lo
   Report report(diagram_);
   infer_units(report);
   report.faults().throw_if_any();
+  if (const Node* title = loader.document(path).root.find("title")) title_ = title->text;
   outline_ = outline_of(diagram_, loader);
   if (diagram_.file == path) return;
   auto part = std::move(outline_->children.front().part);
@@ -60,15 +61,24 @@ DrawnFile::DrawnFile(Loader& loader, const std::string& path) : diagram_(load(lo
   outline_ = std::move(part);
 }
 
+std::vector<std::string> DrawnFile::parts() const {
+  const std::string& above = diagram_.scopes[static_cast<std::size_t>(outline_->scope)].prefix;
+  std::vector<std::string> names;
+  for (const ScopeInfo& scope : diagram_.scopes)
+    if (scope.prefix.starts_with(above) && scope.prefix != above)
+      names.push_back(scope.prefix.substr(above.size(), scope.prefix.size() - above.size() - 1));
+  return names;
+}
+
 Json DrawnFile::graph(const GraphOptions& options) const {
-  return graph_of(diagram_, *outline_, options);
+  return graph_of(diagram_, *outline_, options).set("title", title_);
 }
 
 std::string draw_graph(const Json& graph) {
   const std::string node = find_program("node");
   if (node.empty()) throw SurroundingsError("node is not installed; on Debian it is the package nodejs");
   const FilterAnswer answer = run_filter(node, {STEPWIRE_DRAW "/main.mjs"}, graph.text(-1));
-  if (answer.status != 0) throw SurroundingsError("drawing failed: " + answer.complaints);
+  if (answer.status != 0) throw SurroundingsError(answer.complaints);
   return answer.output;
 }
 

@@ -13,11 +13,13 @@ class DrawnFile {
   /// Loads and checks. Throws Error with everything that is wrong.
   DrawnFile(Loader& loader, const std::string& path);
 
-  const Diagram& diagram() const { return diagram_; }
+  /// Names of all parts that can be opened: "rig", "rig.mount".
+  std::vector<std::string> parts() const;
   Json graph(const GraphOptions& options) const;
 
  private:
   Diagram diagram_;
+  std::string title_;
   std::unique_ptr<Outline> outline_;
 };
 

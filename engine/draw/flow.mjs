@@ -39,33 +39,36 @@ const longestReturn = 4;
 
 /**
  * The blocks between where a signal is taken and where it is fed back: each has one wire in and one out. Where nothing
- * else is taken from the loop, what is recorded counts as its end.
+ * else is taken from the loop, they end at what is recorded or has a state, the plant.
  */
 function wayBack(wire, byId, {out, into}) {
-  const way = [];
+  const way = [], recorded = (id) => byId.get(id).outputs.filter((port) => port.recorded);
+  const isWired = (id, port) => out.get(id).some((one) => one.from.port === port.port);
+  const takers = (id) => out.get(id).length + recorded(id).filter((port) => !isWired(id, port)).length;
   for (let id = wire.from.node; ; id = into.get(id)[0].from.node) {
-    const node = byId.get(id);
-    const recorded = node.outputs.some((port) => port.recorded);
-    if (out.get(id).length > 1 || (id === wire.to.node && recorded)) return way;
-    const simple = into.get(id).length === 1 && (node.outline === "box" || node.outline === "triangle") && !node.graph;
-    if (!simple || id === wire.to.node || way.length === longestReturn) {
-      const end = way.findIndex((one) => byId.get(one).outputs.some((port) => port.recorded));
-      return end < 0 ? [] : way.slice(0, end);
-    }
+    const {outline, graph} = byId.get(id);
+    if (takers(id) > 1) return way;
+    const simple = into.get(id).length === 1 && (outline === "box" || outline === "triangle") && !graph;
+    if (!simple || id === wire.to.node || way.length === longestReturn) break;
     way.push(id);
   }
+  const isPlant = (id) => byId.get(id).state || recorded(id).length > 0;
+  const end = way.findIndex(isPlant);
+  return end >= 0 ? way.slice(0, end) : isPlant(wire.to.node) ? way : [];
 }
 
-/** Finds the wires that run from right to left and the nodes that are drawn so. */
+/** The wires that close circles, and with those at them the nodes and wires that are drawn from right to left. */
 export function flowOf(nodes, wires) {
   const byId = new Map(nodes.map((node) => [node.id, node]));
   const index = indexWires(nodes, wires);
-  const reversed = backWires(nodes, index), flipped = new Set();
-  for (const wire of [...reversed]) {
+  const back = backWires(nodes, index), reversed = new Set(back), flipped = new Set();
+  for (const wire of back) {
     for (const id of wayBack(wire, byId, index)) {
       flipped.add(id);
-      for (const one of [...index.out.get(id), ...index.into.get(id)]) reversed.add(one);
+      reversed.add(index.out.get(id)[0]);
+      // From where the way back leads to, its first wire goes forward around the first block.
+      if (index.into.get(id)[0].from.node !== wire.to.node) reversed.add(index.into.get(id)[0]);
     }
   }
-  return {reversed, flipped};
+  return {back, reversed, flipped};
 }

@@ -33,7 +33,8 @@ std::string signs_of(const DiagramBlock& block) {
 
 class GraphWriter {
  public:
-  GraphWriter(const Diagram& diagram, const GraphOptions& options) : diagram_(diagram), options_(options) {
+  GraphWriter(const Diagram& diagram, const Outline& outline, const GraphOptions& options)
+      : diagram_(diagram), options_(options), above_(scope_prefix(outline).size()) {
     for (const RecordRequest& request : diagram.records)
       for (const RecordedSignal& recorded : request.signals) add_recorded(recorded.signal);
     for (const DiagramOutput& output : diagram.outputs) add_recorded(output.signal);
@@ -95,9 +96,12 @@ class GraphWriter {
     return shown;
   }
 
-  const std::string& prefix(const Outline& outline) const {
+  const std::string& scope_prefix(const Outline& outline) const {
     return diagram_.scopes[static_cast<std::size_t>(outline.scope)].prefix;
   }
+
+  /// What names of a file's blocks begin with, seen from the file that is drawn.
+  std::string prefix(const Outline& outline) const { return scope_prefix(outline).substr(above_); }
 
   static Json port(const std::string& name, const std::string& label) {
     Json port = Json::object().set("port", name);
@@ -169,6 +173,7 @@ class GraphWriter {
     if (text.fraction) node.set("fraction", true);
     if (!symbol.curve.empty()) node.set("curve", symbol.curve);
     if (symbol.axes) node.set("axes", true);
+    if (block.type().has_continuous_state()) node.set("state", true);
   }
 
   bool is_open(const std::string& id, int depth) const {
@@ -222,6 +227,7 @@ class GraphWriter {
 
   const Diagram& diagram_;
   const GraphOptions& options_;
+  std::size_t above_;  ///< letters that lie above the file that is drawn
   std::set<std::pair<int, int>> recorded_;
 };
 
@@ -230,7 +236,7 @@ class GraphWriter {
 Json graph_of(const Diagram& diagram, const Outline& outline, const GraphOptions& options) {
   std::vector<int> outputs;
   for (std::size_t i = 0; i < outline.outputs.size(); ++i) outputs.push_back(static_cast<int>(i));
-  return GraphWriter(diagram, options).graph(outline, outline.inputs, outputs, 0);
+  return GraphWriter(diagram, outline, options).graph(outline, outline.inputs, outputs, 0);
 }
 
 }  // namespace stepwire

@@ -16,13 +16,14 @@ struct GraphOptions {
 };
 
 /// A diagram as the graph that draw.mjs draws:
-///   graph: {inputs: [port], outputs: [port], nodes: [node], wires: [wire]}
-///   node: {id, name, type, part, outline, lines, fraction, curve, axes, inputs: [port], outputs: [port],
+///   graph: {title (of the whole), inputs: [port], outputs: [port], nodes: [node], wires: [wire]}
+///   node: {id, name, type, part, outline, lines, fraction, curve, axes, state, inputs: [port], outputs:
+///   [port],
 ///          graph (of an opened part)}
 ///   port: {port, label, sign, recorded}; only what is fed, wired or recorded has one
 ///   wire: {from: end, to: end, unit}
 ///   end: {node, port} or {constant}; the node "" is the file itself.
-/// Throws Error for a part to be opened that is not there.
+/// What is to be opened and is not there is passed over.
 Json graph_of(const Diagram& diagram, const Outline& outline, const GraphOptions& options);
 
 }  // namespace stepwire

@@ -1,146 +1,155 @@
 // Lays out a graph with the layered algorithm of elk: a picture is blocks and wires with places, in pixels.
 
+import {clearance, leadBelow} from "./below.mjs";
 import {flowOf} from "./flow.mjs";
-import {drawnOutline, sizeOf, sizes, spread} from "./symbol.mjs";
+import {nodesAndWires} from "./nodes.mjs";
+import {enterSums, nameSide, placePorts} from "./ports.mjs";
+import {portPitch, sizeOf, sizes} from "./symbol.mjs";
 import {widthOf} from "./text.mjs";
+import {costOf, straightened} from "./wires.mjs";
 
 const options = {
   "elk.algorithm": "layered",
   "elk.direction": "RIGHT",
   "elk.edgeRouting": "ORTHOGONAL",
-  "elk.padding": "[top=10,left=10,bottom=10,right=10]",
+  "elk.separateConnectedComponents": "false",
+  "elk.padding": "[top=10,left=12,bottom=10,right=12]",
   "elk.spacing.nodeNode": "22",
-  "elk.spacing.edgeNode": "14",
+  "elk.spacing.edgeNode": "10",
   "elk.spacing.edgeEdge": "12",
+  "elk.spacing.portPort": String(portPitch),
   "elk.spacing.labelNode": "4",
-  "elk.layered.spacing.nodeNodeBetweenLayers": "34",
-  "elk.layered.spacing.edgeNodeBetweenLayers": "16",
+  "elk.layered.spacing.nodeNodeBetweenLayers": "36",
   "elk.layered.spacing.edgeEdgeBetweenLayers": "10",
-  "elk.layered.nodePlacement.strategy": "NETWORK_SIMPLEX",
   "elk.layered.considerModelOrder.strategy": "PREFER_NODES",
-  "elk.layered.thoroughness": "40",
   "elk.randomSeed": "1",
 };
+const placement = "elk.layered.nodePlacement.strategy";
+const alignment = "elk.layered.nodePlacement.bk.fixedAlignment";
+/** Ways to place nodes, of which the picture that reads best is taken. */
+const placements = [
+  {[placement]: "NETWORK_SIMPLEX"},
+  {[placement]: "BRANDES_KOEPF", [alignment]: "BALANCED"},
+  ...["LEFTUP", "LEFTDOWN", "RIGHTUP", "RIGHTDOWN"].map((side) => ({[placement]: "BRANDES_KOEPF", [alignment]: side})),
+];
 const frame = {head: 22, margin: 12};
 const nameHeight = 15;
-
-const inputSide = (node) => (node.flipped ? "EAST" : "WEST");
-const outputSide = (node) => (node.flipped ? "WEST" : "EAST");
-
-/** Constants as nodes of their own, and the ports of the file itself as ovals, or as words inside of a frame. */
-function prepare(graph, isRoot) {
-  const nodes = graph.nodes.map((node) => drawnOutline({...node}));
-  const own = (port, kind) => ({
-    id: `:${kind}:${port.port}`, name: "", outline: isRoot ? "oval" : "text", lines: [port.label], own: kind,
-    inputs: kind === "output" ? [{port: port.port}] : [], outputs: kind === "input" ? [{port: port.port}] : [],
-  });
-  nodes.unshift(...graph.inputs.map((port) => own(port, "input")));
-  nodes.push(...graph.outputs.map((port) => own(port, "output")));
-  const end = (place, kind) => (place.node === "" ? {node: `:${kind}:${place.port}`, port: place.port} : place);
-  const wires = graph.wires.map((wire, index) => {
-    const to = end(wire.to, "output");
-    if (wire.from.constant === undefined) return {...wire, from: end(wire.from, "input"), to};
-    const id = `:constant:${index}`;
-    nodes.push({id, name: "", outline: "text", lines: [wire.from.constant], inputs: [], outputs: [{port: "y"}]});
-    return {...wire, from: {node: id, port: "y"}, to};
-  });
-  return {nodes, wires: [...wires, ...openEnds(nodes, wires)]};
-}
-
-/** What is recorded and fed to nothing ends in an arrow. */
-function openEnds(nodes, wires) {
-  const used = new Set(wires.map((wire) => `${wire.from.node} ${wire.from.port}`)), ends = [];
-  for (const node of [...nodes])
-    for (const port of node.outputs) {
-      if (!port.recorded || used.has(`${node.id} ${port.port}`)) continue;
-      const id = `:end:${node.id}.${port.port}`;
-      nodes.push({id, name: "", outline: "end", lines: [], inputs: [{port: "u"}], outputs: []});
-      ends.push({from: {node: node.id, port: port.port}, to: {node: id, port: "u"}});
-    }
-  return ends;
-}
-
-/** Puts ports on the outline of a node: side and place along it. */
-function placePorts(node) {
-  const side = (ports, name) => {
-    const at = node.inner ? node.inner[name] : spread(ports.length, node.height);
-    ports.forEach((port, i) => Object.assign(port, {side: name, y: at[i], x: name === "WEST" ? 0 : node.width}));
-  };
-  if (node.outline === "circle") placeOnCircle(node);
-  else side(node.inputs, inputSide(node));
-  side(node.outputs, outputSide(node));
-}
-
-function placeOnCircle(node) {
-  const middle = node.width / 2;
-  const places = {WEST: [0, middle], EAST: [node.width, middle], NORTH: [middle, 0], SOUTH: [middle, node.width]};
-  for (const port of node.inputs) {
-    port.side ??= inputSide(node);
-    [port.x, port.y] = places[port.side];
-  }
-}
-
-/** Sides at which signals enter a sum: what comes back from below, what leads there from the left, others by height. */
-function enterSums(nodes, reversed, wires, heights) {
-  for (const node of nodes.filter((one) => one.outline === "circle")) {
-    const feeding = (port) => wires.find((wire) => wire.to.node === node.id && wire.to.port === port.port);
-    const free = ["WEST", "SOUTH", "NORTH"];
-    const take = (port, side) => {
-      port.side = free.includes(side) ? side : free[0];
-      free.splice(free.indexOf(port.side), 1);
-    };
-    const back = node.inputs.filter((port) => reversed.has(feeding(port)));
-    const forward = node.inputs.filter((port) => !back.includes(port));
-    const byHeight = [...forward].sort((a, b) => heights.get(feeding(a)) - heights.get(feeding(b)));
-    const straight = forward.length === 3 ? byHeight[1] : forward[0];
-    if (straight) take(straight, "WEST");
-    for (const port of back) take(port, "SOUTH");
-    for (const port of forward)
-      if (port !== straight)
-        take(port, heights.get(feeding(port)) < heights.get(feeding(straight)) ? "NORTH" : "SOUTH");
-  }
-}
-
-function nameSide(node) {
-  if (node.outline !== "circle") return "BOTTOM";
-  const used = new Set(node.inputs.map((port) => port.side));
-  return !used.has("NORTH") ? "TOP" : !used.has("SOUTH") ? "BOTTOM" : "";
-}
+const openLength = 15;
+const close = {"elk.spacing.nodeNode": 8};
 
 function elkNode(node) {
   const ports = [...node.inputs, ...node.outputs].map((port) => ({
     id: `${node.id} ${port.port}`, x: port.x, y: port.y, width: 0, height: 0,
     layoutOptions: {"elk.port.side": port.side},
   }));
-  const layoutOptions = {"elk.portConstraints": "FIXED_POS"};
-  if (node.own && node.outline === "text") {
-    layoutOptions["elk.layered.layering.layerConstraint"] = node.own === "input" ? "FIRST_SEPARATE" : "LAST_SEPARATE";
-    layoutOptions["elk.alignment"] = node.own === "input" ? "LEFT" : "RIGHT";
-  }
-  const labels = [];
+  const layoutOptions = {"elk.portConstraints": "FIXED_POS"}, labels = [];
   node.nameSide = node.name && !node.inner ? nameSide(node) : "";
   if (node.nameSide) {
     labels.push({text: node.name, width: widthOf(node.name, sizes.name), height: nameHeight});
     layoutOptions["elk.nodeLabels.placement"] = `[H_CENTER, V_${node.nameSide}, OUTSIDE]`;
   }
-  return {id: node.id, width: node.width, height: node.height, ports, labels, layoutOptions};
+  const individualSpacings = node.outline === "text" ? close : undefined;
+  return {id: node.id, width: node.width, height: node.height, ports, labels, layoutOptions, individualSpacings};
 }
 
-async function layOut(nodes, wires, reversed, elk) {
-  const port = (end) => `${end.node} ${end.port}`;
+const portId = (end) => `${end.node} ${end.port}`;
+const isWord = (node) => node.own && node.outline === "text";
+
+/** The words for the inputs of a frame, or for its outputs, as one node at its edge that keeps their order. */
+function edgeNode(kind, words) {
+  const side = kind === "input" ? "EAST" : "WEST", end = kind === "input" ? "FIRST" : "LAST";
+  const ports = words.map((word, i) => ({
+    id: portId({node: word.id, port: [...word.inputs, ...word.outputs][0].port}), width: 0, height: 0,
+    layoutOptions: {"elk.port.side": side, "elk.port.index": String(side === "EAST" ? i : words.length - i)},
+  }));
+  const layoutOptions = {
+    "elk.portConstraints": "FIXED_ORDER",
+    "elk.spacing.portPort": String(portPitch),
+    "elk.layered.layering.layerConstraint": `${end}_SEPARATE`,
+    "elk.layered.nodePlacement.networkSimplex.nodeFlexibility": "NODE_SIZE",
+  };
+  const width = Math.max(...words.map((word) => word.width));
+  return {id: `:${kind}s`, width, height: words.length * portPitch, ports, layoutOptions};
+}
+
+function elkNodes(nodes) {
+  const words = (kind) => nodes.filter((node) => isWord(node) && node.own === kind);
+  const edges = ["input", "output"].filter((kind) => words(kind).length > 0).map((kind) => edgeNode(kind, words(kind)));
+  return [...nodes.filter((node) => !isWord(node)).map(elkNode), ...edges];
+}
+
+/** Where each node lies; words at their ports, left or right at the edge. */
+function placesOf(nodes, laid) {
+  const found = new Map(laid.children.map((child) => [child.id, child]));
+  return new Map(nodes.map((node) => {
+    if (!isWord(node)) return [node.id, {x: found.get(node.id).x, y: found.get(node.id).y}];
+    const edge = found.get(`:${node.own}s`), own = edge.ports.find((port) => port.id.startsWith(`${node.id} `));
+    const x = node.own === "input" ? edge.x : edge.x + edge.width - node.width;
+    return [node.id, {x, y: edge.y + own.y - node.height / 2}];
+  }));
+}
+
+/** Lets wires begin and end at words, not at the edge of the widest of them. */
+function reachWords(nodes, places, lines) {
+  const words = new Map(nodes.filter(isWord).map((node) => [node.id, node]));
+  for (const [wire, points] of lines) {
+    const from = words.get(wire.from.node), to = words.get(wire.to.node);
+    if (from) points[0][0] = places.get(from.id).x + from.width;
+    if (to) points.at(-1)[0] = places.get(to.id).x;
+  }
+}
+
+function linesOf(laid, wires, reversed) {
+  const lines = new Map();
+  for (const {id, sections: [{startPoint, bendPoints = [], endPoint}]} of laid.edges) {
+    const points = [startPoint, ...bendPoints, endPoint].map(({x, y}) => [x, y]);
+    lines.set(wires[id], reversed.has(wires[id]) ? points.reverse() : points);
+  }
+  return lines;
+}
+
+/** One layout: the place of each node and the corners of each wire, but for those that are led below afterwards. */
+async function layOut({nodes, wires, reversed}, elk, style, apart = new Set(), abreast = Math.min(1, apart.size)) {
   const edges = wires.map((wire, i) => {
     const [from, to] = reversed.has(wire) ? [wire.to, wire.from] : [wire.from, wire.to];
-    return {id: `wire ${i}`, sources: [port(from)], targets: [port(to)]};
+    return {id: String(i), sources: [portId(from)], targets: [portId(to)]};
   });
-  return elk.layout({id: "picture", layoutOptions: options, children: nodes.map(elkNode), edges});
+  const between = {"elk.layered.spacing.edgeNodeBetweenLayers": String(clearance(abreast))};
+  const laid = await elk.layout({
+    id: "picture", layoutOptions: {...options, ...style, ...between},
+    children: elkNodes(nodes), edges: edges.filter((_, i) => !apart.has(wires[i])),
+  });
+  const places = placesOf(nodes, laid), lines = linesOf(laid, wires, reversed);
+  reachWords(nodes, places, lines);
+  const bounds = leadBelow(nodes, places, lines, [...apart], {width: laid.width, height: laid.height});
+  if (bounds.abreast > abreast) return layOut({nodes, wires, reversed}, elk, style, apart, bounds.abreast);
+  return {...bounds, places, wires: wires.map((wire) => ({...wire, points: straightened(lines.get(wire))}))};
 }
 
-function routes(laid, wires, reversed) {
-  return wires.map((wire, i) => {
-    const {startPoint, bendPoints = [], endPoint} = laid.edges[i].sections[0];
-    const points = [startPoint, ...bendPoints, endPoint].map(({x, y}) => [x, y]);
-    return reversed.has(wire) ? points.reverse() : points;
-  });
+/** The best of several layouts; first all wires are laid out alike, then what leads back to a box is led below. */
+async function bestLayout(task, elk) {
+  const back = task.wires.map((wire) => task.back.has(wire));
+  const sides = new Map(task.nodes.flatMap((node) => [...node.inputs, ...node.outputs].map((port) => [`${node.id} ${port.port}`, port.side])));
+  const side = (end) => sides.get(`${end.node} ${end.port}`);
+  const apart = new Set([...task.back].filter((wire) => side(wire.from) === "EAST" && side(wire.to) === "WEST"));
+  let best, least = {total: Infinity, faults: Infinity};
+  for (const led of apart.size > 0 ? [new Set(), apart] : [new Set()])
+    for (const style of placements) {
+      const laid = await layOut(task, elk, style, led), cost = costOf(laid.wires, back);
+      if (cost.total < least.total) [best, least] = [laid, cost];
+      if (least.faults === 0) return best;
+    }
+  return best;
+}
+
+/** What is recorded and fed to nothing ends in an arrow; no wire turns that close to a block. */
+function openEnds(nodes, wires) {
+  const used = new Set(wires.map((wire) => `${wire.from.node} ${wire.from.port}`));
+  return nodes.flatMap((node) => node.outputs.filter((port) => port.recorded && !used.has(`${node.id} ${port.port}`))
+    .map((port) => {
+      const x = node.x + port.x, y = node.y + port.y, end = port.side === "EAST" ? x + openLength : x - openLength;
+      return {from: {node: node.id, port: port.port}, points: [[x, y], [end, y]]};
+    }));
 }
 
 /** An opened part is a frame around its own picture, whose ports lie where its words for them are. */
@@ -156,33 +165,34 @@ async function openPart(node, elk) {
 /** Moves what lies in a frame to where the frame is. */
 function embed(block, picture) {
   const {picture: inner} = block.inner, dx = block.x, dy = block.y + frame.head;
-  const move = ([x, y]) => [x + dx, y + dy];
-  picture.blocks.push(...inner.blocks.map((one) => ({...one, x: one.x + dx, y: one.y + dy})));
-  picture.wires.push(...inner.wires.map((wire) => ({...wire, points: wire.points.map(move)})));
+  const move = ([x, y]) => [x + dx, y + dy], within = (one) => [block.id, ...(one.within ?? [])];
+  picture.blocks.push(...inner.blocks.map((one) => ({...one, within: within(one), x: one.x + dx, y: one.y + dy})));
+  picture.wires.push(...inner.wires.map((wire) => ({...wire, within: within(wire), points: wire.points.map(move)})));
 }
 
 /**
  * The picture of a graph: {width, height, blocks, wires}. A block is a node with x, y, width, height and ports that
- * have a side and a place on it; a wire has the corners that it goes through.
+ * have a side and a place on it; a wire has the corners that it goes through. What lies in frames names them in `within`.
  */
 export async function arrange(graph, elk, isRoot = true) {
-  const {nodes, wires} = prepare(graph, isRoot);
+  const {nodes, wires} = nodesAndWires(graph, isRoot);
   for (const node of nodes) {
     if (node.graph) await openPart(node, elk);
-    else Object.assign(node, node.outline === "end" ? {width: 2, height: 2} : sizeOf(node));
+    else Object.assign(node, sizeOf(node));
   }
-  const {reversed, flipped} = flowOf(nodes, wires);
+  const {reversed, flipped, back} = flowOf(nodes, wires);
+  const task = {nodes, wires, reversed, back};
   for (const node of nodes) node.flipped = flipped.has(node.id);
   nodes.forEach(placePorts);
-  const trial = routes(await layOut(nodes, wires, reversed, elk), wires, reversed);
-  enterSums(nodes, reversed, wires, new Map(wires.map((wire, i) => [wire, trial[i][0][1]])));
-  nodes.forEach(placePorts);
-  const laid = await layOut(nodes, wires, reversed, elk);
-  const places = new Map(laid.children.map(({id, x, y}) => [id, {x, y}]));
-  const picture = {width: laid.width, height: laid.height, blocks: [], wires: []};
-  const points = routes(laid, wires, reversed);
-  for (const node of nodes) picture.blocks.push(Object.assign(node, places.get(node.id)));
-  picture.wires.push(...wires.map((wire, i) => ({...wire, points: points[i]})));
-  for (const block of [...picture.blocks]) if (block.inner) embed(block, picture);
+  if (nodes.some((node) => node.outline === "circle")) {
+    const trial = await layOut(task, elk, placements[0]);
+    enterSums(nodes, wires, reversed, new Map(wires.map((wire, i) => [wire, trial.wires[i].points[0][1]])));
+    nodes.forEach(placePorts);
+  }
+  const laid = await bestLayout(task, elk);
+  const blocks = nodes.map((node) => Object.assign(node, laid.places.get(node.id)));
+  const ends = openEnds(nodes, wires), right = Math.max(...ends.map(({points}) => points[1][0] + 8));
+  const picture = {width: Math.max(laid.width, right), height: laid.height, blocks, wires: [...laid.wires, ...ends]};
+  for (const block of [...blocks]) if (block.inner) embed(block, picture);
   return picture;
 }

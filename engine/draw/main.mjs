@@ -1,8 +1,14 @@
-// Draws the graph on the standard input to the standard output.
+// Draws the graph on the standard input to the standard output. Exit status 3: elkjs is missing.
 
 import {readFileSync} from "node:fs";
+import {fileURLToPath} from "node:url";
 
 import {draw} from "./draw.mjs";
+
+function fail(status, message) {
+  process.stderr.write(`${message}\n`);
+  process.exit(status);
+}
 
 async function newElk() {
   try {
@@ -10,10 +16,13 @@ async function newElk() {
     return new ELK();
   } catch (error) {
     if (error.code !== "ERR_MODULE_NOT_FOUND") throw error;
-    process.stderr.write(`elkjs is not installed; 'npm ci' in ${import.meta.dirname} installs it\n`);
-    process.exit(3);
+    return fail(3, `elkjs is not installed; npm ci in ${fileURLToPath(new URL(".", import.meta.url))} installs it`);
   }
 }
 
-const graph = JSON.parse(readFileSync(0, "utf8"));
-process.stdout.write(await draw(graph, await newElk()));
+try {
+  const graph = JSON.parse(readFileSync(0, "utf8"));
+  process.stdout.write(await draw(graph, await newElk()));
+} catch (error) {
+  fail(1, `the diagram cannot be drawn: ${error.message ?? error}`);
+}

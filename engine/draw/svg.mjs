@@ -2,6 +2,7 @@
 
 import {sizes, textSize} from "./symbol.mjs";
 import {escaped} from "./text.mjs";
+import {forks, lies, netOf, segmentsOf} from "./wires.mjs";
 
 const ink = "#1a1a1a", faint = "#9a9a9a";
 const arrow = {length: 8, half: 3.3};
@@ -48,7 +49,6 @@ const shapes = {
   oval: ({x, y, width, height}) =>
     `<rect x="${n(x)}" y="${n(y)}" width="${n(width)}" height="${n(height)}" rx="${n(height / 2)}"/>`,
   text: () => "",
-  end: () => "",
 };
 
 /** Middle of what is written inside: a triangle's weight lies towards its base. */
@@ -76,6 +76,7 @@ function lines(block) {
 
 /** Names of ports inside of a box, and signs inside of a circle. */
 function portTexts(block) {
+  if (block.outline === "bar") return "";
   const towards = {WEST: [1, 0], EAST: [-1, 0], NORTH: [0, 1], SOUTH: [0, -1]};
   return [...block.inputs, ...block.outputs].map((port) => {
     const [dx, dy] = towards[port.side], x = block.x + port.x, y = block.y + port.y;
@@ -101,11 +102,6 @@ function frameRect({x, y, width, height}) {
 function frameName(block) {
   return text(block.x + 10, block.y + 13, block.name, {size: sizes.name, anchor: "start", fill: "#333"});
 }
-
-const netOf = (wire) => `${wire.from.node} ${wire.from.port}`;
-const between = (a, b, value) => Math.min(a, b) <= value && value <= Math.max(a, b);
-const lies = ([x, y], [[ax, ay], [bx, by]]) => between(ax, bx, x) && between(ay, by, y);
-const segmentsOf = (points) => points.slice(1).map((point, i) => [points[i], point]);
 
 /** What of a wire is not drawn yet by others of its net: no line is drawn twice, which would look bold. */
 function remainder(points, drawn) {
@@ -143,29 +139,6 @@ function drawWire(corners) {
   points[points.length - 1] = base;
   const line = points.map(([x, y], i) => `${i === 0 ? "M" : "L"}${n(x)} ${n(y)}`).join("");
   return path(line) + path(`M${n(tip[0])} ${n(tip[1])}L${corner(1)}L${corner(-1)}Z`, ` fill="${ink}" stroke="none"`);
-}
-
-/** Places where a wire forks: from there it goes on in three directions or more. */
-export function forks(wires) {
-  const nets = new Map();
-  for (const wire of wires) {
-    nets.set(netOf(wire), [...(nets.get(netOf(wire)) ?? []), wire.points]);
-  }
-  const found = new Map();
-  for (const lines of nets.values()) {
-    const segments = lines.flatMap(segmentsOf);
-    for (const [x, y] of lines.flat()) {
-      const directions = new Set();
-      for (const [[ax, ay], [bx, by]] of segments.filter((segment) => lies([x, y], segment))) {
-        if (Math.min(ax, bx) < x) directions.add("left");
-        if (Math.max(ax, bx) > x) directions.add("right");
-        if (Math.min(ay, by) < y) directions.add("up");
-        if (Math.max(ay, by) > y) directions.add("down");
-      }
-      if (directions.size > 2) found.set(`${n(x)} ${n(y)}`, [x, y]);
-    }
-  }
-  return [...found.values()];
 }
 
 const group = (attributes, parts) => [`<g ${attributes}>`, ...parts.filter((part) => part !== ""), "</g>"];

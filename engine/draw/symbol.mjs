@@ -3,7 +3,8 @@
 import {widthOf} from "./text.mjs";
 
 export const sizes = {text: 13, name: 12, port: 10.5, sign: 13};
-const lineHeight = 16, portPitch = 24;
+export const portPitch = 24;
+const lineHeight = 16;
 
 /** A sign of mathematics alone is written larger. */
 export const textSize = (lines) => (lines.length === 1 && /^[×÷Σ]$/u.test(lines[0]) ? 20 : sizes.text);
@@ -40,7 +41,7 @@ const rules = {
   circle: () => ({width: 28, height: 28}),
   bar: (node) => ({width: 6, height: Math.max(40, Math.max(node.inputs.length, node.outputs.length) * portPitch)}),
   oval: (node) => ({width: even(Math.max(34, widest(node.lines, sizes.name) + 20)), height: 20}),
-  text: (node) => ({width: even(widest(node.lines, sizes.text) + 6), height: 18}),
+  text: (node) => ({width: even(widest(node.lines, sizes.text) + 6), height: 14}),
 };
 
 /** Width and height of a node, its name aside. */
@@ -56,5 +57,5 @@ export function drawnOutline(node) {
 
 /** Where the ports of one side lie along it, in the order of the list. */
 export function spread(count, length) {
-  return Array.from({length: count}, (_, i) => ((i + 0.5) * length) / count);
+  return Array.from({length: count}, (_, i) => Math.round(((i + 0.5) * length) / count));
 }

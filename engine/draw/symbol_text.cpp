@@ -45,6 +45,21 @@ bool is_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
+const std::array<const char*, 10> superscripts{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+
+/// Appends the sign of print for the sign of the keyboard with which a text begins; returns how long that is.
+std::size_t append_sign(std::string_view text, std::string& result) {
+  const auto sign = signs.find(text.substr(0, 2));
+  if (sign != signs.end()) return result += sign->second, 2;
+  const auto is_digit = [&](std::size_t at) {
+    return at < text.size() && text[at] >= '0' && text[at] <= '9';
+  };
+  if (text[0] == '^' && is_digit(1) && !is_digit(2) && !text.substr(2).starts_with('.'))
+    return result += superscripts[static_cast<std::size_t>(text[1] - '0')], 2;
+  result += text[0] == '-' ? "−" : text[0] == '*' ? "·" : std::string(1, text[0]);
+  return 1;
+}
+
 /// Greek letters by name, and the signs of print for those of the keyboard.
 std::string typeset(std::string_view text) {
   std::string result;
@@ -57,8 +72,7 @@ std::string typeset(std::string_view text) {
       result += letter == letters.end() ? word : letter->second;
       at = end;
     } else {
-      result += text[at] == '-' ? "−" : text[at] == '*' ? "·" : std::string(1, text[at]);
-      ++at;
+      at += append_sign(text.substr(at), result);
     }
   }
   return result;
@@ -70,16 +84,25 @@ std::size_t length(std::string_view text) {
   return count;
 }
 
+/// "0.25", "−3", "10⁻⁵".
 std::string number_text(double number) {
-  return typeset(fmt::format("{:.4g}", number));
+  const std::string text = fmt::format("{:.4g}", number);
+  const std::size_t e = text.find('e');
+  if (e == std::string::npos) return typeset(text);
+  const int exponent = std::stoi(text.substr(e + 1));
+  std::string power = exponent < 0 ? "10⁻" : "10";
+  for (const char digit : std::to_string(std::abs(exponent)))
+    power += superscripts[static_cast<std::size_t>(digit - '0')];
+  const std::string factor = text.substr(0, e);
+  return factor == "1" ? power : typeset(factor) + "·" + power;
 }
 
 std::string power(std::size_t exponent, std::string_view variable) {
-  static const std::array<const char*, 10> digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   if (exponent == 0) return {};
   std::string text(variable);
   if (exponent > 1)
-    for (const char digit : std::to_string(exponent)) text += digits[static_cast<std::size_t>(digit - '0')];
+    for (const char digit : std::to_string(exponent))
+      text += superscripts[static_cast<std::size_t>(digit - '0')];
   return text;
 }
 
