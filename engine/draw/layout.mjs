@@ -40,9 +40,10 @@ const close = {"elk.spacing.nodeNode": 8};
 function elkNode(node) {
   const ports = [...node.inputs, ...node.outputs].map((port) => ({
     id: `${node.id} ${port.port}`, x: port.x, y: port.y, width: 0, height: 0,
+    labels: port.unit ? [{text: port.unit, width: widthOf(port.unit, sizes.unit), height: sizes.unit}] : [],
     layoutOptions: {"elk.port.side": port.side},
   }));
-  const layoutOptions = {"elk.portConstraints": "FIXED_POS"}, labels = [];
+  const layoutOptions = {"elk.portConstraints": "FIXED_POS", "elk.portLabels.placement": "OUTSIDE"}, labels = [];
   node.nameSide = node.name && !node.inner ? nameSide(node) : "";
   if (node.nameSide) {
     labels.push({text: node.name, width: widthOf(node.name, sizes.name), height: nameHeight});
@@ -76,6 +77,12 @@ function elkNodes(nodes) {
   const words = (kind) => nodes.filter((node) => isWord(node) && node.own === kind);
   const edges = ["input", "output"].filter((kind) => words(kind).length > 0).map((kind) => edgeNode(kind, words(kind)));
   return [...nodes.filter((node) => !isWord(node)).map(elkNode), ...edges];
+}
+
+/** How far from the port at which a signal begins its unit stands. */
+function unitsOf(laid) {
+  return new Map(laid.children.flatMap((child) => child.ports.filter((port) => port.labels?.length > 0)
+    .map(({id, labels: [{x, y}]}) => [id, [x, y]])));
 }
 
 /** Where each node lies; words at their ports, left or right at the edge. */
@@ -123,7 +130,7 @@ async function layOut({nodes, wires, reversed}, elk, style, apart = new Set(), a
   reachWords(nodes, places, lines);
   const bounds = leadBelow(nodes, places, lines, [...apart], {width: laid.width, height: laid.height});
   if (bounds.abreast > abreast) return layOut({nodes, wires, reversed}, elk, style, apart, bounds.abreast);
-  return {...bounds, places, wires: wires.map((wire) => ({...wire, points: straightened(lines.get(wire))}))};
+  return {...bounds, places, units: unitsOf(laid), wires: wires.map((wire) => ({...wire, points: straightened(lines.get(wire))}))};
 }
 
 /** The best of several layouts; first all wires are laid out alike, then what leads back to a box is led below. */
@@ -191,6 +198,8 @@ export async function arrange(graph, elk, isRoot = true) {
   }
   const laid = await bestLayout(task, elk);
   const blocks = nodes.map((node) => Object.assign(node, laid.places.get(node.id)));
+  for (const node of nodes)
+    for (const port of node.outputs) port.unitAt = laid.units.get(portId({node: node.id, port: port.port}));
   const ends = openEnds(nodes, wires), right = Math.max(...ends.map(({points}) => points[1][0] + 8));
   const picture = {width: Math.max(laid.width, right), height: laid.height, blocks, wires: [...laid.wires, ...ends]};
   for (const block of [...blocks]) if (block.inner) embed(block, picture);

@@ -32,5 +32,8 @@ export function nodesAndWires(graph, isRoot) {
     from: wire.from.constant === undefined ? end(wire.from, "input") : constantNode(wire, i, nodes),
     to: end(wire.to, "output"),
   }));
+  const byId = new Map(nodes.map((node) => [node.id, node]));
+  for (const {from, unit} of wires)
+    if (unit) byId.get(from.node).outputs.find((port) => port.port === from.port).unit = unit;
   return {nodes, wires};
 }

@@ -89,6 +89,13 @@ function portTexts(block) {
   }).join("");
 }
 
+function units(block) {
+  return block.outputs.filter((port) => port.unitAt).map((port) => {
+    const [dx, dy] = port.unitAt, style = {size: sizes.unit, anchor: "start", fill: "#666"};
+    return text(block.x + port.x + dx + 2, block.y + port.y + dy + sizes.unit / 2, port.unit, style);
+  }).join("");
+}
+
 function name(block) {
   if (!block.nameSide) return "";
   const y = block.nameSide === "TOP" ? block.y - 9 : block.y + block.height + 11;
@@ -160,7 +167,8 @@ export function svgOf(picture, title = "") {
     ...group(`fill="none" ${line}`, blocks.map(inside)),
     ...group(`fill="${ink}" font-family="Helvetica, Arial, sans-serif"`, [
       ...frames.map(frameName),
-      ...blocks.map((block) => lines(block) + portTexts(block) + name(block)),
+      ...frames.map(units),
+      ...blocks.map((block) => lines(block) + portTexts(block) + units(block) + name(block)),
     ]),
     "</svg>",
     "",

@@ -2,7 +2,7 @@
 
 import {widthOf} from "./text.mjs";
 
-export const sizes = {text: 13, name: 12, port: 10.5, sign: 13};
+export const sizes = {text: 13, name: 12, port: 10.5, sign: 13, unit: 9.5};
 export const portPitch = 24;
 const lineHeight = 16;
 
