@@ -30,8 +30,8 @@ void require_parts(const DrawCommand& command, const std::vector<std::string>& p
 ExitCode draw_file(const DrawCommand& command, const Registry& registry) {
   Loader loader(registry);
   const DrawnFile file(loader, command.file);
-  require_parts(command, file.parts());
-  const Json graph = file.graph(command.options);
+  require_parts(command, file.view().parts());
+  const Json graph = file.view().graph(command.options);
   const std::string text = command.json ? graph.text() + "\n" : draw_graph(graph);
   if (command.out.empty()) {
     fmt::print("{}", text);

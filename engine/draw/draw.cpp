@@ -47,22 +47,18 @@ Diagram load(Loader& loader, const std::string& path) {
   return loader.load(name);
 }
 
-}  // namespace
-
-DrawnFile::DrawnFile(Loader& loader, const std::string& path) : diagram_(load(loader, path)) {
-  Report report(diagram_);
+/// Units are found without a plan, so that a diagram whose loops cannot be ordered is drawn, too.
+Diagram with_units(Diagram diagram) {
+  Report report(diagram);
   infer_units(report);
   report.faults().throw_if_any();
-  if (const Node* title = loader.document(path).root.find("title")) title_ = title->text;
-  outline_ = outline_of(diagram_, loader);
-  if (diagram_.file == path) return;
-  auto part = std::move(outline_->children.front().part);
-  part->parent = nullptr;
-  outline_ = std::move(part);
+  return diagram;
 }
 
-std::vector<std::string> DrawnFile::parts() const {
-  const std::string& above = diagram_.scopes[static_cast<std::size_t>(outline_->scope)].prefix;
+}  // namespace
+
+std::vector<std::string> DiagramView::parts() const {
+  const std::string& above = diagram_.scopes[static_cast<std::size_t>(scope_)].prefix;
   std::vector<std::string> names;
   for (const ScopeInfo& scope : diagram_.scopes)
     if (scope.prefix.starts_with(above) && scope.prefix != above)
@@ -70,9 +66,15 @@ std::vector<std::string> DrawnFile::parts() const {
   return names;
 }
 
-Json DrawnFile::graph(const GraphOptions& options) const {
-  return graph_of(diagram_, *outline_, options).set("title", title_);
+Json DiagramView::graph(const GraphOptions& options) const {
+  const std::string& file = diagram_.scopes[static_cast<std::size_t>(scope_)].file;
+  const Node* title = loader_.document(file).root.find("title");
+  Json graph = graph_of(diagram_, *outline_of(diagram_, loader_, scope_), options);
+  return graph.set("title", title ? title->text : "");
 }
+
+DrawnFile::DrawnFile(Loader& loader, const std::string& path)
+    : diagram_(with_units(load(loader, path))), view_(diagram_, loader, diagram_.file == path ? 0 : 1) {}
 
 std::string draw_graph(const Json& graph) {
   const std::string node = find_program("node");

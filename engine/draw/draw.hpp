@@ -6,21 +6,35 @@
 
 namespace stepwire {
 
-/// A diagram file, or a file that is to be used as a part: its outline, and the diagram in which it was
-/// checked.
-class DrawnFile {
+/// A checked diagram as it is drawn; for as long as the diagram and the documents that it was loaded from are
+/// there.
+class DiagramView {
  public:
-  /// Loads and checks. Throws Error with everything that is wrong.
-  DrawnFile(Loader& loader, const std::string& path);
+  /// `scope` is the file that is drawn: the diagram itself, or one that it uses as a part.
+  DiagramView(const Diagram& diagram, Loader& loader, int scope = 0)
+      : diagram_(diagram), loader_(loader), scope_(scope) {}
 
   /// Names of all parts that can be opened: "rig", "rig.mount".
   std::vector<std::string> parts() const;
   Json graph(const GraphOptions& options) const;
 
  private:
+  const Diagram& diagram_;
+  Loader& loader_;
+  int scope_;
+};
+
+/// A diagram file, or one that is only used as a part, to be drawn.
+class DrawnFile {
+ public:
+  /// Loads and checks. Throws Error with everything that is wrong.
+  DrawnFile(Loader& loader, const std::string& path);
+
+  const DiagramView& view() const { return view_; }
+
+ private:
   Diagram diagram_;
-  std::string title_;
-  std::unique_ptr<Outline> outline_;
+  DiagramView view_;
 };
 
 /// The picture of a graph as SVG; the same graph gives the same bytes. Throws SurroundingsError where node or

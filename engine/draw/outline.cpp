@@ -163,8 +163,8 @@ std::optional<SignalRef> Outline::signal(const OutlineSource& source) const {
   return std::nullopt;
 }
 
-std::unique_ptr<Outline> outline_of(const Diagram& diagram, Loader& loader) {
-  return OutlineReader(diagram, loader).read(0);
+std::unique_ptr<Outline> outline_of(const Diagram& diagram, Loader& loader, int scope) {
+  return OutlineReader(diagram, loader).read(scope);
 }
 
 }  // namespace stepwire

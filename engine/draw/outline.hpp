@@ -54,7 +54,7 @@ struct Outline {
   std::optional<SignalRef> signal(const OutlineSource& source) const;
 };
 
-/// Reads the outline of a checked diagram from the documents that it was loaded from.
-std::unique_ptr<Outline> outline_of(const Diagram& diagram, Loader& loader);
+/// Reads the outline of a file of a checked diagram (`scope`) from the documents that it was loaded from.
+std::unique_ptr<Outline> outline_of(const Diagram& diagram, Loader& loader, int scope = 0);
 
 }  // namespace stepwire

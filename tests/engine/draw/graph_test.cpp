@@ -29,7 +29,7 @@ void write_rig(const Scratch& folder) {
 json graph(const std::string& file, const GraphOptions& options = {}) {
   const Registry registry = all_blocks();
   Loader loader(registry);
-  return json::parse(DrawnFile(loader, file).graph(options).text());
+  return json::parse(DrawnFile(loader, file).view().graph(options).text());
 }
 
 std::vector<std::string> ids(const json& graph) {
@@ -121,6 +121,6 @@ TEST_CASE("a file's parts are known by their names") {
   write_rig(folder);
   const Registry registry = all_blocks();
   Loader loader(registry);
-  CHECK(DrawnFile(loader, folder.path("rig.yaml")).parts() == Names{"mount"});
-  CHECK(DrawnFile(loader, folder.path("spring.yaml")).parts().empty());
+  CHECK(DrawnFile(loader, folder.path("rig.yaml")).view().parts() == Names{"mount"});
+  CHECK(DrawnFile(loader, folder.path("spring.yaml")).view().parts().empty());
 }
