@@ -3,6 +3,7 @@
 #include "blocks/continuous/register.hpp"
 #include "blocks/discrete/register.hpp"
 #include "blocks/haptics/register.hpp"
+#include "blocks/hardware/register.hpp"
 #include "blocks/logic/register.hpp"
 #include "blocks/math/register.hpp"
 #include "blocks/nonlinear/register.hpp"
@@ -25,6 +26,7 @@ Registry all_blocks() {
   register_sinks(registry);
   register_haptics(registry);
   register_plants(registry);
+  register_hardware(registry);
   return registry;
 }
 

@@ -1,6 +1,8 @@
 #include "blocks/plants/register.hpp"
 
 #include "blocks/plants/bouc_wen.hpp"
+#include "blocks/plants/driven_linkage.hpp"
+#include "blocks/plants/linkage.hpp"
 #include "blocks/plants/mass.hpp"
 #include "blocks/plants/mr_damper.hpp"
 #include "blocks/plants/rotary_mr_damper.hpp"
@@ -9,6 +11,8 @@ namespace stepwire {
 
 void register_plants(Registry& registry) {
   registry.add<BoucWen>("plants");
+  registry.add<DrivenLinkage>("plants");
+  registry.add<Linkage>("plants");
   registry.add<MRDamper>("plants");
   registry.add<Mass>("plants");
   registry.add<RotaryMRDamper>("plants");

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <vector>
 
-#include "blocks/sources/random.hpp"
 #include "engine/block/declare.hpp"
+#include "engine/signal/random.hpp"
 
 namespace stepwire {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "blocks/sources/normal_quantile.hpp"
 #include "engine/block/block.hpp"
+#include "engine/signal/normal_quantile.hpp"
 
 namespace stepwire {
 
@@ -30,10 +30,7 @@ struct Noise {
   /// Depends on the seed, the element and the number of the sample alone, so that a run can go on from
   /// anywhere.
   double standard(Index element) const {
-    const std::uint64_t stream =
-        random_bits(static_cast<std::uint64_t>(seed), static_cast<std::uint64_t>(element));
-    const double even =
-        to_unit_interval(random_bits(stream, static_cast<std::uint64_t>(static_cast<double>(sample))));
+    const double even = even_sample(seed, element, sample);
     constexpr double width = 3.4641016151377545871;  // sqrt(12): then the variance is 1
     return distribution == Distribution::uniform ? width * (even - 0.5) : normal_quantile(even);
   }

@@ -10,12 +10,14 @@
 #include "blocks/sources/ramp.hpp"
 #include "blocks/sources/sine.hpp"
 #include "blocks/sources/step.hpp"
+#include "blocks/sources/straight_motion.hpp"
 
 namespace stepwire {
 
 void register_sources(Registry& registry) {
   registry.add<Constant>("sources");
   registry.add<Step>("sources");
+  registry.add<StraightMotion>("sources");
   registry.add<Ramp>("sources");
   registry.add<Sine>("sources");
   registry.add<Chirp>("sources");

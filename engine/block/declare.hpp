@@ -228,11 +228,17 @@ class Declare {
     type_.states.push_back(std::move(spec));
   }
 
-  template <auto member>
+  /// `detail`, a std::string(const Block&), adds the names and numbers of the case; it may read parameters
+  /// and discrete states, which stay as they were when the notice was raised.
+  template <auto member, auto detail = nullptr>
   void notice(NoticeOptions is) {
     type_.notices.push_back({std::string(member_name<member>()), is.doc,
                              std::string(member_identifier<member>()), is.ends_run,
                              [](void* block, double* first) { of<member>(block).bind(first); }});
+    if constexpr (!std::is_null_pointer_v<decltype(detail)>)
+      type_.notices.back().detail = [](const void* block) {
+        return detail(*static_cast<const Block*>(block));
+      };
   }
 
   /// Gives the block the time, or the time between its updates.

@@ -92,6 +92,7 @@ struct NoticeSpec {
   std::string member;  ///< its name in C++
   bool ends_run = false;
   void (*bind)(void* block, double* first) = nullptr;
+  std::string (*detail)(const void* block) = nullptr;  ///< names and numbers of the case, once it is raised
 };
 
 /// How a member that tells the time, or the time between updates, is bound.

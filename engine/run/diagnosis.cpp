@@ -31,7 +31,7 @@ std::optional<RunFault> Simulation::not_finite() const {
     return fmt::format(
         "became {} at {} s; the run ends here. A smaller step, a stiff solver (rosenbrock) or a check of the "
         "parameters helps",
-        value, time());
+        std::isnan(value) ? std::abs(value) : value, time());  // the sign of NaN says nothing
   };
   // States first: an integration that ran away is the cause of what follows from it. Then outputs in the
   // order of their computation, where the first is the cause of the others.
@@ -50,6 +50,11 @@ std::optional<RunFault> Simulation::not_finite() const {
   return std::nullopt;
 }
 
+std::string Simulation::notice_text(std::size_t block, std::size_t notice) const {
+  const NoticeSpec& spec = plan_.diagram.blocks[block].type().notices[notice];
+  return spec.detail ? spec.doc + ": " + spec.detail(memory(block)) : spec.doc;
+}
+
 std::optional<RunFault> Simulation::fault() const {
   if (healthy_) return std::nullopt;
   for (std::size_t b = 0; b < plan_.blocks.size(); ++b) {
@@ -58,7 +63,7 @@ std::optional<RunFault> Simulation::fault() const {
       const double first = workspace_.values[plan_.blocks[b].notices[n].offset];
       if (specs[n].ends_run && first != Notice::never)
         return make_fault(plan_, b, "", first,
-                          fmt::format("{} (at {} s); the run ends here", specs[n].doc, first));
+                          fmt::format("{} (at {} s); the run ends here", notice_text(b, n), first));
     }
   }
   return not_finite();
@@ -71,7 +76,7 @@ std::vector<RaisedNotice> Simulation::notices() const {
     for (std::size_t n = 0; n < block.type().notices.size(); ++n) {
       const double first = workspace_.values[plan_.blocks[b].notices[n].offset];
       if (!block.type().notices[n].ends_run && first != Notice::never)
-        raised.push_back({block.name, block.type().notices[n].doc, first});
+        raised.push_back({block.name, notice_text(b, n), first});
     }
   }
   return raised;

@@ -86,7 +86,7 @@ class Simulation {
 
   void bind();
   void bind_block(std::size_t block);
-  void* memory(std::size_t block) { return blocks_.get() + plan_.blocks[block].memory; }
+  void* memory(std::size_t block) const { return blocks_.get() + plan_.blocks[block].memory; }
   void run(const std::vector<Batch>& batches);
   void run_due(const std::vector<Batch>& batches);
   void run_watched(const std::vector<Batch>& batches);
@@ -95,6 +95,7 @@ class Simulation {
   void take_step();
   bool notice_ends_run() const;
   std::optional<RunFault> not_finite() const;
+  std::string notice_text(std::size_t block, std::size_t notice) const;
 
   struct FreeBlocks {
     void operator()(std::byte* memory) const;

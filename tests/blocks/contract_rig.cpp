@@ -19,9 +19,19 @@ namespace {
 const std::map<std::string, std::string> contract_values{
     {"Delay.delay", "5 ms"},
     {"Demux.sizes", "[1, 2]"},
+    {"DrivenLinkage.anchors", "[[2, 0, 0], [0, 2, 0], [0, 0, 2]]"},
+    {"DrivenLinkage.pin_mass", "1"},
+    {"DrivenLinkage.rod_mass", "0.5"},
+    {"DrivenLinkage.rod_centre", "0.1"},
+    {"DrivenLinkage.housing_inertia", "0.2"},
     {"FromFile.column", "x"},
     {"FromFile.file", "contract_record.csv"},
     {"Hysteresis.lower", "0.6"},
+    {"Linkage.anchors", "[[2, 0, 0], [0, 2, 0], [0, 0, 2]]"},
+    {"Linkage.pin_mass", "1"},
+    {"Linkage.rod_mass", "0.5"},
+    {"Linkage.rod_centre", "0.1"},
+    {"Linkage.housing_inertia", "0.2"},
     {"MatrixGain.gain", "[[1, 2], [3, 4]]"},
     {"MovingAverage.window", "5 ms"},
     {"Select.indices", "[2, 1]"},
@@ -39,7 +49,15 @@ const std::map<std::string, std::string> contract_values{
 };
 
 /// Sizes that an input needs where nothing else fixes them.
-const std::map<std::string, int> contract_sizes{{"Cross.u", 3}, {"Demux.u", 3}, {"Select.u", 3}};
+const std::map<std::string, int> contract_sizes{{"Cross.u", 3},
+                                                {"Demux.u", 3},
+                                                {"DrivenLinkage.acceleration", 3},
+                                                {"DrivenLinkage.force", 3},
+                                                {"DrivenLinkage.position", 3},
+                                                {"DrivenLinkage.velocity", 3},
+                                                {"Linkage.external", 3},
+                                                {"Linkage.force", 3},
+                                                {"Select.u", 3}};
 
 /// Optional inputs that the values above need.
 const std::set<std::string> contract_inputs{"StateMachine.u"};

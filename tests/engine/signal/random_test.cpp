@@ -1,4 +1,4 @@
-#include "blocks/sources/normal_quantile.hpp"
+#include "engine/signal/normal_quantile.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

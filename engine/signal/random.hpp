@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 namespace stepwire {
@@ -20,6 +21,14 @@ inline std::uint64_t random_bits(std::uint64_t seed, std::uint64_t counter) {
 /// Evenly distributed in (0, 1), both ends excluded, in steps of 2^-52.
 inline double to_unit_interval(std::uint64_t bits) {
   return (static_cast<double>(bits >> 12) + 0.5) * 0x1.0p-52;
+}
+
+/// A number in (0, 1) that depends on the seed, the element of a signal and the number of the sample alone,
+/// so that a run can go on from anywhere; the sample is counted in a state, hence a double.
+inline double even_sample(std::int64_t seed, std::ptrdiff_t element, double sample) {
+  const std::uint64_t stream =
+      random_bits(static_cast<std::uint64_t>(seed), static_cast<std::uint64_t>(element));
+  return to_unit_interval(random_bits(stream, static_cast<std::uint64_t>(sample)));
 }
 
 /// Natural logarithm from exact operations only, since libraries differ in the last bit and seeds must not.

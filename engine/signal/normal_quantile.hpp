@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "blocks/sources/random.hpp"
+#include "engine/signal/random.hpp"
 
 namespace stepwire {
 

@@ -1,0 +1,43 @@
+#include "blocks/plants/driven_linkage.hpp"
+
+#include "engine/block/configure.hpp"
+#include "engine/block/declare.hpp"
+
+#include "blocks/plants/linkage_declare.hpp"
+
+namespace stepwire {
+
+void DrivenLinkage::configure(Configure& is) {
+  LinkageCore::configure(is);
+  is.feedthrough<&DrivenLinkage::velocity, &DrivenLinkage::length>(false);
+  is.feedthrough<&DrivenLinkage::acceleration, &DrivenLinkage::length>(false);
+  is.feedthrough<&DrivenLinkage::acceleration, &DrivenLinkage::rate>(false);
+  is.feedthrough<&DrivenLinkage::acceleration, &DrivenLinkage::kinetic_energy>(false);
+  is.feedthrough<&DrivenLinkage::force, &DrivenLinkage::length>(false);
+  is.feedthrough<&DrivenLinkage::force, &DrivenLinkage::rate>(false);
+  is.feedthrough<&DrivenLinkage::force, &DrivenLinkage::kinetic_energy>(false);
+}
+
+void DrivenLinkage::declare(Declare<DrivenLinkage>& is) {
+  is.block(
+      "DrivenLinkage",
+      {.doc = "The mechanism of Linkage along a given motion of its pin: what force from outside it takes "
+              "(inverse dynamics). With a StraightMotion this is a kinematic pusher, which moves the pin "
+              "at constant speed whatever resists.",
+       .source = "as Linkage",
+       .timing = Timing::continuous});
+  declare_linkage(is, false);
+  is.input<&DrivenLinkage::position>({.unit = "m", .shape = "d", .doc = "of the pin"});
+  is.input<&DrivenLinkage::velocity>(
+      {.unit = "m/s", .shape = "d", .doc = "of the pin, the derivative of the position"});
+  is.input<&DrivenLinkage::acceleration>(
+      {.unit = "m/s2", .shape = "d", .doc = "of the pin; 0 where nothing is wired", .optional = true});
+  is.input<&DrivenLinkage::force>({.unit = "N",
+                                   .doc =
+                                       "force along each link; positive lengthens it (a damper gives minus "
+                                       "its resistance)"});
+  is.output<&DrivenLinkage::external>(
+      {.unit = "N", .shape = "d", .doc = "force on the pin from outside that this motion takes"});
+}
+
+}  // namespace stepwire

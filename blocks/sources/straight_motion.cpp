@@ -1,0 +1,54 @@
+#include "blocks/sources/straight_motion.hpp"
+
+#include <fmt/format.h>
+
+#include "engine/block/declare.hpp"
+
+namespace stepwire {
+
+namespace {
+
+double length_of(const Numbers& vector) {
+  double square = 0.0;
+  for (double element : vector) square += element * element;
+  return std::sqrt(square);
+}
+
+}  // namespace
+
+void StraightMotion::configure(Configure& is) {
+  if (!(length_of(direction) > 0.0))
+    is.refuse<&StraightMotion::direction>("has no length; one element must not be 0, e.g. [0, 1]");
+  if (from.size() != direction.size())
+    is.refuse<&StraightMotion::from>(
+        fmt::format("has {} elements, and 'direction' {}; give both as many", from.size(), direction.size()));
+}
+
+void StraightMotion::prepare() {
+  unit = direction.map([length = length_of(direction)](double element) { return element / length; });
+}
+
+void StraightMotion::declare(Declare<StraightMotion>& is) {
+  is.block(
+      "StraightMotion",
+      {.doc = "A motion along a straight line, in any number of dimensions, that starts smoothly and goes "
+              "on at constant speed: the speed rises like (1 - cos(pi t / rise)) / 2. Gives position, "
+              "velocity and acceleration, e.g. for the pin of a DrivenLinkage."});
+  is.parameter<&StraightMotion::from>({.unit = "m", .shape = "d", .doc = "where it starts"});
+  is.parameter<&StraightMotion::direction>(
+      {.unit = "*", .shape = "d", .doc = "vector along the line, of any length but 0"});
+  is.parameter<&StraightMotion::speed>(
+      {.unit = "m/s", .doc = "final speed; negative goes against direction"});
+  is.parameter<&StraightMotion::rise>(
+      {.unit = "s", .doc = "time in which the speed is reached; 0: at once", .at_least = 0.0});
+  is.parameter<&StraightMotion::start_>({.unit = "s", .doc = "instant until which it rests"});
+  is.output<&StraightMotion::position>({.unit = "m", .shape = "d", .doc = "position"});
+  is.output<&StraightMotion::velocity>({.unit = "m/s", .shape = "d", .doc = "its derivative"});
+  is.output<&StraightMotion::acceleration>(
+      {.unit = "m/s2", .shape = "d", .doc = "derivative of the velocity"});
+  is.output<&StraightMotion::distance>({.unit = "m", .doc = "way from the start, along direction"});
+  is.clock<&StraightMotion::time>();
+  is.derived<&StraightMotion::unit>();
+}
+
+}  // namespace stepwire
