@@ -11,7 +11,8 @@ void Integrator::declare(Declare<Integrator>& is) {
       {.doc =
            "Integral of the input: dx/dt = u, y = x. At a limit the integration stops until u points inward, "
            "so nothing winds up. A reset acts at a step: the output shows it at once, and the integration "
-           "goes on from there."});
+           "goes on from there.",
+       .symbol = {.text = "1 / s"}});
   is.parameter<&Integrator::lower>({.unit = "'u s", .doc = "lowest value; none where left out"});
   is.parameter<&Integrator::upper>({.unit = "'u s", .doc = "highest value; none where left out"});
   is.parameter<&Integrator::trigger>(

@@ -11,7 +11,8 @@ void TransferFunction::declare(Declare<TransferFunction>& is) {
                    "[1, 0.2, 4] is s^2 + 0.2 s + 4. The numerator's degree may not exceed the denominator's. "
                    "Units are "
                    "not checked through it.",
-            .source = "controllable canonical form, e.g. Ogata, Modern Control Engineering, section 9-2"});
+            .source = "controllable canonical form, e.g. Ogata, Modern Control Engineering, section 9-2",
+            .symbol = {.text = "{numerator:s|num(s)} / {denominator:s|den(s)}"}});
   is.parameter<&TransferFunction::numerator>({.unit = "*", .doc = "coefficients, highest power of s first"});
   is.parameter<&TransferFunction::denominator>(
       {.unit = "*", .doc = "coefficients, highest power of s first"});

@@ -10,7 +10,8 @@ void Delay::declare(Declare<Delay>& is) {
   is.block(
       "Delay",
       {.doc = "Delay by a time: y(t) = u(t - delay), and `initial` until then. The delay is a whole number "
-              "of the block's periods. Its output does not depend on its input at the same instant."});
+              "of the block's periods. Its output does not depend on its input at the same instant.",
+       .symbol = {.curve = "M-1 -.7H-.5C-.35 -.7 -.35 .7 -.2 .7H.4M-.4 -.7H.1C.25 -.7 .25 .7 .4 .7H1"}});
   is.parameter<&Delay::delay>(
       {.unit = "s", .doc = "by how much, whole periods", .above = 0.0, .required = true});
   is.parameter<&Delay::initial>({.unit = "'u", .doc = "output before the first sample arrives"});

@@ -14,7 +14,8 @@ void DiscreteIntegrator::declare(Declare<DiscreteIntegrator>& is) {
            "trapezoidal "
            "y[k] = y[k-1] + T (e[k] + e[k-1]) / 2. The last two start from `initial` with e[-1] = 0. At a "
            "limit "
-           "the sum stops."});
+           "the sum stops.",
+       .symbol = {.text = "T Σ u"}});
   is.parameter<&DiscreteIntegrator::gain>({.unit = "'k", .doc = "factor"});
   is.parameter<&DiscreteIntegrator::lower>({.unit = "'k 'u s", .doc = "lowest value; none where left out"});
   is.parameter<&DiscreteIntegrator::upper>({.unit = "'k 'u s", .doc = "highest value; none where left out"});

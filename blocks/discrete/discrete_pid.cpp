@@ -50,7 +50,8 @@ void DiscretePID::declare(Declare<DiscretePID>& is) {
            "I += ki T e (forward Euler unless `method` says otherwise) and "
            "D[k] = (tau D[k-1] + e[k] - e[k-1]) / (tau + T). u is the error e, reference minus measurement; "
            "e[-1] is 0, so an error at the start gives a derivative kick.",
-       .source = "Åström, Hägglund, Advanced PID Control, 2006, sections 3.3 to 3.5 and 13.2"});
+       .source = "Åström, Hägglund, Advanced PID Control, 2006, sections 3.3 to 3.5 and 13.2",
+       .symbol = {.text = "PID(z)"}});
   declare_gains(is);
   declare_limits(is);
   is.input<&DiscretePID::u>({.unit = "'u", .doc = "error, reference minus measurement"});

@@ -13,7 +13,8 @@ void DiscreteTransferFunction::declare(Declare<DiscreteTransferFunction>& is) {
            "first: "
            "[1, -0.9] is z - 0.9. The numerator's degree may not exceed the denominator's. The default is a "
            "delay by one period. Units are not checked through it.",
-       .source = "controllable canonical form, e.g. Ogata, Discrete-Time Control Systems, section 5-2"});
+       .source = "controllable canonical form, e.g. Ogata, Discrete-Time Control Systems, section 5-2",
+       .symbol = {.text = "{numerator:z|num(z)} / {denominator:z|den(z)}"}});
   is.parameter<&Block::numerator>({.unit = "*", .doc = "coefficients, highest power of z first"});
   is.parameter<&Block::denominator>({.unit = "*", .doc = "coefficients, highest power of z first"});
   is.input<&Block::u>({.unit = "*", .doc = "input; felt at once only where both degrees are equal"});

@@ -13,7 +13,8 @@ void MovingAverage::declare(Declare<MovingAverage>& is) {
            "Mean of the last N samples, this tick's included, with N = window / period, a whole number. "
            "Until "
            "the window is full it is the mean of the samples so far. It removes whatever repeats within the "
-           "window (20 ms: mains hum of 50 Hz) and delays by half of it."});
+           "window (20 ms: mains hum of 50 Hz) and delays by half of it.",
+       .symbol = {.text = "mean"}});
   is.parameter<&MovingAverage::window>(
       {.unit = "s", .doc = "length of the window, whole periods", .above = 0.0, .required = true});
   is.input<&MovingAverage::u>({.unit = "'u", .doc = "signal to smooth"});

@@ -19,7 +19,8 @@ void Interval::declare(Declare<Interval>& is) {
            {.doc = "1-D resistance map. Inside lower <= x <= upper both outputs are 0; outside, error is x "
                    "minus the bound that was passed, and depth its magnitude. A bound that is left out is "
                    "not there.",
-            .source = "thesis 2.5.1, eq. 7"});
+            .source = "thesis 2.5.1, eq. 7",
+            .symbol = {.curve = "M-1 -1L-.4 0H.4L1 1", .axes = true}});
   is.parameter<&Interval::lower>(
       {.unit = "'x", .doc = "lower bound of the authorized region; left out: none"});
   is.parameter<&Interval::upper>(

@@ -19,7 +19,8 @@ void Proportionality::declare(Declare<Proportionality>& is) {
               "also resists the approach: 0 up to Er = W, from there in a straight line to its maximum at Er "
               "= 0, "
               "which it keeps outside.",
-       .source = "thesis 3.4.1, figure 31"});
+       .source = "thesis 3.4.1, figure 31",
+       .symbol = {.text = "{law}"}});
   is.parameter<&Proportionality::law>({.doc = "which of the two laws", .words = {"P1", "P2"}});
   is.parameter<&Proportionality::offset>(
       {.unit = "N", .doc = "P1: magnitude felt on entering, at Er = 0", .at_least = 0.0});

@@ -10,7 +10,8 @@ void Compare::declare(Declare<Compare>& is) {
       {.doc = "1 where u stands in the given relation to `to`, 0 where not. `to` is a signal or a number: "
               "{block: Compare, u: x, operator: less, to: 5 mm}. Signs are quoted: \"<=\". Numbers are equal "
               "only "
-              "if they are the same to the last bit."});
+              "if they are the same to the last bit.",
+       .symbol = {.text = "{operator}"}});
   is.parameter<&Compare::operator_>({.doc = "relation, as a word or a sign",
                                      .words = {"less", "less_equal", "greater", "greater_equal", "equal",
                                                "not_equal", "<", "<=", ">", ">=", "==", "!="},

@@ -16,7 +16,8 @@ void Hysteresis::declare(Declare<Hysteresis>& is) {
            "1 where u >= upper, 0 where u <= lower, as it was in between; at u = lower = upper it is 1. The "
            "output "
            "shows the change at the same tick and is held between ticks. `initial` is what it was before the "
-           "first tick."});
+           "first tick.",
+       .symbol = {.curve = "M-1 -.7H.4V.7M1 .7H-.4V-.7", .axes = true}});
   is.parameter<&Hysteresis::lower>(
       {.unit = "'u", .doc = "where it becomes 0; not above upper", .required = true});
   is.parameter<&Hysteresis::upper>({.unit = "'u", .doc = "where it becomes 1", .required = true});

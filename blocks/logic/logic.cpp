@@ -7,7 +7,8 @@ namespace stepwire {
 void Logic::declare(Declare<Logic>& is) {
   is.block("Logic",
            {.doc = "Joins truths to 1 or 0. An input is true where it is above 0. `xor` is true where an odd "
-                   "number of inputs is true, `xnor` where an even number is; `not` takes one input."});
+                   "number of inputs is true, `xnor` where an even number is; `not` takes one input.",
+            .symbol = {.text = "{operator}"}});
   is.parameter<&Logic::operator_>({.doc = "how the inputs are joined",
                                    .words = {"and", "or", "not", "nand", "nor", "xor", "xnor"},
                                    .required = true});

@@ -8,7 +8,8 @@ void Switch::declare(Declare<Switch>& is) {
   is.block(
       "Switch",
       {.doc = "Passes `then` on where control > threshold (or as `criterion` says), `else` where not. Both "
-              "inputs are computed all the time; the other one is not used."});
+              "inputs are computed all the time; the other one is not used.",
+       .symbol = {.curve = "M-1 .7H-.5M-1 -.7H-.5M-.5 .7L.5 0H1"}});
   is.parameter<&Switch::threshold>({.unit = "'c", .doc = "what control is compared to"});
   is.parameter<&Switch::criterion>({.doc = "relation of control to the threshold that passes `then` on",
                                     .words = {"greater", "greater_equal", "not_equal"}});

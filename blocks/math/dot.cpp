@@ -14,7 +14,8 @@ void Dot::declare(Declare<Dot>& is) {
   is.block(
       "Dot",
       {.doc = "The scalar product of two vectors: y = sum u1_k u2_k, e.g. power from force and velocity. An "
-              "input of one element counts for every element of the other."});
+              "input of one element counts for every element of the other.",
+       .symbol = {.text = "u · v"}});
   is.input<&Dot::u>({.unit = "'u", .doc = "two vectors", .multiply_units = true});
   is.output<&Dot::y>({.unit = "'u", .doc = "their product, one number"});
 }

@@ -79,7 +79,8 @@ void ExpressionBlock::declare(Declare<ExpressionBlock>& is) {
               "and u is "
               "another name for u1. Numbers of the formula may carry units (`u1 > 4 mm`); its value is taken "
               "as SI. "
-              "For the time feed the output of a Clock. Blocks of their own are faster and check units."});
+              "For the time feed the output of a Clock. Blocks of their own are faster and check units.",
+       .symbol = {.text = "{expression|f(u)}"}});
   is.parameter<&ExpressionBlock::expression>(
       {.doc = "+ - * / ^ ( ), comparisons, && || !, cond ? a : b; sin cos tan asin acos atan atan2 sinh cosh "
               "tanh exp log "

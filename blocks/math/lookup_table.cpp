@@ -16,7 +16,8 @@ void LookupTable::configure(Configure& is) {
 void LookupTable::declare(Declare<LookupTable>& is) {
   is.block("LookupTable",
            {.doc = "A curve given by points, with straight lines between them, of each element: y = f(u). "
-                   "For a table of two arguments see LookupTable2D."});
+                   "For a table of two arguments see LookupTable2D.",
+            .symbol = {.curve = "M-1 -.9L-.5 -.6L0 .2L.4 .7L1 .9", .axes = true}});
   is.parameter<&LookupTable::points>({.unit = "'u", .doc = "arguments, increasing, two or more"});
   is.parameter<&LookupTable::values>({.unit = "'v", .doc = "the curve at each of them"});
   is.parameter<&LookupTable::extrapolation>(

@@ -18,7 +18,8 @@ void LookupTable2D::configure(Configure& is) {
 void LookupTable2D::declare(Declare<LookupTable2D>& is) {
   is.block("LookupTable2D",
            {.doc = "A surface given on a grid, bilinear between its points, of each element: "
-                   "y = f(row, column)."});
+                   "y = f(row, column).",
+            .symbol = {.curve = "M-1 -.8H1V.8H-1ZM-1 .3H1M-1 -.25H1M-.35 -.8V.8M.35 -.8V.8"}});
   is.parameter<&LookupTable2D::rows>({.unit = "'r", .doc = "argument of each row, increasing, two or more"});
   is.parameter<&LookupTable2D::columns>(
       {.unit = "'c", .doc = "argument of each column, increasing, two or more"});

@@ -10,7 +10,8 @@ void Coulomb::declare(Declare<Coulomb>& is) {
       {.doc =
            "Coulomb and viscous friction: y = coulomb sign(u) + viscous u with sign(0) = 0, or with "
            "tanh(u / smoothing) for the sign. Without smoothing a body at rest is not held: the sign flips "
-           "from step to step. y points along u; subtract it from the forces."});
+           "from step to step. y points along u; subtract it from the forces.",
+       .symbol = {.curve = "M-1 -.9L0 -.5V.5L1 .9", .axes = true}});
   is.parameter<&Coulomb::coulomb>({.unit = "'f", .doc = "dry friction", .at_least = 0.0});
   is.parameter<&Coulomb::viscous>({.unit = "'f/'v", .doc = "viscous friction per speed", .at_least = 0.0});
   is.parameter<&Coulomb::smoothing>(

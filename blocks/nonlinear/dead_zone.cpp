@@ -11,7 +11,8 @@ void DeadZone::configure(Configure& is) {
 
 void DeadZone::declare(Declare<DeadZone>& is) {
   is.block("DeadZone",
-           {.doc = "Zero while lower <= u <= upper; u - upper above the zone, u - lower below it."});
+           {.doc = "Zero while lower <= u <= upper; u - upper above the zone, u - lower below it.",
+            .symbol = {.curve = "M-1 -.9L-.4 0H.4L1 .9", .axes = true}});
   is.parameter<&DeadZone::lower>({.unit = "'u", .doc = "lower end of the zone"});
   is.parameter<&DeadZone::upper>({.unit = "'u", .doc = "upper end of the zone"});
   is.input<&DeadZone::u>({.unit = "'u", .doc = "signal"});

@@ -10,7 +10,8 @@ void RateLimiter::declare(Declare<RateLimiter>& is) {
       {.doc =
            "Follows its input no faster than its rates: y[k] is u[k], held between y[k-1] + falling T and "
            "y[k-1] + rising T, where T is the block's period. It starts at `initial`, whatever the input is. "
-           "Between its ticks the output is held."});
+           "Between its ticks the output is held.",
+       .symbol = {.curve = "M-1 -.8H-.5L.5 .8H1"}});
   is.parameter<&RateLimiter::rising>({.unit = "'u/s", .doc = "fastest rise", .at_least = 0.0});
   is.parameter<&RateLimiter::falling>(
       {.unit = "'u/s", .doc = "fastest fall, a negative number", .at_most = 0.0});

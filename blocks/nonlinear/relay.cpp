@@ -15,7 +15,8 @@ void Relay::declare(Declare<Relay>& is) {
       {.doc = "Switches between two values: on where u >= switch_on, off where u <= switch_off, and as it "
               "was in "
               "between. Where both thresholds are one number and u is there, it is on. The output shows the "
-              "switching at the same tick and is held between ticks. `initial` is 1 for on, 0 for off."});
+              "switching at the same tick and is held between ticks. `initial` is 1 for on, 0 for off.",
+       .symbol = {.curve = "M-1 -.7H.4V.7M1 .7H-.4V-.7", .axes = true}});
   is.parameter<&Relay::switch_on>({.unit = "'u", .doc = "where it switches on"});
   is.parameter<&Relay::switch_off>({.unit = "'u", .doc = "where it switches off; not above switch_on"});
   is.parameter<&Relay::when_on>({.unit = "'y", .doc = "output while on"});

@@ -10,7 +10,8 @@ void Saturation::configure(Configure& is) {
 }
 
 void Saturation::declare(Declare<Saturation>& is) {
-  is.block("Saturation", {.doc = "The input within limits: y = min(max(u, lower), upper)."});
+  is.block("Saturation", {.doc = "The input within limits: y = min(max(u, lower), upper).",
+                          .symbol = {.curve = "M-1 -.7H-.5L.5 .7H1", .axes = true}});
   is.parameter<&Saturation::lower>({.unit = "'u", .doc = "lowest output; none where left out"});
   is.parameter<&Saturation::upper>({.unit = "'u", .doc = "highest output; none where left out"});
   is.input<&Saturation::u>({.unit = "'u", .doc = "signal to limit"});

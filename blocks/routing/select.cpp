@@ -21,7 +21,8 @@ void Select::declare(Declare<Select>& is) {
   is.block(
       "Select",
       {.doc = "Chosen elements of a vector in a chosen order: y = [u[i], u[j], ...]. An element may come "
-              "more than once."});
+              "more than once.",
+       .symbol = {.text = "u{indices|[i]}"}});
   is.parameter<&Select::indices>({.doc = "which elements, the first of u being 1, e.g. [3, 1]",
                                   .at_least = 1.0,
                                   .at_most = 1e6,

@@ -80,7 +80,8 @@ void FromFile::declare(Declare<FromFile>& is) {
            "Numbers become SI by their column's unit. band_limited takes the record for whole periods of a "
            "periodic signal without content above half of the sample rate, and gives that signal between the "
            "rows "
-           "to 2e-13 of its amplitude."});
+           "to 2e-13 of its amplitude.",
+       .symbol = {.text = "{file|record}"}});
   is.parameter<&FromFile::file>(
       {.doc = "path of a .csv or .mat file, beside the diagram or data/...", .required = true});
   is.parameter<&FromFile::column>(

@@ -29,7 +29,9 @@ void Noise::declare(Declare<Noise>& is) {
        .source =
            "SplitMix64 on the number of the sample (Steele, Lea, Flood 2014); normal samples by inversion "
            "(Wichura 1988, AS 241)",
-       .timing = Timing::discrete});
+       .timing = Timing::discrete,
+       .symbol = {.curve = "M-1 -.2L-.85 .5L-.7 -.7L-.55 .1L-.4 -.4L-.25 .9L-.1 -.1L.05 .4L.2 -.9L.35 .6L.5 "
+                           "-.3L.65 .2L.8 -.6L1 .3"}});
   is.parameter<&Noise::seed>({.doc = "which sequence; a whole number", .required = true});
   is.parameter<&Noise::distribution>(
       {.doc = "of a sample: normal, or uniform within mean +- sqrt(3) deviation",

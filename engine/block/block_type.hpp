@@ -7,6 +7,7 @@
 
 #include "engine/block/configure.hpp"
 #include "engine/block/spec.hpp"
+#include "engine/block/symbol.hpp"
 
 namespace stepwire {
 
@@ -38,6 +39,7 @@ struct BlockType {
   std::string doc;
   std::string source;  ///< equation, paper or datasheet, if any
   std::string folder;  ///< the family, e.g. "continuous"
+  Symbol symbol;
   Timing timing = Timing::inherited;
   bool file_output = false;
   std::string struct_name;  ///< in C++, with its namespace

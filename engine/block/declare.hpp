@@ -20,6 +20,7 @@ struct BlockOptions {
   /// Why a real-time loop refuses the block: "reads a file at every step". Left out where no step allocates,
   /// locks, calls the system, or takes a time that nothing bounds.
   std::string not_real_time = "";
+  Symbol symbol{};
 };
 
 struct ParameterOptions {
@@ -164,6 +165,7 @@ class Declare {
     type_.doc = std::move(options.doc);
     type_.source = std::move(options.source);
     type_.not_real_time = std::move(options.not_real_time);
+    type_.symbol = std::move(options.symbol);
     if (options.timing != Timing::inherited) type_.timing = options.timing;
   }
 

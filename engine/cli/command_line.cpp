@@ -93,6 +93,7 @@ class CommandLine {
     add_check();
     add_flatten();
     add_generate();
+    add_draw();
     add_verify();
     add_loop();
     add_thesis();
@@ -182,6 +183,21 @@ class CommandLine {
     });
   }
 
+  void add_draw() {
+    CLI::App* verb = app_.add_subcommand("draw", "draw a diagram as blocks and wires");
+    verb->footer("Example:\n  stepwire draw rig.yaml --open controller -o rig.svg");
+    verb->add_option("FILE", draw_.file, "a diagram file, or one that is used as a part")->required();
+    verb->add_option("-o", draw_.out, "SVG file to write; standard output without it");
+    verb->add_option("--open", draw_.options.open, "parts whose inside is drawn: rig, rig.mount")
+        ->delimiter(',');
+    verb->add_option("--depth", draw_.options.depth, "open all parts down to so many levels")
+        ->check(CLI::Range(0, 32))
+        ->capture_default_str();
+    verb->add_flag("--units", draw_.options.units, "write the unit of its signal on each wire");
+    verb->add_flag("--json", draw_.json, "give the graph that is drawn, as JSON");
+    verb->callback([this] { action_ = [this] { return draw_file(draw_, registry_); }; });
+  }
+
   void add_verify() {
     CLI::App* verb = app_.add_subcommand("verify", "replay what a run left, and compare it bit by bit");
     verb->footer("Example:\n  stepwire run lag.yaml --out out/lag && stepwire verify out/lag");
@@ -246,6 +262,7 @@ class CommandLine {
   RunCommand run_;
   GenerateCommand generate_;
   FlattenCommand flatten_;
+  DrawCommand draw_;
   VerifyCommand verify_;
   LoopCommand loop_;
   ThesisCommand thesis_;

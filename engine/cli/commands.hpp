@@ -6,6 +6,7 @@
 #include "engine/block/registry.hpp"
 #include "engine/cli/loop_settings.hpp"
 #include "engine/cli/work.hpp"
+#include "engine/draw/graph.hpp"
 
 namespace stepwire {
 
@@ -24,6 +25,13 @@ struct FlattenCommand {
   std::string file;
   WorkOptions options;
   std::string out;  ///< file; empty: standard output
+};
+
+struct DrawCommand {
+  std::string file;
+  GraphOptions options;
+  std::string out;    ///< file; empty: standard output
+  bool json = false;  ///< the graph that is drawn, not the picture
 };
 
 struct VerifyCommand {
@@ -61,6 +69,8 @@ struct BlocksCommand {
 ExitCode run_files(const RunCommand& command, const Registry& registry);
 /// `flatten`: a diagram as one file without parts and parameters.
 ExitCode flatten_file(const FlattenCommand& command, const Registry& registry);
+/// `draw`: a diagram as a picture of blocks and wires.
+ExitCode draw_file(const DrawCommand& command, const Registry& registry);
 /// `verify`: replays what runs left in their folders.
 ExitCode verify_folders(const VerifyCommand& command, const Registry& registry);
 /// `thesis`: every figure, and the page that shows them.

@@ -20,18 +20,20 @@ const std::map<std::string, Folders> arrows{
     {"table", {"signal"}},
     {"document", {}},
     {"diagram", {"block", "document", "expression", "table", "unit"}},
+    {"process", {"table"}},
+    {"draw", {"diagram", "process"}},
     {"plan", {"diagram"}},
     {"solve", {"plan"}},
     {"record", {"plan", "table"}},
     {"run", {"solve", "record"}},
     {"replay", {"run"}},
     {"statistics", {}},
-    {"figure", {"diagram", "record", "expression", "statistics"}},
+    {"figure", {"diagram", "draw", "process", "record", "expression", "statistics"}},
     {"realtime", {"run"}},
     {"generate", {"solve", "record"}},
     {"identify", {"run"}},
     {"describe", {"diagram", "table", "figure", "solve"}},
-    {"cli", {"run", "replay", "figure", "describe", "realtime", "generate", "identify"}},
+    {"cli", {"run", "replay", "draw", "figure", "describe", "realtime", "generate", "identify"}},
 };
 
 const Folders seen_by_blocks{"signal", "block", "expression", "table", "unit"};

@@ -9,9 +9,11 @@ namespace {
 
 const std::filesystem::path top = STEPWIRE_SOURCE_DIR;
 
-bool is_output(const std::filesystem::path& path) {
+/// Neither written by us nor kept: what is built, and what others wrote.
+bool is_foreign(const std::filesystem::path& path) {
   const std::string name = path.filename().string();
-  return name == ".git" || name == "out" || name.starts_with("build");
+  const bool at_top = path.parent_path() == top;
+  return name == "node_modules" || (at_top && (name == ".git" || name == "out" || name.starts_with("build")));
 }
 
 }  // namespace
@@ -21,8 +23,7 @@ std::vector<std::string> files_under(const std::string& folder) {
   if (!std::filesystem::is_directory(top / folder)) return files;
   for (auto at = std::filesystem::recursive_directory_iterator(top / folder);
        at != std::filesystem::recursive_directory_iterator(); ++at) {
-    const bool at_top = at->path().parent_path() == top;
-    if (at_top && is_output(at->path())) {
+    if (is_foreign(at->path())) {
       at.disable_recursion_pending();
     } else if (at->is_regular_file()) {
       files.push_back(at->path().lexically_relative(top).string());

@@ -1,0 +1,87 @@
+#include "engine/draw/draw.hpp"
+
+#include <filesystem>
+
+#include "engine/diagram/report.hpp"
+#include "engine/diagram/units.hpp"
+#include "engine/diagram/written.hpp"
+#include "engine/process/filter.hpp"
+#include "engine/table/surroundings.hpp"
+
+namespace stepwire {
+
+namespace {
+
+/// Is this to be used in other files only? It does not say for how long it runs, or nothing feeds one of its
+/// inputs.
+bool is_part(const Node& root) {
+  if (!root.find("stop")) return true;
+  if (const Node* inputs = root.find("inputs"))
+    for (const Entry& input : inputs->entries)
+      if (!input.value.is_map() || !input.value.find("default")) return true;
+  return false;
+}
+
+/// A diagram that consists of one part, whose inputs are fed by zeros.
+Document user_of(const std::string& path, const Node& part) {
+  Node keys;
+  add_key(keys, "diagram", written_filled_in(std::filesystem::path(path).filename().string()));
+  if (const Node* inputs = part.find("inputs"))
+    for (const Entry& input : inputs->entries) add_key(keys, input.key, written_text("0"));
+  Document user{path + " alone", {}};
+  add_key(user.root, "stepwire", written_text("1"));
+  add_key(user.root, "step", written_text("1"));
+  add_key(user.root, "stop", written_text("1"));
+  Node blocks;
+  add_key(blocks, "part", std::move(keys));
+  add_key(user.root, "blocks", std::move(blocks));
+  return user;
+}
+
+Diagram load(Loader& loader, const std::string& path) {
+  const Node& root = loader.document(path).root;
+  if (!root.is_map() || !is_part(root)) return loader.load(path);
+  Document user = user_of(path, root);
+  const std::string name = user.file;
+  loader.add(std::move(user));
+  return loader.load(name);
+}
+
+/// Units are found without a plan, so that a diagram whose loops cannot be ordered is drawn, too.
+Diagram with_units(Diagram diagram) {
+  Report report(diagram);
+  infer_units(report);
+  report.faults().throw_if_any();
+  return diagram;
+}
+
+}  // namespace
+
+std::vector<std::string> DiagramView::parts() const {
+  const std::string& above = diagram_.scopes[static_cast<std::size_t>(scope_)].prefix;
+  std::vector<std::string> names;
+  for (const ScopeInfo& scope : diagram_.scopes)
+    if (scope.prefix.starts_with(above) && scope.prefix != above)
+      names.push_back(scope.prefix.substr(above.size(), scope.prefix.size() - above.size() - 1));
+  return names;
+}
+
+Json DiagramView::graph(const GraphOptions& options) const {
+  const std::string& file = diagram_.scopes[static_cast<std::size_t>(scope_)].file;
+  const Node* title = loader_.document(file).root.find("title");
+  Json graph = graph_of(diagram_, *outline_of(diagram_, loader_, scope_), options);
+  return graph.set("title", title ? title->text : "");
+}
+
+DrawnFile::DrawnFile(Loader& loader, const std::string& path)
+    : diagram_(with_units(load(loader, path))), view_(diagram_, loader, diagram_.file == path ? 0 : 1) {}
+
+std::string draw_graph(const Json& graph) {
+  const std::string node = find_program("node");
+  if (node.empty()) throw SurroundingsError("node is not installed; on Debian it is the package nodejs");
+  const FilterAnswer answer = run_filter(node, {STEPWIRE_DRAW "/main.mjs"}, graph.text(-1));
+  if (answer.status != 0) throw SurroundingsError(answer.complaints);
+  return answer.output;
+}
+
+}  // namespace stepwire

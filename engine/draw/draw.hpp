@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+
+#include "engine/draw/graph.hpp"
+
+namespace stepwire {
+
+/// A checked diagram as it is drawn; for as long as the diagram and the documents that it was loaded from are
+/// there.
+class DiagramView {
+ public:
+  /// `scope` is the file that is drawn: the diagram itself, or one that it uses as a part.
+  DiagramView(const Diagram& diagram, Loader& loader, int scope = 0)
+      : diagram_(diagram), loader_(loader), scope_(scope) {}
+
+  /// Names of all parts that can be opened: "rig", "rig.mount".
+  std::vector<std::string> parts() const;
+  Json graph(const GraphOptions& options) const;
+
+ private:
+  const Diagram& diagram_;
+  Loader& loader_;
+  int scope_;
+};
+
+/// A diagram file, or one that is only used as a part, to be drawn.
+class DrawnFile {
+ public:
+  /// Loads and checks. Throws Error with everything that is wrong.
+  DrawnFile(Loader& loader, const std::string& path);
+
+  const DiagramView& view() const { return view_; }
+
+ private:
+  Diagram diagram_;
+  DiagramView view_;
+};
+
+/// The picture of a graph as SVG; the same graph gives the same bytes. Throws SurroundingsError where node or
+/// elkjs is missing.
+std::string draw_graph(const Json& graph);
+
+}  // namespace stepwire

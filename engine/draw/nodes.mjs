@@ -1,0 +1,39 @@
+// What is laid out beside the blocks of a graph: constants, and the ports of the file itself.
+
+import {drawnOutline} from "./symbol.mjs";
+
+/** A port of the file itself: an oval, or inside of a frame a word. */
+function ownPort(port, kind, isRoot) {
+  const here = [{port: port.port}];
+  return {
+    id: `:${kind}:${port.port}`, name: "", outline: isRoot ? "oval" : "text", lines: [port.label], own: kind,
+    inputs: kind === "output" ? here : [], outputs: kind === "input" ? here : [],
+  };
+}
+
+/** A number that is written at an input as a node of its own. */
+function constantNode(wire, index, nodes) {
+  const id = `:constant:${index}`;
+  nodes.push({id, name: "", outline: "text", lines: [wire.from.constant], inputs: [], outputs: [{port: "y"}]});
+  return {node: id, port: "y"};
+}
+
+/** All nodes and wires that are laid out for a graph; the graph itself stays as it is. */
+export function nodesAndWires(graph, isRoot) {
+  const copy = (ports) => ports.map((port) => ({...port}));
+  const inner = graph.nodes.map((node) => drawnOutline({...node, inputs: copy(node.inputs), outputs: copy(node.outputs)}));
+  const nodes = [
+    ...graph.inputs.map((port) => ownPort(port, "input", isRoot)), ...inner,
+    ...graph.outputs.map((port) => ownPort(port, "output", isRoot)),
+  ];
+  const end = (place, kind) => (place.node === "" ? {node: `:${kind}:${place.port}`, port: place.port} : place);
+  const wires = graph.wires.map((wire, i) => ({
+    ...wire,
+    from: wire.from.constant === undefined ? end(wire.from, "input") : constantNode(wire, i, nodes),
+    to: end(wire.to, "output"),
+  }));
+  const byId = new Map(nodes.map((node) => [node.id, node]));
+  for (const {from, unit} of wires)
+    if (unit) byId.get(from.node).outputs.find((port) => port.port === from.port).unit = unit;
+  return {nodes, wires};
+}

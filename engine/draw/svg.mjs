@@ -1,0 +1,176 @@
+// Writes a picture as SVG.
+
+import {sizes, textSize} from "./symbol.mjs";
+import {escaped} from "./text.mjs";
+import {forks, lies, netOf, segmentsOf} from "./wires.mjs";
+
+const ink = "#1a1a1a", faint = "#9a9a9a";
+const arrow = {length: 8, half: 3.3};
+
+/** A number as short as it may be; none has more than two decimals. */
+const n = (value) => String(Math.round(value * 100) / 100 + 0);
+
+function text(x, y, content, {size = sizes.text, anchor = "middle", fill = ink, style = ""} = {}) {
+  const more = (anchor === "start" ? "" : ` text-anchor="${anchor}"`) + (fill === ink ? "" : ` fill="${fill}"`) + style;
+  return `<text x="${n(x)}" y="${n(y + 0.35 * size)}" font-size="${n(size)}"${more}>${escaped(content)}</text>`;
+}
+
+const path = (data, more = "") => `<path d="${data}"${more}/>`;
+
+/** A curve from the square -1..1 with y upwards into the place around a centre. */
+function curvePath(data, cx, cy, half) {
+  const command = /([MLHVCZ])([^MLHVCZ]*)/g;
+  const axis = {H: [cx, half], V: [cy, -half]};
+  return data.replace(command, (_, letter, numbers) => {
+    const values = (numbers.match(/-?\d*\.?\d+/g) ?? []).map(Number);
+    const place = (value, i) => {
+      const [centre, scale] = axis[letter] ?? (i % 2 === 0 ? [cx, half] : [cy, -half]);
+      return n(centre + scale * value);
+    };
+    return letter + values.map(place).join(" ");
+  });
+}
+
+function curve(block, cx, cy) {
+  const half = 13, reach = half + 2;
+  const axes = `M${n(cx - reach)} ${n(cy)}H${n(cx + reach)}M${n(cx)} ${n(cy - reach)}V${n(cy + reach)}`;
+  return (block.axes ? path(axes, ` stroke="${faint}" stroke-width="0.7"`) : "") +
+    path(curvePath(block.curve, cx, cy, half), ` stroke-width="1.3"`);
+}
+
+const shapes = {
+  box: ({x, y, width, height}) => `<rect x="${n(x)}" y="${n(y)}" width="${n(width)}" height="${n(height)}"/>`,
+  triangle: ({x, y, width, height, flipped}) =>
+    path(flipped ? `M${n(x + width)} ${n(y)}V${n(y + height)}L${n(x)} ${n(y + height / 2)}Z`
+                 : `M${n(x)} ${n(y)}V${n(y + height)}L${n(x + width)} ${n(y + height / 2)}Z`),
+  circle: ({x, y, width}) => `<circle cx="${n(x + width / 2)}" cy="${n(y + width / 2)}" r="${n(width / 2)}"/>`,
+  bar: ({x, y, width, height}) =>
+    `<rect x="${n(x)}" y="${n(y)}" width="${n(width)}" height="${n(height)}" fill="${ink}"/>`,
+  oval: ({x, y, width, height}) =>
+    `<rect x="${n(x)}" y="${n(y)}" width="${n(width)}" height="${n(height)}" rx="${n(height / 2)}"/>`,
+  text: () => "",
+};
+
+/** Middle of what is written inside: a triangle's weight lies towards its base. */
+function middle(block) {
+  const shift = block.outline === "triangle" ? (block.flipped ? 0.12 : -0.12) * block.width : 0;
+  return [block.x + block.width / 2 + shift + (block.shift ?? 0), block.y + block.height / 2];
+}
+
+const fractionStep = 9.5, lineStep = 16;
+
+/** What is drawn inside: a curve, or the bar of a fraction. */
+function inside(block) {
+  const [cx, cy] = middle(block), half = block.width / 2 - 6;
+  if (block.curve) return curve(block, cx, cy);
+  return block.fraction ? path(`M${n(cx - half)} ${n(cy)}H${n(cx + half)}`, ` stroke-width="1"`) : "";
+}
+
+function lines(block) {
+  const [cx, cy] = middle(block);
+  if (block.curve) return "";
+  const step = block.fraction ? 2 * fractionStep : lineStep;
+  const first = cy - ((block.lines.length - 1) * step) / 2;
+  return block.lines.map((line, i) => text(cx, first + step * i, line, {size: textSize(block.lines)})).join("");
+}
+
+/** Names of ports inside of a box, and signs inside of a circle. */
+function portTexts(block) {
+  if (block.outline === "bar") return "";
+  const towards = {WEST: [1, 0], EAST: [-1, 0], NORTH: [0, 1], SOUTH: [0, -1]};
+  return [...block.inputs, ...block.outputs].map((port) => {
+    const [dx, dy] = towards[port.side], x = block.x + port.x, y = block.y + port.y;
+    if (port.sign) {
+      const sign = port.sign === "-" ? "−" : port.sign;
+      return text(x + 7 * dx, y + 7 * dy, sign, {size: sizes.sign});
+    }
+    if (!port.label) return "";
+    return text(x + 5 * dx, y, port.label, {size: sizes.port, anchor: dx > 0 ? "start" : "end", fill: "#444"});
+  }).join("");
+}
+
+function units(block) {
+  return block.outputs.filter((port) => port.unitAt).map((port) => {
+    const [dx, dy] = port.unitAt, style = {size: sizes.unit, anchor: "start", fill: "#666"};
+    return text(block.x + port.x + dx + 2, block.y + port.y + dy + sizes.unit / 2, port.unit, style);
+  }).join("");
+}
+
+function name(block) {
+  if (!block.nameSide) return "";
+  const y = block.nameSide === "TOP" ? block.y - 9 : block.y + block.height + 11;
+  return text(block.x + block.width / 2, y, block.name, {size: sizes.name, fill: "#333"});
+}
+
+function frameRect({x, y, width, height}) {
+  return `<rect x="${n(x)}" y="${n(y)}" width="${n(width)}" height="${n(height)}" rx="4"/>`;
+}
+
+function frameName(block) {
+  return text(block.x + 10, block.y + 13, block.name, {size: sizes.name, anchor: "start", fill: "#333"});
+}
+
+/** What of a wire is not drawn yet by others of its net: no line is drawn twice, which would look bold. */
+function remainder(points, drawn) {
+  for (let i = 0; i + 1 < points.length; ++i) {
+    const along = drawn.filter((segment) => lies(points[i], segment));
+    if (along.some((segment) => lies(points[i + 1], segment))) continue;
+    const [x, y] = points[i];
+    const reached = along.flat().filter((point) => lies(point, [points[i], points[i + 1]]));
+    const far = reached.reduce((best, point) => {
+      const distance = ([px, py]) => Math.abs(px - x) + Math.abs(py - y);
+      return distance(point) > distance(best) ? point : best;
+    }, [x, y]);
+    return [far, ...points.slice(i + 1)];
+  }
+  return points.slice(-2);
+}
+
+function drawNets(wires) {
+  const nets = new Map();
+  return wires.map((wire) => {
+    const drawn = nets.get(netOf(wire)) ?? [];
+    const points = remainder(wire.points, drawn);
+    nets.set(netOf(wire), [...drawn, ...segmentsOf(points)]);
+    return drawWire(points);
+  });
+}
+
+/** A wire up to the base of its arrow, and the arrow. */
+function drawWire(corners) {
+  const points = corners.map((point) => [...point]);
+  const tip = points.at(-1), before = points.at(-2);
+  const [dx, dy] = [Math.sign(tip[0] - before[0]), Math.sign(tip[1] - before[1])];
+  const base = [tip[0] - dx * arrow.length, tip[1] - dy * arrow.length];
+  const corner = (side) => `${n(base[0] + side * dy * arrow.half)} ${n(base[1] + side * dx * arrow.half)}`;
+  points[points.length - 1] = base;
+  const line = points.map(([x, y], i) => `${i === 0 ? "M" : "L"}${n(x)} ${n(y)}`).join("");
+  return path(line) + path(`M${n(tip[0])} ${n(tip[1])}L${corner(1)}L${corner(-1)}Z`, ` fill="${ink}" stroke="none"`);
+}
+
+const group = (attributes, parts) => [`<g ${attributes}>`, ...parts.filter((part) => part !== ""), "</g>"];
+
+/** The picture as the text of an SVG file. */
+export function svgOf(picture, title = "") {
+  const frames = picture.blocks.filter((block) => block.inner);
+  const blocks = picture.blocks.filter((block) => !block.inner);
+  const dot = ([x, y]) => `<circle cx="${n(x)}" cy="${n(y)}" r="2.4" fill="${ink}" stroke="none"/>`;
+  const size = `width="${n(picture.width)}" height="${n(picture.height)}"`;
+  const line = `stroke="${ink}" stroke-width="1.2" stroke-linejoin="round"`;
+  return [
+    `<svg xmlns="http://www.w3.org/2000/svg" ${size} viewBox="0 0 ${n(picture.width)} ${n(picture.height)}">`,
+    ...(title ? [`<title>${escaped(title)}</title>`] : []),
+    `<rect width="100%" height="100%" fill="#fff"/>`,
+    ...group(`fill="#fafafa" stroke="${faint}"`, frames.map(frameRect)),
+    ...group(`fill="none" ${line}`, [...drawNets(picture.wires), ...forks(picture.wires).map(dot)]),
+    ...group(`fill="#fff" ${line}`, blocks.map((block) => shapes[block.outline](block))),
+    ...group(`fill="none" ${line}`, blocks.map(inside)),
+    ...group(`fill="${ink}" font-family="Helvetica, Arial, sans-serif"`, [
+      ...frames.map(frameName),
+      ...frames.map(units),
+      ...blocks.map((block) => lines(block) + portTexts(block) + units(block) + name(block)),
+    ]),
+    "</svg>",
+    "",
+  ].join("\n");
+}

@@ -1,0 +1,27 @@
+// Widths of texts, without a browser: those of Helvetica, in thousandths of the font's size.
+
+const widths = [
+  278, 278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333, 278, 278, 556, 556, 556, 556, 556, 556, 556,
+  556, 556, 556, 278, 278, 584, 584, 584, 556, 1015, 667, 667, 722, 722, 667, 611, 778, 722, 278, 500, 667, 556, 833,
+  722, 778, 667, 778, 722, 667, 611, 722, 667, 944, 667, 667, 611, 278, 278, 278, 469, 556, 333, 556, 556, 500, 556,
+  556, 278, 556, 556, 222, 222, 500, 222, 833, 556, 556, 556, 556, 333, 500, 278, 556, 500, 722, 500, 500, 500, 334,
+  260, 334, 584,
+];
+const other = 600;
+
+/** Width of a text in pixels. */
+export function widthOf(text, size) {
+  let sum = 0;
+  for (const letter of text) {
+    const code = letter.codePointAt(0);
+    sum += code >= 32 && code < 127 ? widths[code - 32] : other;
+  }
+  return (sum * size) / 1000;
+}
+
+/** A text as it may stand in XML; what XML does not allow at all becomes a blank. */
+export function escaped(text) {
+  const names = {"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;"};
+  // eslint-disable-next-line no-control-regex
+  return text.replace(/[\u0000-\u0008\u000b\u000c\u000e-\u001f\ufffe\uffff]/g, " ").replace(/[&<>"]/g, (c) => names[c]);
+}

@@ -1,0 +1,126 @@
+// What holds for the picture of every diagram file, closed and opened.
+
+import assert from "node:assert/strict";
+import {spawnSync} from "node:child_process";
+import {readdirSync} from "node:fs";
+import {dirname, join} from "node:path";
+import {test} from "node:test";
+import {fileURLToPath} from "node:url";
+
+const root = join(dirname(fileURLToPath(import.meta.url)), "../../..");
+const {arrange, svgOf} = await import(join(root, "engine/draw/draw.mjs"));
+const {widthOf} = await import(join(root, "engine/draw/text.mjs"));
+const {default: ELK} = await import(join(root, "engine/draw/node_modules/elkjs/lib/elk.bundled.js"));
+const elk = new ELK();
+
+const folders = ["examples", "parts", "thesis"].map((name) => join(root, "diagrams", name));
+const files = folders.flatMap((folder) => readdirSync(folder).filter((name) => name.endsWith(".yaml")).map((name) => join(folder, name)));
+
+/** The graph of a file; nothing where its data are not on this machine. */
+function graphOf(file, depth) {
+  const {status, stdout, stderr} = spawnSync(process.env.STEPWIRE_PROGRAM, ["draw", file, "--json", "--depth", depth]);
+  if (status === 3) return undefined;
+  assert.equal(status, 0, String(stderr));
+  return JSON.parse(stdout);
+}
+
+const box = ({x, y, width, height}) => ({left: x, right: x + width, top: y, bottom: y + height});
+const overlap = (a, b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+const shrunk = ({left, right, top, bottom}, by) => ({left: left + by, right: right - by, top: top + by, bottom: bottom - by});
+const segments = (points) => points.slice(1).map(([bx, by], i) => {
+  const [ax, ay] = points[i];
+  return {left: Math.min(ax, bx), right: Math.max(ax, bx), top: Math.min(ay, by), bottom: Math.max(ay, by)};
+});
+const touches = (segment, area) =>
+  segment.left < area.right && segment.right > area.left && segment.top < area.bottom && segment.bottom > area.top;
+
+function nameBox(block) {
+  const width = widthOf(block.name, 12), x = block.x + (block.width - width) / 2;
+  return box({x, y: block.nameSide === "TOP" ? block.y - 15 : block.y + block.height + 5, width, height: 10});
+}
+
+const near = (a, b) => Math.abs(a - b) < 1e-6;
+const isAt = ([x, y], [px, py]) => near(x, px) && near(y, py);
+const place = (block, port) => [block.x + port.x, block.y + port.y];
+
+function checkBlocks({blocks, width, height}) {
+  const solid = blocks.filter((block) => !block.inner);
+  for (const block of solid) {
+    const area = box(block);
+    assert.ok(area.left >= 0 && area.top >= 0 && area.right <= width && area.bottom <= height, `${block.id} lies outside`);
+    for (const other of solid)
+      assert.ok(block === other || !overlap(area, box(other)), `${block.id} overlaps ${other.id}`);
+    for (const other of solid.filter((one) => one.nameSide && one !== block))
+      assert.ok(!overlap(shrunk(area, 0.5), nameBox(other)), `${block.id} covers the name of ${other.id}`);
+  }
+}
+
+function checkWires({blocks, wires, width, height}) {
+  for (const wire of wires) {
+    const solid = blocks.filter((block) => !wire.within?.includes(block.id));
+    const what = JSON.stringify([wire.from, wire.to]);
+    for (const segment of segments(wire.points)) {
+      assert.ok(near(segment.left, segment.right) || near(segment.top, segment.bottom), `${what} runs aslant`);
+      assert.ok(segment.left >= 0 && segment.right <= width && segment.top >= 0 && segment.bottom <= height, `${what} leaves`);
+      for (const block of solid) {
+        assert.ok(!touches(segment, shrunk(box(block), 0.5)), `${what} crosses ${block.id}`);
+        assert.ok(!block.nameSide || !touches(segment, nameBox(block)), `${what} crosses the name of ${block.id}`);
+      }
+    }
+  }
+}
+
+/** Wires begin and end at the places of their ports, which may lie in any of the frames of one name. */
+function checkEnds({blocks, wires}) {
+  const ends = (end, ports) => blocks.filter((block) => block.id === end.node)
+    .flatMap((block) => block[ports].filter((port) => port.port === end.port).map((port) => place(block, port)));
+  for (const {from, to, points} of wires) {
+    assert.ok(ends(from, "outputs").some((port) => isAt(points[0], port)), `nothing begins at ${JSON.stringify(from)}`);
+    if (to) assert.ok(ends(to, "inputs").some((port) => isAt(points.at(-1), port)), `nothing ends at ${JSON.stringify(to)}`);
+  }
+}
+
+function checkPortOrder({blocks}) {
+  for (const block of blocks.filter((one) => one.outline !== "circle"))
+    for (const ports of [block.inputs, block.outputs])
+      ports.slice(1).forEach((port, i) => assert.ok(port.y > ports[i].y, `ports of ${block.id} are not in order`));
+}
+
+/** Wires of different signals may cross, but never lie on each other. */
+function checkApart({wires}) {
+  const lines = wires.flatMap(({from, points}) => segments(points).map((segment) => ({net: `${from.node} ${from.port}`, ...segment})));
+  const flat = (one) => near(one.top, one.bottom);
+  lines.forEach((a, i) => lines.slice(0, i).forEach((b) => {
+    if (a.net === b.net || flat(a) !== flat(b)) return;
+    const along = flat(a) ? near(a.top, b.top) && a.left < b.right - 1e-6 && b.left < a.right - 1e-6
+                          : near(a.left, b.left) && a.top < b.bottom - 1e-6 && b.top < a.bottom - 1e-6;
+    assert.ok(!along, `${a.net} lies on ${b.net}`);
+  }));
+}
+
+const count = (graph, what) => graph[what].length + graph.nodes.reduce((sum, node) => sum + (node.graph ? count(node.graph, what) : 0), 0);
+
+for (const file of files)
+  for (const depth of [0, 9])
+    test(`${file.slice(root.length + 1)} is drawn well ${depth ? "with its parts opened" : "as it is"}`, async (context) => {
+      const graph = graphOf(file, depth);
+      if (!graph) return context.skip("its data are not here");
+      const picture = await arrange(graph, elk);
+      checkBlocks(picture);
+      checkWires(picture);
+      checkEnds(picture);
+      checkPortOrder(picture);
+      checkApart(picture);
+      assert.equal(picture.wires.filter((wire) => wire.to).length, count(graph, "wires"));
+      assert.equal(svgOf(picture), svgOf(await arrange(graph, elk)), "drawn twice it differs");
+    });
+
+test("names are escaped", async () => {
+  const port = {port: "y", label: "<y> & \"z\""};
+  const node = {id: "a", name: "<&>\u0001", outline: "box", lines: ["a<b"], inputs: [], outputs: [port, {port: "z"}]};
+  const svg = svgOf(await arrange({inputs: [], outputs: [], nodes: [node], wires: []}, elk), "\"<title>\"");
+  assert.match(svg, /<title>&quot;&lt;title&gt;&quot;<\/title>/);
+  assert.match(svg, />&lt;&amp;&gt; </);
+  assert.match(svg, />a&lt;b</);
+  assert.match(svg, />&lt;y&gt; &amp; &quot;z&quot;</);
+});
