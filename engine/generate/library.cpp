@@ -43,14 +43,6 @@ std::string processor() {
   return text;
 }
 
-/// Eigen adds in an order that depends on the processor it is compiled for, and the interpreter is compiled
-/// for any: only code without it gives the same bits when it is compiled for this one.
-std::vector<std::string> flags_for_this_machine(const std::vector<std::string>& headers) {
-  for (const std::string& header : headers)
-    if (header_text(header).find("#include <Eigen/") != std::string::npos) return {};
-  return {Compiler::native};
-}
-
 StepFunctions open_library(const std::string& path, std::string& problem) {
   void* library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!library) {
@@ -64,6 +56,12 @@ StepFunctions open_library(const std::string& path, std::string& problem) {
 }
 
 }  // namespace
+
+std::vector<std::string> flags_for_this_machine(const std::vector<std::string>& headers) {
+  for (const std::string& header : with_included(headers))
+    if (header_text(header).find("#include <Eigen/") != std::string::npos) return {};
+  return {Compiler::native};
+}
 
 std::string library_source(const GeneratedProgram& program) {
   std::string source =
@@ -87,7 +85,8 @@ std::string CodeCache::key(const std::string& source, const GeneratedProgram& pr
   const std::vector<std::string> headers = with_included(program.headers);
   for (const std::string& header : headers) hash = hash_of(header_text(header), hash);
   for (const std::string& flag : Compiler::flags()) hash = hash_of(flag, hash);
-  for (const std::string& flag : flags_for_this_machine(headers)) hash = hash_of(flag + processor(), hash);
+  for (const std::string& flag : flags_for_this_machine(program.headers))
+    hash = hash_of(flag + processor(), hash);
   hash = hash_of(compiler.version(), hash);
   return fmt::format("{:016x}{:08x}", hash, source.size());
 }
@@ -97,7 +96,7 @@ StepFunctions CodeCache::load(const GeneratedProgram& program, const Compiler& c
   try {
     const std::string source = library_source(program);
     const std::string path = fmt::format("{}/{}.so", folder_, key(source, program, compiler));
-    const std::vector<std::string> flags = flags_for_this_machine(with_included(program.headers));
+    const std::vector<std::string> flags = flags_for_this_machine(program.headers);
     if (!fs::exists(path) && !make(source, path, flags, compiler, stop, problem)) return {};
     fs::last_write_time(path, fs::file_time_type::clock::now());  // used just now
     return open_library(path, problem);

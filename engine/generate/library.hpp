@@ -9,6 +9,11 @@
 
 namespace stepwire {
 
+/// Flags for code with these headers that only this machine will run. Eigen adds in an order that depends on
+/// the processor it is compiled for, and the interpreter is compiled for any: only code without it gives the
+/// same bits when it is compiled for this one.
+std::vector<std::string> flags_for_this_machine(const std::vector<std::string>& headers);
+
 /// The source of a shared library with a program's functions.
 std::string library_source(const GeneratedProgram& program);
 

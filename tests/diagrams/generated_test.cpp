@@ -30,10 +30,11 @@ struct Loaded {
 
 Loaded load(const Plan& plan, const Compiler& compiler, const std::string& stem) {
   Loaded loaded;
-  std::string source = library_source(make_program(plan));
+  const GeneratedProgram program = make_program(plan);
+  std::string source = library_source(program);
   source += "extern \"C\" void stepwire_reset(double* w, const double* p) { reset(w, p); }\n";
   std::ofstream(stem + ".cpp") << source;
-  loaded.problem = compiler.compile(stem + ".cpp", stem + ".so", {});
+  loaded.problem = compiler.compile(stem + ".cpp", stem + ".so", flags_for_this_machine(program.headers), {});
   void* library = loaded.problem.empty() ? ::dlopen((stem + ".so").c_str(), RTLD_NOW | RTLD_LOCAL) : nullptr;
   if (!library) return loaded;
   loaded.reset = reinterpret_cast<Loaded::Reset>(::dlsym(library, "stepwire_reset"));
@@ -43,12 +44,22 @@ Loaded load(const Plan& plan, const Compiler& compiler, const std::string& stem)
   return loaded;
 }
 
-/// First number that differs, by its place; slopes are the solver's own affair.
-std::size_t first_difference(const Plan& plan, const double* a, const double* b) {
+/// Are these numbers those of a run? Slopes are the solver's own affair, but for those that outputs write.
+std::vector<bool> compared(const Plan& plan) {
   const Layout& layout = plan.layout;
-  for (std::size_t i = 0; i < layout.size; ++i)
-    if ((i < layout.dots || i >= layout.discrete) && std::memcmp(a + i, b + i, sizeof(double)) != 0) return i;
-  return layout.size;
+  std::vector<bool> all(layout.size, true);
+  std::fill_n(all.begin() + static_cast<std::ptrdiff_t>(layout.dots), layout.state_count, false);
+  for (const PlannedBlock& block : plan.blocks)
+    for (const SignalSlot& slot : block.outputs)
+      std::fill_n(all.begin() + static_cast<std::ptrdiff_t>(slot.offset), slot.size, true);
+  return all;
+}
+
+/// First number that differs, by its place.
+std::size_t first_difference(const std::vector<bool>& compared, const double* a, const double* b) {
+  for (std::size_t i = 0; i < compared.size(); ++i)
+    if (compared[i] && std::memcmp(a + i, b + i, sizeof(double)) != 0) return i;
+  return compared.size();
 }
 
 /// Where and when the two part; empty where they never do.
@@ -56,13 +67,14 @@ std::string difference(const Plan& plan, const Loaded& loaded) {
   Simulation interpreted(plan);
   std::vector<double> w(plan.layout.size, -1.0);
   loaded.reset(w.data(), nullptr);
+  const std::vector<bool> of_run = compared(plan);
   long requests = 0;
   for (std::int64_t tick = 0; tick <= ticks && interpreted.healthy(); ++tick) {
     interpreted.evaluate();
     const long before = allocations();
     loaded.step.evaluate(w.data(), nullptr, tick);
     requests += allocations() - before;
-    const std::size_t place = first_difference(plan, interpreted.values(), w.data());
+    const std::size_t place = first_difference(of_run, interpreted.values(), w.data());
     if (place < plan.layout.size)
       return "number " + std::to_string(place) + " of the workspace at tick " + std::to_string(tick);
     interpreted.advance();
@@ -75,11 +87,12 @@ std::string difference(const Plan& plan, const Loaded& loaded) {
 /// Does compiled code that takes over at tick 100 go on with the same bits for a thousand ticks?
 bool same_bits(const Plan& plan, const CompiledPlan& code) {
   Simulation interpreted(plan), compiled(plan);
+  const std::vector<bool> of_run = compared(plan);
   while (interpreted.tick() < 1000 && interpreted.healthy()) {
     if (compiled.tick() == 100) compiled.use(code);
     interpreted.evaluate();
     compiled.evaluate();
-    if (first_difference(plan, interpreted.values(), compiled.values()) < plan.layout.size) return false;
+    if (first_difference(of_run, interpreted.values(), compiled.values()) < plan.layout.size) return false;
     interpreted.advance();
     compiled.advance();
   }

@@ -8,7 +8,7 @@ using namespace stepwire;
 
 namespace {
 
-int held_calls, followed_calls, aside_calls, once_calls;
+int held_calls, timed_calls, followed_calls, aside_calls, once_calls;
 
 /// Passes its input on and counts how often it is asked to.
 template <int& calls>
@@ -22,6 +22,7 @@ struct Counter {
   }
   static void declare(Declare<Counter>& is) {
     is.block(&calls == &held_calls       ? "Held"
+             : &calls == &timed_calls    ? "Timed"
              : &calls == &followed_calls ? "Followed"
              : &calls == &aside_calls    ? "Aside"
                                          : "Once",
@@ -34,6 +35,7 @@ struct Counter {
 Registry with_counters() {
   Registry registry = all_blocks();
   registry.add<Counter<held_calls>>("test");
+  registry.add<Counter<timed_calls>>("test");
   registry.add<Counter<followed_calls>>("test");
   registry.add<Counter<aside_calls>>("test");
   registry.add<Counter<once_calls>>("test");
@@ -42,15 +44,18 @@ Registry with_counters() {
 
 }  // namespace
 
-TEST_CASE("between ticks the solver asks only blocks that derivatives need and that follow time") {
+TEST_CASE(
+    "between ticks the solver asks only blocks that derivatives need, and those of time alone once for each "
+    "time") {
   static const Registry registry = with_counters();
   const Plan plan = plan_text(R"(blocks:
   t: {block: Clock}
   held: {block: Held, u: t, every: 5 s}
-  followed: {block: Followed, u: t}
+  timed: {block: Timed, u: t}
+  followed: {block: Followed, u: x}
   aside: {block: Aside, u: x}
   once: {block: Once, u: 3}
-  rate: {block: Sum, u: [held, followed, once]}
+  rate: {block: Sum, u: [held, timed, followed, once]}
   x: {block: Integrator, u: rate}
 step: 1 s
 stop: 10 s
@@ -58,7 +63,7 @@ solver: rk4
 )",
                               {}, registry);
   Simulation simulation(plan);
-  held_calls = followed_calls = aside_calls = once_calls = 0;
+  held_calls = timed_calls = followed_calls = aside_calls = once_calls = 0;
   simulation.reset();
   while (!simulation.finished()) {
     simulation.evaluate();
@@ -66,6 +71,7 @@ solver: rk4
   }
   simulation.evaluate();
   CHECK(held_calls == 3);                // at 0, 5 and 10 s
+  CHECK(timed_calls == 1 + 10 * 2);      // at the start, and at the two new times of each step
   CHECK(followed_calls == 11 + 10 * 3);  // at every tick and at the three later stages of each step
   CHECK(aside_calls == 11);              // no derivative needs it
   CHECK(once_calls == 1);                // what never changes is computed at the start

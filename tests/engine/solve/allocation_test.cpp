@@ -46,7 +46,7 @@ TEST_CASE("no solver allocates in a step, whatever the number of states") {
       const long before = allocations();
       for (int k = 0; k < 10; ++k) {
         chain.evaluate();
-        solver->advance(chain, 0.1 * k, 0.1);
+        solver->advance(chain, {0.1 * k, 0.1 * (k + 1), 0.1});
       }
       const long after = allocations();
       INFO(kind.name << " with " << states << " states");
