@@ -31,7 +31,7 @@ ExitCode show_blocks(const BlocksCommand& command, const Registry& registry) {
   const BlockType* type = registry.find(command.name);
   if (!type) {
     fmt::print(stderr, "there is no block '{}'{}\n", command.name,
-               did_you_mean(command.name, registry.names()));
+               did_you_mean(command.name, registry.names(), "'stepwire blocks' lists them"));
     return ExitCode::wrong;
   }
   fmt::print("{}", one_block(command, *type));

@@ -44,8 +44,14 @@ void add_work_options(CLI::App& verb, RunCommand& command, std::vector<std::stri
 }
 
 void add_engine_option(CLI::App& verb, Engine& engine, const std::string& what) {
+  const auto number_of = [](std::string& word) -> std::string {
+    const auto known = engines.find(word);
+    if (known == engines.end()) return fmt::format("must be auto, compiled or interpreted, not '{}'", word);
+    word = std::to_string(static_cast<int>(known->second));
+    return "";
+  };
   verb.add_option("--engine", engine, what)
-      ->transform(CLI::CheckedTransformer(engines, CLI::ignore_case))
+      ->transform(CLI::Validator(number_of, "", "engine"))
       ->option_text("ENGINE");
 }
 
@@ -125,8 +131,8 @@ class CommandLine {
   }
 
   ExitCode refuse_verb(const std::string& word) const {
-    fmt::print(stderr, "stepwire: there is no '{}'{}; there are: {}\n", word, did_you_mean(word, verbs()),
-               fmt::join(verbs(), ", "));
+    fmt::print(stderr, "stepwire: there is no '{}'{}\n", word,
+               did_you_mean(word, verbs(), fmt::format("There are: {}", fmt::join(verbs(), ", "))));
     return ExitCode::wrong;
   }
 

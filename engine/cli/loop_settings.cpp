@@ -50,6 +50,7 @@ void read_times(const LoopWords& words, Reader& reader, LoopSettings& settings) 
   // A nan has been refused already.
   reader.refuse_unless(!(settings.rate < slowest || settings.rate > fastest), "--rate", words.rate,
                        "must be from 1 Hz to 1 MHz");
+  if (!reader.faults().empty()) return;  // the others are held against the period
   const double count = std::round(settings.duration * settings.rate);
   reader.refuse_unless(!(count < 1.0 || settings.duration > longest), "--duration", words.duration,
                        fmt::format("must be at least one period of {:.6g} s, and at most {:.0e} s",

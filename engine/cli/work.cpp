@@ -21,6 +21,14 @@ void add_swept_names(const Job& job, Names& names) {
   }
 }
 
+void add_signals(const Diagram& diagram, Names& names) {
+  for (const DiagramBlock& block : diagram.blocks) {
+    const auto& outputs = block.type().outputs;
+    if (outputs.size() == 1) names.signals.push_back(block.name);
+    for (const OutputSpec& output : outputs) names.signals.push_back(block.name + "." + output.name);
+  }
+}
+
 /// What figures and claims of a file may name.
 Names names_of(const Job& job) {
   const Diagram& diagram = job.plan.diagram;
@@ -34,7 +42,8 @@ Names names_of(const Job& job) {
   }
   for (const DiagramParameter& parameter : diagram.parameters)
     if (const double* number = std::get_if<double>(&parameter.value.content))
-      names.parameters.push_back({parameter.name, *number});
+      names.parameters.push_back({parameter.name, *number, parameter.dimension});
+  add_signals(diagram, names);
   return names;
 }
 

@@ -104,8 +104,10 @@ std::optional<Value> ValueReader::convert(const ParameterSpec& spec, const Writt
   if (const std::string unit = unknown_unit(written.text); !unit.empty())
     return refuse(node, subject,
                   fmt::format("'{}' is no unit; a product of units is written N s or N.s", unit));
-  return refuse(node, subject,
-                fmt::format("'{}' is not allowed; it must be {}", written.text, wanted(spec.kind)));
+  if (node.is_list() && node.items.empty())
+    return refuse(node, subject, fmt::format("the list is empty; it must be {}", wanted(spec.kind)));
+  const std::string what = node.is_scalar() ? "'" + written.text + "'" : written.text;
+  return refuse(node, subject, fmt::format("{} is not allowed; it must be {}", what, wanted(spec.kind)));
 }
 
 bool ValueReader::in_range(const ParameterSpec& spec, const WrittenValue& written, const Node& node,

@@ -34,9 +34,12 @@ class Definitions {
  private:
   void define(const std::string& name) {
     const auto found = entries_.find(name);
-    if (found == entries_.end() || scope_.parameters.find(name) || failed_.contains(name)) return;
+    if (found == entries_.end() || scope_.parameters.defined(name) || failed_.contains(name)) return;
     const Entry& entry = *found->second;
-    if (!is_name(name)) return fail(entry, "is no name for a parameter; use letters, digits and '_'");
+    if (!is_name(name) || name == "time" || name == "pi" || name == "e")
+      return fail(entry,
+                  "is no name for a parameter; use letters, digits and '_' ('time', 'pi' and 'e' have a "
+                  "meaning of their own)");
     if (const auto circle = std::find(open_.begin(), open_.end(), name); circle != open_.end())
       return fail(entry,
                   fmt::format("depends on itself: {} -> {}", fmt::join(circle, open_.end(), " -> "), name));
@@ -81,8 +84,15 @@ class Definitions {
 
   std::optional<WrittenValue> evaluate(const Entry& entry) {
     const std::string full = scope_.prefix + entry.key;
-    const bool long_form = entry.value.is_map() && (entry.value.find("value") || !entry.value.find("unit"));
-    if (long_form) refuse_unknown_keys(entry.value, definition_keys, full, scope_, report_);
+    if (entry.value.is_map()) {
+      const bool other_key = refuse_unknown_keys(entry.value, definition_keys, full, scope_, report_);
+      if (!entry.value.find("value")) {
+        if (!other_key)
+          report_.add(scope_.at(entry.value.mark), full, "'value' is missing, as {value: 2 kg}");
+        settings_.offer(full);
+        return std::nullopt;
+      }
+    }
     ValueReader reader(scope_.parameters, report_, scope_.index);
     auto written = reader.read(stripped(entry.value), full);
     settings_.offer(full);
@@ -167,12 +177,12 @@ class Definitions {
   }
 
   void list(const std::string& full, const Entry& entry, const WrittenValue& written, bool set) {
-    const auto text_of = [&](const char* key) {
-      const Node* node = entry.value.is_map() ? entry.value.find(key) : nullptr;
-      return node ? node->text : std::string();
-    };
-    report_.diagram().parameters.push_back({full, written.text, written.value, written.dimension,
-                                            text_of("doc"), text_of("assumed") == "true", set});
+    const Node* doc = entry.value.find("doc");
+    const Node* assumed = entry.value.find("assumed");
+    report_.diagram().parameters.push_back(
+        {full, written.text, written.value, written.dimension,
+         doc ? read_text(*doc, full + ".doc", scope_, report_) : "",
+         assumed && read_flag(*assumed, full + ".assumed", scope_, report_), set});
   }
 
   Scope& scope_;

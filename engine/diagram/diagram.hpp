@@ -127,6 +127,7 @@ struct Sweep {
   struct Axis {
     std::string parameter;
     std::vector<std::string> values;
+    std::vector<Mark> marks;  ///< of each value
     Origin origin;
   };
   std::vector<Axis> axes;

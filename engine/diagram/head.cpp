@@ -15,6 +15,8 @@ const std::vector<std::string> head_keys = {
     "stepwire", "title", "caption", "thesis",    "step",   "stop",  "solver", "parameters", "inputs",
     "outputs",  "units", "blocks",  "stop_when", "record", "sweep", "figure", "claims"};
 
+constexpr double most_steps = 9e15;  // whole numbers beyond are not exact in a double
+
 /// Times of the head: seconds, above 0.
 void read_time(const Scope& scope, Settings& settings, Report& report, const std::string& key,
                double& seconds, Origin& origin) {
@@ -34,20 +36,21 @@ void read_time(const Scope& scope, Settings& settings, Report& report, const std
   seconds = *value;
 }
 
-void read_solver(const Scope& scope, Settings& settings, Diagram& diagram) {
+void read_solver(const Scope& scope, Settings& settings, Report& report) {
+  Diagram& diagram = report.diagram();
   settings.offer("solver");
   if (const Settings::Entry* setting = settings.take("solver")) {
     diagram.solver = setting->document.root.text;
     diagram.solver_origin = setting->origin;
   } else if (const Node* solver = scope.document->root.find("solver")) {
-    diagram.solver = solver->text;
+    diagram.solver = read_text(*solver, "solver", scope, report);
     diagram.solver_origin = scope.at(solver->mark);
   }
 }
 
-std::string text_of(const Scope& scope, const char* key) {
+std::string text_of(const Scope& scope, const char* key, Report& report) {
   const Node* node = scope.document->root.find(key);
-  return node && node->is_scalar() ? node->text : "";
+  return node ? read_text(*node, key, scope, report) : "";
 }
 
 void read_version(const Scope& scope, Report& report) {
@@ -64,6 +67,8 @@ void read_version(const Scope& scope, Report& report) {
 void read_thesis(const Scope& scope, Report& report) {
   const Node* thesis = scope.document->root.find("thesis");
   if (!thesis) return;
+  if (!thesis->is_map())
+    return report.add(scope.at(thesis->mark), "thesis", "must be a map such as {figure: 15, section: 2.5.1}");
   refuse_unknown_keys(*thesis, {"figure", "table", "section"}, "thesis", scope, report);
   const auto number = [&](const char* key) -> std::optional<int> {
     const Node* node = thesis->find(key);
@@ -79,7 +84,8 @@ void read_thesis(const Scope& scope, Report& report) {
   Diagram& diagram = report.diagram();
   diagram.thesis_figure = number("figure");
   diagram.thesis_table = number("table");
-  if (const Node* section = thesis->find("section")) diagram.thesis_section = section->text;
+  if (const Node* section = thesis->find("section"))
+    diagram.thesis_section = read_text(*section, "thesis.section", scope, report);
 }
 
 constexpr std::size_t most_runs = 100'000;  // of a sweep; each is planned before the first one starts
@@ -90,42 +96,62 @@ std::string setting_text(const Node& node) {
 
 std::vector<std::string> read_range(const Node& map, const std::string& name, const Scope& scope,
                                     Report& report) {
-  refuse_unknown_keys(map, {"from", "to", "count"}, "sweep." + name, scope, report);
+  const std::string subject = "sweep." + name;
+  const char* const form = "is written [.., ..] or {from: .., to: .., count: ..}";
+  if (refuse_unknown_keys(map, {"from", "to", "count"}, subject, scope, report)) return {};
   const ValueReader reader(scope.parameters, report, scope.index);
   std::vector<double> numbers;
+  std::vector<std::optional<Dimension>> dimensions;
   for (const char* key : {"from", "to", "count"}) {
     const Node* node = map.find(key);
-    const auto written = node ? reader.read(*node, "sweep." + name) : std::nullopt;
-    const double* number = written ? std::get_if<double>(&written->value.content) : nullptr;
+    if (!node) {
+      report.add(scope.at(map.mark), subject,
+                 map.is_map() ? fmt::format("'{}' is missing; it {}", key, form) : form);
+      return {};
+    }
+    const auto written = reader.read(*node, subject);
+    if (!written) return {};
+    const double* number = std::get_if<double>(&written->value.content);
     if (!number) {
-      report.add(scope.at(map.mark), "sweep." + name,
-                 "is written {from: .., to: .., count: ..} or {values: [..]}");
+      report.add(scope.at(node->mark), subject,
+                 fmt::format("'{}' is no number; words are swept as a list", written->text));
       return {};
     }
     numbers.push_back(*number);
+    dimensions.push_back(written->dimension);
+  }
+  if (const std::string complaint = unit_complaint(dimensions[1], dimensions[0]); !complaint.empty()) {
+    report.add(scope.at(map.find("to")->mark), subject, fmt::format("'to' {}", complaint));
+    return {};
   }
   const double count = numbers[2];
   if (count < 2 || count != std::floor(count) || count > most_runs) {
-    report.add(scope.at(map.mark), "sweep." + name,
+    report.add(scope.at(map.find("count")->mark), subject,
                fmt::format("'count' must be a whole number from 2 to {}", most_runs));
     return {};
   }
+  const auto& dimension = dimensions[0] ? dimensions[0] : dimensions[1];
+  const std::string unit = dimension && *dimension != Dimension{} ? " " + si_name(*dimension) : "";
   std::vector<std::string> values;
   for (double i = 0; i < count; ++i)
-    values.push_back(fmt::format("{}", numbers[0] + (numbers[1] - numbers[0]) * (i / (count - 1))));
+    values.push_back(fmt::format("{}{}", numbers[0] + (numbers[1] - numbers[0]) * (i / (count - 1)), unit));
   return values;
 }
 
 void read_axis(const Entry& entry, Sweep& sweep, const Scope& scope, Report& report) {
   const Node* list = entry.value.is_map() ? entry.value.find("values") : &entry.value;
-  std::vector<std::string> values;
+  Sweep::Axis axis{entry.key, {}, {}, scope.at(entry.mark)};
   if (list && list->is_list()) {
-    for (const Node& item : list->items) values.push_back(setting_text(item));
+    for (const Node& item : list->items) {
+      axis.values.push_back(setting_text(item));
+      axis.marks.push_back(item.mark);
+    }
+    if (axis.values.empty()) report.add(scope.at(list->mark), "sweep." + entry.key, "has no values");
   } else {
-    values = read_range(entry.value, entry.key, scope, report);
+    axis.values = read_range(entry.value, entry.key, scope, report);
+    axis.marks.assign(axis.values.size(), entry.value.mark);
   }
-  if (values.empty() && list) report.add(scope.at(entry.value.mark), "sweep." + entry.key, "has no values");
-  sweep.axes.push_back({entry.key, std::move(values), scope.at(entry.mark)});
+  sweep.axes.push_back(std::move(axis));
 }
 
 /// Runs of a grid, or of pairs; a double holds more of them than anybody could want.
@@ -145,7 +171,8 @@ void read_sweep(const Scope& scope, Report& report) {
     return report.add(scope.at(node->mark), "sweep",
                       "must be a map of parameter: {from, to, count} or {values: [..]}");
   Sweep sweep;
-  if (const Node* together = node->find("together")) sweep.together = together->text == "true";
+  if (const Node* together = node->find("together"))
+    sweep.together = read_flag(*together, "sweep.together", scope, report);
   for (const Entry& entry : node->entries) {
     if (entry.key != "together") read_axis(entry, sweep, scope, report);
     if (run_count(sweep) > most_runs)
@@ -175,11 +202,14 @@ void check_head_keys(const Scope& scope, Report& report) {
 
 void read_head(const Scope& scope, Settings& settings, Report& report) {
   Diagram& diagram = report.diagram();
-  diagram.title = text_of(scope, "title");
-  diagram.caption = text_of(scope, "caption");
-  read_solver(scope, settings, diagram);
+  diagram.title = text_of(scope, "title", report);
+  diagram.caption = text_of(scope, "caption", report);
+  read_solver(scope, settings, report);
   read_time(scope, settings, report, "step", diagram.step, diagram.step_origin);
   read_time(scope, settings, report, "stop", diagram.stop, diagram.stop_origin);
+  if (diagram.step > 0.0 && diagram.stop / diagram.step > most_steps)
+    report.add(diagram.stop_origin, "stop",
+               fmt::format("{} s are more than {} steps of {} s", diagram.stop, most_steps, diagram.step));
   read_thesis(scope, report);
 }
 

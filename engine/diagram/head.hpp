@@ -19,4 +19,7 @@ void check_head_keys(const Scope& scope, Report& report);
 void read_record(const Scope& scope, const Resolver& resolver, Report& report);
 void read_stop_condition(const Scope& scope, const Resolver& resolver, Report& report);
 
+/// Refuses a `stop_when` whose units do not fit each other, once those of the signals are known.
+void check_stop_condition(Report& report);
+
 }  // namespace stepwire

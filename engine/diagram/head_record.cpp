@@ -64,9 +64,12 @@ void read_entry(const Node& node, const Scope& scope, const Resolver& resolver, 
   auto& requests = report.diagram().records;
   if (!node.is_map())
     return read_signal(node, scope, resolver, request_for({}, scope.at(node.mark), requests), report);
-  refuse_unknown_keys(node, {"every", "signals"}, "record", scope, report);
+  const bool other_key = refuse_unknown_keys(node, {"every", "signals"}, "record", scope, report);
   const Node* signals = node.find("signals");
-  if (!signals) return report.add(scope.at(node.mark), "record", "'signals' is missing");
+  if (!signals && other_key) return;
+  if (!signals)
+    return report.add(scope.at(node.mark), "record",
+                      "'signals' is missing, as {every: 1 ms, signals: [rig.x]}");
   std::optional<double> every;
   const Node* period = node.find("every");
   const ValueReader reader(scope.parameters, report, scope.index);
@@ -90,6 +93,20 @@ void drop_repeated(RecordRequest& request, Report& report) {
   });
 }
 
+/// A swept parameter is a column, too, and columns are told apart by their names.
+void refuse_swept_names(Report& report) {
+  const Diagram& diagram = report.diagram();
+  if (!diagram.sweep) return;
+  for (const RecordRequest& request : diagram.records)
+    for (const RecordedSignal& signal : request.signals)
+      for (const Sweep::Axis& axis : diagram.sweep->axes)
+        if (axis.parameter == signal.name)
+          report.add(signal.origin, "record",
+                     fmt::format("'{0}' is a swept parameter as well, and both would be a column '{0}'; give "
+                                 "the signal another name: {{{0}_y: {0}}}",
+                                 signal.name));
+}
+
 }  // namespace
 
 void read_record(const Scope& scope, const Resolver& resolver, Report& report) {
@@ -100,6 +117,7 @@ void read_record(const Scope& scope, const Resolver& resolver, Report& report) {
   else
     read_entry(*record, scope, resolver, report);
   for (RecordRequest& request : report.diagram().records) drop_repeated(request, report);
+  refuse_swept_names(report);
 }
 
 void read_stop_condition(const Scope& scope, const Resolver& resolver, Report& report) {
@@ -120,6 +138,26 @@ void read_stop_condition(const Scope& scope, const Resolver& resolver, Report& r
     report.diagram().stop_when = std::move(condition);
   } catch (const ExpressionError& error) {
     report.add(scope.at(node->mark), "stop_when", error.what());
+  }
+}
+
+void check_stop_condition(Report& report) {
+  const Diagram& diagram = report.diagram();
+  if (!diagram.stop_when) return;
+  std::vector<Measure> measures;
+  for (const SignalRef& signal : diagram.stop_when->variables) {
+    std::optional<Dimension> dimension = parse_unit("s")->dimension;
+    const auto block = static_cast<std::size_t>(signal.block);
+    if (signal.block >= 0 && signal.output >= 0)
+      dimension = diagram.output_dimensions[block][static_cast<std::size_t>(signal.output)];
+    else if (signal.block >= 0)
+      dimension = diagram.state_dimensions[block][static_cast<std::size_t>(signal.state)];
+    measures.push_back({dimension, dimension.has_value()});
+  }
+  try {
+    static_cast<void>(diagram.stop_when->expression.measure(measures));
+  } catch (const ExpressionError& error) {
+    report.add(diagram.stop_when->origin, "stop_when", error.what());
   }
 }
 

@@ -5,6 +5,7 @@
 #include "engine/diagram/head.hpp"
 #include "engine/diagram/open.hpp"
 #include "engine/diagram/resolve.hpp"
+#include "engine/diagram/unused.hpp"
 
 namespace stepwire {
 
@@ -119,6 +120,7 @@ Diagram build(Loader& loader, const Document& document, const std::vector<Settin
     read_stop_condition(root, resolver, report);
     demand_units(root, resolver, report);
     settings.report_unused(report);
+    if (report.faults().empty()) refuse_unused_parameters(root, report);  // else it may follow from a fault
   }
   report.faults().throw_if_any();
   return diagram;

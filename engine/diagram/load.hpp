@@ -12,11 +12,13 @@
 
 namespace stepwire {
 
-/// One `--set name=value`; the name reaches into parts ("rig.mass") and blocks ("lag.tau").
+/// One `--set name=value`, or a value of a sweep; the name reaches into parts ("rig.mass") and blocks
+/// ("lag.tau").
 struct Setting {
   std::string name;
   std::string value;
-  std::string written = "--set " + name + "=" + value;  ///< how messages call it
+  std::string written = "--set " + name + "=" + value;  ///< how messages call it: the call, or a file
+  Mark mark{};                                          ///< where in that file
 };
 
 /// Turns diagram files into checked diagrams. Files are read once, however often they are used.

@@ -20,16 +20,16 @@ void Opener::open(Scope& scope, const Overrides& overrides) {
   if (!blocks || !blocks->is_map() || blocks->entries.empty()) {
     report_.add(scope.at(blocks ? blocks->mark : root.mark), scope.prefix.empty() ? "" : "blocks",
                 "blocks are missing; a diagram has 'blocks:' with a map of name: {block: ..}");
-  } else {
-    if (scope.index == 0) report_.diagram().blocks.reserve(blocks->entries.size());
-    for (const Entry& entry : blocks->entries) open_block(scope, entry);
+    report_.faults().throw_if_any();  // every name would be unknown
   }
+  if (scope.index == 0) report_.diagram().blocks.reserve(blocks->entries.size());
+  for (const Entry& entry : blocks->entries) open_block(scope, entry);
   open_files_.pop_back();
 }
 
 void Opener::fail(Scope& scope, const Entry& entry, const Mark& mark, std::string message) {
   scope.failed.insert(entry.key);
-  report_.add(scope.at(mark), scope.prefix + entry.key, std::move(message));
+  report_.add(scope.at(mark), scope.prefix + (entry.key.empty() ? "''" : entry.key), std::move(message));
 }
 
 void Opener::open_block(Scope& scope, const Entry& entry) {
@@ -49,7 +49,8 @@ void Opener::open_block(Scope& scope, const Entry& entry) {
   const Node* part = map.find("diagram");
   if (part && !kind) return open_part(scope, entry, *part);
   if (!kind || part)
-    return fail(scope, entry, map.mark, "needs either 'block:' (a kind) or 'diagram:' (a file)");
+    return fail(scope, entry, map.mark, "needs either 'block:' (a type) or 'diagram:' (a file)");
+  if (!kind->is_scalar()) return fail(scope, entry, kind->mark, "'block:' names one type, as Gain");
   const BlockType* type = loader_.registry().find(kind->text);
   if (!type)
     return fail(
@@ -115,9 +116,12 @@ void Opener::read_key(Scope& scope, const Entry& key, DiagramBlock& block, int i
   if (const int state = state_of_key(type, key.key); state >= 0)
     return read_initial(scope, key.value, block, state);
   const auto known = keys_of(type);
+  const std::string all = fmt::format("It has: {}", fmt::join(known, ", "));
   report_.add(scope.at(key.mark), block.name,
               fmt::format("{} has no '{}'{}", type.name, key.key,
-                          did_you_mean(key.key, known, fmt::format("It has: {}", fmt::join(known, ", ")))));
+                          is_name(key.key) ? did_you_mean(key.key, known, all)
+                                           : "; a comma ends a value: a number has a point, and what has a "
+                                             "comma in it stands in quotes"));
 }
 
 void Opener::read_settings(Scope& scope, DiagramBlock& block, const std::string& full) {

@@ -10,12 +10,14 @@ namespace stepwire {
 
 const WrittenValue* ParameterScope::find(const std::string& name) const {
   const auto found = values_.find(name);
-  return found == values_.end() ? nullptr : &found->second;
+  if (found == values_.end()) return nullptr;
+  used_.insert(name);
+  return &found->second;
 }
 
 bool ParameterScope::failed(const std::string& name) const {
-  const WrittenValue* value = find(name);
-  return value && value->failed;
+  const auto found = values_.find(name);
+  return found != values_.end() && found->second.failed;
 }
 
 std::vector<std::string> ParameterScope::names() const {
@@ -27,6 +29,8 @@ std::vector<std::string> ParameterScope::names() const {
 std::string unit_complaint(const std::optional<Dimension>& written,
                            const std::optional<Dimension>& demanded) {
   if (!written || !demanded || *written == *demanded) return "";
+  if (*demanded == Dimension{})
+    return fmt::format("is in {}; it must be a pure number, without a unit", si_name(*written));
   return fmt::format("is in {}; it must be in {}", si_name(*written), si_name(*demanded));
 }
 
@@ -79,16 +83,20 @@ std::optional<WrittenValue> ValueReader::read_expression(const Node& node, const
   try {
     const Expression expression(node.text.substr(1), known);
     std::vector<double> values;
+    std::vector<Measure> measures;
     for (const std::string& name : expression.variables()) {
       if (parameters_.failed(name)) return std::nullopt;
       const double* number = std::get_if<double>(&parameters_.find(name)->value.content);
       if (!number) return refuse(node, subject, fmt::format("'{}' is no single number", name));
       values.push_back(*number);
+      const auto& dimension = parameters_.find(name)->dimension;
+      measures.push_back({dimension, dimension.has_value()});
     }
+    const Measure measure = expression.measure(measures);
     const double result = expression(values);
     if (!std::isfinite(result))
       return refuse(node, subject, fmt::format("'{}' is {}, not a finite number", node.text, result));
-    return WrittenValue{{result}, {}, node.text};
+    return WrittenValue{{result}, measure.sure ? measure.dimension : std::nullopt, node.text};
   } catch (const ExpressionError& error) {
     Mark mark = node.mark;  // of a setting there is none
     if (mark.line > 0) mark.column += 1 + (node.quoted ? 1 : 0) + static_cast<int>(error.position);
@@ -166,7 +174,9 @@ std::optional<double> ValueReader::read_number(const Node& node, const Dimension
   if (!written) return std::nullopt;
   const double* number = std::get_if<double>(&written->value.content);
   if (!number)
-    return refuse(node, subject, fmt::format("'{}' is not a finite number with a unit", written->text));
+    return refuse(
+        node, subject,
+        fmt::format("'{}' is not a finite number with a unit", node.is_scalar() ? node.text : "a list"));
   const std::string complaint = unit_complaint(written->dimension, demanded);
   if (!complaint.empty()) return refuse(node, subject, fmt::format("'{}' {}", written->text, complaint));
   return *number;

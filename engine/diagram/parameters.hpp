@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,13 +22,18 @@ struct WrittenValue {
 /// The parameters that expressions and `$name` of one file see.
 class ParameterScope {
  public:
+  /// The value of a parameter that something uses; nullptr if there is none.
   const WrittenValue* find(const std::string& name) const;
+  bool defined(const std::string& name) const { return values_.contains(name); }
   void define(const std::string& name, WrittenValue value) { values_[name] = std::move(value); }
   std::vector<std::string> names() const;
   bool failed(const std::string& name) const;
+  /// Has it ever been asked for?
+  bool used(const std::string& name) const { return used_.contains(name); }
 
  private:
   std::map<std::string, WrittenValue> values_;
+  mutable std::set<std::string> used_;  // kept for messages only: no value depends on it
 };
 
 /// Reads values of one file: numbers with units, `$name`, `= expression`, vectors, matrices, text.

@@ -134,7 +134,7 @@ std::optional<Source> Resolver::of_block(const std::string& rest, int block, con
     if (type.outputs.size() != 1)
       return refuse(query,
                     type.outputs.empty()
-                        ? fmt::format("'{}' is a {}, which has no output", found.name, type.name)
+                        ? fmt::format("'{}' ({}) has no output", found.name, type.name)
                         : fmt::format("'{}' has several outputs; say which: {}.{}", found.name, found.name,
                                       fmt::join(output_names(type), fmt::format(", {}.", found.name))));
     source.output = 0;
@@ -151,11 +151,13 @@ std::optional<Source> Resolver::of_block(const std::string& rest, int block, con
     return source;
   }
   const auto names = output_names(type);
-  if (names.empty())
-    return refuse(query, fmt::format("'{}' is a {}, which has no output", found.name, type.name));
+  if (names.empty()) return refuse(query, fmt::format("'{}' ({}) has no output", found.name, type.name));
   if (std::all_of(rest.begin(), rest.end(), [](unsigned char c) { return std::isdigit(c); }))
-    return refuse(query, fmt::format("'{}' is no signal of its own; pick an element with Select",
-                                     found.name + "." + rest));
+    return refuse(
+        query,
+        fmt::format("'{0}.{1}' is no signal of its own; {2}", found.name, rest,
+                    query.look_inside ? fmt::format("'{0}' brings all its elements, {0}.1, ...", found.name)
+                                      : "pick an element with Select"));
   return refuse(query,
                 fmt::format("{} has no output '{}'{}", type.name, rest,
                             did_you_mean(rest, names, fmt::format("It has: {}", fmt::join(names, ", ")))));

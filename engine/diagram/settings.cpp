@@ -9,11 +9,11 @@ Settings::Settings(const std::vector<Setting>& settings, Report& report) {
     const std::string& source = setting.written;
     auto& scopes = report.diagram().scopes;
     scopes.push_back({source, "", {-1, {}}});
-    const Origin origin{static_cast<int>(scopes.size()) - 1, {}};
+    const Origin origin{static_cast<int>(scopes.size()) - 1, setting.mark};
     try {
       Document document = parse_document(setting.value, source);
       // The place of a setting is the setting itself, not a column of its text.
-      document.root.mark = {};
+      document.root.mark = setting.mark;
       entries_[setting.name] = {std::move(document), origin, false};
     } catch (const Error& error) {
       report.add(origin, setting.name, error.faults().front().message);

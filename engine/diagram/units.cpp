@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "engine/diagram/block_keys.hpp"
+#include "engine/diagram/head.hpp"
 #include "engine/diagram/type_units.hpp"
 
 namespace stepwire {
@@ -34,6 +35,7 @@ class Inference {
     first_variable_.reserve(diagram_.blocks.size());
     for (const DiagramBlock& block : diagram_.blocks) add_variables(block.type());
     values_.resize(variable_count_);
+    in_question_.resize(variable_count_);
     for (std::size_t i = 0; i < diagram_.blocks.size(); ++i) add_equations(static_cast<int>(i));
     for (const UnitDemand& demand : diagram_.unit_demands) add_demand(demand);
     solve();
@@ -197,11 +199,21 @@ class Inference {
       }
     }
     if (unknown < 0) {
-      if (known != Dimension{}) complain(equation, known);
+      if (known != Dimension{} && !follows_from_another(equation)) complain(equation, known);
       return -1;
     }
     values_[static_cast<std::size_t>(unknown)] = power(known, -1.0 / exponent);
     return unknown;
+  }
+
+  /// Once a unit is in question, all that it is held against would be told as well.
+  bool follows_from_another(const Equation& equation) {
+    bool known = false;
+    for (const auto& [variable, exponent] : equation.terms) {
+      known = known || in_question_[static_cast<std::size_t>(variable)];
+      in_question_[static_cast<std::size_t>(variable)] = true;
+    }
+    return known;
   }
 
   void complain(const Equation& equation, const Dimension& wrong) {
@@ -273,6 +285,7 @@ class Inference {
   std::vector<int> first_variable_;
   std::size_t variable_count_ = 0;
   std::vector<std::optional<Dimension>> values_;
+  std::vector<bool> in_question_;
   std::vector<Equation> equations_;
 };
 
@@ -280,6 +293,7 @@ class Inference {
 
 void infer_units(Report& report) {
   Inference(report).run();
+  check_stop_condition(report);
 }
 
 }  // namespace stepwire

@@ -32,9 +32,19 @@ std::size_t distance(const std::string& a, const std::string& b) {
   return last[b.size()];
 }
 
-// "freq" for "frequency" is meant, far as it is by letters.
+/// "zoh" of "ZeroOrderHold"; empty for what is no such name.
+std::string initials(const std::string& name) {
+  std::string result;
+  for (const char c : name)
+    if (std::isupper(static_cast<unsigned char>(c))) result += c;
+  return lower(result);
+}
+
+// "freq" for "frequency" is meant, far as it is by letters, and so are "coulomb" for "coulomb_force" and
+// "force" for it, and "ZOH" for "ZeroOrderHold".
 bool abbreviates(const std::string& word, const std::string& name) {
-  return word.size() >= 3 && name.starts_with(word);
+  if (word.size() < 3) return false;
+  return lower(name).starts_with(word) || name.ends_with("_" + word) || initials(name) == word;
 }
 
 }  // namespace
@@ -48,7 +58,7 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
   for (const std::string& name : names) {
     if (name == word || name.size() > longest_word) continue;
     std::size_t far = distance(wanted, lower(name));
-    if (far > near && abbreviates(wanted, lower(name))) far = near;
+    if (far > near && abbreviates(wanted, name)) far = near;
     // A word of which no letter is right is no near miss.
     if (far >= least || far >= std::max(word.size(), name.size())) continue;
     least = far;

@@ -35,6 +35,15 @@ int Spots::characters(std::size_t from, std::size_t to) {
   return count_;
 }
 
+bool starts_with_null(std::string_view text) {
+  for (const std::string_view null : {"~", "null", "Null", "NULL"}) {
+    if (!text.starts_with(null)) continue;
+    const std::string_view behind = text.substr(null.size());
+    return behind.empty() || std::string_view(" \t\r\n,]}:").find(behind.front()) != std::string_view::npos;
+  }
+  return false;
+}
+
 bool lacks_closing_quote(std::string_view text) {
   if (text.starts_with('&')) text.remove_prefix(std::min(text.find_first_of(" \n"), text.size()));
   text.remove_prefix(std::min(text.find_first_not_of(" \n"), text.size()));

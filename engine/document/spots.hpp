@@ -34,6 +34,9 @@ class Spots {
   int count_ = 0;
 };
 
+/// Whether a text begins with a null that somebody wrote, and not with whatever follows a value left out.
+bool starts_with_null(std::string_view text);
+
 /// Whether a text in quotes (perhaps after its anchor) goes on to the end of the file.
 bool lacks_closing_quote(std::string_view text);
 

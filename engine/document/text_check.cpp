@@ -8,7 +8,7 @@ namespace stepwire {
 namespace {
 
 bool is_plain(unsigned char c) {
-  return (c >= 0x20 && c < 0x7f) || c == '\n' || c == '\t' || c == '\r';
+  return (c >= 0x20 && c < 0x7f) || c == '\n' || c == '\t';
 }
 
 Mark mark_at(std::string_view text, std::size_t position) {
@@ -21,6 +21,8 @@ Mark mark_at(std::string_view text, std::size_t position) {
 }
 
 std::string message_for(unsigned char c) {
+  if (c == '\r')
+    return "a carriage return without a line feed; save the file with line ends of Unix or Windows";
   if (c == 0) return "a NUL byte; this is no text file (or it is UTF-16: save it as UTF-8)";
   if (c == 0xfe || c == 0xff) return fmt::format("the byte 0x{:02x} is no UTF-8; save the file as UTF-8", c);
   if (c < 0x80) return fmt::format("the control character 0x{:02x} cannot stand in a YAML file", c);
@@ -54,7 +56,9 @@ std::size_t utf8_length(std::string_view text) {
 std::optional<TextFault> check_text(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     const auto c = static_cast<unsigned char>(text[i]);
-    const std::size_t length = is_plain(c) ? 1 : c < 0x80 ? 0 : utf8_length(text.substr(i));
+    // Old line ends of one carriage return are none to the YAML library: all would be one line.
+    const bool line_end = c == '\r' && text.substr(i + 1).starts_with('\n');
+    const std::size_t length = is_plain(c) || line_end ? 1 : c < 0x80 ? 0 : utf8_length(text.substr(i));
     if (length == 0) return TextFault{mark_at(text, i), message_for(c)};
     i += length;
   }

@@ -50,9 +50,8 @@ class Events : public YAML::EventHandler {
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     found(mark);
     const std::string_view here = spots_.text_at(spot_of(mark));
-    const bool written = here.starts_with('~') || here.starts_with('n') || here.starts_with('N');
     refuse_tag(mark, here.starts_with('!') ? "!" : "");
-    tree_.empty(place(mark), written, anchor);
+    tree_.empty(place(mark), starts_with_null(here), anchor);
   }
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     found(mark);

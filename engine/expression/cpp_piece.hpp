@@ -4,10 +4,9 @@
 #include <string_view>
 #include <vector>
 
-namespace stepwire {
+#include "engine/expression/binding.hpp"
 
-/// How strongly the operators of the language bind, which is how those of C++ do; a power becomes a call.
-enum class Binding { open, condition, either, both, comparison, sum, product, prefix, power, atom };
+namespace stepwire {
 
 /// A part of an expression of C++.
 struct CppPiece {

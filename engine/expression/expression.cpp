@@ -7,6 +7,7 @@
 
 #include "engine/expression/cpp_text.hpp"
 #include "engine/expression/function.hpp"
+#include "engine/expression/measure.hpp"
 #include "engine/expression/program.hpp"
 
 namespace stepwire {
@@ -74,8 +75,8 @@ std::string Expression::renamed(const std::vector<std::string>& names) const {
   return result + text().substr(copied);
 }
 
-bool Expression::has_units() const {
-  return parser_->program.has_units;
+Measure Expression::measure(const std::vector<Measure>& variables) const {
+  return measure_of(parser_->program, variables);
 }
 
 double Expression::operator()(std::span<const double> values) const {

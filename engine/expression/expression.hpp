@@ -2,11 +2,14 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "engine/unit/unit.hpp"
 
 namespace stepwire {
 
@@ -16,6 +19,12 @@ class ExpressionError : public std::runtime_error {
   ExpressionError(const std::string& message, std::size_t position)
       : std::runtime_error(message), position(position) {}
   std::size_t position;
+};
+
+/// What is known of the unit of a value. A bare number is SI of whatever it meets in a sum or a comparison.
+struct Measure {
+  std::optional<Dimension> dimension;  ///< none where it is not known
+  bool sure = false;                   ///< no bare number is a factor of it, which could be in any unit
 };
 
 /// How C++ gets at variable i of an expression.
@@ -50,8 +59,9 @@ class Expression {
   const std::vector<std::string>& variables() const;
   /// The text with its variables called otherwise, one name for each.
   std::string renamed(const std::vector<std::string>& names) const;
-  /// Does a number in it carry a unit?
-  bool has_units() const;
+  /// The unit of its value, from those of its variables; throws ExpressionError where they do not fit each
+  /// other.
+  Measure measure(const std::vector<Measure>& variables) const;
   /// Value with the variables in that order, one for each. Allocates nothing and throws nothing. Division by
   /// zero gives inf or nan, as IEEE says. One object is for one thread at a time, const or not; every thread
   /// takes its own copy.

@@ -79,8 +79,7 @@ class Translator {
   }
 
   void value(const Token& token) {
-    program_.has_units = program_.has_units || token.has_unit;
-    if (token.kind == Token::Kind::number) return number(token.value);
+    if (token.kind == Token::Kind::number) return number(token.value, token.dimension);
     if (token.kind == Token::Kind::name) return name(token);
     if (token.is("(")) return open(token, std::nullopt);
     if (token.is("-") || token.is("!")) return prefix_.add(token.is("-"));
@@ -92,18 +91,27 @@ class Translator {
     fail(token, fmt::format("a value is missing before {}{}", shown(token), power ? "; a power is x^y" : ""));
   }
 
-  void number(double value) {
-    const auto bits = std::bit_cast<std::uint64_t>(value);
-    const auto [place, added] = numbers_.try_emplace(bits, program_.numbers.size());
-    if (added) program_.numbers.push_back(value);
-    program_.code += fmt::format("{}c{}", prefix_.take(), place->second);
+  void number(double value, const std::optional<Dimension>& dimension = {}) {
+    program_.code += fmt::format("{}c{}", prefix_.take(), place_of(value, dimension));
     value_comes_ = false;
+  }
+
+  /// Bare numbers stand once in a program, however often in the text.
+  std::size_t place_of(double value, const std::optional<Dimension>& dimension) {
+    const auto bits = std::bit_cast<std::uint64_t>(value);
+    const std::size_t next = program_.numbers.size();
+    const std::size_t place = dimension ? next : numbers_.try_emplace(bits, next).first->second;
+    if (place == next) {
+      program_.numbers.push_back(value);
+      program_.dimensions.push_back(dimension);
+    }
+    return place;
   }
 
   void name(const Token& token) {
     const bool called = tokens_[at_ + 1].is("(");
     const bool exists = known_ && known_(token.text);
-    if (called) return call(token);
+    if (called) return call(token, exists);
     if (!exists && token.text == "pi") return number(std::numbers::pi);
     if (!exists && token.text == "e") return number(std::numbers::e);
     if (!exists && find_function(token.text))
@@ -120,10 +128,13 @@ class Translator {
     value_comes_ = false;
   }
 
-  void call(const Token& token) {
-    if (!find_function(token.text)) fail(token, fmt::format("unknown function '{}'", token.text));
+  void call(const Token& token, bool exists) {
+    if (!find_function(token.text))
+      fail(token, exists ? fmt::format("'{}' is a value, not a function", token.text)
+                         : fmt::format("unknown function '{}'", token.text));
     program_.code += prefix_.take();
     program_.code += token.text;
+    program_.places.push_back(token.position);
     open(tokens_[++at_], token);
   }
 
@@ -141,6 +152,7 @@ class Translator {
     if (token.is(",")) next_value(token, frame);
     if (token.is("?")) frame.questions.push_back(token);
     if (token.is(":")) answer(token, frame);
+    if (!token.is(",") && !token.is("?") && !token.is(":")) program_.places.push_back(token.position);
     program_.code += token.text;
     value_comes_ = true;
   }

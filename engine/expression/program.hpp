@@ -1,9 +1,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "engine/unit/unit.hpp"
 
 namespace stepwire {
 
@@ -12,13 +15,14 @@ namespace stepwire {
 struct Program {
   std::string code;
   std::vector<double> numbers;
+  std::vector<std::optional<Dimension>> dimensions;  ///< of each number that carries a unit
   std::vector<std::string> variables;
   /// A variable in the text: which one, and at which character.
   struct Use {
     std::size_t variable, position;
   };
-  std::vector<Use> uses;   ///< in the order of the text
-  bool has_units = false;  ///< does a number carry one?
+  std::vector<Use> uses;            ///< in the order of the text
+  std::vector<std::size_t> places;  ///< in the text of each operator between two values and of each function
 };
 
 /// Checks a text and rewrites it. Throws ExpressionError.

@@ -61,7 +61,7 @@ class Lexer {
   }
 
   Token finish(Token::Kind kind, std::size_t first, double value = 0.0) const {
-    return {kind, text_.substr(first, at_ - first), first, value};
+    return {kind, text_.substr(first, at_ - first), first, value, {}};
   }
 
   Token number() {
@@ -70,18 +70,21 @@ class Lexer {
     const char* const end = text_.data() + text_.size();
     const auto [rest, error] = std::from_chars(text_.data() + at_, end, value);
     at_ = static_cast<std::size_t>(rest - text_.data());
-    const std::size_t behind_number = at_;
-    value = with_unit(value);
+    std::optional<Dimension> dimension;
+    if (const auto unit = take_unit()) {
+      value = unit->to_si(value);
+      dimension = unit->dimension;
+    }
     if (error != std::errc{} || !std::isfinite(value)) {
       throw ExpressionError(fmt::format("'{}' is out of range", text_.substr(first, at_ - first)), first);
     }
     Token token = finish(Token::Kind::number, first, value);
-    token.has_unit = at_ > behind_number;
+    token.dimension = dimension;
     return token;
   }
 
   /// A number directly before a unit has it; "5 1/s" has, "51/s" is a quotient.
-  double with_unit(double value) {
+  std::optional<Unit> take_unit() {
     const std::size_t before = at_;
     skip_blanks();
     const std::string_view rest = text_.substr(at_);
@@ -89,10 +92,10 @@ class Lexer {
     const std::size_t length = apart ? unit_prefix(rest, known_) : 0;
     if (length == 0) {
       at_ = before;
-      return value;
+      return std::nullopt;
     }
     at_ += length;
-    return parse_unit(rest.substr(0, length))->to_si(value);
+    return parse_unit(rest.substr(0, length));
   }
 
   Token name() {

@@ -2,8 +2,11 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string_view>
 #include <vector>
+
+#include "engine/unit/unit.hpp"
 
 namespace stepwire {
 
@@ -14,7 +17,7 @@ struct Token {
   std::string_view text;
   std::size_t position = 0;
   double value = 0.0;
-  bool has_unit = false;
+  std::optional<Dimension> dimension{};  ///< of a number that carries a unit
 
   bool is(std::string_view sign) const { return kind == Kind::sign && text == sign; }
 };

@@ -25,9 +25,11 @@ class Reader {
 
   Claim read() {
     claim_.place = {names_.file, node_.mark};
-    for (const auto& entry : node_.entries)
-      if (std::find(claim_keys.begin(), claim_keys.end(), entry.key) == claim_keys.end())
-        add_unknown_key(entry, claim_keys, "a claim", names_, "claims", faults_);
+    for (const auto& entry : node_.entries) {
+      if (std::find(claim_keys.begin(), claim_keys.end(), entry.key) != claim_keys.end()) continue;
+      add_unknown_key(entry, claim_keys, "a claim", names_, "claims", faults_);
+      has_unknown_key_ = true;
+    }
     if (const Node* that = node_.find("that"))
       claim_.that = read_text(*that, names_, "claims.that", faults_);
     else
@@ -62,7 +64,7 @@ class Reader {
       else
         found = &entry;
     }
-    if (found == nullptr)
+    if (found == nullptr && !has_unknown_key_)  // which may be what is missing, misspelt
       fault(node_.mark, "claims", fmt::format("a claim needs one {}: {}", what, fmt::join(keys, ", ")));
     return found;
   }
@@ -107,11 +109,15 @@ class Reader {
   }
 
   void read_pair(const Node& node, const Keys& keys, const std::string& example) {
-    for (const auto& entry : node.entries)
-      if (std::find(keys.begin(), keys.end(), entry.key) == keys.end())
-        add_unknown_key(entry, keys, "it", names_, subject_, faults_);
+    bool has_unknown_key = false;
+    for (const auto& entry : node.entries) {
+      if (std::find(keys.begin(), keys.end(), entry.key) != keys.end()) continue;
+      add_unknown_key(entry, keys, "it", names_, subject_, faults_);
+      has_unknown_key = true;
+    }
     for (const auto& key : keys) {
       const Node* value = node.find(key);
+      if (value == nullptr && has_unknown_key) return;
       if (value == nullptr)
         return fault(node.mark, subject_, fmt::format("'{}' is missing: {}", key, example));
       if (key == "time")
@@ -195,6 +201,9 @@ class Reader {
                       faults_);
     comparison.within = relative ? read->value * std::abs(comparison.low) : read->value;
     comparison.text += " within " + node->text;
+    if (relative && comparison.low == 0.0)
+      fault(node->mark, "claims.within",
+            fmt::format("{} of 0 is 0; give a tolerance with the unit of the value", node->text));
     if (comparison.within < 0.0) fault(node->mark, "claims.within", "a tolerance is not negative");
   }
 
@@ -211,6 +220,7 @@ class Reader {
   Faults& faults_;
   Claim claim_;
   std::string subject_ = "claims", time_text_;
+  bool has_unknown_key_ = false;
 };
 
 }  // namespace

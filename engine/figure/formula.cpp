@@ -6,7 +6,6 @@
 #include <cctype>
 #include <stdexcept>
 
-#include "engine/figure/homogeneity.hpp"
 #include "engine/figure/number.hpp"
 
 namespace stepwire {
@@ -42,7 +41,19 @@ std::string unknown_column(const std::string& name, const Names& names) {
   std::vector<std::string> all;
   for (const auto& column : names.columns) all.push_back(column.name);
   if (names.plane) return fmt::format("'{}' is no coordinate of the plane; there are: x, y", name);
+  const bool is_vector = names.find(name + ".1") != nullptr;
+  if (names.lacks(name) && !is_vector) return fmt::format("'{}' is not recorded; add it to 'record'", name);
   return fmt::format("'{}' is not recorded{}", name, nearest_or_all(name, all, "recorded are"));
+}
+
+/// A parameter as a number, with its unit where that can stand in an expression.
+std::string number_text(const KnownParameter& parameter, const Names& names) {
+  std::string number = fmt::format("{}", parameter.value);
+  if (!parameter.dimension || *parameter.dimension == Dimension{}) return number;
+  std::string unit = si_name(*parameter.dimension);
+  std::replace(unit.begin(), unit.end(), ' ', '.');
+  const auto known = [&](std::string_view name) { return names.find(name) != nullptr; };
+  return unit_prefix(unit, known) == unit.size() ? number + " " + unit : number;
 }
 
 Substituted substitute(std::string_view text, const Names& names) {
@@ -59,7 +70,7 @@ Substituted substitute(std::string_view text, const Names& names) {
     const auto found = std::find_if(names.parameters.begin(), names.parameters.end(),
                                     [&](const KnownParameter& known) { return known.name == name; });
     if (found == names.parameters.end()) throw ExpressionError(unknown_parameter(name, names), i);
-    result.append(fmt::format("({})", found->value), i);
+    result.append(fmt::format("({})", number_text(*found, names)), i);
     i = end;
   }
   return result;
@@ -73,10 +84,25 @@ std::string name_at(std::string_view text, std::size_t position) {
   return std::string(text.substr(position, end - position));
 }
 
+/// Where a name that is in a text stands first, not as a part of another.
+std::size_t place_of(const std::string& name, std::string_view text) {
+  std::size_t at = text.find(name);
+  while (name_at(text, at) != name || (at > 0 && (is_word(text[at - 1]) || text[at - 1] == '.')))
+    at = text.find(name, at + 1);
+  return at;
+}
+
 Expression parse(std::string_view text, const Names& names) {
   const Substituted substituted = substitute(text, names);
   try {
-    return Expression(substituted.text, [&](std::string_view name) { return names.find(name) != nullptr; });
+    // A signal called "e" that is not recorded is no constant either.
+    Expression expression(substituted.text, [&](std::string_view name) {
+      return names.find(name) != nullptr || ((name == "e" || name == "pi") && names.lacks(name));
+    });
+    for (const std::string& name : expression.variables())
+      if (names.lacks(name))
+        throw ExpressionError(unknown_column(name, names), place_of(name, substituted.text));
+    return expression;
   } catch (const ExpressionError& error) {
     const std::size_t position = substituted.origin_of(error.position);
     const std::string name = name_at(text, position);
@@ -88,16 +114,19 @@ Expression parse(std::string_view text, const Names& names) {
   }
 }
 
-std::optional<Dimension> find_dimension(const Expression& expression, const Names& names) {
-  // Trials scale the names only; what a number with a unit does to the result is not seen by them.
-  if (expression.has_units()) return std::nullopt;
-  std::vector<Dimension> dimensions;
+/// Throws ExpressionError where units do not fit each other, with the place in the text as it was written.
+std::optional<Dimension> find_dimension(const Expression& expression, std::string_view text,
+                                        const Names& names) {
+  std::vector<Measure> measures;
   for (const auto& name : expression.variables()) {
     const auto& dimension = names.find(name)->dimension;
-    if (!dimension) return std::nullopt;
-    dimensions.push_back(*dimension);
+    measures.push_back({dimension, dimension.has_value()});
   }
-  return dimension_of(expression, dimensions);
+  try {
+    return expression.measure(measures).dimension;
+  } catch (const ExpressionError& error) {
+    throw ExpressionError(error.what(), substitute(text, names).origin_of(error.position));
+  }
 }
 
 std::string trimmed(std::string_view text) {
@@ -159,7 +188,7 @@ std::optional<Formula> read_formula(const Node& node, std::string_view text, std
       faults.add({place_in(node, offset, names), subject, apart_message(apart), {}});
       return std::nullopt;
     }
-    const auto dimension = find_dimension(expression, names);
+    const auto dimension = find_dimension(expression, text, names);
     const Mark mark = place_in(node, offset, names).mark;
     return Formula{trimmed(text), std::move(expression), std::move(columns), recording, dimension, mark};
   } catch (const ExpressionError& error) {

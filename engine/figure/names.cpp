@@ -10,4 +10,8 @@ const RecordedName* Names::find(std::string_view name) const {
   return found == columns.end() ? nullptr : &*found;
 }
 
+bool Names::lacks(std::string_view name) const {
+  return find(name) == nullptr && std::find(signals.begin(), signals.end(), name) != signals.end();
+}
+
 }  // namespace stepwire

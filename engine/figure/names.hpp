@@ -23,6 +23,7 @@ struct RecordedName {
 struct KnownParameter {
   std::string name;
   double value = 0.0;  ///< SI
+  std::optional<Dimension> dimension{};
 };
 
 /// All that the figures and claims of one diagram file may name.
@@ -30,9 +31,12 @@ struct Names {
   std::string file;  ///< for the places of faults
   std::vector<RecordedName> columns;
   std::vector<KnownParameter> parameters{};
-  bool plane = false;  ///< the columns are the coordinates of a plane, not records
+  std::vector<std::string> signals{};  ///< what could be recorded, by the names that the diagram has for it
+  bool plane = false;                  ///< the columns are the coordinates of a plane, not records
 
   const RecordedName* find(std::string_view name) const;
+  /// Is it a signal that the file does not record?
+  bool lacks(std::string_view name) const;
 };
 
 }  // namespace stepwire

@@ -175,7 +175,7 @@ class PanelReader {
 
   /// Boundaries are formulas of the plane, not of the record: only x and y are known in them.
   void read_boundary(const Node& node) {
-    Names plane{names_.file, {{"x", {}, {}}, {"y", {}, {}}}, names_.parameters, true};
+    Names plane{names_.file, {{"x", {}, {}}, {"y", {}, {}}}, names_.parameters, {}, true};
     const std::vector<Node> one{node};
     for (const auto& item : node.is_list() ? node.items : one)
       if (auto formula = read_formula(item, plane, "figure.boundary", faults_))

@@ -29,8 +29,8 @@ RunFault make_fault(const Plan& plan, std::size_t block, const std::string& port
 std::optional<RunFault> Simulation::not_finite() const {
   const auto cure = [&](double value) {
     return fmt::format(
-        "became {} at {} s; the run ends here. A smaller step, a stiff solver (rosenbrock) or a check of the "
-        "parameters helps",
+        "became {} at {:.12g} s; the run ends here. A smaller step, a stiff solver (rosenbrock) or a check "
+        "of the parameters helps",
         std::isnan(value) ? std::abs(value) : value, time());  // the sign of NaN says nothing
   };
   // States first: an integration that ran away is the cause of what follows from it. Then outputs in the
@@ -63,7 +63,7 @@ std::optional<RunFault> Simulation::fault() const {
       const double first = workspace_.values[plan_.blocks[b].notices[n].offset];
       if (specs[n].ends_run && first != Notice::never)
         return make_fault(plan_, b, "", first,
-                          fmt::format("{} (at {} s); the run ends here", notice_text(b, n), first));
+                          fmt::format("{} (at {:.12g} s); the run ends here", notice_text(b, n), first));
     }
   }
   return not_finite();

@@ -178,13 +178,23 @@ RunResult pool(const Job& job, std::vector<RunResult> results) {
   return all;
 }
 
+/// What is set from outside is not swept any more: each run has that value.
+void pin(Sweep& sweep, const std::vector<Setting>& settings) {
+  for (Sweep::Axis& axis : sweep.axes)
+    for (const Setting& setting : settings) {
+      if (setting.name != axis.parameter) continue;
+      const std::size_t count = sweep.together ? axis.values.size() : 1;
+      axis.values.assign(count, setting.value);
+      axis.marks.assign(count, setting.mark);
+    }
+}
+
 std::vector<Setting> settings_of(const Sweep& sweep, std::size_t point, const std::string& file) {
   std::vector<Setting> settings;
   const auto index = indices(sweep, point);
   for (std::size_t axis = 0; axis < sweep.axes.size(); ++axis) {
-    const std::string& name = sweep.axes[axis].parameter;
-    const std::string& value = sweep.axes[axis].values[index[axis]];
-    settings.push_back({name, value, file});
+    const Sweep::Axis& swept = sweep.axes[axis];
+    settings.push_back({swept.parameter, swept.values[index[axis]], file, swept.marks[index[axis]]});
   }
   return settings;
 }
@@ -210,7 +220,8 @@ Job make_job(Loader& loader, const std::string& path, const std::vector<Setting>
   Job job{make_plan(loader.load(path, all)), {}};
   require_solver_memory(job.plan);
   static_cast<void>(Simulation(job.plan));  // a block's start() may find what no plan shows
-  const auto& sweep = job.plan.diagram.sweep;
+  auto& sweep = job.plan.diagram.sweep;
+  if (sweep) pin(*sweep, all);
   for (std::size_t point = 0; sweep && point < point_count(*sweep); ++point) {
     SweepPoint made{settings_of(*sweep, point, job.plan.diagram.file), {}};
     made.plan = plan_point(loader, path, all, made);

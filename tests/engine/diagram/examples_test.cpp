@@ -57,7 +57,7 @@ record: [a, b, g]
             "test.yaml:5:35: c.u: takes one signal, not a list; join signals with a Mux",
             "test.yaml:6:23: d.u: there is no block 'nowhere'",
             "test.yaml:7:6: e: the input 'u' is missing (signal)",
-            "test.yaml:8:6: f: needs either 'block:' (a kind) or 'diagram:' (a file)",
+            "test.yaml:8:6: f: needs either 'block:' (a type) or 'diagram:' (a file)",
             "test.yaml:9:16: record: there is no block 'g'"});
 }
 
@@ -99,4 +99,32 @@ TEST_CASE("numbers that are not finite are refused wherever they stand") {
     CHECK(faults_of("solver: rk4\nblocks:\n  a: {block: Integrator, u: 1, initial: " + text + "}\n") ==
           std::vector<std::string>{"test.yaml:3:41: a.initial: " + why});
   }
+}
+
+TEST_CASE("what is for people is a text, and a name names one thing") {
+  const std::string block = "blocks: {c: {block: Constant, value: 1}}\n";
+  const auto fault = [&](const std::string& yaml) {
+    const auto refused = faults_of(yaml);
+    REQUIRE(refused.size() == 1);
+    return refused[0];
+  };
+  CHECK(fault("title: [a]\n" + block) == "test.yaml:1:8: title: a text is wanted here");
+  CHECK(fault("solver: {a: b}\n" + block) == "test.yaml:1:9: solver: a text is wanted here");
+  CHECK(fault("thesis: 15\n" + block) ==
+        "test.yaml:1:9: thesis: must be a map such as {figure: 15, section: 2.5.1}");
+  CHECK(fault("blocks: {c: {block: [Constant]}}\n") == "test.yaml:1:21: c: 'block:' names one type, as Gain");
+  CHECK(fault("blocks:\n  c:\n  next: {block: Constant, value: 1}\n") ==
+        "test.yaml:2:3: c: must be a map such as {block: Gain, gain: 2, u: source}");
+  CHECK(fault("stop: 1e300 s\n" + block) ==
+        "test.yaml:1:7: stop: 1e+300 s are more than 9000000000000000 steps of 1 s");
+}
+
+TEST_CASE("a file without blocks is told nothing else") {
+  CHECK(faults_of("record: c\n").size() == 1);
+}
+
+TEST_CASE("a decimal comma and a formula with a comma are called so") {
+  const auto refused = faults_of("blocks: {c: {block: Constant, value: 0,5 N}}\n");
+  REQUIRE(refused.size() == 1);
+  CHECK_THAT(refused[0], Catch::Contains("Constant has no '5 N'; a comma ends a value"));
 }

@@ -88,7 +88,7 @@ TEST_CASE("a unit that is unknown or the wrong one is refused") {
 TEST_CASE("parameters are listed with what was assumed and what was set") {
   const Plan plan = plan_text(
       "parameters: {a: {value: 2 mm, doc: length, assumed: true}, b: 3}\nblocks:\n  c: {block: Constant, "
-      "value: $a}\n",
+      "value: = a * b}\n",
       {{"b", "4"}});
   const auto& parameters = plan.diagram.parameters;
   REQUIRE(parameters.size() == 2);
@@ -115,4 +115,33 @@ TEST_CASE("a setting that nothing takes is refused, with the nearest name") {
         "--set c.valeu=2: there is no parameter 'c.valeu'; did you mean 'c.value'?");
   CHECK(fault_of("{}", "1", {{"slover", "rk4"}}) ==
         "--set slover=rk4: there is no parameter 'slover'; did you mean 'solver'?");
+}
+
+TEST_CASE("an expression of parameters has their unit, and adds only what has one") {
+  CHECK(fault_of("{a: 1 N, b: 2 m}", "= a + b") ==
+        "test.yaml:3:35: c.value: '+' joins N and m; they must have the same unit");
+  CHECK(fault_of("{a: 1 N, b: 2 m, d: {value: = a / b, below: 3 N}}", "$d") ==
+        "test.yaml:1:57: d.below: '3 N' is in N; it must be in N/m");
+  CHECK(value_of("= a * b + 1", "{a: 2 N, b: 3 m}") == Values{7});
+}
+
+TEST_CASE("a parameter that nothing uses is refused, unless a figure, a claim or a sweep reads it") {
+  CHECK(fault_of("{a: 1, b: 2}", "$a") ==
+        "test.yaml:1:20: b: nothing uses this parameter; use it as $b, or take it out");
+  const std::string block = "parameters: {limit: 3}\nblocks: {c: {block: Constant, value: 1}}\nrecord: c\n";
+  CHECK(faults_of(block).size() == 1);
+  CHECK(faults_of(block + "claims: [{that: it is low, final: c, at_most: $limit}]\n").empty());
+  CHECK(faults_of(block + "figure: {plot: lines, x: time, y: c - $limit}\n").empty());
+  CHECK(faults_of(block + "sweep: {limit: [1, 2]}\n").empty());
+  CHECK(faults_of(block + "claims: [{that: it is low, final: c, at_most: $limits}]\n").size() == 1);
+}
+
+TEST_CASE("what is said about a parameter is text, a flag and a value, and its name no constant") {
+  CHECK(fault_of("{a: {doc: length}}") == "test.yaml:1:17: a: 'value' is missing, as {value: 2 kg}");
+  CHECK(fault_of("{a: {value: 1, doc: [x]}}", "$a") == "test.yaml:1:33: a.doc: a text is wanted here");
+  CHECK(fault_of("{a: {value: 1, assumed: maybe}}", "$a") ==
+        "test.yaml:1:37: a.assumed: 'maybe' is neither true nor false");
+  for (const std::string name : {"pi", "e", "time"})
+    CHECK_THAT(fault_of("{" + name + ": 3}", "$" + name),
+               Catch::StartsWith("test.yaml:1:14: " + name + ": is no name for a parameter"));
 }

@@ -33,9 +33,8 @@ TEST_CASE("a state is recorded but not wired") {
 }
 
 TEST_CASE("what has no output cannot be wired or recorded") {
-  CHECK(fault_of("  g: {block: Gain, u: end}\n") ==
-        "test.yaml:6:23: g.u: 'end' is a Terminator, which has no output");
-  CHECK(fault_of("record: end.y\n") == "test.yaml:6:9: record: 'end' is a Terminator, which has no output");
+  CHECK(fault_of("  g: {block: Gain, u: end}\n") == "test.yaml:6:23: g.u: 'end' (Terminator) has no output");
+  CHECK(fault_of("record: end.y\n") == "test.yaml:6:9: record: 'end' (Terminator) has no output");
 }
 
 TEST_CASE("the nearest name is suggested") {
@@ -69,4 +68,9 @@ TEST_CASE(
 TEST_CASE("an element of a vector is no signal by itself") {
   CHECK(fault_of("  v: {block: Constant, value: [1, 2]}\n  g: {block: Gain, u: v.1}\n") ==
         "test.yaml:7:23: g.u: 'v.1' is no signal of its own; pick an element with Select");
+}
+
+TEST_CASE("to record one element of a vector, the vector is recorded") {
+  CHECK(fault_of("  v: {block: Constant, value: [1, 2]}\nrecord: v.1\n") ==
+        "test.yaml:7:9: record: 'v.1' is no signal of its own; 'v' brings all its elements, v.1, ...");
 }

@@ -91,3 +91,16 @@ TEST_CASE("the units that a part declares for its ports hold at its border") {
   REQUIRE(out.size() == 1);
   CHECK_THAT(out[0], Catch::Contains("is in m") && Catch::Contains("is in N"));
 }
+
+TEST_CASE("one wrong unit is told once, however many wires it contradicts") {
+  CHECK(fault_of("  s: {block: Sum, u: [m.position, 3 N, 4 N]}\n  n: {block: Mass, force: s}\n") ==
+        "test.yaml:4:35: s.u: the number is in N, but s.u is in m");
+}
+
+TEST_CASE("the condition that ends a run compares what has one unit") {
+  const std::string wire = "  n: {block: Mass, force: 1 N}\nstop_when: ";
+  CHECK(fault_of(wire + "n.position > 2 N\n") ==
+        "test.yaml:5:12: stop_when: '>' joins m and N; they must have the same unit");
+  CHECK(fault_of(wire + "n.position - time < 0\n") ==
+        "test.yaml:5:12: stop_when: '-' joins m and s; they must have the same unit");
+}

@@ -61,6 +61,8 @@ TEST_CASE("a near miss suggests the right name") {
   CHECK(did_you_mean("gian", names) == "; did you mean 'gain'?");
   CHECK(did_you_mean("intial", names) == "; did you mean 'initial'?");
   CHECK(did_you_mean("freq", names) == "; did you mean 'frequency'?");
+  CHECK(did_you_mean("ZOH", {"Sum", "ZeroOrderHold"}) == "; did you mean 'ZeroOrderHold'?");
+  CHECK(did_you_mean("position", {"initial_position", "mass"}) == "; did you mean 'initial_position'?");
 }
 
 TEST_CASE("a word that is far from all names suggests nothing") {

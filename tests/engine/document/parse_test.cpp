@@ -79,6 +79,13 @@ TEST_CASE("an absent value has the place of its key, a written null its own") {
   CHECK(at(root.find("c")->mark) == "3:1");
 }
 
+TEST_CASE("an absent value has the place of its key, whatever the next line begins with") {
+  for (const std::string next : {"net: 1", "null_force: 1", "Nothing: 1", "~a: 1"}) {
+    const Node root = parse("a:\n" + next + "\n");
+    CHECK(at(root.entries.at(0).value.mark) == "1:1");
+  }
+}
+
 TEST_CASE("a file without content has an empty root at its start") {
   for (const std::string text : {"", "\n\n", "# only a comment\n", "   ", "\xef\xbb\xbf"}) {
     const Node root = parse(text);

@@ -100,3 +100,8 @@ TEST_CASE("common slips of the hand give an error at their place") {
   CHECK_THAT(error_of("a: ]\n"), Contains("a.yaml:1:4: this bracket closes nothing"));
   CHECK_THAT(error_of("a: {b: 1 c: 2}\n"), Contains("a.yaml:1:11: expected ',' or '}'"));
 }
+
+TEST_CASE("line ends of one carriage return are told as such and not as one wrong line") {
+  CHECK_THAT(error_of("a: 1\rb: 2\r"), Contains("a.yaml:1:5: a carriage return without a line feed"));
+  CHECK(error_of("a: 1\r\nb: 2\r\n") == "none");
+}

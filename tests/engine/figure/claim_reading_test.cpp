@@ -26,7 +26,8 @@ TEST_CASE("the condition of a claim is told as text") {
   CHECK(check_of("at: {time: 2 s, value: rig.x}, between: [1 mm, 2 mm]") ==
         "rig.x at 2 s between 1 mm and 2 mm");
   CHECK(check_of("rising: {value: rig.x, over: time}, at_least: 0.9") == "rising rig.x over time >= 0.9");
-  CHECK(check_of("fit: [push.force, 3 + rig.x], at_least: 88 %") == "fit push.force to 3 + rig.x >= 88 %");
+  CHECK(check_of("fit: [push.force, 3 + 9*rig.x], at_least: 88 %") ==
+        "fit push.force to 3 + 9*rig.x >= 88 %");
 }
 
 TEST_CASE("numbers of a claim become SI, with parameters and expressions") {
@@ -50,9 +51,9 @@ TEST_CASE("an unknown name is told with its place inside the expression and the 
         "d.yaml:1:22: claims.max: 'rig.xx' is not recorded; did you mean 'rig.x'? Recorded are: time, "
         "current, rig.x, "
         "rig.v, push.force, slow\n");
-  CHECK(
-      faults_of("{that: a, max: \"$limt * rig.x\", at_most: 2}") ==
-      "d.yaml:1:19: claims.max: there is no parameter 'limt'; did you mean 'limit'? There are: limit, low\n");
+  CHECK(faults_of("{that: a, max: \"$limt * rig.x\", at_most: 2}") ==
+        "d.yaml:1:19: claims.max: there is no parameter 'limt'; did you mean 'limit'? There are: limit, low, "
+        "reach\n");
 }
 
 TEST_CASE("a number of the wrong kind is refused") {
@@ -102,4 +103,30 @@ TEST_CASE("all faults of all claims are found in one pass") {
   CHECK_THAT(read.faults, Catch::Contains("'maxx'; did you mean 'max'?"));
   CHECK_THAT(read.faults, Catch::Contains("d.yaml:2:3: claims: a claim is a map"));
   CHECK_THAT(read.faults, Catch::Contains("d.yaml:3:18: claims.max: 'foo' is not recorded"));
+}
+
+TEST_CASE("what a claim reads has one unit, that of a parameter included") {
+  CHECK(faults_of("{that: a, where: rig.x > 1 N, max: time, at_most: 1 s}") ==
+        "d.yaml:1:26: claims.where: '>' joins m and N; they must have the same unit\n");
+  CHECK(faults_of("{that: a, max: push.force - $reach, at_most: 1}") ==
+        "d.yaml:1:29: claims.max: '-' joins N and m; they must have the same unit\n");
+  CHECK(faults_of("{that: a, where: abs(rig.x) < $reach, max: rig.x + 5 mm, at_most: 1 m}").empty());
+}
+
+TEST_CASE("a signal that is not recorded is to be recorded, and no constant if it is called e") {
+  CHECK(faults_of("{that: a, max: 2*motor, at_most: 1}") ==
+        "d.yaml:1:20: claims.max: 'motor' is not recorded; add it to 'record'\n");
+  CHECK(faults_of("{that: a, max: time + 2*e, at_most: 1}") ==
+        "d.yaml:1:27: claims.max: 'e' is not recorded; add it to 'record'\n");
+  CHECK(faults_of("{that: a, max: rig.x*pi, at_most: 1}").empty());
+}
+
+TEST_CASE("one slip in a claim is told once") {
+  CHECK_THAT(faults_of("{that: a, finl: time, at_most: 1 s}"),
+             Catch::StartsWith("d.yaml:1:13: claims: a claim has no 'finl'; did you mean 'final'?") &&
+                 !Catch::Contains("needs one"));
+  CHECK_THAT(faults_of("{that: a, at: {tim: 1 s, value: time}, at_most: 1 s}"),
+             Catch::Contains("it has no 'tim'") && !Catch::Contains("is missing"));
+  CHECK(faults_of("{that: a, max: time, equals: 0 s, within: 1 %}") ==
+        "d.yaml:1:45: claims.within: 1 % of 0 is 0; give a tolerance with the unit of the value\n");
 }

@@ -31,9 +31,11 @@ TEST_CASE("an axis is labelled with its expression and the unit it is drawn in")
 TEST_CASE("the SI unit of an expression is its unit where none is given") {
   CHECK(panel_of("{plot: xy, x: rig.x, y: push.force*rig.v}").series.at("y")[0].axis_label() ==
         "push.force*rig.v [W]");
-  CHECK(panel_of("{plot: xy, x: rig.x, y: rig.x / 3 mm}").series.at("y")[0].axis_label() == "rig.x / 3 mm");
+  CHECK(panel_of("{plot: xy, x: rig.x, y: rig.x / 3 mm}").series.at("y")[0].axis_label() ==
+        "rig.x / 3 mm [–]");
   CHECK(panel_of("{plot: xy, x: rig.x, y: rig.x > 0}").series.at("y")[0].axis_label() == "rig.x > 0 [–]");
-  CHECK(panel_of("{plot: xy, x: rig.x, y: rig.x + 5 mm}").series.at("y")[0].axis_label() == "rig.x + 5 mm");
+  CHECK(panel_of("{plot: xy, x: rig.x, y: rig.x + 5 mm}").series.at("y")[0].axis_label() ==
+        "rig.x + 5 mm [m]");
 }
 
 TEST_CASE("ranges and options become the unit of their axis") {

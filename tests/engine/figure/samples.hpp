@@ -23,7 +23,8 @@ inline Names sample_names() {
            {"rig.v", metre / second, 0},
            {"push.force", newton, 0},
            {"slow", newton, 1}},
-          {{"limit", 0.35}, {"low", -2.0}}};
+          {{"limit", 0.35}, {"low", -2.0}, {"reach", 0.1, metre}},
+          {"rig.x", "e", "motor", "wide"}};
 }
 
 inline Column column(std::string name, std::string unit, std::vector<double> values) {

@@ -111,3 +111,47 @@ TEST_CASE("what is swept must be something that can be set") {
   REQUIRE_THROWS_WITH(make_job(loader, folder.path("sweep.yaml")),
                       Catch::Contains("there is no parameter 'gian'; did you mean 'gain'?"));
 }
+
+TEST_CASE("what is wrong with one value of a sweep is told at that value") {
+  const DiagramFolder folder;
+  const auto refused = [&](const std::string& sweep,
+                           const std::string& parameter = "a: {value: 1 N, above: 0 N}") {
+    folder.write("sweep.yaml", head + "parameters: {" + parameter +
+                                   "}\nblocks: {y: {block: Gain, u: $a}}\nsweep: " + sweep + "\n");
+    Loader loader(library());
+    try {
+      make_job(loader, folder.path("sweep.yaml"));
+    } catch (const Error& error) {
+      const std::string text = error.what();
+      return text.substr(text.find("sweep.yaml"));
+    }
+    return std::string("none");
+  };
+  CHECK(refused("{a: [1, -1 N]}") ==
+        "sweep.yaml:6:16: a: -1 N is not allowed; it must be above 0 N (in the run with a=-1 N)");
+  CHECK(refused("{a: {values: [1, 2 s]}}") ==
+        "sweep.yaml:6:25: a: 2 s is in s; it must be in N (in the run with a=2 s)");
+  CHECK(refused("{a: {from: 1 s, to: 2 s, count: 2}}") ==
+        "sweep.yaml:6:12: a: 1 s is in s; it must be in N (in the run with a=1 s)");
+  CHECK(refused("{a: {from: 1 N, to: 2 s, count: 2}}") ==
+        "sweep.yaml:6:28: sweep.a: 'to' is in s; it must be in N");
+  CHECK(refused("{a: {from: 1 N, to: 2 N}}") ==
+        "sweep.yaml:6:12: sweep.a: 'count' is missing; it is written [.., ..] or {from: .., to: .., count: "
+        "..}");
+  CHECK(refused("{a: [1, 2], together: yes}") ==
+        "sweep.yaml:6:30: sweep.together: 'yes' is neither true nor false");
+  CHECK(refused("{a: [1, 2]}\nrecord: {signals: {a: y}}") ==
+        "sweep.yaml:7:23: record: 'a' is a swept parameter as well, and both would be a column 'a'; give the "
+        "signal another name: {a_y: a}");
+}
+
+TEST_CASE("what is set from outside is not swept any more") {
+  const DiagramFolder folder;
+  folder.write("sweep.yaml",
+               head +
+                   "parameters: {a: 0, b: 0}\nblocks: {y: {block: Sum, u: [$a, $b]}}\nrecord: y\n"
+                   "sweep: {a: [1, 2, 3], b: [10, 20, 30]}\n");
+  Loader loader(library());
+  const RunResult result = run_job(make_job(loader, folder.path("sweep.yaml"), {{"a", "7"}}));
+  CHECK(column(result.recordings.at(0).table, "y") == std::vector<double>{17, 17, 27, 27, 37, 37});
+}

@@ -1,0 +1,136 @@
+#include "engine/expression/measure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/expression/fold.hpp"
+
+namespace stepwire {
+namespace {
+
+/// A value on the way: what is known of its unit, and of a bare number the number, which may be an exponent.
+struct Piece {
+  Measure measure;
+  bool bare = false;
+  std::optional<double> number{};
+};
+
+const Piece truth{{Dimension{}, true}};
+
+bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::optional<double> folded(std::string_view sign, const Piece& a, const Piece& b) {
+  if (!a.number || !b.number) return std::nullopt;
+  if (sign == "^") return std::pow(*a.number, *b.number);
+  return sign == "*"   ? *a.number * *b.number
+         : sign == "/" ? *a.number / *b.number
+         : sign == "+" ? *a.number + *b.number
+                       : *a.number - *b.number;
+}
+
+class MakeMeasure {
+ public:
+  MakeMeasure(const Program& program, const std::vector<Measure>& variables)
+      : program_(program), variables_(variables) {}
+
+  Piece variable(std::size_t i) const { return {variables_[i]}; }
+
+  Piece number(std::size_t i) const {
+    const auto& dimension = program_.dimensions[i];
+    return dimension ? Piece{{dimension, true}} : Piece{{}, true, program_.numbers[i]};
+  }
+
+  Piece sign(std::string_view sign, const Piece& a) const {
+    if (sign == "!") return truth;
+    return {a.measure, a.bare, a.number ? std::optional(-*a.number) : std::nullopt};
+  }
+
+  Piece operation(std::string_view sign, Binding binding, const Piece& a, const Piece& b,
+                  std::size_t place) const {
+    if (binding == Binding::either || binding == Binding::both) return truth;
+    if (binding == Binding::product) return product(sign, a, b);
+    if (binding == Binding::power) return to_the(a, b);
+    Piece joined = join(a, b, sign, place);
+    joined.number = folded(sign, a, b);
+    return binding == Binding::comparison ? truth : joined;
+  }
+
+  Piece choice(const Piece&, const Piece& a, const Piece& b) const {
+    Piece joined = a.bare ? b : a;
+    const bool differ = !a.bare && !b.bare && a.measure.dimension != b.measure.dimension;
+    if (differ) joined.measure = {};
+    return joined;
+  }
+
+  Piece call(std::string_view function, const std::vector<Piece>& values, std::size_t place) const {
+    const Piece& first = values.front();
+    if (is_one_of(function, {"min", "max", "mod", "hypot", "atan2"})) {
+      Piece all = first;
+      for (std::size_t i = 1; i < values.size(); ++i) all = join(all, values[i], function, place);
+      return function == "atan2" ? truth : all;
+    }
+    if (function == "sign") return truth;
+    if (function == "abs") return {first.measure, first.bare};
+    if (function == "sqrt") return to_the(first, {{}, true, 0.5});
+    if (function == "cbrt") return to_the(first, {{}, true, 1.0 / 3.0});
+    return of_a_pure_number(first);
+  }
+
+ private:
+  /// Values of one unit, as a sum, a comparison or min() needs them.
+  static Piece join(const Piece& a, const Piece& b, std::string_view sign, std::size_t place) {
+    if (a.bare && b.bare) return {{}, true};
+    if (a.bare || b.bare) return {known_for_sure(a.bare ? b.measure : a.measure)};
+    const Measure &x = a.measure, &y = b.measure;
+    const bool differ = x.dimension != y.dimension;
+    if (differ && x.sure && y.sure)
+      throw ExpressionError(fmt::format("'{}' joins {} and {}; they must have the same unit", sign,
+                                        si_name(*x.dimension), si_name(*y.dimension)),
+                            place);
+    return differ ? Piece{} : Piece{{x.dimension, x.sure || y.sure}};
+  }
+
+  /// "3 + 10*current" may well be a force.
+  static Measure known_for_sure(const Measure& measure) { return measure.sure ? measure : Measure{}; }
+
+  static Piece product(std::string_view sign, const Piece& a, const Piece& b) {
+    if (a.bare && b.bare) return {{}, true, folded(sign, a, b)};
+    const auto one = [](const Piece& piece) { return piece.bare ? Dimension{} : piece.measure.dimension; };
+    const auto x = one(a), y = one(b);
+    if (!x || !y) return {};
+    return {{sign == "*" ? *x * *y : *x / *y, a.measure.sure && b.measure.sure}};
+  }
+
+  static Piece to_the(const Piece& a, const Piece& b) {
+    if (a.bare) return {{}, true, folded("^", a, b)};
+    const auto& dimension = a.measure.dimension;
+    if (dimension == Dimension{}) return {a.measure};
+    if (!dimension || !b.number) return {};
+    return {{power(*dimension, *b.number), a.measure.sure}};
+  }
+
+  /// Of seconds as well: "exp(-time)" stands for a time constant of one second, and is of no unit that is
+  /// known for sure; a logarithm and a rounding have none at all then.
+  static Piece of_a_pure_number(const Piece& value) {
+    const Measure& measure = value.measure;
+    if (value.bare || measure.dimension == Dimension{}) return {{Dimension{}, measure.sure}};
+    return {};
+  }
+
+  const Program& program_;
+  const std::vector<Measure>& variables_;
+};
+
+}  // namespace
+
+Measure measure_of(const Program& program, const std::vector<Measure>& variables) {
+  const MakeMeasure make(program, variables);
+  return Fold<Piece, MakeMeasure>(program, make).run().measure;
+}
+
+}  // namespace stepwire
