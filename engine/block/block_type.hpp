@@ -6,24 +6,11 @@
 #include <vector>
 
 #include "engine/block/configure.hpp"
+#include "engine/block/kernels.hpp"
 #include "engine/block/spec.hpp"
 #include "engine/block/symbol.hpp"
 
 namespace stepwire {
-
-/// Runs one phase of the blocks of one type, at least one, that lie one behind the other in memory up to
-/// `end`.
-using Kernel = void (*)(void* first, void* end);
-
-/// The kernels of one phase. The more is known of a block, the less has to be asked at every step.
-struct Kernels {
-  Kernel any = nullptr;  ///< null where the type has no such phase
-  Kernel one = nullptr;  ///< for blocks of which every port and state has one element
-  Kernel one_of_two =
-      nullptr;  ///< and that have two inputs in the list `u`; null where there is no such list
-
-  explicit operator bool() const { return any != nullptr; }
-};
 
 /// When a block runs unless its file says `every`.
 enum class Timing {

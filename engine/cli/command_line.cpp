@@ -24,8 +24,7 @@ constexpr DocumentLimits large_limits{.bytes = std::size_t{512} << 20, .depth = 
 const std::map<std::string, Engine> engines = {
     {"interpreted", Engine::interpreted}, {"compiled", Engine::compiled}, {"auto", Engine::automatic}};
 
-const CLI::Validator is_named([](const std::string& path) { return path.empty() ? "names no folder" : ""; },
-                              "");
+const CLI::Validator is_named([](const std::string& it) { return it.empty() ? "names no folder" : ""; }, "");
 
 void add_load_options(CLI::App& verb, std::vector<std::string>& settings, bool& large) {
   verb.add_option("--set", settings,
@@ -50,9 +49,8 @@ void add_engine_option(CLI::App& verb, Engine& engine, const std::string& what) 
     word = std::to_string(static_cast<int>(known->second));
     return "";
   };
-  verb.add_option("--engine", engine, what)
-      ->transform(CLI::Validator(number_of, "", "engine"))
-      ->option_text("ENGINE");
+  CLI::Option* option = verb.add_option("--engine", engine, what);
+  option->transform(CLI::Validator(number_of, "", "engine"))->option_text("ENGINE");
 }
 
 void add_loop_options(CLI::App& verb, LoopCommand& command) {
@@ -68,8 +66,7 @@ void add_loop_options(CLI::App& verb, LoopCommand& command) {
                   "what a missed deadline means: skip drops it, catch-up runs it late, stop:N ends the loop "
                   "after N in a row")
       ->capture_default_str();
-  verb.add_option("--spin", words.spin,
-                  "time before each deadline at which it is awake and waits, e.g. 200us")
+  verb.add_option("--spin", words.spin, "time before each deadline at which it is awake, e.g. 200us")
       ->capture_default_str();
   add_engine_option(verb, command.engine,
                     "interpreted, or compiled before the loop begins; to the same bits");

@@ -133,7 +133,7 @@ class Profiler {
   /// In how many of the first ticks a period is due.
   static std::int64_t due(std::int64_t ticks, std::int64_t period) { return (ticks + period - 1) / period; }
 
-  Step step_from(std::int64_t tick) const {
+  TimeStep step_from(std::int64_t tick) const {
     return {plan_.time_of(tick), plan_.time_of(tick + 1), plan_.diagram.step};
   }
 

@@ -75,7 +75,7 @@ void ExplicitSolver::use_slope(const Stage& stage, const System& system) {
   }
 }
 
-void ExplicitSolver::advance(System& system, const Step& step) {
+void ExplicitSolver::advance(System& system, const TimeStep& step) {
   if (system.x != states_ || step.length != length_) prepare(system, step.length);
   std::copy_n(system.x, system.count, sums_.data());
   use_slope(stages_.front(), system);

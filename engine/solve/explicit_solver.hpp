@@ -11,7 +11,7 @@ namespace stepwire {
 class ExplicitSolver : public Solver {
  public:
   ExplicitSolver(const Tableau& tableau, std::size_t states);
-  void advance(System& system, const Step& step) override;
+  void advance(System& system, const TimeStep& step) override;
 
  private:
   /// to = from + weight slope

@@ -9,7 +9,7 @@ namespace stepwire {
 class RosenbrockSolver : public Solver {
  public:
   explicit RosenbrockSolver(std::size_t states) : method_(static_cast<Eigen::Index>(states)) {}
-  void advance(System& system, const Step& step) override {
+  void advance(System& system, const TimeStep& step) override {
     method_.advance(system.x, system.dot, system.time, step.start, step.length, [&] { system.evaluate(); });
   }
 

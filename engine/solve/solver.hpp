@@ -25,7 +25,7 @@ class System {
 
 /// A fixed step in time [s]. `end` is the time of the next tick as that will have it, which start + length
 /// may miss by a rounding.
-struct Step {
+struct TimeStep {
   double start, end, length;
 
   /// The time of a stage, a fraction of the step behind its start.
@@ -38,7 +38,7 @@ class Solver {
   virtual ~Solver() = default;
   /// x becomes the state at the step's end. On entry dot is already evaluated at its start. Leaves *time as
   /// it pleases.
-  virtual void advance(System& system, const Step& step) = 0;
+  virtual void advance(System& system, const TimeStep& step) = 0;
 };
 
 struct SolverKind {
