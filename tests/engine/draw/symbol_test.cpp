@@ -18,7 +18,7 @@ Lines lines_of(const std::string& keys, bool* fraction = nullptr) {
   const std::string head =
       "stepwire: 1\nstep: 1 ms\nstop: 1 s\nsolver: rk4\nparameters: {tau: 2, k: 3, long_name: 1}\n";
   const std::string text =
-      head + "blocks: {a: {" + keys + "}, all: {block: Constant, value: [$tau, $k, $long_name]}}\n";
+      head + "blocks: {a: {" + keys + "}, others: {block: Constant, value: [$tau, $k, $long_name]}}\n";
   const Diagram diagram = loader.load_text(text, "a.yaml");
   const Document document = parse_document(text, "a.yaml");
   const SymbolText found = symbol_text(diagram.blocks[0], document.root.find("blocks")->entries[0].value);
