@@ -10,6 +10,8 @@
 
 namespace stepwire {
 
+class DiagramView;
+
 /// A name that figures and claims may use for a recorded column.
 struct RecordedName {
   std::string name;
@@ -30,7 +32,8 @@ struct Names {
   std::string file;  ///< for the places of faults
   std::vector<RecordedName> columns;
   std::vector<KnownParameter> parameters{};
-  bool plane = false;  ///< the columns are the coordinates of a plane, not records
+  bool plane = false;                    ///< the columns are the coordinates of a plane, not records
+  const DiagramView* diagram = nullptr;  ///< the diagram itself; null where it cannot be drawn
 
   const RecordedName* find(std::string_view name) const;
 };
