@@ -32,7 +32,7 @@ ExitCode draw_file(const DrawCommand& command, const Registry& registry) {
   const DrawnFile file(loader, command.file);
   require_parts(command, file.view().parts());
   const Json graph = file.view().graph(command.options);
-  const std::string text = command.json ? graph.text() + "\n" : draw_graph(graph);
+  const std::string text = command.json ? graph.text() + "\n" : draw_picture(graph);
   if (command.out.empty()) {
     fmt::print("{}", text);
   } else {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/diagram/flatten.hpp"
+#include "engine/draw/draw.hpp"
 #include "engine/record/recorder.hpp"
 
 namespace stepwire {
@@ -67,9 +68,11 @@ Work prepare(const Registry& registry, const std::string& file, const WorkOption
 
 Work prepare(Loader& loader, const std::string& file, const WorkOptions& options) {
   Work work{file, make_job(loader, file, options.settings, options.stop), {}, {}, {}};
-  const Names names = names_of(work.job);
+  Names names = names_of(work.job);
   Faults faults;
   const Diagram& diagram = work.job.plan.diagram;
+  const DiagramView view(diagram, loader);
+  names.diagram = &view;
   if (diagram.figure.kind != Node::Kind::empty) work.figures = read_figures(diagram.figure, names, faults);
   if (diagram.claims.kind != Node::Kind::empty) work.claims = read_claims(diagram.claims, names, faults);
   faults.throw_if_any();

@@ -22,6 +22,8 @@ Json channel_schema(const Channel& channel) {
 }
 
 Json option_schema(const Option& option) {
+  if (option.form == Option::Form::names) return explained(one_or_list_of(schema_ref("text")), option.doc);
+  if (option.form == Option::Form::tree) return Json::object().set("description", option.doc);
   if (!option.words.empty()) return explained(one_word_of(option.words), option.doc);
   const Json number = schema_ref("number");
   return explained(option.list ? one_or_list_of(number) : number, option.doc);
@@ -50,8 +52,12 @@ void add_keys(Json& properties, const std::vector<FigureKey>& keys, const std::s
 Json plot_schema(const PlotKind& kind, bool alone) {
   Json properties = Json::object().set("plot", Json::object().set("const", kind.name));
   std::vector<std::string> required{"plot"};
-  add_keys(properties, panel_keys(), kind.plane ? "" : "boundary");
-  if (alone) add_keys(properties, picture_keys(), "panels");
+  if (kind.read) {  // a picture for itself
+    for (const char* key : {"title", "caption"}) properties.set(key, schema_ref("text"));
+  } else {
+    add_keys(properties, panel_keys(), kind.plane ? "" : "boundary");
+    if (alone) add_keys(properties, picture_keys(), "panels");
+  }
   for (const Channel& channel : kind.channels) {
     properties.set(channel.key, channel_schema(channel));
     if (channel.required) required.push_back(channel.key);
@@ -61,9 +67,10 @@ Json plot_schema(const PlotKind& kind, bool alone) {
 }
 
 /// Picks the plot's own definition by the key `plot`.
-Json plot_choice(const std::string& prefix) {
+Json plot_choice(const std::string& prefix, bool alone) {
   Json names = Json::list(), choices = Json::list();
   for (const PlotKind& kind : plot_kinds()) {
+    if (kind.read && !alone) continue;
     names.push(constant(kind.name, kind.doc));
     Json properties = Json::object().set("plot", Json::object().set("const", kind.name));
     Json condition =
@@ -82,10 +89,10 @@ void add_figure_definitions(Json& definitions) {
   definitions.set("series", series_schema());
   for (const PlotKind& kind : plot_kinds()) {
     definitions.set("plot." + kind.name, plot_schema(kind, true));
-    definitions.set("panel." + kind.name, plot_schema(kind, false));
+    if (!kind.read) definitions.set("panel." + kind.name, plot_schema(kind, false));
   }
-  definitions.set("panel", plot_choice("panel."));
-  definitions.set("plot", plot_choice("plot."));
+  definitions.set("panel", plot_choice("panel.", false));
+  definitions.set("plot", plot_choice("plot.", true));
   Json properties = Json::object();
   add_keys(properties, picture_keys());
   definitions.set("panels", closed_map(std::move(properties), {"panels"}));

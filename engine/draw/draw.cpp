@@ -76,10 +76,10 @@ Json DiagramView::graph(const GraphOptions& options) const {
 DrawnFile::DrawnFile(Loader& loader, const std::string& path)
     : diagram_(with_units(load(loader, path))), view_(diagram_, loader, diagram_.file == path ? 0 : 1) {}
 
-std::string draw_graph(const Json& graph) {
+std::string draw_picture(const Json& drawn) {
   const std::string node = find_program("node");
   if (node.empty()) throw SurroundingsError("node is not installed; on Debian it is the package nodejs");
-  const FilterAnswer answer = run_filter(node, {STEPWIRE_DRAW "/main.mjs"}, graph.text(-1));
+  const FilterAnswer answer = run_filter(node, {STEPWIRE_DRAW "/main.mjs"}, drawn.text(-1));
   if (answer.status != 0) throw SurroundingsError(answer.complaints);
   return answer.output;
 }

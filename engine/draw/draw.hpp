@@ -14,6 +14,7 @@ class DiagramView {
   DiagramView(const Diagram& diagram, Loader& loader, int scope = 0)
       : diagram_(diagram), loader_(loader), scope_(scope) {}
 
+  const Diagram& diagram() const { return diagram_; }
   /// Names of all parts that can be opened: "rig", "rig.mount".
   std::vector<std::string> parts() const;
   Json graph(const GraphOptions& options) const;
@@ -37,8 +38,8 @@ class DrawnFile {
   DiagramView view_;
 };
 
-/// The picture of a graph as SVG; the same graph gives the same bytes. Throws SurroundingsError where node or
-/// elkjs is missing.
-std::string draw_graph(const Json& graph);
+/// The picture of a graph, or of a mechanism as rig.mjs describes it, as SVG; the same JSON gives the same
+/// bytes. Throws SurroundingsError where node or elkjs is missing.
+std::string draw_picture(const Json& drawn);
 
 }  // namespace stepwire

@@ -1,9 +1,9 @@
-// Draws the graph on the standard input to the standard output. Exit status 3: elkjs is missing.
+// Draws the graph or mechanism on the standard input to the standard output. Exit status 3: elkjs is missing.
 
 import {readFileSync} from "node:fs";
 import {fileURLToPath} from "node:url";
 
-import {draw} from "./draw.mjs";
+import {draw, drawRig} from "./draw.mjs";
 
 function fail(status, message) {
   process.stderr.write(`${message}\n`);
@@ -21,8 +21,8 @@ async function newElk() {
 }
 
 try {
-  const graph = JSON.parse(readFileSync(0, "utf8"));
-  process.stdout.write(await draw(graph, await newElk()));
+  const drawn = JSON.parse(readFileSync(0, "utf8"));
+  process.stdout.write(drawn.elements ? drawRig(drawn) : await draw(drawn, await newElk()));
 } catch (error) {
   fail(1, `the diagram cannot be drawn: ${error.message ?? error}`);
 }

@@ -1,21 +1,8 @@
 // Writes a picture as SVG.
 
+import {arrowHead, dot, faint, group, ink, n, page, path, polyline, text} from "./pen.mjs";
 import {sizes, textSize} from "./symbol.mjs";
-import {escaped} from "./text.mjs";
 import {forks, lies, netOf, segmentsOf} from "./wires.mjs";
-
-const ink = "#1a1a1a", faint = "#9a9a9a";
-const arrow = {length: 8, half: 3.3};
-
-/** A number as short as it may be; none has more than two decimals. */
-const n = (value) => String(Math.round(value * 100) / 100 + 0);
-
-function text(x, y, content, {size = sizes.text, anchor = "middle", fill = ink, style = ""} = {}) {
-  const more = (anchor === "start" ? "" : ` text-anchor="${anchor}"`) + (fill === ink ? "" : ` fill="${fill}"`) + style;
-  return `<text x="${n(x)}" y="${n(y + 0.35 * size)}" font-size="${n(size)}"${more}>${escaped(content)}</text>`;
-}
-
-const path = (data, more = "") => `<path d="${data}"${more}/>`;
 
 /** A curve from the square -1..1 with y upwards into the place around a centre. */
 function curvePath(data, cx, cy, half) {
@@ -141,36 +128,25 @@ function drawWire(corners) {
   const points = corners.map((point) => [...point]);
   const tip = points.at(-1), before = points.at(-2);
   const [dx, dy] = [Math.sign(tip[0] - before[0]), Math.sign(tip[1] - before[1])];
-  const base = [tip[0] - dx * arrow.length, tip[1] - dy * arrow.length];
-  const corner = (side) => `${n(base[0] + side * dy * arrow.half)} ${n(base[1] + side * dx * arrow.half)}`;
+  const {base, head} = arrowHead(tip, [dx, dy]);
   points[points.length - 1] = base;
-  const line = points.map(([x, y], i) => `${i === 0 ? "M" : "L"}${n(x)} ${n(y)}`).join("");
-  return path(line) + path(`M${n(tip[0])} ${n(tip[1])}L${corner(1)}L${corner(-1)}Z`, ` fill="${ink}" stroke="none"`);
+  return polyline(points) + head;
 }
-
-const group = (attributes, parts) => [`<g ${attributes}>`, ...parts.filter((part) => part !== ""), "</g>"];
 
 /** The picture as the text of an SVG file. */
 export function svgOf(picture, title = "") {
   const frames = picture.blocks.filter((block) => block.inner);
   const blocks = picture.blocks.filter((block) => !block.inner);
-  const dot = ([x, y]) => `<circle cx="${n(x)}" cy="${n(y)}" r="2.4" fill="${ink}" stroke="none"/>`;
-  const size = `width="${n(picture.width)}" height="${n(picture.height)}"`;
   const line = `stroke="${ink}" stroke-width="1.2" stroke-linejoin="round"`;
-  return [
-    `<svg xmlns="http://www.w3.org/2000/svg" ${size} viewBox="0 0 ${n(picture.width)} ${n(picture.height)}">`,
-    ...(title ? [`<title>${escaped(title)}</title>`] : []),
-    `<rect width="100%" height="100%" fill="#fff"/>`,
-    ...group(`fill="#fafafa" stroke="${faint}"`, frames.map(frameRect)),
-    ...group(`fill="none" ${line}`, [...drawNets(picture.wires), ...forks(picture.wires).map(dot)]),
-    ...group(`fill="#fff" ${line}`, blocks.map((block) => shapes[block.outline](block))),
-    ...group(`fill="none" ${line}`, blocks.map(inside)),
-    ...group(`fill="${ink}" font-family="Helvetica, Arial, sans-serif"`, [
+  return page(picture, title, [
+    group(`fill="#fafafa" stroke="${faint}"`, frames.map(frameRect)),
+    group(`fill="none" ${line}`, [...drawNets(picture.wires), ...forks(picture.wires).map(dot)]),
+    group(`fill="#fff" ${line}`, blocks.map((block) => shapes[block.outline](block))),
+    group(`fill="none" ${line}`, blocks.map(inside)),
+    group(`fill="${ink}"`, [
       ...frames.map(frameName),
       ...frames.map(units),
       ...blocks.map((block) => lines(block) + portTexts(block) + units(block) + name(block)),
     ]),
-    "</svg>",
-    "",
-  ].join("\n");
+  ]);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -15,6 +16,9 @@
 namespace stepwire {
 
 struct PlotKind;
+
+/// Makes a picture from what was recorded, as SVG.
+using Picture = std::function<std::string(std::span<const Recording>)>;
 
 /// What is drawn along an axis or as a colour: a formula, the unit it is drawn in, and its label without
 /// unit.
@@ -45,6 +49,7 @@ struct Panel {
   bool equal = false;
   bool log_x = false, log_y = false, log_color = false;
   bool final_rows = false;  ///< only the last row of each run
+  Picture picture;          ///< of a plot that makes its picture alone; without it gnuplot draws
 
   const Series* find(const std::string& key) const;
 };
@@ -67,8 +72,8 @@ struct Drawing {
   std::string warnings;
 };
 
-/// Draws with gnuplot; the same data give the same bits. Throws SurroundingsError where gnuplot is missing or
-/// fails.
+/// Draws; the same data give the same bits. Throws SurroundingsError where gnuplot, or what else draws, is
+/// missing or fails.
 Drawing draw(const Figure& figure, std::span<const Recording> recordings);
 
 /// A key of figures with its explanation, for reference pages and the schema.

@@ -10,6 +10,8 @@
 
 namespace stepwire {
 
+class DiagramView;
+
 /// A name that figures and claims may use for a recorded column.
 struct RecordedName {
   std::string name;
@@ -31,8 +33,9 @@ struct Names {
   std::string file;  ///< for the places of faults
   std::vector<RecordedName> columns;
   std::vector<KnownParameter> parameters{};
-  std::vector<std::string> signals{};  ///< what could be recorded, by the names that the diagram has for it
-  bool plane = false;                  ///< the columns are the coordinates of a plane, not records
+  std::vector<std::string> signals{};    ///< what could be recorded, by the names that the diagram has for it
+  bool plane = false;                    ///< the columns are the coordinates of a plane, not records
+  const DiagramView* diagram = nullptr;  ///< the diagram itself; null where it cannot be drawn
 
   const RecordedName* find(std::string_view name) const;
   /// Is it a signal that the file does not record?

@@ -36,6 +36,7 @@ class PanelReader {
 
   std::optional<Panel> read() {
     if (!find_kind()) return std::nullopt;
+    if (panel_.kind->read) return read_picture();
     for (const auto& entry : node_.entries)
       if (find_channel(*panel_.kind, entry.key) != nullptr) read_channel(entry);
     // Options are read in the units of the channels, so they come second.
@@ -70,6 +71,25 @@ class PanelReader {
       fault(plot->mark, "figure.plot",
             fmt::format("there is no plot '{}'{}", plot->text, nearest_or_all(plot->text, all, "there are")));
     return panel_.kind != nullptr;
+  }
+
+  /// Of a plot that is a picture for itself, which takes no keys of axes.
+  std::optional<Panel> read_picture() {
+    if (!alone_) {
+      fault(node_.mark, "figure.panels",
+            fmt::format(
+                "a plot '{}' is a picture for itself; give it an entry of its own in the list of figures",
+                panel_.kind->name));
+      return std::nullopt;
+    }
+    Keys known{"plot", "title", "caption"};
+    for (const Option& option : panel_.kind->options) known.push_back(option.key);
+    for (const auto& entry : node_.entries)
+      if (std::find(known.begin(), known.end(), entry.key) == known.end())
+        add_unknown_key(entry, known, fmt::format("a plot '{}'", panel_.kind->name), names_, "figure",
+                        faults_);
+    panel_.picture = panel_.kind->read(node_, names_, faults_);
+    return std::move(panel_);
   }
 
   void read_channel(const Entry& entry) {

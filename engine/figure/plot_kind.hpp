@@ -25,6 +25,7 @@ struct Option {
   std::string axis{};  ///< the channel in whose unit its numbers are drawn; empty: plain numbers
   bool list = false;   ///< a number or a list of them
   std::vector<std::string> words{};  ///< the words that are allowed, for an option that is a word
+  enum class Form { plain, names, tree } form = Form::plain;  ///< names and trees are read by the plot itself
 };
 
 /// One kind of plot: what it reads and how it is drawn. A new kind is one file with one such value, and a
@@ -36,6 +37,9 @@ struct PlotKind {
   std::vector<Option> options;
   bool plane = true;  ///< has the axes x and y in a plane, so that boundaries may be drawn
   void (*draw)(const Panel& panel, std::span<const Recording> recordings, Script& script) = nullptr;
+  /// For a plot that has a picture for itself and draws it without gnuplot, in place of `draw`: reads its
+  /// options.
+  Picture (*read)(const Node& node, const Names& names, Faults& faults) = nullptr;
 };
 
 /// All kinds, in the order of the reference.
@@ -51,5 +55,7 @@ PlotKind field_plot();
 PlotKind space_plot();
 PlotKind box_plot();
 PlotKind histogram_plot();
+PlotKind diagram_plot();
+PlotKind rig_plot();
 
 }  // namespace stepwire

@@ -1,0 +1,149 @@
+// Draws a mechanism to scale: a rig is {title, dimensions, elements}, an element {kind, points, name}, a point a list of
+// two or three coordinates in metres. engine/figure/plot_rig.cpp says what kinds there are.
+
+import {placeNames} from "./labels.mjs";
+import {areas, atPoint, extents, linear, wide} from "./mechanism.mjs";
+import {arrowHead, faint, group, ink, n, page, polyline, text} from "./pen.mjs";
+
+const largest = {width: 480, height: 420}, margin = {left: 110, right: 110, top: 56, bottom: 74, inSpace: 40};
+/** How far the eye is turned about y, from z towards x, and raised. */
+const turned = (50 * Math.PI) / 180, raised = (22 * Math.PI) / 180;
+
+/** From metres to millimetres on paper, y downwards; what lies in space is seen from where x, y and z are positive. */
+function project([x, y, z], dimensions) {
+  if (dimensions < 3) return [1000 * x, -1000 * y];
+  const toEye = x * Math.sin(turned) + z * Math.cos(turned);
+  return [1000 * (x * Math.cos(turned) - z * Math.sin(turned)), -1000 * (y * Math.cos(raised) - toEye * Math.sin(raised))];
+}
+
+/** How near to the eye something lies. */
+const nearness = (points) => points.reduce((sum, [x, y, z = 0]) => sum + x * Math.sin(turned) + z * Math.cos(turned) + 0.4 * y, 0) / points.length;
+
+/** The line of a dimension lies beside what it measures, to the left of the way. */
+function dimensionEnds({points: [from, to], offset = 0}) {
+  const [dx, dy] = [to[0] - from[0], to[1] - from[1]], length = Math.hypot(dx, dy) || 1;
+  return [from, to].map(([x, y, ...rest]) => [x - (dy / length) * offset, y + (dx / length) * offset, ...rest]);
+}
+
+const outerPoints = (element) => (element.kind === "dimension" ? [...element.points, ...dimensionEnds(element)] : element.points);
+
+/** Pixels for each millimetre, and where things lie on the page. */
+function sheet(rig) {
+  const all = rig.elements.flatMap((element) => outerPoints(element).map((point) => project(point, rig.dimensions)));
+  const [xs, ys] = [all.map(([x]) => x), all.map(([, y]) => y)];
+  const [left, right, top, bottom] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
+  const scale = Math.min(largest.width / Math.max(right - left, 1e-6), largest.height / Math.max(bottom - top, 1e-6));
+  const place = (point) => {
+    const [x, y] = project(point, rig.dimensions);
+    return [margin.left + scale * (x - left), margin.top + scale * (y - top)];
+  };
+  const width = margin.left + scale * (right - left) + margin.right;
+  const below = margin.bottom + (rig.dimensions === 3 ? margin.inSpace : 0);
+  return {place, scale, width: Math.max(width, 300), height: margin.top + scale * (bottom - top) + below};
+}
+
+const nice = [500, 200, 100, 50, 20, 10, 5, 2, 1];
+const plain = ` fill="${ink}" stroke="none"`;
+
+/** The axes: in the plane they show directions, in space also how long a distance along each of them looks. */
+function axes(rig, {scale, width, height}, length) {
+  const ends = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].slice(0, rig.dimensions).map((axis) => project(axis.map((one) => (one * length) / 1000), rig.dimensions));
+  const stretch = rig.dimensions === 3 ? scale : 32 / length, left = Math.min(0, ...ends.map(([u]) => u)), low = Math.max(0, ...ends.map(([, v]) => v));
+  const right = Math.max(...ends.map(([u]) => u));
+  const origin = rig.dimensions === 3 ? [width - 50 - stretch * right, height - 50 - stretch * low] : [28 - stretch * left, height - 26 - stretch * low];
+  return ends.map(([u, v], i) => {
+    const size = Math.hypot(u, v), direction = [u / size, v / size];
+    const tip = [origin[0] + stretch * u, origin[1] + stretch * v], {base, head} = arrowHead(tip, direction);
+    const letter = text(tip[0] + 9 * direction[0], tip[1] + 9 * direction[1], "xyz"[i], {size: 12, style: `${plain} font-style="italic"`});
+    return polyline([origin, base]) + head + letter;
+  }).join("");
+}
+
+/** How long so many millimetres are: a bar, and in space the arrows of the axes. */
+function scaleBar(rig, {scale, width, height}, length) {
+  const [x, y] = [width - 34, height - 26];
+  if (rig.dimensions === 3) return text(x, y, `arrows of the axes: ${length} mm`, {size: 11, anchor: "end", style: plain});
+  const from = x - length * scale;
+  return `<path d="M${n(from)} ${n(y - 4)}V${n(y + 4)}M${n(x)} ${n(y - 4)}V${n(y + 4)}M${n(from)} ${n(y)}H${n(x)}"/>` +
+    text((from + x) / 2, y - 10, `${length} mm`, {size: 11, style: plain});
+}
+
+/** A dimension with the true distance of its points. */
+function dimension(element, {place}) {
+  const [from, to] = element.points, millimetres = 1000 * Math.hypot(...from.map((one, i) => one - to[i]));
+  const [a, b] = element.points.map(place), [p, q] = dimensionEnds(element).map(place);
+  const long = Math.hypot(q[0] - p[0], q[1] - p[1]) || 1, [ux, uy] = [(q[0] - p[0]) / long, (q[1] - p[1]) / long];
+  const heads = [arrowHead(p, [-ux, -uy]), arrowHead(q, [ux, uy])];
+  const helper = ([x, y], [px, py]) => polyline([[x, y], [px + 0.05 * (px - x), py + 0.05 * (py - y)]], ` stroke="${faint}"`);
+  const angle = (Math.atan2(uy, ux) * 180) / Math.PI, upright = angle > 90 || angle <= -90 ? angle + 180 : angle;
+  const label = text(0, -9, `${n(Math.round(10 * millimetres) / 10)} mm`, {size: 11, style: plain});
+  return helper(a, p) + helper(b, q) + polyline(heads.map(({base}) => base)) + heads.map(({head}) => head).join("") +
+    `<g transform="translate(${n((p[0] + q[0]) / 2)} ${n((p[1] + q[1]) / 2)}) rotate(${n(upright)})">${label}</g>`;
+}
+
+/** What names must not cover. */
+function obstaclesOf(placed, page, centre) {
+  const segments = (points) => points.slice(1).map((point, i) => ({segment: [points[i], point], half: 1}));
+  return placed.flatMap((element) => {
+    if (element.kind === "dimension") return segments(dimensionEnds(element).map(page.place)).map((one) => ({...one, half: 14}));
+    if (element.kind in linear) return [{segment: element.at, half: 9}, ...(extents[element.kind]?.(element, centre) ?? [])];
+    if (element.kind in areas) return areaLines(element, page).flatMap(segments);
+    return element.at.flatMap((point) => extents[element.kind]?.(point) ?? []);
+  });
+}
+
+/** The lines of an area: of a rectangle, of a box, or as it was given. */
+function areaLines({kind, points, at}, {place}) {
+  if (kind !== "workspace") return [at];
+  if (points.length !== 2) return [[...at, at[0]]];
+  const [low, high] = points, face = [[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]];
+  const outline = (...rest) => face.map(([i, j]) => place([points[i][0], points[j][1], ...rest]));
+  if (low.length < 3) return [outline()];
+  const [back, front] = [outline(low[2]), outline(high[2])];
+  return [back, front, ...back.map((corner, i) => [corner, front[i]])];
+}
+
+/** Where what a name is for lies: a link, or what is beside it; an area or a point. */
+function namedThing(element, paper, centre) {
+  const {name, kind, at} = element;
+  if (kind in areas) return {name, at: areaLines(element, paper).flat(), isLink: false};
+  if (kind in wide) return {name, at: extents[kind](at[0]).flatMap(({left, right, top, bottom}) => [[left, top], [right, bottom]]), isLink: false};
+  const beside = kind in linear ? extents[kind]?.(element, centre)[0] : undefined;
+  return {name, at: beside?.segment ?? at, isLink: kind in linear && kind !== "arrow"};
+}
+
+/**
+ * What a rig's picture is made of: {paper, placed, names, centre}. The paper has a scale [pixels per mm] and tells where a
+ * point lies on it; an element has `at`, its points there.
+ */
+export function arrangeRig(rig) {
+  for (const {kind} of rig.elements)
+    if (!(kind in linear || kind in atPoint || kind in areas || kind === "dimension")) throw new Error(`there is no element '${kind}'`);
+  const paper = sheet(rig);
+  const placed = rig.elements.map((element) => ({...element, at: element.points.map(paper.place)}));
+  const joints = placed.filter(({kind}) => kind in linear || kind in atPoint).flatMap(({at}) => at);
+  const centre = [0, 1].map((i) => joints.reduce((sum, point) => sum + point[i], 0) / Math.max(1, joints.length));
+  const named = placed.filter(({name}) => name).map((element) => namedThing(element, paper, centre));
+  return {paper, placed, centre, names: placeNames(named, obstaclesOf(placed, paper, centre), centre, paper)};
+}
+
+/** The picture of a rig as the text of an SVG file. */
+export function drawRig(rig) {
+  const {paper, placed, centre, names} = arrangeRig(rig), of = (kinds) => placed.filter(({kind}) => kind in kinds);
+  const length = nice.find((one) => one * paper.scale <= 90) ?? 1;
+  const line = `stroke="${ink}" stroke-width="1.3" stroke-linejoin="round" stroke-linecap="round"`;
+  const links = of(linear).map(({at}) => at), fromFar = of(linear).sort((a, b) => nearness(a.points) - nearness(b.points));
+  return page(paper, rig.title, [
+    group(`fill="none" ${line}`, of(areas).map((element) => areas[element.kind](areaLines(element, paper)))),
+    group(`fill="#fff" ${line}`, [
+      ...fromFar.map((element) => linear[element.kind](element, paper, centre)),
+      ...of(atPoint).map((element) => atPoint[element.kind](element, paper, links)),
+    ]),
+    group(`fill="none" stroke="${ink}" stroke-width="0.9"`, [
+      ...placed.filter(({kind}) => kind === "dimension").map((element) => dimension(element, paper)),
+      axes(rig, paper, length), scaleBar(rig, paper, length),
+    ]),
+    group(`stroke="${faint}" stroke-width="0.8"`, names.map(({leader}) => (leader ? polyline(leader) : ""))),
+    group(`fill="${ink}"`, names.map(({name, at, anchor}) => text(...at, name, {size: 12, anchor}))),
+  ]);
+}
