@@ -11,10 +11,15 @@ function indexWires(nodes, wires) {
   return {out, into};
 }
 
-/** Wires that close a circle, found by a search in depth that begins at the sources. */
+/**
+ * Wires that close a circle, found by a search in depth that begins at the sources, and in loops without sources where
+ * something is compared.
+ */
 function backWires(nodes, {out, into}) {
   const back = new Set(), state = new Map();
-  const starts = [...nodes.filter((node) => into.get(node.id).length === 0), ...nodes];
+  const sources = nodes.filter((node) => into.get(node.id).length === 0);
+  const comparisons = nodes.filter((node) => node.inputs.some((port) => port.sign === "-"));
+  const starts = [...sources, ...comparisons, ...nodes];
   for (const start of starts) {
     if (state.has(start.id)) continue;
     const stack = [{id: start.id, next: 0}];
@@ -57,12 +62,15 @@ function wayBack(wire, byId, {out, into}) {
   return end >= 0 ? way.slice(0, end) : isPlant(wire.to.node) ? way : [];
 }
 
-/** The wires that close circles, and with those at them the nodes and wires that are drawn from right to left. */
-export function flowOf(nodes, wires) {
+/**
+ * The wires that close circles, and where `flip` is true the nodes in ways back, which are drawn from right to left as
+ * their wires are.
+ */
+export function flowOf(nodes, wires, flip) {
   const byId = new Map(nodes.map((node) => [node.id, node]));
   const index = indexWires(nodes, wires);
   const back = backWires(nodes, index), reversed = new Set(back), flipped = new Set();
-  for (const wire of back) {
+  for (const wire of flip ? back : []) {
     for (const id of wayBack(wire, byId, index)) {
       flipped.add(id);
       reversed.add(index.out.get(id)[0]);

@@ -26,7 +26,7 @@ const anchorOf = (dx) => (dx > 0.3 ? "start" : dx < -0.3 ? "end" : "middle");
 function besideLink([[ax, ay], [bx, by]], centre) {
   const length = Math.hypot(bx - ax, by - ay) || 1, across = [-(by - ay) / length, (bx - ax) / length];
   const found = [];
-  for (const distance of [15, 24, 34, 46])
+  for (const distance of [17, 25, 35, 47])
     for (const share of [0.5, 0.38, 0.62, 0.26, 0.74])
       for (const side of [1, -1]) {
         const [dx, dy] = across.map((one) => side * one);

@@ -37,14 +37,21 @@ const nameHeight = 15;
 const openLength = 15;
 const close = {"elk.spacing.nodeNode": 8};
 
+/** Ports by their place, since an input and an output may have one name. */
+const inputId = (end) => `${end.node} < ${end.port}`;
+const outputId = (end) => `${end.node} > ${end.port}`;
+const portsOf = (node) => [
+  ...node.inputs.map((port) => ({id: inputId({node: node.id, port: port.port}), ...port})),
+  ...node.outputs.map((port) => ({id: outputId({node: node.id, port: port.port}), ...port})),
+];
+
 function elkNode(node) {
-  const ports = [...node.inputs, ...node.outputs].map((port) => ({
-    id: `${node.id} ${port.port}`, x: port.x, y: port.y, width: 0, height: 0,
+  const ports = portsOf(node).map((port) => ({
+    id: port.id, x: port.x, y: port.y, width: 0, height: 0,
     labels: port.unit ? [{text: port.unit, width: widthOf(port.unit, sizes.unit), height: sizes.unit}] : [],
     layoutOptions: {"elk.port.side": port.side},
   }));
   const layoutOptions = {"elk.portConstraints": "FIXED_POS", "elk.portLabels.placement": "OUTSIDE"}, labels = [];
-  node.nameSide = node.name && !node.inner ? nameSide(node) : "";
   if (node.nameSide) {
     labels.push({text: node.name, width: widthOf(node.name, sizes.name), height: nameHeight});
     layoutOptions["elk.nodeLabels.placement"] = `[H_CENTER, V_${node.nameSide}, OUTSIDE]`;
@@ -53,14 +60,13 @@ function elkNode(node) {
   return {id: node.id, width: node.width, height: node.height, ports, labels, layoutOptions, individualSpacings};
 }
 
-const portId = (end) => `${end.node} ${end.port}`;
 const isWord = (node) => node.own && node.outline === "text";
 
 /** The words for the inputs of a frame, or for its outputs, as one node at its edge that keeps their order. */
 function edgeNode(kind, words) {
   const side = kind === "input" ? "EAST" : "WEST", end = kind === "input" ? "FIRST" : "LAST";
   const ports = words.map((word, i) => ({
-    id: portId({node: word.id, port: [...word.inputs, ...word.outputs][0].port}), width: 0, height: 0,
+    id: portsOf(word)[0].id, width: 0, height: 0,
     layoutOptions: {"elk.port.side": side, "elk.port.index": String(side === "EAST" ? i : words.length - i)},
   }));
   const layoutOptions = {
@@ -90,17 +96,19 @@ function placesOf(nodes, laid) {
   const found = new Map(laid.children.map((child) => [child.id, child]));
   return new Map(nodes.map((node) => {
     if (!isWord(node)) return [node.id, {x: found.get(node.id).x, y: found.get(node.id).y}];
-    const edge = found.get(`:${node.own}s`), own = edge.ports.find((port) => port.id.startsWith(`${node.id} `));
+    const edge = found.get(`:${node.own}s`), own = edge.ports.find((port) => port.id === portsOf(node)[0].id);
     const x = node.own === "input" ? edge.x : edge.x + edge.width - node.width;
-    return [node.id, {x, y: edge.y + own.y - node.height / 2}];
+    return [node.id, {x, y: Math.round(edge.y + own.y) - node.height / 2}];
   }));
 }
 
-/** Lets wires begin and end at words, not at the edge of the widest of them. */
+/** Lets wires begin and end at words, not at the edge of the widest of them, at whole heights. */
 function reachWords(nodes, places, lines) {
   const words = new Map(nodes.filter(isWord).map((node) => [node.id, node]));
   for (const [wire, points] of lines) {
     const from = words.get(wire.from.node), to = words.get(wire.to.node);
+    for (const point of from ? points.slice(0, 2) : []) point[1] = places.get(from.id).y + from.height / 2;
+    for (const point of to ? points.slice(-2) : []) point[1] = places.get(to.id).y + to.height / 2;
     if (from) points[0][0] = places.get(from.id).x + from.width;
     if (to) points.at(-1)[0] = places.get(to.id).x;
   }
@@ -118,8 +126,8 @@ function linesOf(laid, wires, reversed) {
 /** One layout: the place of each node and the corners of each wire, but for those that are led below afterwards. */
 async function layOut({nodes, wires, reversed}, elk, style, apart = new Set(), abreast = Math.min(1, apart.size)) {
   const edges = wires.map((wire, i) => {
-    const [from, to] = reversed.has(wire) ? [wire.to, wire.from] : [wire.from, wire.to];
-    return {id: String(i), sources: [portId(from)], targets: [portId(to)]};
+    const ends = [outputId(wire.from), inputId(wire.to)], [source, target] = reversed.has(wire) ? ends.reverse() : ends;
+    return {id: String(i), sources: [source], targets: [target]};
   });
   const between = {"elk.layered.spacing.edgeNodeBetweenLayers": String(clearance(abreast))};
   const laid = await elk.layout({
@@ -135,18 +143,48 @@ async function layOut({nodes, wires, reversed}, elk, style, apart = new Set(), a
 
 /** The best of several layouts; first all wires are laid out alike, then what leads back to a box is led below. */
 async function bestLayout(task, elk) {
-  const back = task.wires.map((wire) => task.back.has(wire));
-  const sides = new Map(task.nodes.flatMap((node) => [...node.inputs, ...node.outputs].map((port) => [`${node.id} ${port.port}`, port.side])));
-  const side = (end) => sides.get(`${end.node} ${end.port}`);
-  const apart = new Set([...task.back].filter((wire) => side(wire.from) === "EAST" && side(wire.to) === "WEST"));
-  let best, least = {total: Infinity, faults: Infinity};
-  for (const led of apart.size > 0 ? [new Set(), apart] : [new Set()])
+  const sides = new Map(task.nodes.flatMap(portsOf).map(({id, side}) => [id, side])), back = task.wires.map((wire) => task.back.has(wire));
+  const apart = [...task.back].filter(({from, to}) => sides.get(outputId(from)) === "EAST" && sides.get(inputId(to)) === "WEST");
+  let best = {cost: {total: Infinity, faults: Infinity}};
+  for (const led of apart.length > 0 ? [new Set(), new Set(apart)] : [new Set()])
     for (const style of placements) {
       const laid = await layOut(task, elk, style, led), cost = costOf(laid.wires, back);
-      if (cost.total < least.total) [best, least] = [laid, cost];
-      if (least.faults === 0) return best;
+      if (cost.total < best.cost.total) best = {...laid, cost};
+      if (best.cost.faults === 0) return best;
     }
   return best;
+}
+
+/** The ports of all nodes, once it is known which wires lead back and which nodes are drawn from right to left. */
+async function settlePorts(task, elk) {
+  const {nodes, wires, reversed, flipped} = task;
+  for (const node of nodes) {
+    node.flipped = flipped.has(node.id);
+    for (const port of node.inputs) delete port.side;
+    placePorts(node);
+  }
+  const chooseNameSides = () => nodes.forEach((node) => { node.nameSide = node.name && !node.inner ? nameSide(node) : ""; });
+  chooseNameSides();
+  if (!nodes.some((node) => node.outline === "circle")) return;
+  const trial = await layOut(task, elk, placements[0]);
+  enterSums(nodes, wires, reversed, new Map(wires.map((wire, i) => [wire, trial.wires[i].points[0][1]])));
+  nodes.forEach(placePorts);
+  chooseNameSides();
+}
+
+/** Lays out with ways back from right to left; where these find no good place, also without, and takes the better. */
+async function layOutLoops(nodes, wires, elk) {
+  const attempt = async (flip) => {
+    const task = {nodes, wires, ...flowOf(nodes, wires, flip)};
+    await settlePorts(task, elk);
+    return {task, laid: await bestLayout(task, elk)};
+  };
+  const first = await attempt(true);
+  if (first.laid.cost.faults === 0 || first.task.flipped.size === 0) return first.laid;
+  const second = await attempt(false);
+  if (second.laid.cost.total < first.laid.cost.total) return second.laid;
+  await settlePorts(first.task, elk);
+  return first.laid;
 }
 
 /** What is recorded and fed to nothing ends in an arrow; no wire turns that close to a block. */
@@ -187,19 +225,10 @@ export async function arrange(graph, elk, isRoot = true) {
     if (node.graph) await openPart(node, elk);
     else Object.assign(node, sizeOf(node));
   }
-  const {reversed, flipped, back} = flowOf(nodes, wires);
-  const task = {nodes, wires, reversed, back};
-  for (const node of nodes) node.flipped = flipped.has(node.id);
-  nodes.forEach(placePorts);
-  if (nodes.some((node) => node.outline === "circle")) {
-    const trial = await layOut(task, elk, placements[0]);
-    enterSums(nodes, wires, reversed, new Map(wires.map((wire, i) => [wire, trial.wires[i].points[0][1]])));
-    nodes.forEach(placePorts);
-  }
-  const laid = await bestLayout(task, elk);
+  const laid = await layOutLoops(nodes, wires, elk);
   const blocks = nodes.map((node) => Object.assign(node, laid.places.get(node.id)));
   for (const node of nodes)
-    for (const port of node.outputs) port.unitAt = laid.units.get(portId({node: node.id, port: port.port}));
+    for (const port of node.outputs) port.unitAt = laid.units.get(outputId({node: node.id, port: port.port}));
   const ends = openEnds(nodes, wires), right = Math.max(...ends.map(({points}) => points[1][0] + 8));
   const picture = {width: Math.max(laid.width, right), height: laid.height, blocks, wires: [...laid.wires, ...ends]};
   for (const block of [...blocks]) if (block.inner) embed(block, picture);

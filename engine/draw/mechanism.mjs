@@ -10,7 +10,7 @@ function frameOf([a, b]) {
   const [ux, uy] = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
   const at = (u, v) => [a[0] + u * ux - v * uy, a[1] + u * uy + v * ux];
   const box = (from, to, half, more) => polygon([at(from, -half), at(to, -half), at(to, half), at(from, half)], more);
-  return {length, at, box, line: (...points) => polyline(points.map(([u, v]) => at(u, v)))};
+  return {length, at, box, line: (...points) => polyline(points.map(([u, v]) => at(u, v)), ` fill="none"`)};
 }
 
 /** How long the housing of a link is, in pixels: as the file says, or a good half. */
@@ -36,7 +36,7 @@ function motor(element, {scale}) {
 function spring(element) {
   const {length, line} = frameOf(element.at), turns = 8, from = 0.2 * length, step = (0.6 * length) / turns;
   const zigzag = Array.from({length: turns}, (_, i) => [from + (i + 0.5) * step, i % 2 ? -7 : 7]);
-  return `<g fill="none">${line([0, 0], [from, 0], ...zigzag, [length - from, 0], [length, 0])}</g>` + ends(element);
+  return line([0, 0], [from, 0], ...zigzag, [length - from, 0], [length, 0]) + ends(element);
 }
 
 function rod(element) {

@@ -5,7 +5,7 @@ import {placeNames} from "./labels.mjs";
 import {areas, atPoint, extents, linear, wide} from "./mechanism.mjs";
 import {arrowHead, faint, group, ink, n, page, polyline, text} from "./pen.mjs";
 
-const largest = {width: 480, height: 420}, margin = {left: 110, right: 110, top: 56, bottom: 74, inSpace: 40};
+const largest = {width: 480, height: 420}, margin = {left: 110, right: 110, top: 64, bottom: 90, inSpace: 40};
 /** How far the eye is turned about y, from z towards x, and raised. */
 const turned = (50 * Math.PI) / 180, raised = (22 * Math.PI) / 180;
 
@@ -84,12 +84,17 @@ function dimension(element, {place}) {
 /** What names must not cover. */
 function obstaclesOf(placed, page, centre) {
   const segments = (points) => points.slice(1).map((point, i) => ({segment: [points[i], point], half: 1}));
-  return placed.flatMap((element) => {
-    if (element.kind === "dimension") return segments(dimensionEnds(element).map(page.place)).map((one) => ({...one, half: 14}));
+  const corners = [{left: 0, right: 90, top: page.height - 80, bottom: page.height},
+    {left: page.width - 140, right: page.width, top: page.height - 50, bottom: page.height}];
+  return corners.concat(placed.flatMap((element) => {
+    if (element.kind === "dimension") {
+      const [p, q] = dimensionEnds(element).map(page.place), [a, b] = element.at;
+      return [...segments([a, p]), {segment: [p, q], half: 14}, ...segments([q, b])];
+    }
     if (element.kind in linear) return [{segment: element.at, half: 9}, ...(extents[element.kind]?.(element, centre) ?? [])];
     if (element.kind in areas) return areaLines(element, page).flatMap(segments);
     return element.at.flatMap((point) => extents[element.kind]?.(point) ?? []);
-  });
+  }));
 }
 
 /** The lines of an area: of a rectangle, of a box, or as it was given. */
