@@ -23,6 +23,9 @@ bool has_one_element_each(const Draft::Block& block) {
 Kernel kernel_of(const Draft& draft, std::size_t block, const Kernels& kernels) {
   if (!has_one_element_each(draft.blocks[block])) return kernels.any;
   const int list = draft.type(block).input("u");
+  const auto& inputs = draft.plan.diagram.blocks[block].inputs;
+  if (list >= 0 && inputs[static_cast<std::size_t>(list)].empty())
+    return kernels.any;  // what is not fed is empty
   const bool two =
       list >= 0 && draft.plan.diagram.blocks[block].inputs[static_cast<std::size_t>(list)].size() == 2;
   return two && kernels.one_of_two ? kernels.one_of_two : kernels.one;
