@@ -28,6 +28,7 @@ struct Region {
   }
 
   void configure(Configure& is);
+  void outline(Outline& lines) const;
 
   static void declare(Declare<Region>& is);
 

@@ -13,6 +13,7 @@
 namespace stepwire {
 
 class Configure;
+struct Outline;
 
 template <class Block>
 class Declare;

@@ -12,6 +12,8 @@
 
 namespace stepwire {
 
+struct Outline;
+
 /// When a block runs unless its file says `every`.
 enum class Timing {
   inherited,   ///< at the rate of its inputs; once at the start if it has none
@@ -46,6 +48,8 @@ struct BlockType {
   void (*configure)(void* block, Configure& is) = nullptr;
   void (*prepare)(void* block) = nullptr;
   void (*start)(void* block) = nullptr;
+  /// Adds the lines that a configured block offers to figures; null where it has none.
+  void (*outline)(const void* block, Outline& lines) = nullptr;
 
   std::size_t bytes = 0, alignment = 0;
   void (*construct)(void* memory) = nullptr;

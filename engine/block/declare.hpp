@@ -279,6 +279,10 @@ class Declare {
       type_.configure = [](void* block, Configure& is) { static_cast<Block*>(block)->configure(is); };
     if constexpr (requires(Block b) { b.prepare(); })
       type_.prepare = [](void* block) { static_cast<Block*>(block)->prepare(); };
+    if constexpr (requires(const Block b, Outline& lines) { b.outline(lines); })
+      type_.outline = [](const void* block, Outline& lines) {
+        static_cast<const Block*>(block)->outline(lines);
+      };
     if constexpr (requires(Block b) { b.start(); })
       type_.start = [](void* block) { static_cast<Block*>(block)->start(); };
   }

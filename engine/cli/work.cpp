@@ -30,6 +30,14 @@ void add_signals(const Diagram& diagram, Names& names) {
   }
 }
 
+void add_outlines(const Diagram& diagram, Names& names) {
+  for (const DiagramBlock& block : diagram.blocks) {
+    if (!block.type().outline) continue;
+    names.outlines.push_back({block.name, {}});
+    block.type().outline(block.block.get(), names.outlines.back().outline);
+  }
+}
+
 /// What figures and claims of a file may name.
 Names names_of(const Job& job) {
   const Diagram& diagram = job.plan.diagram;
@@ -45,6 +53,7 @@ Names names_of(const Job& job) {
     if (const double* number = std::get_if<double>(&parameter.value.content))
       names.parameters.push_back({parameter.name, *number, parameter.dimension});
   add_signals(diagram, names);
+  add_outlines(diagram, names);
   return names;
 }
 

@@ -69,7 +69,7 @@ std::vector<std::string> DiagramView::parts() const {
 Json DiagramView::graph(const GraphOptions& options) const {
   const std::string& file = diagram_.scopes[static_cast<std::size_t>(scope_)].file;
   const Node* title = loader_.document(file).root.find("title");
-  Json graph = graph_of(diagram_, *outline_of(diagram_, loader_, scope_), options);
+  Json graph = graph_of(diagram_, *sheet_of(diagram_, loader_, scope_), options);
   return graph.set("title", title ? title->text : "");
 }
 

@@ -33,28 +33,28 @@ std::string signs_of(const DiagramBlock& block) {
 
 class GraphWriter {
  public:
-  GraphWriter(const Diagram& diagram, const Outline& outline, const GraphOptions& options)
-      : diagram_(diagram), options_(options), above_(scope_prefix(outline).size()) {
+  GraphWriter(const Diagram& diagram, const Sheet& sheet, const GraphOptions& options)
+      : diagram_(diagram), options_(options), above_(scope_prefix(sheet).size()) {
     for (const RecordRequest& request : diagram.records)
       for (const RecordedSignal& recorded : request.signals) add_recorded(recorded.signal);
     for (const DiagramOutput& output : diagram.outputs) add_recorded(output.signal);
   }
 
   /// `outputs` are those of the file itself that are drawn.
-  Json graph(const Outline& outline, const std::vector<std::string>& inputs, const std::vector<int>& outputs,
+  Json graph(const Sheet& sheet, const std::vector<std::string>& inputs, const std::vector<int>& outputs,
              int depth) const {
-    const Shown shown = shown_outputs(outline, outputs);
+    const Shown shown = shown_outputs(sheet, outputs);
     Json own_inputs = Json::list(), own_outputs = Json::list(), nodes = Json::list(), wires = Json::list();
     for (const std::string& input : inputs) own_inputs.push(port(input, input));
-    for (std::size_t i = 0; i < outline.children.size(); ++i) {
-      nodes.push(node(outline, i, shown[i], depth));
-      add_wires(outline, outline.children[i], wires);
+    for (std::size_t i = 0; i < sheet.children.size(); ++i) {
+      nodes.push(node(sheet, i, shown[i], depth));
+      add_wires(sheet, sheet.children[i], wires);
     }
     for (const int output : outputs) {
       const auto index = static_cast<std::size_t>(output);
-      const std::string& name = outline.outputs[index];
+      const std::string& name = sheet.outputs[index];
       own_outputs.push(port(name, name));
-      wires.push(wire(outline, {outline.output_sources[index], {}}, end("", name)));
+      wires.push(wire(sheet, {sheet.output_sources[index], {}}, end("", name)));
     }
     return Json::object()
         .set("inputs", std::move(own_inputs))
@@ -69,39 +69,39 @@ class GraphWriter {
 
   void add_recorded(const SignalRef& signal) { recorded_.insert({signal.block, signal.output}); }
 
-  bool is_recorded(const Outline& outline, const OutlineSource& source) const {
-    const auto signal = outline.signal(source);
+  bool is_recorded(const Sheet& sheet, const SheetSource& source) const {
+    const auto signal = sheet.signal(source);
     return signal && recorded_.contains({signal->block, signal->output});
   }
 
-  Shown shown_outputs(const Outline& outline, const std::vector<int>& own) const {
+  Shown shown_outputs(const Sheet& sheet, const std::vector<int>& own) const {
     std::set<std::pair<int, int>> used;
-    for (const OutlineChild& child : outline.children)
-      for (const OutlineInput& input : child.inputs)
-        for (const OutlineFeed& feed : input.feeds)
+    for (const SheetChild& child : sheet.children)
+      for (const SheetInput& input : child.inputs)
+        for (const SheetFeed& feed : input.feeds)
           if (feed.source) used.insert({feed.source->child, feed.source->port});
     for (const int output : own)
-      if (const auto& source = outline.output_sources[static_cast<std::size_t>(output)])
+      if (const auto& source = sheet.output_sources[static_cast<std::size_t>(output)])
         used.insert({source->child, source->port});
     Shown shown;
-    for (int child = 0; child < static_cast<int>(outline.children.size()); ++child) {
-      const int count = static_cast<int>(outline.children[static_cast<std::size_t>(child)].outputs.size());
+    for (int child = 0; child < static_cast<int>(sheet.children.size()); ++child) {
+      const int count = static_cast<int>(sheet.children[static_cast<std::size_t>(child)].outputs.size());
       std::vector<int> some, all;
       for (int i = 0; i < count; ++i) {
         all.push_back(i);
-        if (used.contains({child, i}) || is_recorded(outline, {child, i})) some.push_back(i);
+        if (used.contains({child, i}) || is_recorded(sheet, {child, i})) some.push_back(i);
       }
       shown.push_back(some.empty() ? std::move(all) : std::move(some));
     }
     return shown;
   }
 
-  const std::string& scope_prefix(const Outline& outline) const {
-    return diagram_.scopes[static_cast<std::size_t>(outline.scope)].prefix;
+  const std::string& scope_prefix(const Sheet& sheet) const {
+    return diagram_.scopes[static_cast<std::size_t>(sheet.scope)].prefix;
   }
 
   /// What names of a file's blocks begin with, seen from the file that is drawn.
-  std::string prefix(const Outline& outline) const { return scope_prefix(outline).substr(above_); }
+  std::string prefix(const Sheet& sheet) const { return scope_prefix(sheet).substr(above_); }
 
   static Json port(const std::string& name, const std::string& label) {
     Json port = Json::object().set("port", name);
@@ -114,7 +114,7 @@ class GraphWriter {
   }
 
   /// "u" for an input, "u.1" for the first of a list.
-  static std::string input_name(const OutlineInput& input, std::size_t feed) {
+  static std::string input_name(const SheetInput& input, std::size_t feed) {
     return input.feeds.size() == 1 ? input.name : input.name + "." + std::to_string(feed + 1);
   }
 
@@ -123,9 +123,9 @@ class GraphWriter {
     return declared > 1 && !(names.size() == 1 && (names.front() == "u" || names.front() == "y"));
   }
 
-  Json node(const Outline& outline, std::size_t index, const std::vector<int>& shown, int depth) const {
-    const OutlineChild& child = outline.children[index];
-    const std::string id = prefix(outline) + child.name;
+  Json node(const Sheet& sheet, std::size_t index, const std::vector<int>& shown, int depth) const {
+    const SheetChild& child = sheet.children[index];
+    const std::string id = prefix(sheet) + child.name;
     Json node = Json::object().set("id", id).set("name", child.name);
     if (child.part)
       add_part(node, child, id, shown, depth);
@@ -138,20 +138,20 @@ class GraphWriter {
     for (const int output : shown) {
       const std::string& name = child.outputs[static_cast<std::size_t>(output)];
       Json drawn = port(name, labelled ? name : "");
-      if (is_recorded(outline, {static_cast<int>(index), output})) drawn.set("recorded", true);
+      if (is_recorded(sheet, {static_cast<int>(index), output})) drawn.set("recorded", true);
       outputs.push(std::move(drawn));
     }
     return node.set("inputs", inputs_of(child)).set("outputs", std::move(outputs));
   }
 
-  Json inputs_of(const OutlineChild& child) const {
+  Json inputs_of(const SheetChild& child) const {
     std::vector<std::string> names;
-    for (const OutlineInput& input : child.inputs) names.push_back(input.name);
+    for (const SheetInput& input : child.inputs) names.push_back(input.name);
     const bool labelled = child.part || are_telling(names, block_of(child).type().inputs.size());
     const std::string signs = child.part ? "" : signs_of(block_of(child));
     const bool has_signs = !child.part && !block_of(child).type().symbol.signs.empty();
     Json inputs = Json::list();
-    for (const OutlineInput& input : child.inputs)
+    for (const SheetInput& input : child.inputs)
       for (std::size_t i = 0; i < input.feeds.size(); ++i) {
         Json drawn = port(input_name(input, i), labelled ? input.name : "");
         if (has_signs) drawn.set("sign", std::string(1, i < signs.size() ? signs[i] : '+'));
@@ -160,11 +160,11 @@ class GraphWriter {
     return inputs;
   }
 
-  const DiagramBlock& block_of(const OutlineChild& child) const {
+  const DiagramBlock& block_of(const SheetChild& child) const {
     return diagram_.blocks[static_cast<std::size_t>(child.block)];
   }
 
-  void add_block(Json& node, const OutlineChild& child) const {
+  void add_block(Json& node, const SheetChild& child) const {
     const DiagramBlock& block = block_of(child);
     const Symbol& symbol = block.type().symbol;
     const SymbolText text = symbol_text(block, *child.written);
@@ -182,41 +182,41 @@ class GraphWriter {
                        [&](const auto& open) { return open == id || open.starts_with(id + "."); });
   }
 
-  void add_part(Json& node, const OutlineChild& child, const std::string& id, const std::vector<int>& shown,
+  void add_part(Json& node, const SheetChild& child, const std::string& id, const std::vector<int>& shown,
                 int depth) const {
     const std::string& file = diagram_.scopes[static_cast<std::size_t>(child.part->scope)].file;
     node.set("type", std::filesystem::path(file).stem().string()).set("part", true).set("outline", "box");
     node.set("lines", Json::list());
     if (!is_open(id, depth)) return;
     std::vector<std::string> inputs;
-    for (const OutlineInput& input : child.inputs) inputs.push_back(input.name);
+    for (const SheetInput& input : child.inputs) inputs.push_back(input.name);
     node.set("graph", graph(*child.part, inputs, shown, depth + 1));
   }
 
-  void add_wires(const Outline& outline, const OutlineChild& child, Json& wires) const {
-    for (const OutlineInput& input : child.inputs)
+  void add_wires(const Sheet& sheet, const SheetChild& child, Json& wires) const {
+    for (const SheetInput& input : child.inputs)
       for (std::size_t i = 0; i < input.feeds.size(); ++i)
-        wires.push(wire(outline, input.feeds[i], end(prefix(outline) + child.name, input_name(input, i))));
+        wires.push(wire(sheet, input.feeds[i], end(prefix(sheet) + child.name, input_name(input, i))));
   }
 
-  Json wire(const Outline& outline, const OutlineFeed& feed, Json to) const {
+  Json wire(const Sheet& sheet, const SheetFeed& feed, Json to) const {
     Json wire = Json::object();
     if (!feed.source)
       return wire.set("from", Json::object().set("constant", feed.constant)).set("to", std::move(to));
     const auto port = static_cast<std::size_t>(feed.source->port);
     if (feed.source->child < 0) {
-      wire.set("from", end("", outline.inputs[port]));
+      wire.set("from", end("", sheet.inputs[port]));
     } else {
-      const OutlineChild& child = outline.children[static_cast<std::size_t>(feed.source->child)];
-      wire.set("from", end(prefix(outline) + child.name, child.outputs[port]));
+      const SheetChild& child = sheet.children[static_cast<std::size_t>(feed.source->child)];
+      wire.set("from", end(prefix(sheet) + child.name, child.outputs[port]));
     }
     wire.set("to", std::move(to));
-    const std::string unit = options_.units ? unit_of(outline, *feed.source) : "";
+    const std::string unit = options_.units ? unit_of(sheet, *feed.source) : "";
     return unit.empty() ? wire : wire.set("unit", unit);
   }
 
-  std::string unit_of(const Outline& outline, const OutlineSource& source) const {
-    const auto signal = outline.signal(source);
+  std::string unit_of(const Sheet& sheet, const SheetSource& source) const {
+    const auto signal = sheet.signal(source);
     if (!signal) return {};
     const auto block = static_cast<std::size_t>(signal->block),
                output = static_cast<std::size_t>(signal->output);
@@ -233,10 +233,10 @@ class GraphWriter {
 
 }  // namespace
 
-Json graph_of(const Diagram& diagram, const Outline& outline, const GraphOptions& options) {
+Json graph_of(const Diagram& diagram, const Sheet& sheet, const GraphOptions& options) {
   std::vector<int> outputs;
-  for (std::size_t i = 0; i < outline.outputs.size(); ++i) outputs.push_back(static_cast<int>(i));
-  return GraphWriter(diagram, outline, options).graph(outline, outline.inputs, outputs, 0);
+  for (std::size_t i = 0; i < sheet.outputs.size(); ++i) outputs.push_back(static_cast<int>(i));
+  return GraphWriter(diagram, sheet, options).graph(sheet, sheet.inputs, outputs, 0);
 }
 
 }  // namespace stepwire

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/draw/outline.hpp"
+#include "engine/draw/sheet.hpp"
 #include "engine/table/json.hpp"
 
 namespace stepwire {
@@ -24,6 +24,6 @@ struct GraphOptions {
 ///   wire: {from: end, to: end, unit}
 ///   end: {node, port} or {constant}; the node "" is the file itself.
 /// What is to be opened and is not there is passed over.
-Json graph_of(const Diagram& diagram, const Outline& outline, const GraphOptions& options);
+Json graph_of(const Diagram& diagram, const Sheet& sheet, const GraphOptions& options);
 
 }  // namespace stepwire

@@ -7,6 +7,7 @@
 #include "engine/figure/grid.hpp"
 #include "engine/figure/picture.hpp"
 #include "engine/figure/plot_kind.hpp"
+#include "engine/figure/region_drawing.hpp"
 #include "engine/figure/script.hpp"
 
 namespace stepwire {
@@ -71,8 +72,10 @@ DrawnPanel draw_panel(const Figure& figure, std::span<const Recording> recording
   script.share = 1.0 / static_cast<double>(figure.panels.size());
   const auto title = panel.words.find("title");
   if (title != panel.words.end()) script.set("set title " + quoted(title->second));
+  cover_regions(panel, script);
   panel.kind->draw(panel, recordings, script);
   draw_boundaries(panel, script);
+  draw_regions(panel, script);
   return {legend_place(script.titles()) + script.text(), wanted_height(script, width), script.titles()};
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/block/outline.hpp"
 #include "engine/document/document.hpp"
 #include "engine/figure/formula.hpp"
 #include "engine/figure/names.hpp"
@@ -43,6 +44,7 @@ struct Panel {
   std::map<std::string, Range> ranges;                ///< x_range, y_range, z_range, color_range
   std::map<std::string, std::vector<double>> levels;  ///< lists of numbers: contour
   std::vector<Formula> boundaries;  ///< of the plane's x and y in SI; a curve is drawn where one is zero
+  std::vector<Outline> regions;     ///< in SI: shaded in the plane, and their lines drawn
   std::vector<std::string> legend;
   std::optional<Formula> where;
   std::vector<std::size_t> recordings;  ///< for each y, or one

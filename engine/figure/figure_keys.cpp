@@ -19,7 +19,8 @@ const std::vector<FigureKey>& panel_keys() {
       {"color_range", "values at both ends of the colour bar"},
       {"log", "axes with a logarithmic scale: x, y, color, or a list"},
       {"boundary",
-       "expression of x and y in SI units (or a list); a line is drawn where it is zero: x - 5 mm"}};
+       "expression of x and y in SI units (or a list); a line is drawn where it is zero: x - 5 mm"},
+      {"region", "name of a Region (or a list): its boundary is drawn, and its inside shaded"}};
   return keys;
 }
 

@@ -1,11 +1,14 @@
 #include "engine/figure/grid.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "engine/figure/script.hpp"
+#include "engine/figure/triangulation.hpp"
 
 namespace stepwire {
 namespace {
@@ -58,90 +61,86 @@ Grid average(const Curve& points, const Axis& x, const Axis& y) {
   return grid;
 }
 
-/// Which cells are known, with an empty margin around the grid.
-class Mask {
+/// One point for each cell that has any, in their middle and with their mean.
+Curve one_for_each_cell(const Curve& points, const Axis& x, const Axis& y) {
+  std::vector<std::array<double, 4>> sums(x.count * y.count);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    auto& cell = sums[y.index(points.columns[1][i]) * x.count + x.index(points.columns[0][i])];
+    for (std::size_t k = 0; k < 3; ++k) cell[k] += points.columns[k][i];
+    cell[3] += 1.0;
+  }
+  Curve result{std::vector<std::vector<double>>(3), 0};
+  for (const auto& cell : sums)
+    for (std::size_t k = 0; k < 3 && cell[3] > 0.0; ++k) result.columns[k].push_back(cell[k] / cell[3]);
+  return result;
+}
+
+/// A plane through the values at three points.
+class Facet {
  public:
-  Mask(const Grid& grid, long margin)
-      : margin_(margin),
-        columns_(static_cast<long>(grid.columns) + 2 * margin),
-        rows_(static_cast<long>(grid.rows) + 2 * margin),
-        cells_(static_cast<std::size_t>(columns_ * rows_), false) {
-    for (std::size_t row = 0; row < grid.rows; ++row)
-      for (std::size_t column = 0; column < grid.columns; ++column)
-        cells_[index(column, row)] = !std::isnan(grid.at(column, row));
+  Facet(const Curve& points, const Corners& corners) {
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 3; ++k) at_[i][k] = points.columns[k][corners[i]];
   }
 
-  bool at(std::size_t column, std::size_t row) const { return cells_[index(column, row)]; }
+  double longest_edge() const {
+    double longest = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto &a = at_[i], &b = at_[(i + 1) % 3];
+      longest = std::max(longest, std::hypot(b[0] - a[0], b[1] - a[1]));
+    }
+    return longest;
+  }
 
-  /// Gives all cells within a disk around a cell that is `value` this value.
-  void grow(bool value) {
-    const std::vector<bool> before = cells_;
-    for (long row = margin_ / 2; row < rows_ - margin_ / 2; ++row)
-      for (long column = margin_ / 2; column < columns_ - margin_ / 2; ++column)
-        if (before[static_cast<std::size_t>(row * columns_ + column)] == value) spread(column, row, value);
+  /// Sets the cells whose centres lie in it.
+  void paint(Grid& grid) const {
+    const auto [first, last] = cells(0, grid.x, grid.dx, grid.columns);
+    const auto [low, high] = cells(1, grid.y, grid.dy, grid.rows);
+    for (std::size_t row = low; row < high; ++row)
+      for (std::size_t column = first; column < last; ++column) {
+        const double value = value_at(grid.x + static_cast<double>(column) * grid.dx,
+                                      grid.y + static_cast<double>(row) * grid.dy);
+        if (!std::isnan(value)) grid.at(column, row) = value;
+      }
   }
 
  private:
-  void spread(long column, long row, bool value) {
-    const long reach = margin_ / 2;
-    for (long dy = -reach; dy <= reach; ++dy)
-      for (long dx = -reach; dx <= reach; ++dx)
-        if (dx * dx + dy * dy <= reach * reach)
-          cells_[static_cast<std::size_t>((row + dy) * columns_ + column + dx)] = value;
+  /// Cells along an axis that it may cover: the first, and the one behind the last.
+  std::pair<std::size_t, std::size_t> cells(std::size_t axis, double start, double step,
+                                            std::size_t count) const {
+    const auto [low, high] = std::minmax({at_[0][axis], at_[1][axis], at_[2][axis]});
+    const auto cell = [&](double value) {
+      return static_cast<std::size_t>(std::clamp((value - start) / step, 0.0, static_cast<double>(count)));
+    };
+    return {cell(low), std::min(cell(high) + 1, count)};
   }
 
-  std::size_t index(std::size_t column, std::size_t row) const {
-    return static_cast<std::size_t>((static_cast<long>(row) + margin_) * columns_ +
-                                    static_cast<long>(column) + margin_);
+  double part(std::size_t i, double x, double y) const {
+    const auto &a = at_[(i + 1) % 3], &b = at_[(i + 2) % 3];
+    return (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
   }
 
-  long margin_, columns_, rows_;
-  std::vector<bool> cells_;
-};
-
-/// Sum over known neighbours and their weight.
-struct Neighbours {
-  double sum = 0.0, weight = 0.0;
-};
-
-Neighbours neighbours(const Grid& grid, std::size_t column, std::size_t row) {
-  Neighbours found;
-  const auto add = [&](std::size_t c, std::size_t r) {
-    const double value = grid.at(c, r);
-    if (std::isnan(value)) return;
-    found.sum += value;
-    found.weight += 1.0;
-  };
-  if (column > 0) add(column - 1, row);
-  if (column + 1 < grid.columns) add(column + 1, row);
-  if (row > 0) add(column, row - 1);
-  if (row + 1 < grid.rows) add(column, row + 1);
-  return found;
-}
-
-/// Fills cells from their neighbours and smooths them until they lie as a stretched skin between the measured
-/// ones.
-void fill(Grid& grid, const std::vector<std::size_t>& cells) {
-  constexpr int sweeps = 150;
-  for (int sweep = 0; sweep < sweeps; ++sweep)
-    for (const std::size_t cell : cells) {
-      const Neighbours found = neighbours(grid, cell % grid.columns, cell / grid.columns);
-      if (found.weight > 0.0) grid.values[cell] = found.sum / found.weight;
+  double value_at(double x, double y) const {
+    const double whole = part(0, at_[0][0], at_[0][1]);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double share = part(i, x, y) / whole;
+      if (!(share >= -1e-9)) return nothing;
+      sum += share * at_[i][2];
     }
-}
+    return sum;
+  }
 
-/// Closes gaps that a disk of this radius, in cells, cannot enter from outside of the measured points.
-void close_gaps(Grid& grid, long reach) {
-  if (reach < 1) return;
-  Mask mask(grid, 2 * reach);
-  mask.grow(true);
-  mask.grow(false);
-  std::vector<std::size_t> cells;
-  for (std::size_t row = 0; row < grid.rows; ++row)
-    for (std::size_t column = 0; column < grid.columns; ++column)
-      if (mask.at(column, row) && std::isnan(grid.at(column, row)))
-        cells.push_back(row * grid.columns + column);
-  fill(grid, cells);
+  std::array<std::array<double, 3>, 3> at_;
+};
+
+/// Between measured points that are no farther apart than the gap the value goes over linearly.
+void fill_gaps(const Curve& points, double gap, Grid& grid) {
+  const double widest = std::max(gap, 2.0 * std::hypot(grid.dx, grid.dy));
+  for (const Corners& corners : triangulate(points.columns[0], points.columns[1])) {
+    const Facet facet(points, corners);
+    if (facet.longest_edge() <= widest) facet.paint(grid);
+  }
 }
 
 }  // namespace
@@ -156,9 +155,9 @@ Grid make_grid(const Curve& points, std::size_t cells, double gap) {
     const double width = extent.high - extent.low;
     return width > 0.0 ? width / static_cast<double>(cells) : 1.0;
   };
-  Grid grid = average(points, cut(points.columns[0], step(across)), cut(points.columns[1], step(up)));
-  const double reach = std::ceil(0.5 * gap / std::min(grid.dx, grid.dy));
-  close_gaps(grid, static_cast<long>(std::clamp(reach, 0.0, 0.5 * static_cast<double>(cells))));
+  const Axis columns = cut(points.columns[0], step(across)), rows = cut(points.columns[1], step(up));
+  Grid grid = average(points, columns, rows);
+  fill_gaps(one_for_each_cell(points, columns, rows), gap, grid);
   return grid;
 }
 

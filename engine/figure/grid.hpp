@@ -18,9 +18,9 @@ struct Grid {
   double at(std::size_t column, std::size_t row) const { return values[row * columns + column]; }
 };
 
-/// Points (x, y, value) as a grid. Points that lie on a lattice keep its cells; others are averaged in about
-/// `cells` cells along the longer side, and gaps between measured cells that are narrower than `gap` are
-/// filled from their neighbours. What lies outside of the measured points stays nan.
+/// Points (x, y, value) as a grid. Points that lie on a lattice keep its cells; others are averaged in
+/// `cells` cells along each side, and between points that are no farther than `gap` apart the value is linear
+/// over their Delaunay triangles. What lies outside of the measured points stays nan.
 Grid make_grid(const Curve& points, std::size_t cells, double gap);
 
 /// Curves along which the grid, linear between centres, has this value.

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/block/outline.hpp"
 #include "engine/unit/unit.hpp"
 
 namespace stepwire {
@@ -28,6 +29,12 @@ struct KnownParameter {
   std::optional<Dimension> dimension{};
 };
 
+/// A block whose outline figures may draw.
+struct NamedOutline {
+  std::string name;
+  Outline outline;
+};
+
 /// All that the figures and claims of one diagram file may name.
 struct Names {
   std::string file;  ///< for the places of faults
@@ -36,6 +43,7 @@ struct Names {
   std::vector<std::string> signals{};    ///< what could be recorded, by the names that the diagram has for it
   bool plane = false;                    ///< the columns are the coordinates of a plane, not records
   const DiagramView* diagram = nullptr;  ///< the diagram itself; null where it cannot be drawn
+  std::vector<NamedOutline> outlines{};
 
   const RecordedName* find(std::string_view name) const;
   /// Is it a signal that the file does not record?

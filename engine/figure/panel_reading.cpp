@@ -119,6 +119,7 @@ class PanelReader {
     if (key == "legend") read_legend(value);
     if (key == "log") read_log(value);
     if (key == "boundary") read_boundary(value);
+    if (key == "region") read_region(value);
     if (key.ends_with("_range")) read_range(value, key);
   }
 
@@ -200,6 +201,32 @@ class PanelReader {
     for (const auto& item : node.is_list() ? node.items : one)
       if (auto formula = read_formula(item, plane, "figure.boundary", faults_))
         panel_.boundaries.push_back(std::move(*formula));
+  }
+
+  void read_region(const Node& node) {
+    const std::vector<Node> one{node};
+    for (const auto& item : node.is_list() ? node.items : one) {
+      const Outline* outline = find_outline(item);
+      if (outline && outline->space == panel_.kind->plane)
+        fault(item.mark, "figure.region",
+              fmt::format("'{}' lies in {}, and a plot '{}' shows {}", item.text,
+                          outline->space ? "space" : "the plane", panel_.kind->name,
+                          outline->space ? "the plane" : "space"));
+      if (outline) panel_.regions.push_back(*outline);
+    }
+  }
+
+  const Outline* find_outline(const Node& node) {
+    Keys names;
+    for (const NamedOutline& named : names_.outlines) {
+      if (node.is_scalar() && named.name == node.text) return &named.outline;
+      names.push_back(named.name);
+    }
+    const std::string choice =
+        names.empty() ? "; this file has none" : nearest_or_all(node.text, names, "there are");
+    fault(node.mark, "figure.region",
+          fmt::format("'{}' is no block with a boundary, as a Region is{}", node.text, choice));
+    return nullptr;
   }
 
   void check_units_of_y() {

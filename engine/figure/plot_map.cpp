@@ -46,7 +46,8 @@ void draw_map(const Panel& panel, std::span<const Recording> recordings, Script&
   script.set("set border 15\nset grid back");
   if (points.columns.empty()) return;
   const Extent across = extent_of(points.columns[0]);
-  const auto cells = static_cast<std::size_t>(std::clamp(std::floor(number_or(panel, "cells", 100.0)), 1.0, 1000.0));
+  const auto cells =
+      static_cast<std::size_t>(std::clamp(std::floor(number_or(panel, "cells", 160.0)), 1.0, 1000.0));
   const Grid grid = make_grid(points, cells, number_or(panel, "gap", 0.1 * (across.high - across.low)));
   cover_cells(grid, script);
   script.plane(0.0);
@@ -64,8 +65,11 @@ PlotKind map_plot() {
           {{"x", "along the horizontal axis", true},
            {"y", "along the vertical axis", true},
            {"color", "shown as colour, with a colour bar", true}},
-          {{"cells", "cells along an axis for scattered rows (100, at most 400)"},
-           {"gap", "gaps between scattered rows up to this width are filled (a tenth of the width)", "x"},
+          {{"cells", "cells along an axis for scattered rows (160, at most 1000)"},
+           {"gap",
+            "between scattered rows that are no farther apart the colour goes over linearly (a tenth of the "
+            "width)",
+            "x"},
            {"contour", "values of the colour at which lines are drawn", "color", true}},
           true,
           draw_map};

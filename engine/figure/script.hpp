@@ -35,6 +35,9 @@ class Script {
   /// What gnuplot wants behind the title goes `behind`.
   void plot(const std::string& item, const std::string& title = {}, const std::string& behind = {});
 
+  /// The same below everything else.
+  void plot_below(const std::string& item) { items_.insert(items_.begin(), item + " notitle"); }
+
   /// Labels the axis of a channel with its series.
   void label(const std::string& axis, const Series& series);
   /// Sets the range of an axis: the file's, or this.

@@ -22,7 +22,8 @@ const BlockType& type_at(const Plan& plan, std::size_t memory) {
 
 GroupCosts::GroupCosts(const Plan& plan, LoopClock& clock)
     : clock_(clock), stretches_{{&plan.outputs, 0, 0, none}} {
-  for (const auto* phase : {&plan.timed, &plan.outputs, &plan.updates, &plan.stage, &plan.derivatives}) cut(plan, *phase);
+  for (const auto* phase : {&plan.timed, &plan.outputs, &plan.updates, &plan.stage, &plan.derivatives})
+    cut(plan, *phase);
   for (GroupCost& group : groups_)
     group.blocks = static_cast<std::size_t>(
         std::count_if(plan.diagram.blocks.begin(), plan.diagram.blocks.end(),

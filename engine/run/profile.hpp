@@ -10,8 +10,8 @@
 
 namespace stepwire {
 
-/// What a block is called for: outputs by the time alone, other outputs at ticks, those at the solver's stages
-/// between ticks, derivatives, updates.
+/// What a block is called for: outputs by the time alone, other outputs at ticks, those at the solver's
+/// stages between ticks, derivatives, updates.
 inline constexpr std::size_t phase_count = 5;
 inline constexpr std::array<const char*, phase_count> phase_names{"timed", "outputs", "stages", "derivatives",
                                                                   "updates"};

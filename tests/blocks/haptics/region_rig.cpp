@@ -28,6 +28,12 @@ double distance_between(const std::vector<double>& a, const std::vector<double>&
 
 RegionRig::RegionRig(const std::string& shape) : block_(plan_text(diagram(shape)).diagram.blocks[0].block) {}
 
+Outline RegionRig::outline() const {
+  Outline outline;
+  block_.type().outline(block_.get(), outline);
+  return outline;
+}
+
 Answer RegionRig::at(std::vector<double> position) {
   position_ = std::move(position);
   nearest_.resize(position_.size());

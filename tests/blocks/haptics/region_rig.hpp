@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/block/block_type.hpp"
+#include "engine/block/outline.hpp"
 
 namespace stepwire {
 
@@ -19,6 +20,7 @@ class RegionRig {
   /// `shape` as it stands in a file.
   explicit RegionRig(const std::string& shape);
   Answer at(std::vector<double> position);
+  Outline outline() const;
 
  private:
   AnyBlock block_;

@@ -19,7 +19,9 @@ struct Everything {
   DiscreteState<2> memory{};
 
   void outputs() { y = x; }
-  void derivatives() { for (Index i = 0; i < x.size(); ++i) x.dot[i] = (u[i] - x[i]) / tau; }
+  void derivatives() {
+    for (Index i = 0; i < x.size(); ++i) x.dot[i] = (u[i] - x[i]) / tau;
+  }
 
   static void declare(Declare<Everything>& is) {
     is.block("Everything", {.doc = "a test"});

@@ -18,7 +18,7 @@ std::string error_of(const std::string& text) {
   } catch (const Error& wrong) {
     error = wrong.what();
   }
-#ifdef NDEBUG  // a build with sanitizers is slower by far
+#ifdef NDEBUG                                         // a build with sanitizers is slower by far
   CHECK(std::clock() - start < 60 * CLOCKS_PER_SEC);  // what is read without limits takes hours
 #else
   (void)start;

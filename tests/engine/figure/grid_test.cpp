@@ -17,8 +17,7 @@ TEST_CASE("rows on a lattice keep its cells, and a missing one stays empty") {
 }
 
 TEST_CASE("gaps between scattered rows are filled and the outside stays empty") {
-  // Rays over a disk of radius 1, 10 degrees apart, with the value x: filled from their neighbours it is x
-  // again.
+  // Rays over a disk of radius 1, 10 degrees apart, with the value x: linear between them it is x again.
   Curve points{{{}, {}, {}}, 0};
   for (int ray = 0; ray < 36; ++ray)
     for (int i = 0; i <= 200; ++i) {
@@ -34,15 +33,14 @@ TEST_CASE("gaps between scattered rows are filled and the outside stays empty") 
       const double x = grid.x + static_cast<double>(column) * grid.dx,
                    y = grid.y + static_cast<double>(row) * grid.dy;
       const double value = grid.at(column, row);
-      // Between the tips of two rays the filling bends inwards a little.
-      if (std::hypot(x, y) < 0.94) {
+      // Between the tips of two rays the rim is straight.
+      if (std::hypot(x, y) < 0.98) {
         ++inside;
-        // At the open rim the filling has nothing to lean on outwards.
-        if (!(std::abs(value - x) < (std::hypot(x, y) < 0.8 ? 0.02 : 0.08))) ++wrong;
+        if (!(std::abs(value - x) < 0.006)) ++wrong;
       }
-      if (std::hypot(x, y) > 1.03 && !std::isnan(value)) ++outside;
+      if (std::hypot(x, y) > 1.01 && !std::isnan(value)) ++outside;
     }
-  CHECK(inside > 6900);
+  CHECK(inside > 7400);
   CHECK(wrong == 0);
   CHECK(outside == 0);
 }

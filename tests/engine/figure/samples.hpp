@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/document/document.hpp"
@@ -11,6 +12,17 @@
 #include "engine/record/recording.hpp"
 
 namespace stepwire::testing {
+
+/// A square of 4 mm about the origin with a hole of 2 mm.
+inline Outline square_outline() {
+  const auto square = [](double half, double sense) {
+    Outline::Line line;
+    for (const auto& [x, y] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}, {-1.0, -1.0}})
+      line.points.push_back({half * x, half * sense * y, 0.0});
+    return line;
+  };
+  return {false, {square(2e-3, 1.0), square(1e-3, -1.0)}};
+}
 
 /// What the figures and claims of the tests may name: x [m], v [m/s], f [N] in one recording, slow [N] in
 /// another.
@@ -24,7 +36,10 @@ inline Names sample_names() {
            {"push.force", newton, 0},
            {"slow", newton, 1}},
           {{"limit", 0.35}, {"low", -2.0}, {"reach", 0.1, metre}},
-          {"rig.x", "e", "motor", "wide"}};
+          {"rig.x", "e", "motor", "wide"},
+          false,
+          nullptr,
+          {{"map", square_outline()}, {"ball", {true, {{{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}}}}}}};
 }
 
 inline Column column(std::string name, std::string unit, std::vector<double> values) {

@@ -64,7 +64,8 @@ TEST_CASE("a slope that a slower block writes holds between its ticks") {
 
 TEST_CASE("a signal in the place of a slope that is not finite ends the run as any other does") {
   const RunResult result = result_of(
-      "solver: rk4\nblocks:\n  huge: {block: Gain, gain: 1e308, u: x}\n  x: {block: Integrator, u: huge, initial: 10}\n");
+      "solver: rk4\nblocks:\n  huge: {block: Gain, gain: 1e308, u: x}\n  x: {block: Integrator, u: huge, "
+      "initial: 10}\n");
   REQUIRE(result.faults.size() == 1);
   CHECK(result.faults[0].block == "huge");
   CHECK(result.faults[0].time == 0.0);

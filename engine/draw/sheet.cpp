@@ -1,4 +1,4 @@
-#include "engine/draw/outline.hpp"
+#include "engine/draw/sheet.hpp"
 
 #include <algorithm>
 #include <map>
@@ -24,17 +24,17 @@ class OutlineReader {
       scopes_[diagram.scopes[i].prefix] = static_cast<int>(i);
   }
 
-  std::unique_ptr<Outline> read(int scope) {
-    auto outline = std::make_unique<Outline>();
-    outline->scope = scope;
+  std::unique_ptr<Sheet> read(int scope) {
+    auto sheet = std::make_unique<Sheet>();
+    sheet->scope = scope;
     const ScopeInfo& info = diagram_.scopes[static_cast<std::size_t>(scope)];
     const Node& root = loader_.document(info.file).root;
-    outline->inputs = keys(root, "inputs");
-    outline->outputs = keys(root, "outputs");
+    sheet->inputs = keys(root, "inputs");
+    sheet->outputs = keys(root, "outputs");
     if (const Node* blocks = root.find("blocks"))
-      for (const Entry& entry : blocks->entries) outline->children.push_back(child(entry, info.prefix));
-    connect(*outline, root);
-    return outline;
+      for (const Entry& entry : blocks->entries) sheet->children.push_back(child(entry, info.prefix));
+    connect(*sheet, root);
+    return sheet;
   }
 
  private:
@@ -45,8 +45,8 @@ class OutlineReader {
     return names;
   }
 
-  OutlineChild child(const Entry& entry, const std::string& prefix) {
-    OutlineChild child;
+  SheetChild child(const Entry& entry, const std::string& prefix) {
+    SheetChild child;
     child.name = entry.key;
     child.written = &entry.value;
     if (const auto scope = scopes_.find(prefix + entry.key + "."); scope != scopes_.end()) {
@@ -59,59 +59,59 @@ class OutlineReader {
     return child;
   }
 
-  const BlockType& type_of(const OutlineChild& child) const {
+  const BlockType& type_of(const SheetChild& child) const {
     return diagram_.blocks[static_cast<std::size_t>(child.block)].type();
   }
 
   /// Finds what feeds what, once all children are known.
-  void connect(Outline& outline, const Node& root) {
+  void connect(Sheet& sheet, const Node& root) {
     Scope names;
-    for (const OutlineChild& child : outline.children) names.names[child.name];
-    for (std::size_t i = 0; i < outline.children.size(); ++i) {
-      OutlineChild& child = outline.children[i];
+    for (const SheetChild& child : sheet.children) names.names[child.name];
+    for (std::size_t i = 0; i < sheet.children.size(); ++i) {
+      SheetChild& child = sheet.children[i];
       if (child.part) {
-        child.part->parent = &outline;
+        child.part->parent = &sheet;
         child.part->place = static_cast<int>(i);
-        for (const std::string& input : child.part->inputs) add_input(outline, names, child, input, false);
+        for (const std::string& input : child.part->inputs) add_input(sheet, names, child, input, false);
       } else {
         for (const InputSpec& input : type_of(child).inputs)
-          add_input(outline, names, child, input.name, input.list);
+          add_input(sheet, names, child, input.name, input.list);
       }
     }
-    for (const std::string& output : outline.outputs) {
+    for (const std::string& output : sheet.outputs) {
       const Node& port = *root.find("outputs")->find(output);
-      outline.output_sources.push_back(
-          source(outline, names, port.is_map() ? port.find("signal")->text : port.text));
+      sheet.output_sources.push_back(
+          source(sheet, names, port.is_map() ? port.find("signal")->text : port.text));
     }
   }
 
-  void add_input(const Outline& outline, const Scope& names, OutlineChild& child, const std::string& name,
+  void add_input(const Sheet& sheet, const Scope& names, SheetChild& child, const std::string& name,
                  bool list) {
     const Node* node = child.written->find(name);
     if (!node) return;
-    OutlineInput input{name, {}};
+    SheetInput input{name, {}};
     if (list && node->is_list()) {
-      for (const Node& item : node->items) input.feeds.push_back(feed(outline, names, item));
+      for (const Node& item : node->items) input.feeds.push_back(feed(sheet, names, item));
     } else {
-      input.feeds.push_back(feed(outline, names, *node));
+      input.feeds.push_back(feed(sheet, names, *node));
     }
     child.inputs.push_back(std::move(input));
   }
 
-  OutlineFeed feed(const Outline& outline, const Scope& names, const Node& node) {
+  SheetFeed feed(const Sheet& sheet, const Scope& names, const Node& node) {
     if (!names_signal(node)) return {{}, printed_value(node)};
-    const auto found = source(outline, names, node.text);
+    const auto found = source(sheet, names, node.text);
     if (!found || found->child >= 0) return {found, {}};
     // An input that nobody feeds has the part's own default.
-    const std::string& port = outline.inputs[static_cast<std::size_t>(found->port)];
-    const Node* fallback = unfed_default(outline, port);
-    return fallback ? feed(outline, names, *fallback) : OutlineFeed{found, {}};
+    const std::string& port = sheet.inputs[static_cast<std::size_t>(found->port)];
+    const Node* fallback = unfed_default(sheet, port);
+    return fallback ? feed(sheet, names, *fallback) : SheetFeed{found, {}};
   }
 
   /// The default of an input of a part that the using file leaves out; null otherwise.
-  const Node* unfed_default(const Outline& outline, const std::string& port) {
-    if (outline.scope == 0) return nullptr;
-    const ScopeInfo& info = diagram_.scopes[static_cast<std::size_t>(outline.scope)];
+  const Node* unfed_default(const Sheet& sheet, const std::string& port) {
+    if (sheet.scope == 0) return nullptr;
+    const ScopeInfo& info = diagram_.scopes[static_cast<std::size_t>(sheet.scope)];
     const Node& user = user_of(info);
     if (user.find(port)) return nullptr;
     const Node& declared = *loader_.document(info.file).root.find("inputs")->find(port);
@@ -126,17 +126,16 @@ class OutlineReader {
     return *loader_.document(user.file).root.find("blocks")->find(name);
   }
 
-  std::optional<OutlineSource> source(const Outline& outline, const Scope& names,
-                                      const std::string& text) const {
-    if (const int port = index_of(outline.inputs, text); port >= 0) return OutlineSource{-1, port};
+  std::optional<SheetSource> source(const Sheet& sheet, const Scope& names, const std::string& text) const {
+    if (const int port = index_of(sheet.inputs, text); port >= 0) return SheetSource{-1, port};
     const std::string_view name = names.start_of(text);
-    for (std::size_t i = 0; i < outline.children.size(); ++i) {
-      const OutlineChild& child = outline.children[i];
+    for (std::size_t i = 0; i < sheet.children.size(); ++i) {
+      const SheetChild& child = sheet.children[i];
       if (child.name != name) continue;
       const int port = name.size() == text.size()
                            ? 0
                            : index_of(child.outputs, std::string_view(text).substr(name.size() + 1));
-      if (port >= 0) return OutlineSource{static_cast<int>(i), port};
+      if (port >= 0) return SheetSource{static_cast<int>(i), port};
     }
     return std::nullopt;
   }
@@ -148,22 +147,22 @@ class OutlineReader {
 
 }  // namespace
 
-std::optional<SignalRef> Outline::signal(const OutlineSource& source) const {
+std::optional<SignalRef> Sheet::signal(const SheetSource& source) const {
   const auto port = static_cast<std::size_t>(source.port);
   if (source.child >= 0) {
-    const OutlineChild& from = children[static_cast<std::size_t>(source.child)];
+    const SheetChild& from = children[static_cast<std::size_t>(source.child)];
     if (!from.part) return SignalRef{from.block, source.port, -1};
     const auto& inner = from.part->output_sources[port];
     return inner ? from.part->signal(*inner) : std::nullopt;
   }
   if (!parent) return std::nullopt;
-  for (const OutlineInput& input : parent->children[static_cast<std::size_t>(place)].inputs)
+  for (const SheetInput& input : parent->children[static_cast<std::size_t>(place)].inputs)
     if (input.name == inputs[port] && input.feeds.front().source)
       return parent->signal(*input.feeds.front().source);
   return std::nullopt;
 }
 
-std::unique_ptr<Outline> outline_of(const Diagram& diagram, Loader& loader, int scope) {
+std::unique_ptr<Sheet> sheet_of(const Diagram& diagram, Loader& loader, int scope) {
   return OutlineReader(diagram, loader).read(scope);
 }
 

@@ -1,0 +1,89 @@
+#include "engine/figure/region_drawing.hpp"
+
+#include <algorithm>
+
+namespace stepwire {
+namespace {
+
+double drawn(const Panel& panel, const char* axis, double value) {
+  const Series* series = panel.find(axis);
+  return series ? series->unit.from_si(value) : value;
+}
+
+/// A line in the units of the axes.
+Curve curve_of(const Panel& panel, const Outline& outline, const Outline::Line& line) {
+  Curve curve{std::vector<std::vector<double>>(outline.space ? 3 : 2), 0};
+  const char* axes[] = {"x", "y", "z"};
+  for (const Outline::Point& point : line.points)
+    for (std::size_t i = 0; i < curve.columns.size(); ++i)
+      curve.columns[i].push_back(drawn(panel, axes[i], point[i]));
+  return curve;
+}
+
+std::vector<Curve> curves_of(const Panel& panel, const Outline& outline) {
+  std::vector<Curve> curves;
+  for (const Outline::Line& line : outline.lines) curves.push_back(curve_of(panel, outline, line));
+  return curves;
+}
+
+/// All loops as one, from each back to where the first begins: holes run the other way around, and stay free.
+Curve one_of(const std::vector<Curve>& loops) {
+  Curve all{std::vector<std::vector<double>>(2), 0};
+  for (const Curve& loop : loops)
+    for (std::size_t i = 0; i < 2; ++i) {
+      std::vector<double>& to = all.columns[i];
+      to.insert(to.end(), loop.columns[i].begin(), loop.columns[i].end());
+      to.push_back(loop.columns[i].front());
+      to.push_back(all.columns[i].front());
+    }
+  return all;
+}
+
+/// What of a polygon lies on one side of a line of the frame. gnuplot does not keep large areas within it.
+Curve cut_off(const Curve& polygon, std::size_t axis, double limit, double side) {
+  Curve result{std::vector<std::vector<double>>(2), 0};
+  const auto inside = [&](std::size_t i) { return side * (polygon.columns[axis][i] - limit) <= 0.0; };
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const std::size_t before = i == 0 ? polygon.size() - 1 : i - 1;
+    const double from = polygon.columns[axis][before], to = polygon.columns[axis][i];
+    for (std::size_t k = 0; k < 2 && inside(i) != inside(before); ++k) {
+      const double a = polygon.columns[k][before], b = polygon.columns[k][i];
+      result.columns[k].push_back(k == axis ? limit : a + (b - a) * (limit - from) / (to - from));
+    }
+    for (std::size_t k = 0; k < 2 && inside(i); ++k) result.columns[k].push_back(polygon.columns[k][i]);
+  }
+  return result;
+}
+
+Curve within(Curve polygon, const Script& script) {
+  const Extent extents[] = {script.x, script.y};
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    polygon = cut_off(polygon, axis, extents[axis].low, -1.0);
+    polygon = cut_off(polygon, axis, extents[axis].high, 1.0);
+  }
+  return polygon;
+}
+
+}  // namespace
+
+void cover_regions(const Panel& panel, Script& script) {
+  for (const Outline& outline : panel.regions)
+    for (const Outline::Line& line : outline.lines)
+      if (!outline.space && !line.endless) script.cover({curve_of(panel, outline, line)});
+}
+
+void draw_regions(const Panel& panel, Script& script) {
+  if (!panel.regions.empty()) script.set("set clip two");  // a line may begin and end beyond the frame
+  for (const Outline& outline : panel.regions) {
+    const std::vector<Curve> curves = curves_of(panel, outline);
+    const std::string columns = outline.space ? "1:2:3" : "1:2";
+    script.plot(script.data(curves) + " using " + columns + " with lines lc rgb '#111111' lw 1.6");
+    if (outline.space) continue;
+    const Curve shade = within(one_of(curves), script);
+    if (shade.size() > 2)
+      script.plot_below(script.data({shade}) +
+                        " using 1:2 with filledcurves closed fc rgb '#e6eee2' fs solid noborder");
+  }
+}
+
+}  // namespace stepwire

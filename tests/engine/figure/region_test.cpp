@@ -1,0 +1,61 @@
+#include <catch2/catch.hpp>
+
+#include "engine/figure/region_drawing.hpp"
+#include "tests/engine/figure/samples.hpp"
+
+using namespace stepwire;
+using namespace stepwire::testing;
+using Catch::Contains;
+
+namespace {
+
+const std::string plane = "plot: xy, x: rig.x in mm, y: rig.v in mm/s";
+
+Panel panel_of(const std::string& text) {
+  const auto read = figures_of(text);
+  INFO(read.faults);
+  REQUIRE(read.faults.empty());
+  return read.figures.at(0).panels.at(0);
+}
+
+}  // namespace
+
+TEST_CASE("a figure draws the boundary of a block by its name, in the units of its axes") {
+  const Panel panel = panel_of("{" + plane + ", region: map}");
+  Script script(panel, "p");
+  cover_regions(panel, script);
+  draw_regions(panel, script);
+  CHECK_THAT(script.text(), Contains("\n-2 -2\n2 -2\n2 2\n-2 2\n-2 -2\n") && Contains("filledcurves closed"));
+  CHECK(script.x.low == -2.0);
+  CHECK(script.x.high == 2.0);
+}
+
+TEST_CASE("a hole is run through against the sense of what is around it, so that it stays free") {
+  const Panel panel = panel_of("{" + plane + ", region: [map]}");
+  Script script(panel, "p");
+  script.x = script.y = {-5.0, 5.0};
+  draw_regions(panel, script);
+  CHECK_THAT(script.text(), Contains("-2 -2\n-2 -2\n-2 -2\n-1 1\n1 1\n1 -1\n-1 -1\n-1 1\n-1 1\n-2 -2\n"));
+}
+
+TEST_CASE("the shade ends at the frame of the axes and lies below the curves") {
+  const Panel panel = panel_of("{" + plane + ", region: map}");
+  Script script(panel, "p");
+  script.plot("1");
+  script.x = {0.0, 5.0};
+  script.y = {-5.0, 1.5};
+  draw_regions(panel, script);
+  CHECK_THAT(script.text(),
+             Contains("plot $p1 using 1:2 with filledcurves") && Contains("2 1.5\n") && Contains("0 -2\n"));
+  CHECK(script.text().find("filledcurves") < script.text().find("1 notitle, "));
+}
+
+TEST_CASE("a region that is none, or not of the plot's space, is refused") {
+  CHECK_THAT(
+      figures_of("{" + plane + ", region: mop}").faults,
+      Contains("figure.region: 'mop' is no block with a boundary, as a Region is; did you mean 'map'?"));
+  CHECK_THAT(figures_of("{" + plane + ", region: ball}").faults,
+             Contains("'ball' lies in space, and a plot 'xy' shows the plane"));
+  CHECK_THAT(figures_of("{plot: 3d, x: rig.x, y: rig.v, z: time, region: map}").faults,
+             Contains("'map' lies in the plane, and a plot '3d' shows space"));
+}
