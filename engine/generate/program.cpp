@@ -203,22 +203,23 @@ class Maker {
                     number_text(Layout::never)));
   }
 
-  std::string constants_text() const {
+  std::string constants_text() {
     std::string text;
     for (std::size_t i = 0; i < plan_.constants.size(); ++i)
-      text += fmt::format("  w[{}] = {};\n", plan_.layout.constants + i, number_text(plan_.constants[i]));
+      text +=
+          fmt::format("  w[{}] = {};\n", plan_.layout.constants + i, literals_.number(plan_.constants[i]));
     return text;
   }
 
   /// Values with which a block begins; everything is 0 before.
-  void add_initial(std::size_t b, std::vector<Code>& code) const {
+  void add_initial(std::size_t b, std::vector<Code>& code) {
     const DiagramBlock& block = plan_.diagram.blocks[b];
     const PlannedBlock& planned = plan_.blocks[b];
     const auto assign = [&](const SignalSlot& slot, bool always, const auto& value) {
       std::string text;
       for (Index k = 0; k < slot.size; ++k)
-        if (always || value(k) != 0.0)
-          text += fmt::format("  w[{} + {}] = {};\n", names_.at(slot.offset), k, number_text(value(k)));
+        if (const std::string number = literals_.number(value(k)); always || number != "0.0")
+          text += fmt::format("  w[{} + {}] = {};\n", names_.at(slot.offset), k, number);
       if (!text.empty()) code.push_back({std::move(text)});
     };
     for (std::size_t s = 0; s < planned.states.size(); ++s)

@@ -115,6 +115,11 @@ std::vector<Job> all_jobs() {
   return jobs;
 }
 
+/// A solver and the length of its steps stand in the code.
+bool same_steps(const Plan& one, const Plan& other) {
+  return one.diagram.solver == other.diagram.solver && one.diagram.step == other.diagram.step;
+}
+
 }  // namespace
 
 TEST_CASE("every diagram that can be generated gives the interpreter's bits and asks for no memory") {
@@ -170,5 +175,8 @@ TEST_CASE("the points of a sweep share code and give the interpreter's bits") {
     const std::lock_guard lock(mutex);
     INFO(jobs[i].plan.diagram.file << ": " << source.take_problem());
     CHECK(code.size() == plans.size());
+    for (std::size_t point = 1; point < code.size(); ++point)
+      if (same_steps(*plans[point], *plans[0]))
+        CHECK(code[point].functions.evaluate == code[0].functions.evaluate);
   });
 }
