@@ -7,6 +7,7 @@
 
 #include "bench/agreement.hpp"
 #include "bench/load_cost.hpp"
+#include "bench/look_up.hpp"
 #include "bench/step_time.hpp"
 
 namespace {
@@ -44,6 +45,7 @@ int main(int argc, char** argv) {
   if (!initialize_benchmark(arguments)) return 2;
 
   std::vector<Result> results = measure_load(10000, 7);
+  for (const Result& result : measure_look_up(7)) results.push_back(result);
   for (const Result& result : results)
     fmt::print("{}: {:.1f} {}\n", result.workload, result.value, result.unit);
   if (!results_agree()) return 1;

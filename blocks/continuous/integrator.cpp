@@ -31,7 +31,7 @@ void Integrator::declare(Declare<Integrator>& is) {
   is.state<&Integrator::stop>(
       {.doc = "1 at the upper and -1 at the lower limit at the last tick, 0 between", .settable = false});
   is.state<&Integrator::side>({.doc = "last reset signal: -1 false, 1 true, 0 none yet", .settable = false});
-  is.derived<&Integrator::plain>();
+  is.derived<&Integrator::slope_is_input>();
   is.derived<&Integrator::limited>();
   is.derived<&Integrator::resets>();
 }
@@ -42,8 +42,8 @@ void Integrator::configure(Configure& is) {
   resets = is.connected<&Integrator::reset>();
   if (!resets && is.connected<&Integrator::value>())
     is.require<&Integrator::reset>("a value to reset to is wired");
-  plain = !limited && !resets;
-  if (!plain) return;
+  slope_is_input = !limited && !resets;
+  if (!slope_is_input) return;
   is.skip_outputs();
   is.skip_update();
   is.slope_is_input<&Integrator::x, &Integrator::u>();

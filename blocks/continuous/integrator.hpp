@@ -13,7 +13,7 @@ struct Integrator {
   // What every step needs lies together; most integrators have neither limits nor a reset.
   Input<> u{};
   State<> x{};
-  bool plain = true, limited = false, resets = false;
+  bool slope_is_input = true, limited = false, resets = false;
 
   PerElement lower = -unlimited, upper = unlimited;
   Trigger trigger = Trigger::rising;
@@ -30,7 +30,7 @@ struct Integrator {
   }
 
   void derivatives() {
-    if (plain) {
+    if (slope_is_input) {
       x.dot = u;
     } else {
       integrate_within_limits();

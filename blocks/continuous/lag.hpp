@@ -11,10 +11,13 @@ struct Lag {
   Output<> y{};
   State<> x{};
 
+  PerElement decay = 1.0;  // 1 / tau: every stage of every step waits for its slope, and a division is slow
+
   void derivatives() {
-    x.dot.each([&](Index i) { return (gain[i] * u[i] - x[i]) / tau[i]; });
+    x.dot.each([&](Index i) { return (gain[i] * u[i] - x[i]) * decay[i]; });
   }
 
+  void prepare();
   static void declare(Declare<Lag>& is);
 };
 

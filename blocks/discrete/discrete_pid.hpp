@@ -23,6 +23,7 @@ struct DiscretePID {
   Period period{};
 
   double before = 0.0, after = 1.0;  // shares of ki T e that count before and after the output is given
+  PerElement per_time = 1.0;         // 1 / (tau + T): what runs after the controller waits for it
 
   void outputs() {
     y.each([&](Index i) { return limited(wanted(i), i); });
@@ -38,6 +39,7 @@ struct DiscretePID {
   }
 
   void configure(Configure& is);
+  void prepare();
   static void declare(Declare<DiscretePID>& is);
 
  private:
@@ -56,7 +58,7 @@ struct DiscretePID {
   /// Backward difference of tau D' + D = e'; without a filter that is (e[k] - e[k-1]) / T.
   double slope(Index i) const {
     const double change = weighted(weight_d, i) - last[i];
-    return (tau[i] * rate[i] + change) / (tau[i] + period);
+    return (tau[i] * rate[i] + change) * per_time[i];
   }
   double wanted(Index i) const { return kp[i] * weighted(weight_p, i) + integral_now(i) + kd[i] * slope(i); }
 

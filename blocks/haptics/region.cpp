@@ -34,7 +34,7 @@ void Region::declare(Declare<Region>& is) {
            "each a formula of y or a list of points, one of which may be left out; {union: [shapes]}. Where "
            "several boundary points are equally near, the first along the boundary as the file gives it "
            "counts; at the centre of a circle or sphere that is the one in direction x. On the boundary "
-           "itself, direction is its normal. Curves are followed to 0.2 nm. In space corridors are straight, "
+           "itself, direction is its normal. Curves are followed to 0.5 nm. In space corridors are straight, "
            "and shapes of a union apart from each other.",
        .source = "thesis 2.4.2, figures 2, 10 and 22"});
   is.parameter<&Region::shape>(

@@ -4,7 +4,9 @@
 
 namespace stepwire {
 
-/// A polynomial of each element by Horner's rule: y = (c1 u + c2) u + c3 ..., highest power first.
+/// A polynomial of each element: y = c1 u^(n-1) + c2 u^(n-2) + ..., highest power first. Even and odd powers
+/// go by Horner's rule each (Knuth, The Art of Computer Programming 2, section 4.6.4): two chains that do not
+/// wait for one another.
 struct Polynomial {
   Numbers coefficients{1.0, 0.0}, hold{};
   Input<> u{};
@@ -15,9 +17,17 @@ struct Polynomial {
   }
 
   double at(double x) const {
-    double sum = coefficients[0];
-    for (Index i = 1; i < coefficients.size(); ++i) sum = sum * x + coefficients[i];
-    return sum;
+    const Index count = coefficients.size();
+    if (count == 1) return coefficients[0];
+    const double square = x * x;
+    double with_first = coefficients[0], other = coefficients[1];
+    Index i = 2;
+    for (; i + 1 < count; i += 2) {
+      with_first = with_first * square + coefficients[i];
+      other = other * square + coefficients[i + 1];
+    }
+    if (i == count) return with_first * x + other;
+    return with_first * square + coefficients[i] + other * x;
   }
 
   /// A fit says nothing outside of what it was fitted to.

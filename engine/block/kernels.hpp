@@ -1,25 +1,42 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
 namespace stepwire {
 
 /// Runs one phase of the blocks of one type, at least one, that lie one behind the other in memory up to
 /// `end`.
 using Kernel = void (*)(void* first, void* end);
 
-/// The kernels of one phase. The more is known of a block, the less has to be asked at every step.
-struct Kernels {
-  Kernel any = nullptr;  ///< null where the type has no such phase
-  Kernel one = nullptr;  ///< for blocks of which every port and state has one element
-  Kernel one_of_two =
-      nullptr;  ///< and that have two inputs in the list `u`; null where there is no such list
+/// What a kernel may take for granted of its blocks. The more is known, the less has to be asked at every
+/// step.
+enum class Known {
+  nothing,
+  one_element,    ///< every port and state has one
+  two_in_list,    ///< as well, and the list of inputs `u` has two
+  three_in_list,  ///< or three
+  plain_slope,    ///< one element, and the slope is but the input: `slope_is_input` of the block is true
+  count
+};
 
-  explicit operator bool() const { return any != nullptr; }
+/// The kernels of one phase, by what they take for granted.
+class Kernels {
+ public:
+  /// Null where the type has no such phase, or nothing of which that could be known.
+  Kernel operator[](Known known) const { return kernels_[static_cast<std::size_t>(known)]; }
+  Kernel& operator[](Known known) { return kernels_[static_cast<std::size_t>(known)]; }
+  explicit operator bool() const { return (*this)[Known::nothing] != nullptr; }
+  bool contains(Kernel kernel) const {
+    return std::find(kernels_.begin(), kernels_.end(), kernel) != kernels_.end();
+  }
+
+ private:
+  std::array<Kernel, static_cast<std::size_t>(Known::count)> kernels_{};
 };
 
 namespace detail {
-
-/// What a kernel may take for granted of its blocks.
-enum class Known { nothing, one_element, one_element_of_two };
 
 template <class Port>
 [[gnu::always_inline]] inline void assume_one_element(const Port& port) {
@@ -35,8 +52,12 @@ template <Known known, class Block>
   if constexpr (requires { block.u.size(); }) assume_one_element(block.u);
   if constexpr (requires { block.y.size(); }) assume_one_element(block.y);
   if constexpr (requires { block.x.dot.size(); }) assume_one_element(block.x.dot);
-  if constexpr (known == Known::one_element_of_two)
+  if constexpr (known == Known::two_in_list)
     if (block.u.count() != 2) __builtin_unreachable();
+  if constexpr (known == Known::three_in_list)
+    if (block.u.count() != 3) __builtin_unreachable();
+  if constexpr (known == Known::plain_slope)
+    if (!block.slope_is_input) __builtin_unreachable();
 }
 
 template <class Block, void (Block::*phase)(), Known known>
@@ -50,9 +71,15 @@ void run_phase(void* first, void* end) {
 
 template <class Block, void (Block::*phase)()>
 constexpr Kernels kernels_of() {
-  Kernels kernels{run_phase<Block, phase, Known::nothing>, run_phase<Block, phase, Known::one_element>};
-  if constexpr (requires(const Block& block) { block.u.count(); })
-    kernels.one_of_two = run_phase<Block, phase, Known::one_element_of_two>;
+  Kernels kernels;
+  kernels[Known::nothing] = run_phase<Block, phase, Known::nothing>;
+  kernels[Known::one_element] = run_phase<Block, phase, Known::one_element>;
+  if constexpr (requires(const Block& block) { block.u.count(); }) {
+    kernels[Known::two_in_list] = run_phase<Block, phase, Known::two_in_list>;
+    kernels[Known::three_in_list] = run_phase<Block, phase, Known::three_in_list>;
+  }
+  if constexpr (requires(const Block& block) { block.slope_is_input; })
+    kernels[Known::plain_slope] = run_phase<Block, phase, Known::plain_slope>;
   return kernels;
 }
 

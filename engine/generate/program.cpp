@@ -136,8 +136,7 @@ class Maker {
   bool in(const Batch& batch, const PlannedBlock& block) const {
     const auto index = static_cast<std::size_t>(&block - plan_.blocks.data());
     const Kernels& kernels = plan_.diagram.blocks[index].type().run_outputs;
-    return block.memory < batch.end &&
-           (batch.run == kernels.any || batch.run == kernels.one || batch.run == kernels.one_of_two);
+    return block.memory < batch.end && kernels.contains(batch.run);
   }
 
   void add_slopes() {

@@ -19,16 +19,28 @@ bool has_one_element_each(const Draft::Block& block) {
   return all_one(block.output_sizes) && all_one(block.state_sizes) && all_one(block.input_sizes);
 }
 
+/// What is known of a block beyond its type.
+Known known_of(const Draft& draft, std::size_t block) {
+  if (!has_one_element_each(draft.blocks[block])) return Known::nothing;
+  if (!draft.blocks[block].slope_source.first.empty()) return Known::plain_slope;
+  const int list = draft.type(block).input("u");
+  if (list < 0) return Known::one_element;
+  switch (draft.plan.diagram.blocks[block].inputs[static_cast<std::size_t>(list)].size()) {
+    case 0:
+      return Known::nothing;  // what is not fed is empty
+    case 2:
+      return Known::two_in_list;
+    case 3:
+      return Known::three_in_list;
+    default:
+      return Known::one_element;
+  }
+}
+
 /// The kernel that takes the most for granted of what is true of a block.
 Kernel kernel_of(const Draft& draft, std::size_t block, const Kernels& kernels) {
-  if (!has_one_element_each(draft.blocks[block])) return kernels.any;
-  const int list = draft.type(block).input("u");
-  const auto& inputs = draft.plan.diagram.blocks[block].inputs;
-  if (list >= 0 && inputs[static_cast<std::size_t>(list)].empty())
-    return kernels.any;  // what is not fed is empty
-  const bool two =
-      list >= 0 && draft.plan.diagram.blocks[block].inputs[static_cast<std::size_t>(list)].size() == 2;
-  return two && kernels.one_of_two ? kernels.one_of_two : kernels.one;
+  const Known known = known_of(draft, block);
+  return known == Known::nothing || kernels[known] ? kernels[known] : kernels[Known::one_element];
 }
 
 /// Appends a call, or lengthens the last one where the block lies right behind.

@@ -169,7 +169,16 @@ Simulation::Table::Table(const std::vector<Batch>& batches, std::byte* blocks) :
 
 void Simulation::run(const Table& table) {
   if (watcher_ && watcher_->phase == &table.batches) return run_watched(table);
-  for (const Table::Call& call : table.calls) call.run(call.first, call.end);
+  const Table::Call* call = table.calls.data();
+  const Table::Call* const end = call + table.calls.size();
+  // Four at a time: most calls do so little that counting them is felt.
+  for (; end - call >= 4; call += 4) {
+    call[0].run(call[0].first, call[0].end);
+    call[1].run(call[1].first, call[1].end);
+    call[2].run(call[2].first, call[2].end);
+    call[3].run(call[3].first, call[3].end);
+  }
+  for (; call != end; ++call) call->run(call->first, call->end);
 }
 
 void Simulation::follow_time() {

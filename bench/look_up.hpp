@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "bench/result.hpp"
+
+namespace stepwire {
+
+/// Processor time to find the nearest boundary point of a corridor of 100 points, along straight lines and
+/// along a spline, at random places up to 20 mm beside it; several times.
+std::vector<Result> measure_look_up(int times);
+
+}  // namespace stepwire
