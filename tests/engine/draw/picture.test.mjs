@@ -115,6 +115,17 @@ function checkApart({wires}) {
   }));
 }
 
+/** A line that is drawn twice would look bold. */
+function checkDrawnOnce(svg) {
+  const lines = [...svg.matchAll(/<path d="M([\d.]+ [\d.]+(?:L[\d.]+ [\d.]+)+)"\/>/g)]
+    .flatMap(([, corners]) => segments(corners.split("L").map((corner) => corner.split(" ").map(Number))));
+  lines.forEach((a, i) => lines.slice(0, i).forEach((b) => {
+    const both = {left: Math.max(a.left, b.left), right: Math.min(a.right, b.right), top: Math.max(a.top, b.top), bottom: Math.min(a.bottom, b.bottom)};
+    const shared = near(both.top, both.bottom) ? both.right - both.left : near(both.left, both.right) ? both.bottom - both.top : 0;
+    assert.ok(shared < 1e-6, `a line from ${both.left} ${both.top} to ${both.right} ${both.bottom} is drawn twice`);
+  }));
+}
+
 const count = (graph, what) => graph[what].length + graph.nodes.reduce((sum, node) => sum + (node.graph ? count(node.graph, what) : 0), 0);
 
 for (const file of files)
@@ -131,6 +142,7 @@ for (const file of files)
       checkPortOrder(picture);
       checkApart(picture);
       assert.equal(picture.wires.filter((wire) => wire.to).length, count(graph, "wires"));
+      checkDrawnOnce(svgOf(picture));
       assert.equal(svgOf(picture), svgOf(await arrange(graph, elk)), "drawn twice it differs");
     });
 
