@@ -1,6 +1,6 @@
 // Leads wires back below what they pass: out of a block to the right, down, to the left, up and into the other block.
 
-import {sizes} from "./symbol.mjs";
+import {openLength, sizes} from "./symbol.mjs";
 import {widthOf} from "./text.mjs";
 
 const track = {first: 19, last: 12, step: 6, below: 14}, margin = 10;
@@ -8,11 +8,15 @@ const track = {first: 19, last: 12, step: 6, below: 14}, margin = 10;
 /** How far other wires keep away from blocks, so that so many may be led below beside each other. */
 export const clearance = (count) => 20 + track.step * count;
 
-/** What a node takes up, with its name. */
-function extent(node, place) {
-  const overhang = node.nameSide ? Math.max(0, (widthOf(node.name, sizes.name) - node.width) / 2) : 0;
-  const name = node.nameSide === "BOTTOM" ? 18 : 0;
-  return {left: place.x - overhang, right: place.x + node.width + overhang, bottom: place.y + node.height + name};
+/** What a node takes up, with its name and the arrows at what is recorded only. */
+export function extent(node, place) {
+  const overhang = node.nameSide ? Math.max(0, Math.ceil((widthOf(node.name, sizes.name) - node.width) / 2)) : 0;
+  const name = (side) => (node.nameSide === side ? 18 : 0);
+  const arrows = (side) => (node.outputs.some((port) => port.isOpen && port.side === side) ? openLength : 0);
+  return {
+    left: place.x - Math.max(overhang, arrows("WEST")), right: place.x + node.width + Math.max(overhang, arrows("EAST")),
+    top: place.y - name("TOP"), bottom: place.y + node.height + name("BOTTOM"),
+  };
 }
 
 /** The columns of a layout, from left to right; no two have an x in common. */

@@ -1,7 +1,7 @@
 // Draws block diagrams and mechanisms: what is to be drawn goes in, as engine/draw/graph.hpp and rig.mjs describe it, and
 // SVG comes out. It needs neither a browser nor node; elk (an ELK of elkjs) is handed in.
 
-import {arrange} from "./layout.mjs";
+import {arrange} from "./picture.mjs";
 import {arrangeRig, drawRig} from "./rig.mjs";
 import {svgOf} from "./svg.mjs";
 

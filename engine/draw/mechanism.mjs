@@ -65,15 +65,16 @@ function potentiometer(element, page, centre) {
 function lvdt(element, page, centre) {
   const {length, at, line} = frameOf(element.at), v = besides.lvdt * outerSide(element.at, centre), half = 5.5;
   const rect = (from, to, width, more) => polygon([at(from, v - width), at(to, v - width), at(to, v + width), at(from, v + width)], more);
-  const middle = 0.45 * length, windings = [0.15, 0.22, 0.29, 0.36, 0.43, 0.5, 0.57].map((u) => line([u * length, v - half], [u * length, v + half]));
-  return `<g stroke-width="1">${line([0.6 * length, v], [length, v], [length, 0])}${line([0.1 * length, v], [0, v], [0, 0])}</g>` +
+  const middle = 0.45 * length, pin = Math.sign(v) * joint, windings = [0.15, 0.22, 0.29, 0.36, 0.43, 0.5, 0.57].map((u) => line([u * length, v - half], [u * length, v + half]));
+  return `<g stroke-width="1">${line([0.6 * length, v], [length, v], [length, pin])}${line([0.1 * length, v], [0, v], [0, pin])}</g>` +
     rect(0.1 * length, 0.62 * length, half, fill(body)) + windings.join("") + rect(middle, 0.75 * length, 2);
 }
 
-/** In a link, at its second end. */
+/** In a link, at its second end; a short one is a link by itself. */
 function loadCell(element) {
-  const {length, box, line} = frameOf(element.at);
-  return line([Math.max(0, length - 40), 0], [length, 0]) + box(length - 26, length - 10, 8, fill(dark)) + line([length - 26, -8], [length - 10, 8]) + line([length - 26, 8], [length - 10, -8]);
+  const {length, box, line} = frameOf(element.at), [from, to] = [length - 26, length - 10];
+  const start = length < 90 ? joint : length - 40;
+  return line([Math.max(0, start), 0], [length, 0]) + box(from, to, 8, fill(dark)) + line([from, -8], [to, 8]) + line([from, 8], [to, -8]);
 }
 
 function arrow(element) {
@@ -111,14 +112,14 @@ function carriage([x, y]) {
   const wheel = (dx) => circle([x + dx, y + 20], 4), hatch = [];
   for (let dx = -58; dx <= 58; dx += 9) hatch.push(polyline([[x + dx, y + 24], [x + dx - 5, y + 30]], ` stroke-width="0.9"`));
   return polygon([[x - 2, y - 16], [x + 46, y - 16], [x + 46, y + 16], [x - 2, y + 16]], fill(dark)) +
-    wheel(8) + wheel(36) + polyline([[x - 62, y + 24], [x + 62, y + 24]]) + hatch.join("");
+    wheel(8) + wheel(36) + polyline([[x - 62, y + 24], [x + 62, y + 24]]) + hatch.join("") + circle([x, y], joint);
 }
 
 /** A shaker, which moves what ends at it along x. */
 function shaker([x, y]) {
   return polygon([[x - 58, y - 26], [x - 14, y - 26], [x - 14, y + 26], [x - 58, y + 26]], fill(body)) +
     `<path d="M${x - 50} ${y}c5 -16 9 -16 14 0s9 16 14 0" fill="none"/>` +
-    polygon([[x - 14, y - 3], [x, y - 3], [x, y + 3], [x - 14, y + 3]]);
+    polygon([[x - 14, y - 3], [x, y - 3], [x, y + 3], [x - 14, y + 3]]) + circle([x, y], joint);
 }
 
 /** Symbols at one point or at several. */

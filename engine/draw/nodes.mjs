@@ -32,6 +32,9 @@ export function nodesAndWires(graph, isRoot) {
     from: wire.from.constant === undefined ? end(wire.from, "input") : constantNode(wire, i, nodes),
     to: end(wire.to, "output"),
   }));
+  const fed = new Set(wires.map(({from}) => `${from.node} ${from.port}`));
+  for (const {id, outputs} of nodes)
+    for (const port of outputs) port.isOpen = Boolean(port.recorded) && !fed.has(`${id} ${port.port}`);
   const byId = new Map(nodes.map((node) => [node.id, node]));
   for (const {from, unit} of wires)
     if (unit) byId.get(from.node).outputs.find((port) => port.port === from.port).unit = unit;

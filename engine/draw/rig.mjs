@@ -68,13 +68,19 @@ function scaleBar(rig, {scale, width, height}, length) {
     text((from + x) / 2, y - 10, `${length} mm`, {size: 11, style: plain});
 }
 
+/** The lines to what is measured begin where the symbol of a joint ends. */
+const besidePoint = 25;
+
 /** A dimension with the true distance of its points. */
 function dimension(element, {place}) {
   const [from, to] = element.points, millimetres = 1000 * Math.hypot(...from.map((one, i) => one - to[i]));
   const [a, b] = element.points.map(place), [p, q] = dimensionEnds(element).map(place);
   const long = Math.hypot(q[0] - p[0], q[1] - p[1]) || 1, [ux, uy] = [(q[0] - p[0]) / long, (q[1] - p[1]) / long];
   const heads = [arrowHead(p, [-ux, -uy]), arrowHead(q, [ux, uy])];
-  const helper = ([x, y], [px, py]) => polyline([[x, y], [px + 0.05 * (px - x), py + 0.05 * (py - y)]], ` stroke="${faint}"`);
+  const helper = ([x, y], [px, py]) => {
+    const far = Math.hypot(px - x, py - y) || 1, from = Math.min(besidePoint, 0.5 * far) / far, to = 1 + 5 / far;
+    return polyline([from, to].map((share) => [x + share * (px - x), y + share * (py - y)]), ` stroke="${faint}"`);
+  };
   const angle = (Math.atan2(uy, ux) * 180) / Math.PI, upright = angle > 90 || angle <= -90 ? angle + 180 : angle;
   const label = text(0, -9, `${n(Math.round(10 * millimetres) / 10)} mm`, {size: 11, style: plain});
   return helper(a, p) + helper(b, q) + polyline(heads.map(({base}) => base)) + heads.map(({head}) => head).join("") +

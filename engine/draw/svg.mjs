@@ -97,18 +97,21 @@ function frameName(block) {
   return text(block.x + 10, block.y + 13, block.name, {size: sizes.name, anchor: "start", fill: "#333"});
 }
 
+/** How far from a point towards another what is drawn already reaches. */
+function reachedFrom(start, end, drawn) {
+  const distance = ([x, y]) => Math.abs(x - start[0]) + Math.abs(y - start[1]);
+  const along = drawn.filter((segment) => lies(start, segment));
+  if (along.some((segment) => lies(end, segment))) return end;
+  return along.flat().filter((point) => lies(point, [start, end])).reduce((best, one) => (distance(one) > distance(best) ? one : best), start);
+}
+
 /** What of a wire is not drawn yet by others of its net: no line is drawn twice, which would look bold. */
 function remainder(points, drawn) {
-  for (let i = 0; i + 1 < points.length; ++i) {
-    const along = drawn.filter((segment) => lies(points[i], segment));
-    if (along.some((segment) => lies(points[i + 1], segment))) continue;
-    const [x, y] = points[i];
-    const reached = along.flat().filter((point) => lies(point, [points[i], points[i + 1]]));
-    const far = reached.reduce((best, point) => {
-      const distance = ([px, py]) => Math.abs(px - x) + Math.abs(py - y);
-      return distance(point) > distance(best) ? point : best;
-    }, [x, y]);
-    return [far, ...points.slice(i + 1)];
+  for (let i = 0, from = points[0]; i + 1 < points.length;) {
+    const reached = reachedFrom(from, points[i + 1], drawn);
+    if (reached === from) return [from, ...points.slice(i + 1)];
+    if (reached === points[i + 1]) ++i;
+    from = reached;
   }
   return points.slice(-2);
 }

@@ -4,6 +4,8 @@ import {widthOf} from "./text.mjs";
 
 export const sizes = {text: 13, name: 12, port: 10.5, sign: 13, unit: 9.5};
 export const portPitch = 24;
+/** How long the arrow at a signal is that is recorded and fed to nothing. */
+export const openLength = 15;
 const lineHeight = 16;
 
 /** A sign of mathematics alone is written larger. */

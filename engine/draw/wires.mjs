@@ -67,20 +67,20 @@ export function passesBelow({points}) {
   return !longest || longest[0][1] >= Math.max(points[0][1], points.at(-1)[1]) - 1;
 }
 
-const shortest = 16;
+/** Steps that are smaller look like a slip. */
+export const smallestStep = 16;
 
-/** Steps so small that they look like a slip. */
-const kinks = ({points}) => segmentsOf(points).slice(1, -1).filter((segment) => length(segment) < shortest).length;
+const kinks = ({points}) => segmentsOf(points).slice(1, -1).filter((segment) => length(segment) < smallestStep).length;
 
 const sum = (numbers) => numbers.reduce((total, number) => total + number, 0);
 
 /**
  * What the wires of a picture cost a reader: bends, slips, crossings, ways back that do not pass below, length.
- * `faults` counts what other layouts may do better.
+ * `faults` counts what other layouts may do better, `crossed` crossings.
  */
 export function costOf(wires, back) {
   const bends = sum(wires.map((wire) => wire.points.length - 2)), slips = sum(wires.map(kinks));
   const astray = wires.filter((wire, i) => back[i] && !passesBelow(wire)).length, crossed = crossings(wires);
   const total = bends + 3 * slips + 3 * crossed + 8 * astray + sum(wires.map((wire) => length(wire.points))) / 500;
-  return {total, faults: slips + astray};
+  return {total, faults: slips + astray, crossed};
 }

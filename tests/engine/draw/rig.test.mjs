@@ -94,3 +94,11 @@ test("every kind of element is drawn, the same bytes each time, and its name esc
     if (kind !== "dimension") assert.match(drawn, />&lt;&amp;&gt;</, kind);
   }
 });
+
+test("the lines to what a dimension measures begin beside the joints there", () => {
+  const elements = [{kind: "ground", points: [[0, 0], [0.2, 0]]}, {kind: "dimension", points: [[0, 0], [0.2, 0]], offset: 0.1}];
+  const {placed} = arrangeRig({title: "", dimensions: 2, elements}), drawn = drawRig({title: "", dimensions: 2, elements});
+  const starts = [...drawn.matchAll(/<path d="M([\d.]+) ([\d.]+)L[^"]*" stroke="#9a9a9a"\/>/g)].map(([, x, y]) => [Number(x), Number(y)]);
+  assert.equal(starts.length, 2);
+  starts.forEach((start, i) => assert.ok(distance(start, placed[0].at[i]) > 21, "it runs through the hatching"));
+});

@@ -1,0 +1,111 @@
+// Of several layouts the one that reads best.
+
+import {flowOf} from "./flow.mjs";
+import {inputId, layOut, outputId, portsOf} from "./layout.mjs";
+import {enterSums, nameSide, placePorts} from "./ports.mjs";
+import {costOf} from "./wires.mjs";
+
+const placement = "elk.layered.nodePlacement.strategy", alignment = "elk.layered.nodePlacement.bk.fixedAlignment";
+const orderOf = (strategy, seed) => ({"elk.layered.considerModelOrder.strategy": strategy, "elk.randomSeed": seed});
+const asInFile = orderOf("PREFER_NODES", "1"), shuffled = orderOf("PREFER_NODES", "2"), free = orderOf("NONE", "2");
+const aligned = (side) => ({[placement]: "BRANDES_KOEPF", [alignment]: side});
+const compact = {[placement]: "NETWORK_SIMPLEX"};
+/**
+ * Ways to order the nodes of a column and to place them; more of them hardly find better pictures. With a straight chain
+ * it is rather the wires to ports of the file and to constants that bend than those between blocks.
+ */
+const styles = [
+  {...asInFile, ...compact}, {...asInFile, ...compact, straightChain: true}, {...free, ...compact},
+  {...free, ...aligned("LEFTUP")}, {...asInFile, ...aligned("LEFTDOWN")}, {...shuffled, ...aligned("LEFTUP")},
+  {...free, ...aligned("RIGHTUP")}, {...free, ...aligned("LEFTDOWN")},
+];
+
+/** A layout with what it costs a reader. */
+async function judged(task, elk, style, led) {
+  const laid = await layOut(task, elk, style, led);
+  return {...laid, style, led, cost: costOf(laid.wires, task.wires.map((wire) => task.back.has(wire)))};
+}
+
+const better = (a, b) => (b.cost.total < a.cost.total ? b : a);
+const isPerfect = ({cost}) => cost.faults + cost.crossed === 0;
+
+/** The best of several layouts; first all wires are laid out alike, then what leads back to a box is led below. */
+async function bestLayout(task, elk) {
+  const sides = new Map(task.nodes.flatMap(portsOf).map(({id, side}) => [id, side]));
+  const apart = [...task.back].filter(({from, to}) => sides.get(outputId(from)) === "EAST" && sides.get(inputId(to)) === "WEST");
+  let best;
+  const attempt = async (led) => {
+    for (const style of styles) {
+      const next = await judged(task, elk, style, led);
+      best = best ? better(best, next) : next;
+      if (isPerfect(best)) return;
+    }
+  };
+  await attempt(new Set());
+  if (best.cost.faults > 0 && apart.length > 0) await attempt(new Set(apart));
+  return best;
+}
+
+const chooseNameSides = (nodes) => nodes.forEach((node) => { node.nameSide = node.name && !node.inner ? nameSide(node) : ""; });
+
+/** Lets signals enter sums from where they begin in a layout. */
+function settleSums({nodes, wires, reversed}, laid) {
+  for (const node of nodes) for (const port of node.inputs) delete port.side;
+  enterSums(nodes, wires, reversed, new Map(wires.map((wire, i) => [wire, laid.wires[i].points[0][1]])));
+  nodes.forEach(placePorts);
+  chooseNameSides(nodes);
+}
+
+/** The ports of all nodes, once it is known which wires lead back and which nodes are drawn from right to left. */
+async function settlePorts(task, elk) {
+  for (const node of task.nodes) {
+    node.flipped = task.flipped.has(node.id);
+    for (const port of node.inputs) delete port.side;
+    placePorts(node);
+  }
+  chooseNameSides(task.nodes);
+  if (task.nodes.some((node) => node.outline === "circle")) settleSums(task, await layOut(task, elk, styles[0]));
+}
+
+/** Puts the ports back to where they are now. */
+function keepPorts(nodes) {
+  const kept = nodes.map((node) => ({node, flipped: node.flipped, sides: node.inputs.map((port) => port.side)}));
+  return () => {
+    for (const {node, flipped, sides} of kept) {
+      node.flipped = flipped;
+      node.inputs.forEach((port, i) => { port.side = sides[i]; });
+      placePorts(node);
+    }
+    chooseNameSides(nodes);
+  };
+}
+
+const sidesOf = ({nodes}) => nodes.flatMap((node) => node.inputs.map((port) => port.side)).join();
+
+/** In the best layout signals may begin elsewhere than in the first one: where that is better, sums are entered anew. */
+async function reenterSums(task, elk, laid) {
+  const restore = keepPorts(task.nodes), sides = sidesOf(task);
+  settleSums(task, laid);
+  if (sidesOf(task) === sides) return laid;
+  const best = better(laid, await judged(task, elk, laid.style, laid.led));
+  if (best === laid) restore();
+  return best;
+}
+
+/** What it costs a reader that a block in a way back is drawn as if it led forward. */
+const forwardCost = 4;
+
+/** Lays out with ways back from right to left; where these find no good place, also without, and takes the better. */
+export async function layOutLoops(nodes, wires, elk) {
+  const attempt = async (flip) => {
+    const task = {nodes, wires, ...flowOf(nodes, wires, flip)};
+    await settlePorts(task, elk);
+    return {flipped: task.flipped, laid: await reenterSums(task, elk, await bestLayout(task, elk))};
+  };
+  const {flipped, laid: first} = await attempt(true);
+  if (first.cost.faults === 0 || flipped.size === 0) return first;
+  const restore = keepPorts(nodes), {laid: second} = await attempt(false);
+  if (second.cost.total + forwardCost * flipped.size < first.cost.total) return second;
+  restore();
+  return first;
+}
