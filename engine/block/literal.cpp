@@ -4,10 +4,22 @@
 
 namespace stepwire {
 
+namespace {
+
+/// How many there are, as a whole number.
+std::string count_text(Index count, LiteralWriter& writer) {
+  const std::string number = writer.number(static_cast<double>(count));
+  return number.ends_with(".0") ? number.substr(0, number.size() - 2)
+                                : fmt::format("static_cast<Index>({})", number);
+}
+
+}  // namespace
+
 std::string Literal<Numbers>::text(const Numbers& value, LiteralWriter& writer) {
   if (value.empty()) return "Numbers()";
   if (value.size() == 1) return fmt::format("Numbers(1, {})", writer.number(value[0]));
-  return fmt::format("Numbers::view({}, {})", writer.numbers(value.data(), value.size()), value.size());
+  const std::string first = writer.numbers(value.data(), value.size());
+  return fmt::format("Numbers::view({}, {})", first, count_text(value.size(), writer));
 }
 
 std::string Literal<PerElement>::text(const PerElement& value, LiteralWriter& writer) {
@@ -19,7 +31,8 @@ std::string Literal<PerElement>::text(const PerElement& value, LiteralWriter& wr
 }
 
 std::string Literal<Matrix>::text(const Matrix& value, LiteralWriter& writer) {
-  return fmt::format("Matrix({}, {}, {})", value.rows(), value.columns(),
+  const std::string rows = count_text(value.rows(), writer);
+  return fmt::format("Matrix({}, {}, {})", rows, value.columns(),
                      Literal<Numbers>::text(value.elements(), writer));
 }
 

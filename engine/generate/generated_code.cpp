@@ -6,17 +6,28 @@ namespace stepwire {
 
 namespace {
 
+bool equal(const ProgramNumbers& one, const ProgramNumbers& other, std::size_t list) {
+  const ProgramNumbers::List &a = one.lists[list], &b = other.lists[list];
+  const auto at = [](const ProgramNumbers& all, std::size_t i) {
+    return all.numbers.begin() + static_cast<std::ptrdiff_t>(i);
+  };
+  return std::equal(at(one, a.first), at(one, a.first + a.size), at(other, b.first),
+                    at(other, b.first + b.size));
+}
+
 /// Numbers in which the plans differ; empty where they differ in nothing, or have not the same numbers at
 /// all.
 Varying differences(const std::vector<const Plan*>& plans) {
   if (plans.size() == 1) return {};
-  const std::vector<double> first = make_program(*plans.front()).parameters;
-  Varying varying(first.size(), false);
+  const ProgramNumbers first = make_program(*plans.front()).parameters;
+  Varying varying(first.singles(), false);
   for (const Plan* plan : plans) {
-    const std::vector<double> own = make_program(*plan).parameters;
-    if (own.size() != first.size()) return {};
-    for (std::size_t i = 0; i < own.size(); ++i)
-      if (own[i] != first[i]) varying[i] = true;
+    const ProgramNumbers own = make_program(*plan).parameters;
+    if (own.singles() != first.singles() || own.lists.size() != first.lists.size()) return {};
+    for (std::size_t i = 0; i < own.singles(); ++i)
+      if (own.numbers[i] != first.numbers[i]) varying[i] = true;
+    for (std::size_t list = 0; list < own.lists.size(); ++list)
+      if (!equal(own, first, list)) varying[own.lists[list].place] = true;
   }
   return std::find(varying.begin(), varying.end(), true) == varying.end() ? Varying{} : varying;
 }
@@ -62,7 +73,7 @@ std::vector<CompiledPlan> GeneratedCode::load(std::vector<GeneratedProgram> prog
         same ? code.back().functions : cache_.load(program, *compiler_, stop, problem);
     if (!problem.empty() && !stop.stop_requested()) tell(problem);
     if (!functions.evaluate || !functions.advance) return {};
-    code.push_back({functions, std::move(program.parameters)});
+    code.push_back({functions, std::move(program.parameters.numbers)});
   }
   return code;
 }

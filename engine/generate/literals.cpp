@@ -15,8 +15,8 @@ std::string number_text(double value) {
 }
 
 std::string Literals::parameter(double value) {
-  all_.push_back(value);
-  return varies(all_.size() - 1) ? fmt::format("parameters[{}]", all_.size() - 1) : "";
+  singles_.push_back(value);
+  return varies(singles_.size() - 1) ? fmt::format("parameters[{}]", singles_.size() - 1) : "";
 }
 
 std::string Literals::number(double value) {
@@ -38,16 +38,26 @@ std::string Literals::enumerator(int value, const std::string& type) {
 }
 
 std::string Literals::numbers(const double* values, Index size) {
-  const std::size_t first = all_.size();
-  all_.insert(all_.end(), values, values + size);
-  for (std::size_t i = first; i < all_.size(); ++i)
-    if (varies(i)) return fmt::format("parameters + {}", first);
+  lists_.push_back({singles_.size(), in_lists_.size(), static_cast<std::size_t>(size)});
+  in_lists_.insert(in_lists_.end(), values, values + size);
+  const std::string place = parameter(0.0);  // known when all single numbers are
+  if (!place.empty()) return fmt::format("parameters + static_cast<Index>({})", place);
   const std::string name = in_name_++ == 0 ? name_ : fmt::format("{}_{}", name_, in_name_);
   tables_ += fmt::format("constexpr double {}[] = {{", name);
   for (Index i = 0; i < size; ++i)
     tables_ += fmt::format("{}{}", i == 0 ? "" : i % 8 == 0 ? ",\n    " : ", ", number_text(values[i]));
   tables_ += "};\n";
   return "table::" + name;
+}
+
+ProgramNumbers Literals::all() const {
+  ProgramNumbers all{singles_, lists_};
+  for (ProgramNumbers::List& list : all.lists) {
+    list.first += singles_.size();
+    all.numbers[list.place] = static_cast<double>(list.first);
+  }
+  all.numbers.insert(all.numbers.end(), in_lists_.begin(), in_lists_.end());
+  return all;
 }
 
 }  // namespace stepwire

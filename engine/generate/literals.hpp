@@ -8,11 +8,26 @@
 namespace stepwire {
 
 /// Which numbers of a program are parameters, in the order in which they are written: those in which the
-/// plans that share the program differ.
+/// plans that share the program differ. Lists count by the number that says where they begin.
 using Varying = std::vector<bool>;
 
+/// Every number of the blocks: single ones in their order, and behind them the lists.
+struct ProgramNumbers {
+  struct List {
+    std::size_t place;        ///< of the number that says where the list begins
+    std::size_t first, size;  ///< where it begins, and how long it is
+  };
+
+  std::vector<double> numbers;
+  std::vector<List> lists;
+
+  /// How many single numbers there are.
+  std::size_t singles() const { return lists.empty() ? numbers.size() : lists.front().first; }
+};
+
 /// Writes the numbers of blocks into a program: as they are, longer lists as tables, and numbers that vary as
-/// `parameters[i]`.
+/// `parameters[i]`. A list that varies begins at the parameter that another one names, so that lists may have
+/// other lengths from plan to plan.
 class Literals : public LiteralWriter {
  public:
   /// With the numbers themselves.
@@ -32,8 +47,8 @@ class Literals : public LiteralWriter {
   }
   /// Definitions of all tables so far.
   const std::string& tables() const { return tables_; }
-  /// Every number written, in order; parameters[i] is the i-th.
-  const std::vector<double>& all() const { return all_; }
+  /// Every number written; parameters[i] is the i-th.
+  ProgramNumbers all() const;
 
  private:
   /// "parameters[i]" for the next number where it varies, else nothing.
@@ -41,7 +56,9 @@ class Literals : public LiteralWriter {
   bool varies(std::size_t index) const { return varying_ && (*varying_)[index]; }
 
   const Varying* varying_ = nullptr;
-  std::vector<double> all_;
+  std::vector<double> singles_;
+  std::vector<double> in_lists_;             ///< one list behind the other
+  std::vector<ProgramNumbers::List> lists_;  ///< first counts in in_lists_
   std::string name_, tables_;
   int in_name_ = 0;
 };

@@ -18,7 +18,7 @@ namespace stepwire {
 struct GeneratedProgram {
   std::string text;                  ///< names of places, tables and the functions; inside of namespaces
   std::vector<std::string> headers;  ///< that it needs, from the root of the sources
-  std::vector<double> parameters;    ///< every number of the blocks, in order
+  ProgramNumbers parameters;
 };
 
 /// Throws Error for blocks that no program can have, with their lines. `varying` says which numbers are

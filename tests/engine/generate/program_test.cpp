@@ -86,7 +86,7 @@ TEST_CASE("a small program is written out, and a large one of like blocks become
 TEST_CASE("numbers that vary become parameters, those of blocks first and then those that feed inputs") {
   const Plan plan = plan_text("blocks:\n  half: {block: Gain, gain: 0.5, u: 1}\n");
   const GeneratedProgram plain = make_program(plan);
-  REQUIRE(plain.parameters == std::vector<double>{0.5, 1.0});  // the gain, and what feeds it
+  REQUIRE(plain.parameters.numbers == std::vector<double>{0.5, 1.0});  // the gain, and what feeds it
   const Varying varying{true, true};
   const std::string text = make_program(plan, &varying).text;
   CHECK_THAT(text, Contains("b.gain = parameters[0];"));
