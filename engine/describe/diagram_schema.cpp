@@ -97,7 +97,8 @@ void add_run_keys(Json& keys) {
   keys.set("stop", explained(schema_ref("time"), "end of the run, a whole multiple of the step: 5 s"));
   keys.set("solver", solver_schema());
   keys.set("stop_when",
-           explained(schema_ref("expression"), "ends the run early where this is true: rig.x > 5 mm"));
+           explained(schema_ref("expression"),
+                     "ends the run early where this is true: rig.x > 5 mm, rig.position.1 > 5 mm"));
   keys.set("record", explained(one_or_list_of(schema_ref("record")), "signals that figures and claims read"));
   keys.set("sweep", sweep_schema());
   keys.set("figure", explained(one_or_list_of(schema_ref("figure")), "pictures of what was recorded"));

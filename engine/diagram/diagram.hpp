@@ -134,11 +134,16 @@ struct Sweep {
   bool together = false;
 };
 
-/// `stop_when`, with the signals that its expression reads in the order of its variables ("time" has block
-/// -1).
+/// `stop_when`, with what its expression reads, in the order of its variables.
 struct StopCondition {
+  struct Variable {
+    SignalRef signal{};        ///< "time" has block -1
+    Eigen::Index element = 0;  ///< as it is written, from 1; 0: all there is of a signal of one element
+    std::size_t offset() const { return element > 0 ? static_cast<std::size_t>(element - 1) : 0; }
+  };
+
   Expression expression;
-  std::vector<SignalRef> variables;
+  std::vector<Variable> variables;
   Origin origin;
 };
 

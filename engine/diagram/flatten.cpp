@@ -80,8 +80,10 @@ class Flattener {
 
   Node stop_condition(const StopCondition& condition) const {
     std::vector<std::string> names;
-    for (const SignalRef& signal : condition.variables)
-      names.push_back(signal.block < 0 ? "time" : name(signal));
+    for (const auto& [signal, element] : condition.variables)
+      names.push_back(signal.block < 0 ? "time"
+                      : element > 0    ? fmt::format("{}.{}", name(signal), element)
+                                       : name(signal));
     return written_text(condition.expression.renamed(names));
   }
 

@@ -107,6 +107,17 @@ void refuse_swept_names(Report& report) {
                                  signal.name));
 }
 
+/// Takes the number of an element off the end of a name, "rig.position.1"; 0 where there is none.
+Eigen::Index take_element(std::string& name) {
+  const std::size_t dot = name.rfind('.');
+  const std::string digits = dot == std::string::npos ? "" : name.substr(dot + 1);
+  const bool is_number = !digits.empty() && digits.size() < 10 && digits[0] != '0' &&
+                         digits.find_first_not_of("0123456789") == std::string::npos;
+  if (!is_number) return 0;
+  name.resize(dot);
+  return std::stol(digits);
+}
+
 }  // namespace
 
 void read_record(const Scope& scope, const Resolver& resolver, Report& report) {
@@ -128,11 +139,12 @@ void read_stop_condition(const Scope& scope, const Resolver& resolver, Report& r
   if (!text) return;
   try {
     StopCondition condition{Expression(*text), {}, scope.at(node->mark)};
-    for (const std::string& name : condition.expression.variables()) {
+    for (std::string name : condition.expression.variables()) {
+      const Eigen::Index element = take_element(name);
       if (name == "time") {
         condition.variables.push_back({});
       } else if (const auto signal = resolver.signal(name, scope, scope.at(node->mark), "stop_when")) {
-        condition.variables.push_back(*signal);
+        condition.variables.push_back({*signal, element});
       }
     }
     report.diagram().stop_when = std::move(condition);
@@ -145,7 +157,7 @@ void check_stop_condition(Report& report) {
   const Diagram& diagram = report.diagram();
   if (!diagram.stop_when) return;
   std::vector<Measure> measures;
-  for (const SignalRef& signal : diagram.stop_when->variables) {
+  for (const auto& [signal, element] : diagram.stop_when->variables) {
     std::optional<Dimension> dimension = parse_unit("s")->dimension;
     const auto block = static_cast<std::size_t>(signal.block);
     if (signal.block >= 0 && signal.output >= 0)

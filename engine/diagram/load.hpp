@@ -24,8 +24,10 @@ struct Setting {
 /// Turns diagram files into checked diagrams. Files are read once, however often they are used.
 class Loader {
  public:
+  /// The registry must outlive the diagrams, too, whose blocks know their types by it.
   explicit Loader(const Registry& registry, DocumentLimits limits = {})
       : registry_(registry), limits_(limits) {}
+  explicit Loader(Registry&&, DocumentLimits = {}) = delete;
 
   /// Reads and checks a file. Throws Error with everything that is wrong; SurroundingsError where a block
   /// needs the data folder (STEPWIRE_DATA) and it is not there.

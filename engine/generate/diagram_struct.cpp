@@ -104,8 +104,7 @@ std::string fault_text(const Plan& plan) {
 std::string stop_text(const Plan& plan) {
   if (!plan.diagram.stop_when) return "false";
   return plan.diagram.stop_when->expression.cpp_condition([&](std::size_t i) {
-    const SignalRef& signal = plan.diagram.stop_when->variables[i];
-    return fmt::format("w_[{}]", signal.block < 0 ? Layout::time : plan.slot(signal).offset);
+    return fmt::format("w_[{}]", plan.offset(plan.diagram.stop_when->variables[i]));
   });
 }
 

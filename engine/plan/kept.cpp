@@ -10,12 +10,18 @@ namespace {
 
 void check_stop_condition(Draft& draft, const StopCondition& condition) {
   for (std::size_t i = 0; i < condition.variables.size(); ++i) {
-    const SignalRef& signal = condition.variables[i];
-    if (signal.block < 0 || draft.plan.slot(signal).size == 1) continue;
-    draft.report.add(condition.origin, "stop_when",
-                     fmt::format("'{}' has {} elements; a condition takes single numbers, so pick one with "
-                                 "Select, or take the Norm",
-                                 condition.expression.variables()[i], draft.plan.slot(signal).size));
+    const auto& [signal, element] = condition.variables[i];
+    if (signal.block < 0) continue;
+    const Eigen::Index size = draft.plan.slot(signal).size;
+    const std::string& name = condition.expression.variables()[i];
+    if (element > size)
+      draft.report.add(condition.origin, "stop_when",
+                       fmt::format("there is no '{}'; the signal has {} elements", name, size));
+    if (element == 0 && size > 1)
+      draft.report.add(condition.origin, "stop_when",
+                       fmt::format("'{0}' has {1} elements; a condition takes single numbers, so name one, "
+                                   "'{0}.1', or take the Norm",
+                                   name, size));
   }
 }
 

@@ -83,6 +83,10 @@ struct Plan {
 
   SignalSlot slot(const SignalRef& signal) const;
   std::optional<Dimension> dimension(const SignalRef& signal) const;
+  /// Where what a stop condition reads lies in the workspace.
+  std::size_t offset(const StopCondition::Variable& variable) const {
+    return variable.signal.block < 0 ? Layout::time : slot(variable.signal).offset + variable.offset();
+  }
   double time_of(std::int64_t tick) const { return static_cast<double>(tick) * diagram.step; }
 };
 

@@ -13,8 +13,8 @@ class Stopper {
   explicit Stopper(const Plan& plan) {
     if (!plan.diagram.stop_when) return;
     condition_ = plan.diagram.stop_when->expression;
-    for (const SignalRef& signal : plan.diagram.stop_when->variables)
-      offsets_.push_back(signal.block < 0 ? Layout::time : plan.slot(signal).offset);
+    for (const StopCondition::Variable& variable : plan.diagram.stop_when->variables)
+      offsets_.push_back(plan.offset(variable));
     numbers_.resize(offsets_.size());
   }
   bool stops(const double* values) {

@@ -93,10 +93,18 @@ TEST_CASE("stop_when ends a run at the tick at which it holds, which is recorded
   CHECK_FALSE(result.interrupted);
 }
 
-TEST_CASE("a condition over a vector is refused") {
-  const auto refused = faults_of("blocks:\n  v: {block: Constant, value: [1, 2]}\nstop_when: v > 3\n");
-  REQUIRE(refused.size() == 1);
-  CHECK_THAT(refused[0], Catch::StartsWith("test.yaml:3:12: stop_when: 'v' has 2 elements"));
+TEST_CASE("stop_when reads an element of a vector") {
+  const RunResult result =
+      result_of("blocks:\n  r: {block: Ramp, slope: [1, 2]}\nstop: 100 s\nstop_when: r.2 >= 6\nrecord: r\n");
+  CHECK(column(result.recordings[0].table, "r.1") == std::vector<double>{0, 1, 2, 3});
+}
+
+TEST_CASE("a condition over a whole vector, or an element that is not there, is refused") {
+  const std::string vector = "blocks:\n  v: {block: Constant, value: [1, 2]}\nstop_when: ";
+  CHECK_THAT(faults_of(vector + "v > 3\n").at(0),
+             Catch::StartsWith("test.yaml:3:12: stop_when: 'v' has 2 elements"));
+  CHECK(faults_of(vector + "v.3 > 3\n").at(0) ==
+        "test.yaml:3:12: stop_when: there is no 'v.3'; the signal has 2 elements");
 }
 
 TEST_CASE("an interruption ends a run soon and keeps its rows") {
