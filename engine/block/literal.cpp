@@ -9,8 +9,8 @@ namespace {
 /// How many there are, as a whole number.
 std::string count_text(Index count, LiteralWriter& writer) {
   const std::string number = writer.number(static_cast<double>(count));
-  return number.ends_with(".0") ? number.substr(0, number.size() - 2)
-                                : fmt::format("static_cast<Index>({})", number);
+  const bool is_written = number.find_first_not_of("0123456789.") == std::string::npos;
+  return is_written ? number.substr(0, number.find('.')) : fmt::format("static_cast<Index>({})", number);
 }
 
 }  // namespace
@@ -31,9 +31,8 @@ std::string Literal<PerElement>::text(const PerElement& value, LiteralWriter& wr
 }
 
 std::string Literal<Matrix>::text(const Matrix& value, LiteralWriter& writer) {
-  const std::string rows = count_text(value.rows(), writer);
-  return fmt::format("Matrix({}, {}, {})", rows, value.columns(),
-                     Literal<Numbers>::text(value.elements(), writer));
+  const std::string rows = count_text(value.rows(), writer), columns = count_text(value.columns(), writer);
+  return fmt::format("Matrix({}, {}, {})", rows, columns, Literal<Numbers>::text(value.elements(), writer));
 }
 
 std::string Literal<Function>::text(const Function& value, LiteralWriter&) {
