@@ -7,7 +7,8 @@ namespace stepwire {
 std::string Literal<Numbers>::text(const Numbers& value, LiteralWriter& writer) {
   if (value.empty()) return "Numbers()";
   if (value.size() == 1) return fmt::format("Numbers(1, {})", writer.number(value[0]));
-  return fmt::format("Numbers::view({}, {})", writer.numbers(value.data(), value.size()), value.size());
+  const std::string place = writer.numbers(value.data(), value.size());
+  return fmt::format("Numbers::view({}, {})", place, writer.count(value.size()));
 }
 
 std::string Literal<PerElement>::text(const PerElement& value, LiteralWriter& writer) {
@@ -19,8 +20,8 @@ std::string Literal<PerElement>::text(const PerElement& value, LiteralWriter& wr
 }
 
 std::string Literal<Matrix>::text(const Matrix& value, LiteralWriter& writer) {
-  return fmt::format("Matrix({}, {}, {})", value.rows(), value.columns(),
-                     Literal<Numbers>::text(value.elements(), writer));
+  const std::string rows = writer.count(value.rows()), columns = writer.count(value.columns());
+  return fmt::format("Matrix({}, {}, {})", rows, columns, Literal<Numbers>::text(value.elements(), writer));
 }
 
 std::string Literal<Function>::text(const Function& value, LiteralWriter&) {

@@ -1,34 +1,47 @@
 #include "engine/generate/generated_code.hpp"
 
-#include <algorithm>
+#include <optional>
 
 namespace stepwire {
 
 namespace {
 
-/// Numbers in which the plans differ; empty where they differ in nothing, or have not the same numbers at
-/// all.
-Varying differences(const std::vector<const Plan*>& plans) {
-  if (plans.size() == 1) return {};
-  const std::vector<double> first = make_program(*plans.front()).parameters;
-  Varying varying(first.size(), false);
+/// How plans share a program.
+struct Sharing {
+  Lists lists = Lists::in_place;
+  Varying varying{};
+};
+
+/// Numbers in which the plans differ; nothing where they have not the same numbers at all.
+std::optional<Varying> differences(const std::vector<const Plan*>& plans, Lists lists) {
+  const GeneratedProgram first = make_program(*plans.front(), nullptr, lists);
+  Varying varying(first.before_lists, false);
   for (const Plan* plan : plans) {
-    const std::vector<double> own = make_program(*plan).parameters;
-    if (own.size() != first.size()) return {};
-    for (std::size_t i = 0; i < own.size(); ++i)
-      if (own[i] != first[i]) varying[i] = true;
+    const GeneratedProgram own = make_program(*plan, nullptr, lists);
+    if (own.before_lists != first.before_lists) return std::nullopt;
+    for (std::size_t i = 0; i < first.before_lists; ++i)
+      if (own.parameters[i] != first.parameters[i]) varying[i] = true;
   }
-  return std::find(varying.begin(), varying.end(), true) == varying.end() ? Varying{} : varying;
+  return varying;
+}
+
+/// Lists stand apart only where that lets plans share a program: code that knows their lengths is faster.
+Sharing sharing_of(const std::vector<const Plan*>& plans) {
+  if (plans.size() == 1) return {};
+  for (const Lists lists : {Lists::in_place, Lists::apart})
+    if (const auto varying = differences(plans, lists)) return {lists, *varying};
+  return {};
 }
 
 /// The plans' programs, with what varies between them as parameters. A text that is that of the plan before
 /// is left out: a sweep may have very many points.
 std::vector<GeneratedProgram> programs_of(const std::vector<const Plan*>& plans) {
-  const Varying varying = differences(plans);
+  const Sharing sharing = sharing_of(plans);
+  const Varying& varying = sharing.varying;
   std::vector<GeneratedProgram> programs;
   std::string last;
   for (const Plan* plan : plans) {
-    programs.push_back(make_program(*plan, varying.empty() ? nullptr : &varying));
+    programs.push_back(make_program(*plan, varying.empty() ? nullptr : &varying, sharing.lists));
     if (programs.back().text == last) {
       programs.back().text.clear();
     } else {

@@ -37,7 +37,28 @@ std::string Literals::enumerator(int value, const std::string& type) {
   return fmt::format("static_cast<{}>({})", type, number);
 }
 
+std::string Literals::count(Index count) {
+  if (!stands_apart(count)) return std::to_string(count);
+  const std::string place = parameter(static_cast<double>(count));
+  return place.empty() ? std::to_string(count) : fmt::format("static_cast<Index>({})", place);
+}
+
+std::string Literals::put_apart(const double* values, Index size) {
+  places_.push_back(all_.size());
+  all_.push_back(static_cast<double>(apart_.size()));
+  apart_.insert(apart_.end(), values, values + size);
+  return fmt::format("parameters + static_cast<Index>(parameters[{}])", places_.back());
+}
+
+std::vector<double> Literals::all() const {
+  std::vector<double> all = all_;
+  for (std::size_t place : places_) all[place] += static_cast<double>(all_.size());
+  all.insert(all.end(), apart_.begin(), apart_.end());
+  return all;
+}
+
 std::string Literals::numbers(const double* values, Index size) {
+  if (stands_apart(size)) return put_apart(values, size);
   const std::size_t first = all_.size();
   all_.insert(all_.end(), values, values + size);
   for (std::size_t i = first; i < all_.size(); ++i)

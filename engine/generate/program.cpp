@@ -256,13 +256,14 @@ std::vector<std::string> headers_of(const Plan& plan) {
 
 }  // namespace
 
-GeneratedProgram make_program(const Plan& plan, const Varying* varying) {
+GeneratedProgram make_program(const Plan& plan, const Varying* varying, Lists lists) {
   require_headers(plan);
-  Literals literals = varying ? Literals(*varying) : Literals();
+  Literals literals = varying ? Literals(*varying, lists) : Literals(lists);
   GeneratedProgram program;
   program.text = Maker(plan, literals).text();
   program.headers = headers_of(plan);
   program.parameters = literals.all();
+  program.before_lists = literals.before_lists();
   return program;
 }
 

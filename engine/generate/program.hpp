@@ -18,11 +18,14 @@ namespace stepwire {
 struct GeneratedProgram {
   std::string text;                  ///< names of places, tables and the functions; inside of namespaces
   std::vector<std::string> headers;  ///< that it needs, from the root of the sources
-  std::vector<double> parameters;    ///< every number of the blocks, in order
+  std::vector<double> parameters;    ///< every number of the blocks, in order; then lists that stand apart
+  std::size_t before_lists = 0;      ///< how many numbers stand in front of these lists
 };
 
 /// Throws Error for blocks that no program can have, with their lines. `varying` says which numbers are
-/// parameters; without it none is.
-GeneratedProgram make_program(const Plan& plan, const Varying* varying = nullptr);
+/// parameters; without it none is. It has an entry for each number, those of lists that stand apart aside:
+/// they always are parameters.
+GeneratedProgram make_program(const Plan& plan, const Varying* varying = nullptr,
+                              Lists lists = Lists::in_place);
 
 }  // namespace stepwire

@@ -93,6 +93,27 @@ TEST_CASE("numbers that vary become parameters, those of blocks first and then t
   CHECK_THAT(text, Contains("] = parameters[1];"));
 }
 
+TEST_CASE("long lists that stand apart let diagrams share a program whatever their lengths") {
+  const auto plan_of = [](int rows) {
+    std::string points, values;
+    for (int i = 0; i < rows; ++i) {
+      points += (i == 0 ? "" : ", ") + std::to_string(i);
+      values += (i == 0 ? "" : ", ") + std::to_string(i * i);
+    }
+    return plan_text("blocks:\n  curve: {block: LookupTable, u: 1, points: [" + points + "], values: [" +
+                     values + "]}\n");
+  };
+  const Plan one = plan_of(100), other = plan_of(300);
+  const GeneratedProgram first = make_program(one, nullptr, Lists::apart);
+  const GeneratedProgram second = make_program(other, nullptr, Lists::apart);
+  REQUIRE(first.before_lists == second.before_lists);
+  CHECK(first.parameters.size() == first.before_lists + 200);
+  CHECK(second.parameters.size() == second.before_lists + 600);
+  const Varying varying(first.before_lists, true);
+  CHECK(make_program(one, &varying, Lists::apart).text == make_program(other, &varying, Lists::apart).text);
+  CHECK(make_program(one, &varying, Lists::apart).text.find("constexpr double curve") == std::string::npos);
+}
+
 TEST_CASE("the same diagram gives the same text") {
   CHECK(program_of(gains(3)) == program_of(gains(3)));
 }
