@@ -4,22 +4,11 @@
 
 namespace stepwire {
 
-namespace {
-
-/// How many there are, as a whole number.
-std::string count_text(Index count, LiteralWriter& writer) {
-  const std::string number = writer.number(static_cast<double>(count));
-  const bool is_written = number.find_first_not_of("0123456789.") == std::string::npos;
-  return is_written ? number.substr(0, number.find('.')) : fmt::format("static_cast<Index>({})", number);
-}
-
-}  // namespace
-
 std::string Literal<Numbers>::text(const Numbers& value, LiteralWriter& writer) {
   if (value.empty()) return "Numbers()";
   if (value.size() == 1) return fmt::format("Numbers(1, {})", writer.number(value[0]));
-  const std::string first = writer.numbers(value.data(), value.size());
-  return fmt::format("Numbers::view({}, {})", first, count_text(value.size(), writer));
+  const std::string place = writer.numbers(value.data(), value.size());
+  return fmt::format("Numbers::view({}, {})", place, writer.count(value.size()));
 }
 
 std::string Literal<PerElement>::text(const PerElement& value, LiteralWriter& writer) {
@@ -31,7 +20,7 @@ std::string Literal<PerElement>::text(const PerElement& value, LiteralWriter& wr
 }
 
 std::string Literal<Matrix>::text(const Matrix& value, LiteralWriter& writer) {
-  const std::string rows = count_text(value.rows(), writer), columns = count_text(value.columns(), writer);
+  const std::string rows = writer.count(value.rows()), columns = writer.count(value.columns());
   return fmt::format("Matrix({}, {}, {})", rows, columns, Literal<Numbers>::text(value.elements(), writer));
 }
 

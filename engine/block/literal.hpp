@@ -32,6 +32,8 @@ class LiteralWriter {
   virtual std::string enumerator(int value, const std::string& type) = 0;
   /// A pointer to these numbers, one behind the other.
   virtual std::string numbers(const double* values, Index size) = 0;
+  /// How many rows, columns or numbers there are.
+  virtual std::string count(Index count) { return std::to_string(count); }
 };
 
 /// How the value of a member of type T is written as an expression of C++ that can be assigned to it. A type

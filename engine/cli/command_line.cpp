@@ -10,7 +10,8 @@
 #include <cstdio>
 #include <cstring>
 
-#include "engine/cli/commands.hpp"
+#include "engine/cli/call_options.hpp"
+#include "engine/cli/call_settings.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/report.hpp"
 #include "engine/cli/version.hpp"
@@ -21,66 +22,18 @@ namespace {
 
 constexpr DocumentLimits large_limits{.bytes = std::size_t{512} << 20, .depth = 64, .nodes = 64'000'000};
 
-const std::map<std::string, Engine> engines = {
-    {"interpreted", Engine::interpreted}, {"compiled", Engine::compiled}, {"auto", Engine::automatic}};
-
-const CLI::Validator is_named([](const std::string& it) { return it.empty() ? "names no folder" : ""; }, "");
-
-void add_load_options(CLI::App& verb, std::vector<std::string>& settings, bool& large) {
-  verb.add_option("--set", settings,
-                  "a parameter in place of the file's: name=value; reaches into parts (rig.mass=2kg)")
-      ->allow_extra_args(false);
+void add_load_options(CLI::App& verb, SettingWords& settings, bool& large) {
+  add_setting_options(verb, settings);
   verb.add_flag("--large", large, "read files above 8 MB, up to 512 MB");
 }
 
-void add_work_options(CLI::App& verb, RunCommand& command, std::vector<std::string>& settings,
-                      std::string& stop, bool& large) {
+void add_work_options(CLI::App& verb, RunCommand& command, SettingWords& settings, std::string& stop,
+                      bool& large) {
   verb.add_option("FILE", command.files, "diagram files")->required();
   add_load_options(verb, settings, large);
   verb.add_option("--stop", stop, "stop time in place of the file's, e.g. 2s");
   verb.add_flag("--units", command.units, "print the unit of every wire");
   verb.add_flag("--json", command.json, "print the result as JSON");
-}
-
-void add_engine_option(CLI::App& verb, Engine& engine, const std::string& what) {
-  const auto number_of = [](std::string& word) -> std::string {
-    const auto known = engines.find(word);
-    if (known == engines.end()) return fmt::format("must be auto, compiled or interpreted, not '{}'", word);
-    word = std::to_string(static_cast<int>(known->second));
-    return "";
-  };
-  CLI::Option* option = verb.add_option("--engine", engine, what);
-  option->transform(CLI::Validator(number_of, "", "engine"))->option_text("ENGINE");
-}
-
-void add_loop_options(CLI::App& verb, LoopCommand& command) {
-  LoopWords& words = command.words;
-  verb.add_option("FILE", command.file, "a diagram file")->required();
-  verb.add_option("--rate", words.rate, "how often the thread wakes [Hz]")->capture_default_str();
-  verb.add_option("--duration", words.duration, "for how long [s]; the file's stop does not end it")
-      ->capture_default_str();
-  verb.add_option("--policy", words.policy, "how it is scheduled: fifo:1 to fifo:99, or other")
-      ->capture_default_str();
-  verb.add_option("--cpu", words.cpu, "the processor to which it is bound");
-  verb.add_option("--overrun", words.overrun,
-                  "what a missed deadline means: skip drops it, catch-up runs it late, stop:N ends the loop "
-                  "after N in a row")
-      ->capture_default_str();
-  verb.add_option("--spin", words.spin, "time before each deadline at which it is awake, e.g. 200us")
-      ->capture_default_str();
-  add_engine_option(verb, command.engine,
-                    "interpreted, or compiled before the loop begins; to the same bits");
-  verb.add_option("--out", command.out, "folder for signals.csv, inputs.csv, loop.json, loop.svg")
-      ->check(is_named);
-  verb.add_flag("--baseline", command.baseline, "measure cyclictest by turns, and set it beside the loop");
-}
-
-/// "name=value" as a setting; throws CLI::ValidationError for anything else.
-Setting parse_setting(const std::string& text) {
-  const std::size_t equals = text.find('=');
-  if (equals == 0 || equals == std::string::npos || equals + 1 == text.size())
-    throw CLI::ValidationError("--set " + text, "must be written name=value, e.g. --set rig.mass=2kg");
-  return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
 /// All verbs with what they fill in.
@@ -93,6 +46,7 @@ class CommandLine {
     });
     app_.set_version_flag("--version", "stepwire " + program_version());
     add_run();
+    add_fit();
     add_check();
     add_flatten();
     add_generate();
@@ -139,12 +93,25 @@ class CommandLine {
     add_work_options(*verb, run_, settings_, stop_, large_);
     add_engine_option(*verb, run_.engine,
                       "interpreted, compiled, or auto: compiled once that is worth it; all to the same bits");
-    verb->add_option("--out", run_.out,
-                     "folder for signals.csv, signals.mat, pictures, claims.json, run.json, diagram.yaml")
-        ->check(is_named);
+    add_out_option(*verb, "--out", run_.out,
+                   "folder for signals.csv, signals.mat, pictures, claims.json, run.json, diagram.yaml");
     verb->add_flag("--profile", run_.profile,
                    "measure what each block costs; with --out also in profile.csv and profile.svg");
     verb->callback([this] { action_ = [this] { return run_or_check(); }; });
+  }
+
+  void add_fit() {
+    CLI::App* verb =
+        app_.add_subcommand("fit", "find parameters of diagram files from records, then run them");
+    verb->footer("Example:\n  stepwire fit press.yaml --starts 8 --out out/press");
+    add_work_options(*verb, run_, settings_, stop_, large_);
+    add_engine_option(*verb, run_.engine, "interpreted, compiled, or auto; all to the same bits");
+    add_fit_options(*verb, run_.fit);
+    add_out_option(*verb, "--out", run_.out, "folder for parameters.yaml, fit.json and all that run writes");
+    verb->callback([this] {
+      run_.fit_asked = true;
+      action_ = [this] { return run_or_check(); };
+    });
   }
 
   void add_check() {
@@ -162,7 +129,7 @@ class CommandLine {
     verb->footer("Example:\n  stepwire generate controller.yaml -o controller");
     verb->add_option("FILE", generate_.file, "a diagram file")->required();
     add_load_options(*verb, settings_, large_);
-    verb->add_option("-o", generate_.out, "folder for the program")->required()->check(is_named);
+    add_out_option(*verb, "-o", generate_.out, "folder for the program")->required();
     verb->callback([this] {
       action_ = [this] {
         take_load_options(generate_.options);
@@ -227,7 +194,7 @@ class CommandLine {
         app_.add_subcommand("thesis", "make the figures of the thesis and a page that shows them");
     verb->footer("Example:\n  stepwire thesis --only fig15,fig31 --out out/thesis");
     verb->add_option("--only", thesis_.only, "beginnings of file names, e.g. fig15,fig31")->delimiter(',');
-    verb->add_option("--out", thesis_.out, "folder of the page")->capture_default_str()->check(is_named);
+    add_out_option(*verb, "--out", thesis_.out, "folder of the page")->capture_default_str();
     thesis_.diagrams = std::string(STEPWIRE_DIAGRAMS) + "/thesis";
     verb->callback([this] { action_ = [this] { return run_thesis(thesis_, registry_); }; });
   }
@@ -250,7 +217,7 @@ class CommandLine {
   }
 
   void take_load_options(WorkOptions& options) const {
-    for (const std::string& text : settings_) options.settings.push_back(parse_setting(text));
+    options.settings = settings_of(settings_);
     if (large_) options.limits = large_limits;
   }
 
@@ -270,7 +237,7 @@ class CommandLine {
   LoopCommand loop_;
   ThesisCommand thesis_;
   BlocksCommand blocks_;
-  std::vector<std::string> settings_;
+  SettingWords settings_;
   std::string stop_;
   bool large_ = false;
   std::function<ExitCode()> action_;

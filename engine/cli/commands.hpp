@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/block/registry.hpp"
+#include "engine/cli/fitting.hpp"
 #include "engine/cli/loop_settings.hpp"
 #include "engine/cli/work.hpp"
 #include "engine/draw/graph.hpp"
@@ -18,6 +19,8 @@ struct RunCommand {
   bool units = false;
   bool profile = false;  ///< measure what each block costs
   bool check_only = false;
+  bool fit_asked = false;  ///< a file without a section `fit` is refused
+  FitWords fit;
   Engine engine = Engine::automatic;
 };
 
@@ -65,7 +68,7 @@ struct BlocksCommand {
   bool markdown = false;
 };
 
-/// `run` and `check`.
+/// `run`, `fit` and `check`.
 ExitCode run_files(const RunCommand& command, const Registry& registry);
 /// `flatten`: a diagram as one file without parts and parameters.
 ExitCode flatten_file(const FlattenCommand& command, const Registry& registry);

@@ -84,6 +84,29 @@ void write_profile(const std::string& folder, const Work& work, const Profile& p
   write_file(folder + "/profile.svg", profile_picture(work, profile));
 }
 
+/// Finds the parameters for which the file asks, tells them, and puts them into the work.
+ExitCode fit_first(Work& work, const RunCommand& command, const Registry& registry, GeneratedCode& code,
+                   Json& results) {
+  if (!work.fit && command.fit_asked)
+    throw Error(
+        Fault{{work.file, {}}, "", "asks for no fit; a section 'fit' names parameters and records", {}});
+  if (!work.fit) return ExitCode::done;
+  if (!command.out.empty()) require_folder(folder_of(command, work.file));
+  const bool compiles =
+      command.engine == Engine::compiled || (command.engine == Engine::automatic && worth_compiling(work));
+  const FitResult result =
+      fit_visibly(registry, work, command.options, command.fit, compiles ? &code : nullptr);
+  tell_problem(code);
+  if (!command.out.empty()) write_fit(folder_of(command, work.file), work, result);
+  if (command.json)
+    results.push(Json::object().set("fit", fit_json(work, result)));
+  else
+    fmt::print("{}", fit_text(result));
+  if (code_of(result) == ExitCode::done)
+    work = prepare(registry, work.file, with_fitted(command.options, result));
+  return code_of(result);
+}
+
 ExitCode run(const Work& work, const RunCommand& command, GeneratedCode& code, Json& results) {
   const std::string folder = command.out.empty() ? "" : folder_of(command, work.file);
   if (!folder.empty()) {  // better now than after an hour, in which data files may change
@@ -118,9 +141,10 @@ ExitCode run_files(const RunCommand& command, const Registry& registry) {
   for (const std::string& file : command.files) {
     if (interrupted()) break;
     code = worst(code, guarded([&] {
-                   const Work work = prepare(registry, file, command.options);
-                   return command.check_only ? check(work, command, results)
-                                             : run(work, command, compiler, results);
+                   Work work = prepare(registry, file, command.options);
+                   if (command.check_only) return check(work, command, results);
+                   const ExitCode fitted = fit_first(work, command, registry, compiler, results);
+                   return fitted == ExitCode::done ? run(work, command, compiler, results) : fitted;
                  }));
   }
   if (command.json) fmt::print("{}\n", results.text());

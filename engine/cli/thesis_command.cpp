@@ -6,11 +6,13 @@
 #include <thread>
 
 #include "engine/cli/commands.hpp"
+#include "engine/cli/fitting.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/output.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/report.hpp"
 #include "engine/figure/gallery.hpp"
+#include "engine/generate/generated_code.hpp"
 #include "engine/replay/replay_folder.hpp"
 #include "engine/table/file.hpp"
 
@@ -91,7 +93,8 @@ class Maker {
     entry.diagram = fs::proximate(file, command_.out).generic_string();
     entry.error = "could not be run; the terminal says why";
     return guarded([&] {
-      const Work work = prepare(registry_, file.string(), {});
+      Work work = prepare(registry_, file.string(), {});
+      if (work.fit) fit_first(work, folder);
       describe(work, entry);
       write_replay(folder, work.job);
       RunOptions options;
@@ -105,6 +108,15 @@ class Maker {
       entry.error = outcome.result.faults.empty() ? "" : outcome.result.faults.front().fault.message;
       return outcome.code;
     });
+  }
+
+  void fit_first(Work& work, const std::string& folder) const {
+    FitWords words;
+    words.threads = 1;
+    GeneratedCode code;
+    const FitResult result = fit_quietly(registry_, work, {}, words, worth_compiling(work) ? &code : nullptr);
+    write_fit(folder, work, result);
+    if (code_of(result) == ExitCode::done) work = prepare(registry_, work.file, with_fitted({}, result));
   }
 
   const ThesisCommand& command_;

@@ -76,7 +76,7 @@ Work prepare(const Registry& registry, const std::string& file, const WorkOption
 }
 
 Work prepare(Loader& loader, const std::string& file, const WorkOptions& options) {
-  Work work{file, make_job(loader, file, options.settings, options.stop), {}, {}, {}};
+  Work work{file, make_job(loader, file, options.settings, options.stop, options.of_points), {}, {}, {}, {}};
   Names names = names_of(work.job);
   Faults faults;
   const Diagram& diagram = work.job.plan.diagram;
@@ -84,6 +84,7 @@ Work prepare(Loader& loader, const std::string& file, const WorkOptions& options
   names.diagram = &view;
   if (diagram.figure.kind != Node::Kind::empty) work.figures = read_figures(diagram.figure, names, faults);
   if (diagram.claims.kind != Node::Kind::empty) work.claims = read_claims(diagram.claims, names, faults);
+  if (diagram.fit.kind != Node::Kind::empty) work.fit = read_fit(diagram.fit, names, diagram, faults);
   faults.throw_if_any();
   work.hash = diagram_hash(diagram);
   return work;

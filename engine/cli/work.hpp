@@ -8,6 +8,7 @@
 #include "engine/diagram/load.hpp"
 #include "engine/figure/claim.hpp"
 #include "engine/figure/figure.hpp"
+#include "engine/identify/fit_request.hpp"
 #include "engine/run/run.hpp"
 
 namespace stepwire {
@@ -18,12 +19,14 @@ struct Work {
   Job job;
   std::vector<Figure> figures;
   std::vector<Claim> claims;
-  std::string hash;  ///< of the flattened diagram and its data as they were before the run
+  std::optional<FitRequest> fit;  ///< what is to be found in records before the run
+  std::string hash;               ///< of the flattened diagram and its data as they were before the run
 };
 
 /// What a call asks of each file.
 struct WorkOptions {
   std::vector<Setting> settings;
+  PointSettings of_points{};  ///< beside them, of the points of a sweep
   std::optional<std::string> stop;
   DocumentLimits limits;
 };

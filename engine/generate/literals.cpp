@@ -37,6 +37,11 @@ std::string Literals::enumerator(int value, const std::string& type) {
   return fmt::format("static_cast<{}>({})", type, number);
 }
 
+std::string Literals::count(Index count) {
+  const std::string place = parameter(static_cast<double>(count));
+  return place.empty() ? std::to_string(count) : fmt::format("static_cast<Index>({})", place);
+}
+
 std::string Literals::numbers(const double* values, Index size) {
   lists_.push_back({singles_.size(), in_lists_.size(), static_cast<std::size_t>(size)});
   in_lists_.insert(in_lists_.end(), values, values + size);

@@ -39,6 +39,7 @@ class Literals : public LiteralWriter {
   std::string flag(bool value) override;
   std::string enumerator(int value, const std::string& type) override;
   std::string numbers(const double* values, Index size) override;
+  std::string count(Index count) override;
 
   /// What the next table is called.
   void name_tables(std::string name) {

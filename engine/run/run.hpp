@@ -51,9 +51,15 @@ struct Job {
   std::vector<SweepPoint> points;  ///< empty without a sweep
 };
 
+/// What some or all points of a sweep set beside their own values, in the order of the sweep.
+using PointSettings = std::vector<std::vector<Setting>>;
+
 /// Loads and plans a file and all points of its sweep. `stop` replaces the file's stop time. Throws Error.
 Job make_job(Loader& loader, const std::string& path, const std::vector<Setting>& settings = {},
-             std::optional<std::string> stop = {});
+             std::optional<std::string> stop = {}, const PointSettings& of_points = {});
+
+/// The swept parameters of a point: columns of one row, words as their numbers. None without a sweep.
+std::vector<Column> swept_columns(const Job& job, std::size_t point);
 
 /// Runs a job; the points of a sweep in parallel, pooled in the order of the sweep: the same bits at any
 /// number of threads.

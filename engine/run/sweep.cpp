@@ -65,19 +65,22 @@ std::vector<bool> numeric_axes(const Job& job, const Sweep& sweep) {
   return numeric;
 }
 
+Column swept_column(const Sweep::Axis& axis, std::size_t index, const Diagram& diagram, bool numeric) {
+  const auto number = numeric ? swept_number(axis, index, diagram) : std::nullopt;
+  Column column{axis.parameter, "", {number ? number->value : static_cast<double>(index)}};
+  if (number && number->dimension) column.unit = si_name(*number->dimension);
+  return column;
+}
+
 /// Adds the swept parameters of one point to its recording, behind the time.
 void add_swept(Recording& recording, const Sweep& sweep, const SweepPoint& point,
                const std::vector<std::size_t>& index, const std::vector<bool>& numeric) {
-  const std::size_t rows = recording.table.rows();
   for (std::size_t axis = 0; axis < sweep.axes.size(); ++axis) {
-    const auto number =
-        numeric[axis] ? swept_number(sweep.axes[axis], index[axis], point.plan.diagram) : std::nullopt;
-    const double shown = number ? number->value : static_cast<double>(index[axis]);
-    Column column{sweep.axes[axis].parameter, "", std::vector<double>(rows, shown)};
-    if (number && number->dimension) column.unit = si_name(*number->dimension);
+    Column column = swept_column(sweep.axes[axis], index[axis], point.plan.diagram, numeric[axis]);
+    column.values.assign(recording.table.rows(), column.values.front());
     recording.table.columns.insert(recording.table.columns.begin() + 1 + static_cast<std::ptrdiff_t>(axis),
                                    std::move(column));
-    if (!number) recording.words.push_back({sweep.axes[axis].parameter, sweep.axes[axis].values});
+    if (!numeric[axis]) recording.words.push_back({sweep.axes[axis].parameter, sweep.axes[axis].values});
   }
 }
 
@@ -214,7 +217,7 @@ Plan plan_point(Loader& loader, const std::string& path, std::vector<Setting> se
 }  // namespace
 
 Job make_job(Loader& loader, const std::string& path, const std::vector<Setting>& settings,
-             std::optional<std::string> stop) {
+             std::optional<std::string> stop, const PointSettings& of_points) {
   std::vector<Setting> all = settings;
   if (stop) all.push_back({"stop", *stop, "--stop " + *stop});
   Job job{make_plan(loader.load(path, all)), {}};
@@ -224,11 +227,25 @@ Job make_job(Loader& loader, const std::string& path, const std::vector<Setting>
   if (sweep) pin(*sweep, all);
   for (std::size_t point = 0; sweep && point < point_count(*sweep); ++point) {
     SweepPoint made{settings_of(*sweep, point, job.plan.diagram.file), {}};
+    if (point < of_points.size())
+      made.settings.insert(made.settings.end(), of_points[point].begin(), of_points[point].end());
     made.plan = plan_point(loader, path, all, made);
     job.points.push_back(std::move(made));
   }
   require_memory(job);
   return job;
+}
+
+std::vector<Column> swept_columns(const Job& job, std::size_t point) {
+  std::vector<Column> columns;
+  if (job.points.empty()) return columns;
+  const Sweep& sweep = *job.plan.diagram.sweep;
+  const std::vector<bool> numeric = numeric_axes(job, sweep);
+  const std::vector<std::size_t> index = indices(sweep, point);
+  for (std::size_t axis = 0; axis < sweep.axes.size(); ++axis)
+    columns.push_back(
+        swept_column(sweep.axes[axis], index[axis], job.points[point].plan.diagram, numeric[axis]));
+  return columns;
 }
 
 RunResult run_job(const Job& job, const RunOptions& options) {

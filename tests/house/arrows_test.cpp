@@ -31,7 +31,7 @@ const std::map<std::string, Folders> arrows{
     {"figure", {"diagram", "draw", "process", "record", "expression", "statistics"}},
     {"realtime", {"run"}},
     {"generate", {"solve", "record"}},
-    {"identify", {"run"}},
+    {"identify", {"run", "figure", "statistics"}},
     {"describe", {"diagram", "table", "figure", "solve"}},
     {"cli", {"run", "replay", "draw", "figure", "describe", "realtime", "generate", "identify"}},
 };

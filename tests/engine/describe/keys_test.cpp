@@ -9,6 +9,7 @@
 #include "engine/describe/diagram_schema.hpp"
 #include "engine/diagram/load.hpp"
 #include "engine/figure/claim.hpp"
+#include "engine/identify/fit_request.hpp"
 #include "tests/support/run_text.hpp"
 
 using namespace stepwire;
@@ -75,4 +76,24 @@ TEST_CASE("the schema has the keys of claims that their reader has") {
   REQUIRE(faults.size() == 1);
   CHECK(listed_in(faults.list().front().message, "it has: ") ==
         keys_of_map(schema().at("$defs").at("claim")));
+}
+
+TEST_CASE("the schema has the keys of fits that their reader has") {
+  const json fit = schema().at("properties").at("fit"), properties = fit.at("properties");
+  const auto known = [](const std::string& yaml, const std::string& mark) {
+    Faults faults;
+    const Document document = parse_document(yaml, "test.yaml");
+    Diagram diagram;
+    diagram.parameters.push_back({"p", "1", {1.0}, {}, {}});
+    read_fit(document.root, {"test.yaml", {{"time", {}, {}}}}, diagram, faults);
+    for (const Fault& fault : faults.list())
+      if (fault.message.find("bogus_key") != std::string::npos) return listed_in(fault.message, mark);
+    return std::set<std::string>{};
+  };
+  CHECK(known("{bogus_key: 1}", "it has: ") == keys_of_map(fit));
+  CHECK(known("{parameters: {p: {bogus_key: 1}}}", "it has: ") ==
+        keys_of_map(properties.at("parameters").at("additionalProperties")));
+  CHECK(known("{compare: [{bogus_key: 1}]}", "it has: ") ==
+        keys_of_map(properties.at("compare").at("items")));
+  CHECK(known("{global: {bogus_key: 1}}", "it has: ") == keys_of_map(properties.at("global")));
 }

@@ -93,6 +93,26 @@ TEST_CASE("numbers that vary become parameters, those of blocks first and then t
   CHECK_THAT(text, Contains("] = parameters[1];"));
 }
 
+TEST_CASE("lists of any length share a program where they vary") {
+  const auto plan_of = [](int rows) {
+    std::string points, values;
+    for (int i = 0; i < rows; ++i) {
+      points += (i == 0 ? "" : ", ") + std::to_string(i);
+      values += (i == 0 ? "" : ", ") + std::to_string(i * i);
+    }
+    return plan_text("blocks:\n  curve: {block: LookupTable, u: 1, points: [" + points + "], values: [" +
+                     values + "]}\n");
+  };
+  const Plan one = plan_of(100), other = plan_of(300);
+  const ProgramNumbers first = make_program(one).parameters, second = make_program(other).parameters;
+  REQUIRE(first.singles() == second.singles());
+  CHECK(first.numbers.size() == first.singles() + 200);
+  CHECK(second.numbers.size() == second.singles() + 600);
+  const Varying varying(first.singles(), true);
+  CHECK(make_program(one, &varying).text == make_program(other, &varying).text);
+  CHECK(make_program(one, &varying).text.find("constexpr double curve") == std::string::npos);
+}
+
 TEST_CASE("the same diagram gives the same text") {
   CHECK(program_of(gains(3)) == program_of(gains(3)));
 }

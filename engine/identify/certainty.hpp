@@ -1,0 +1,28 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace stepwire {
+
+/// How sure the unknowns of a fit are, from the derivatives of its residuals: the covariance is
+/// s^2 (J' J)^-1 with s^2 = sum of squares / degrees of freedom, as if the residuals were independent.
+struct Certainty {
+  Eigen::VectorXd standard_errors;               ///< nan where the number cannot be known
+  Eigen::VectorXd half_widths;                   ///< of the 95 % interval by Student's t
+  Eigen::MatrixXd correlation;                   ///< nan where one of both cannot be known
+  double deviation = 0.0;                        ///< s, of a weighted residual
+  std::vector<Eigen::VectorXd> free_directions;  ///< relative changes of the unknowns that change nothing
+};
+
+/// `sizes` are the magnitudes of the unknowns, above 0, to which relative changes are relative; `freedom` are
+/// the degrees of freedom, above 0.
+Certainty certainty_of(const Eigen::VectorXd& residuals,
+                       const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>& jacobian,
+                       const Eigen::VectorXd& sizes, double freedom);
+
+/// A direction in words: "only the product of A and alpha can be known; fix one of them".
+std::string in_words(const Eigen::VectorXd& direction, const std::vector<std::string>& names);
+
+}  // namespace stepwire

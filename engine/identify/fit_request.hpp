@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/diagram/diagram.hpp"
+#include "engine/document/document.hpp"
+#include "engine/figure/formula.hpp"
+#include "engine/figure/names.hpp"
+
+namespace stepwire {
+
+/// A parameter of the diagram that a fit finds. Numbers are SI.
+struct FitParameter {
+  static constexpr double open = std::numeric_limits<double>::infinity();
+
+  std::string name;  ///< as --set takes it: "rig.beta"
+  double start = 0.0;
+  double lower = -open, upper = open;
+  double scale = 1.0;        ///< a change that counts, above 0
+  bool each_record = false;  ///< each record has its own value
+  std::optional<Dimension> dimension{};
+  std::string unit{};  ///< in which the author wrote it, for showing the value; empty: SI
+  Place place{};
+
+  bool bounded() const { return lower > -open && upper < open; }
+};
+
+/// What is compared: residuals are weight (model - measured) in the rows where `where` holds.
+struct FitComparison {
+  Formula model, measured;
+  std::optional<Formula> weight,
+      where;                 ///< of the run with the start values; weight 1 and all rows if absent
+  bool free_offset = false;  ///< the weighted mean of the difference is no error, in each record
+  std::size_t recording = 0;
+  Place place;
+};
+
+/// What residuals that are large beside `width` count.
+enum class FitLoss { none, huber, cauchy };
+
+/// Differential evolution ahead of the least squares.
+struct GlobalSearch {
+  std::size_t population = 40, generations = 60;
+};
+
+/// The section `fit` of a diagram file.
+struct FitRequest {
+  std::vector<FitParameter> parameters;
+  std::vector<FitComparison> comparisons;
+  std::optional<Formula> hold_out;  ///< of swept parameters: records that are predicted, not fitted
+  FitLoss loss = FitLoss::none;
+  double width = 1.0;      ///< of the loss, in weighted residuals
+  std::size_t starts = 1;  ///< the first is the given one, the others are random within the bounds
+  std::uint64_t seed = 1;
+  std::size_t iterations = 100;  ///< of one start, at most
+  std::optional<GlobalSearch> global;
+  Place place;
+};
+
+/// Reads the value under the key `fit`. Everything that is wrong goes to `faults`; what is returned then is
+/// of no use.
+FitRequest read_fit(const Node& node, const Names& names, const Diagram& diagram, Faults& faults);
+
+}  // namespace stepwire

@@ -1,0 +1,118 @@
+#include "engine/identify/least_squares.hpp"
+
+#include <ceres/ceres.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/identify/loss.hpp"
+
+namespace stepwire {
+
+namespace {
+
+/// The residuals as Ceres takes them, with the unknowns in parts of their scales.
+class Cost : public ceres::CostFunction {
+ public:
+  Cost(const Residuals& residuals, const FitRequest& request, const Eigen::VectorXd& scales)
+      : residuals_(residuals), request_(request), scales_(scales) {
+    set_num_residuals(static_cast<int>(residuals.count()));
+    mutable_parameter_block_sizes()->push_back(static_cast<int>(scales.size()));
+  }
+
+  bool Evaluate(const double* const* parameters, double* residuals, double** jacobians) const override {
+    const Eigen::VectorXd x =
+        Eigen::Map<const Eigen::VectorXd>(parameters[0], scales_.size()).cwiseProduct(scales_);
+    Eigen::VectorXd r;
+    Jacobian slopes;
+    const bool wanted = jacobians && jacobians[0];
+    if (wanted ? !residuals_.evaluate(x, r, slopes, Residuals::Differences::forward)
+               : !residuals_.evaluate(x, r))
+      return false;
+    if (wanted) slopes *= scales_.asDiagonal();
+    count(request_, r, slopes);
+    if (const double cost = 0.5 * r.squaredNorm(); cost < best_cost_) {
+      best_cost_ = cost;
+      best_ = x;
+    }
+    std::copy_n(r.data(), r.size(), residuals);
+    if (wanted) std::copy_n(slopes.data(), slopes.size(), jacobians[0]);
+    return true;
+  }
+
+  /// The best point so far: a search may end at another, and Ceres takes nothing from one that failed.
+  const Eigen::VectorXd& best() const { return best_; }
+  double best_cost() const { return best_cost_; }
+
+ private:
+  const Residuals& residuals_;
+  const FitRequest& request_;
+  const Eigen::VectorXd& scales_;
+  mutable Eigen::VectorXd best_;
+  mutable double best_cost_ = std::numeric_limits<double>::infinity();
+};
+
+class Watch : public ceres::IterationCallback {
+ public:
+  explicit Watch(const LeastSquaresOptions& options) : options_(options) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
+    if (options_.watch) options_.watch(static_cast<std::size_t>(summary.iteration), summary.cost);
+    return options_.interrupt && *options_.interrupt ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
+                                                     : ceres::SOLVER_CONTINUE;
+  }
+
+ private:
+  const LeastSquaresOptions& options_;
+};
+
+ceres::Solver::Options solver_options(const LeastSquaresOptions& options, Watch& watch) {
+  ceres::Solver::Options result;
+  result.linear_solver_type = ceres::DENSE_QR;
+  result.max_num_iterations = static_cast<int>(options.iterations);
+  result.max_num_consecutive_invalid_steps = 20;  // a step may lead where the model blows up
+  result.function_tolerance = 1e-10;
+  result.parameter_tolerance = 1e-10;
+  result.gradient_tolerance = 1e-14;
+  result.logging_type = ceres::SILENT;
+  result.update_state_every_iteration = true;
+  result.callbacks.push_back(&watch);
+  return result;
+}
+
+}  // namespace
+
+Minimum minimise(const Residuals& residuals, const FitRequest& request, const Eigen::VectorXd& start,
+                 const LeastSquaresOptions& options) {
+  const auto count = static_cast<std::size_t>(start.size());
+  Eigen::VectorXd scales(start.size());
+  for (std::size_t i = 0; i < count; ++i) scales[static_cast<Eigen::Index>(i)] = residuals.parameter(i).scale;
+  Eigen::VectorXd scaled = start.cwiseQuotient(scales);
+  Cost cost(residuals, request, scales);
+  ceres::Problem::Options kept;
+  kept.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  ceres::Problem problem(kept);
+  problem.AddResidualBlock(&cost, nullptr, scaled.data());
+  for (std::size_t i = 0; i < count; ++i) {
+    const FitParameter& parameter = residuals.parameter(i);
+    const auto at = static_cast<int>(i);
+    if (parameter.lower > -FitParameter::open)
+      problem.SetParameterLowerBound(scaled.data(), at, parameter.lower / parameter.scale);
+    if (parameter.upper < FitParameter::open)
+      problem.SetParameterUpperBound(scaled.data(), at, parameter.upper / parameter.scale);
+  }
+  Watch watch(options);
+  ceres::Solver::Summary summary;
+  ceres::Solve(solver_options(options, watch), &problem, &summary);
+  Minimum found{start, cost.best_cost(), false, summary.iterations.size()};
+  if (!std::isfinite(found.cost)) return found;  // not even the start could be evaluated
+  found.x = cost.best();
+  for (std::size_t i = 0; i < count; ++i) {  // scaling may round beyond a bound
+    const auto at = static_cast<Eigen::Index>(i);
+    found.x[at] = std::clamp(found.x[at], residuals.parameter(i).lower, residuals.parameter(i).upper);
+  }
+  found.converged = summary.termination_type == ceres::CONVERGENCE;
+  return found;
+}
+
+}  // namespace stepwire
