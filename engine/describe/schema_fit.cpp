@@ -57,6 +57,7 @@ Json fit_schema() {
                              "what large differences count: all, or less beyond the width"));
   keys.set("width", number("of the loss, in weighted differences"));
   keys.set("starts", whole(1, "searches; the first begins at the given start, the others within the bounds"));
+  keys.set("follow", whole(1, "how many of the searches go on after the first steps; a quarter without it"));
   keys.set("seed", whole(0, "of what is random"));
   keys.set("iterations", whole(1, "steps of one search, at most"));
   keys.set("global", global());

@@ -16,8 +16,8 @@ struct Certainty {
   std::vector<Eigen::VectorXd> free_directions;  ///< relative changes of the unknowns that change nothing
 };
 
-/// `sizes` are the magnitudes of the unknowns, above 0, to which relative changes are relative; `freedom` are
-/// the degrees of freedom, above 0.
+/// `sizes` are what relative changes of the unknowns are relative to, not 0: their values as a rule; `freedom`
+/// are the degrees of freedom, above 0.
 Certainty certainty_of(const Eigen::VectorXd& residuals,
                        const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>& jacobian,
                        const Eigen::VectorXd& sizes, double freedom);

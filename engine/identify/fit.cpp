@@ -82,7 +82,7 @@ class Fit {
       }));
     std::vector<Minimum> minima = first_looks(starts);
     const std::vector<std::size_t> order = ranking(minima);
-    const std::size_t kept = std::max<std::size_t>(1, (starts.size() + 3) / 4);
+    const std::size_t kept = request_.follow ? *request_.follow : (starts.size() + 3) / 4;
     for (std::size_t k = 0; k < kept && k < order.size() && !interrupted(); ++k) {
       Minimum& one = minima[order[k]];
       if (one.converged || !std::isfinite(one.cost)) continue;
@@ -163,7 +163,7 @@ class Fit {
     Jacobian slopes;
     if (interrupted() || !residuals_.evaluate(best_.x, r, slopes, Residuals::Differences::central)) return;
     count(request_, r, slopes);
-    Eigen::VectorXd sizes = best_.x.cwiseAbs();
+    Eigen::VectorXd sizes = best_.x;
     std::vector<std::string> titles;
     for (std::size_t i = 0; i < result_.numbers.size(); ++i) {
       auto& size = sizes[static_cast<Eigen::Index>(i)];

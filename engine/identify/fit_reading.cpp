@@ -12,8 +12,8 @@ namespace {
 
 using Keys = std::vector<std::string>;
 
-const Keys fit_keys{"parameters", "compare", "hold_out",   "loss",  "width",
-                    "starts",     "seed",    "iterations", "global"};
+const Keys fit_keys{"parameters", "compare", "hold_out", "loss",       "width",
+                    "starts",     "follow",  "seed",     "iterations", "global"};
 const Keys parameter_keys{"start", "bounds", "scale", "each_record"};
 const Keys comparison_keys{"model", "measured", "weight", "where", "offset"};
 const Keys global_keys{"population", "generations"};
@@ -31,6 +31,8 @@ class Reader {
     if (const Node* held = node_.find("hold_out")) read_hold_out(*held);
     read_loss();
     request_.starts = whole(node_, "starts", 1, 10'000, request_.starts, "fit.starts");
+    if (node_.find("follow"))
+      request_.follow = whole(node_, "follow", 1, 10'000, request_.starts, "fit.follow");
     request_.seed = whole(node_, "seed", 0, 1'000'000'000, request_.seed, "fit.seed");
     request_.iterations = whole(node_, "iterations", 1, 100'000, request_.iterations, "fit.iterations");
     if (const Node* global = node_.find("global")) read_global(*global);

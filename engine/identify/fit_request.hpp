@@ -55,6 +55,7 @@ struct FitRequest {
   FitLoss loss = FitLoss::none;
   double width = 1.0;      ///< of the loss, in weighted residuals
   std::size_t starts = 1;  ///< the first is the given one, the others are random within the bounds
+  std::optional<std::size_t> follow;  ///< how many of them go on after the first steps; a quarter if absent
   std::uint64_t seed = 1;
   std::size_t iterations = 100;  ///< of one start, at most
   std::optional<GlobalSearch> global;
