@@ -99,7 +99,10 @@ std::vector<Recording> ModelRuns::record(std::size_t record, Simulation& simulat
     if (simulation.finished() || stopper.stops(simulation.values())) break;
     simulation.advance();
     if (!simulation.healthy()) break;
-    if (simulation.tick() % ticks_between_looks == 0 && source_.interrupt && *source_.interrupt) return {};
+    if (simulation.tick() % ticks_between_looks == 0 && source_.interrupt && *source_.interrupt) {
+      if (fault) *fault = "interrupted, so that there is nothing yet to write";
+      return {};
+    }
   }
   if (!simulation.healthy()) {
     if (fault) *fault = fault_of(simulation);

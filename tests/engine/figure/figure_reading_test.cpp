@@ -11,13 +11,6 @@ std::string faults_of(const std::string& text) {
   return figures_of(text).faults;
 }
 
-Panel panel_of(const std::string& text) {
-  const auto read = figures_of(text);
-  INFO(read.faults);
-  REQUIRE(read.faults.empty());
-  return read.figures.at(0).panels.at(0);
-}
-
 }  // namespace
 
 TEST_CASE("an axis is labelled with its expression and the unit it is drawn in") {

@@ -11,13 +11,6 @@ namespace {
 
 const std::string plane = "plot: xy, x: rig.x in mm, y: rig.v in mm/s";
 
-Panel panel_of(const std::string& text) {
-  const auto read = figures_of(text);
-  INFO(read.faults);
-  REQUIRE(read.faults.empty());
-  return read.figures.at(0).panels.at(0);
-}
-
 }  // namespace
 
 TEST_CASE("a figure draws the boundary of a block by its name, in the units of its axes") {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -102,6 +103,14 @@ inline ReadFigures figures_of(const std::string& text) {
   Faults faults;
   auto figures = read_figures(document.root, sample_names(), faults);
   return {std::move(figures), all_text(faults)};
+}
+
+/// The first panel of a figure without faults.
+inline Panel panel_of(const std::string& text) {
+  const auto read = figures_of(text);
+  INFO(read.faults);
+  REQUIRE(read.faults.empty());
+  return read.figures.at(0).panels.at(0);
 }
 
 }  // namespace stepwire::testing
