@@ -68,6 +68,7 @@ std::string summary(const FitResult& result) {
   if (result.starts.size() > 1)
     text += fmt::format("; {} starts, {} of them to the end", result.starts.size(), finished);
   if (result.interrupted) return text + "; interrupted: this is the best so far\n";
+  if (result.limited) return text + "; held by what the diagram refuses: see the note\n";
   return text + (result.converged ? "\n" : "; not converged: allow more 'iterations'\n");
 }
 
@@ -131,6 +132,7 @@ Json fit_json(const Work& work, const FitResult& result) {
       .set("starts", std::move(starts))
       .set("findings", Json::list_of(result.findings))
       .set("converged", result.converged)
+      .set("limited", result.limited)
       .set("interrupted", result.interrupted)
       .set("compiled", result.compiled)
       .set("duration", result.seconds);

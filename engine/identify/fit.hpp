@@ -56,6 +56,7 @@ struct FitResult {
   double deviation = 0.0;             ///< of a weighted residual
   double freedom = 0.0;               ///< rows less numbers found
   bool converged = false, interrupted = false;
+  bool limited = false;   ///< the diagram refuses what the records want
   bool compiled = false;  ///< one compilation served all runs
   bool refused = false;   ///< the diagram does not take what was found
   double seconds = 0.0;

@@ -28,29 +28,41 @@ class Cost : public ceres::CostFunction {
     Jacobian slopes;
     const bool wanted = jacobians && jacobians[0];
     if (wanted ? !residuals_.evaluate(x, r, slopes, Residuals::Differences::forward)
-               : !residuals_.evaluate(x, r))
+               : !residuals_.evaluate(x, r)) {
+      if (best_.refusal.empty()) best_.refusal = residuals_.refusal(x);  // else it blew up
       return false;
+    }
     if (wanted) slopes *= scales_.asDiagonal();
     count(request_, r, slopes);
-    if (const double cost = 0.5 * r.squaredNorm(); cost < best_cost_) {
-      best_cost_ = cost;
-      best_ = x;
-    }
+    if (const double cost = 0.5 * r.squaredNorm(); cost < best_.cost && !take(x, cost)) return false;
     std::copy_n(r.data(), r.size(), residuals);
     if (wanted) std::copy_n(slopes.data(), slopes.size(), jacobians[0]);
     return true;
   }
 
   /// The best point so far: a search may end at another, and Ceres takes nothing from one that failed.
-  const Eigen::VectorXd& best() const { return best_; }
-  double best_cost() const { return best_cost_; }
+  const Minimum& best() const { return best_; }
 
  private:
+  /// A point that the diagram refuses is as bad as one whose run blows up.
+  bool take(const Eigen::VectorXd& x, double cost) const {
+    std::string refusal = residuals_.refusal(x);
+    if (refusal.empty()) {
+      best_.cost = cost;
+      best_.x = x;
+      return true;
+    }
+    if (cost < best_.refused_cost) {
+      best_.refused_cost = cost;
+      best_.refusal = std::move(refusal);
+    }
+    return false;
+  }
+
   const Residuals& residuals_;
   const FitRequest& request_;
   const Eigen::VectorXd& scales_;
-  mutable Eigen::VectorXd best_;
-  mutable double best_cost_ = std::numeric_limits<double>::infinity();
+  mutable Minimum best_;
 };
 
 class Watch : public ceres::IterationCallback {
@@ -104,9 +116,12 @@ Minimum minimise(const Residuals& residuals, const FitRequest& request, const Ei
   Watch watch(options);
   ceres::Solver::Summary summary;
   ceres::Solve(solver_options(options, watch), &problem, &summary);
-  Minimum found{start, cost.best_cost(), false, summary.iterations.size()};
-  if (!std::isfinite(found.cost)) return found;  // not even the start could be evaluated
-  found.x = cost.best();
+  Minimum found = cost.best();
+  found.iterations = summary.iterations.size();
+  if (!std::isfinite(found.cost)) {  // not even the start could be evaluated
+    found.x = start;
+    return found;
+  }
   for (std::size_t i = 0; i < count; ++i) {  // scaling may round beyond a bound
     const auto at = static_cast<Eigen::Index>(i);
     found.x[at] = std::clamp(found.x[at], residuals.parameter(i).lower, residuals.parameter(i).upper);

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <functional>
 #include <limits>
+#include <string>
 
 #include "engine/identify/residuals.hpp"
 
@@ -24,10 +25,14 @@ struct Minimum {
   double cost = std::numeric_limits<double>::infinity();  ///< half of the sum of what the residuals count
   bool converged = false;
   std::size_t iterations = 0;
+  /// The best point on the way that the diagram refuses and that would have been better than those before
+  /// it; infinite where there is none, or where such a point cannot be evaluated.
+  double refused_cost = std::numeric_limits<double>::infinity();
+  std::string refusal{};  ///< why it is refused; empty where nothing was
 };
 
-/// Minimises the cost within the bounds by Levenberg-Marquardt from a start; the cost stays infinite where
-/// nothing could be evaluated at the start.
+/// Minimises the cost within the bounds, and within what the diagram takes, by Levenberg-Marquardt from a
+/// start; the cost stays infinite where nothing could be evaluated at the start.
 Minimum minimise(const Residuals& residuals, const FitRequest& request, const Eigen::VectorXd& start,
                  const LeastSquaresOptions& options);
 

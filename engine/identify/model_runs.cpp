@@ -86,6 +86,15 @@ std::vector<Recording> ModelRuns::run_anew(std::size_t record, const Values& val
   return this->record(record, simulation, fault);
 }
 
+std::string ModelRuns::refusal(std::size_t record, const Values& values) const {
+  try {
+    plan(record, values);
+    return "";
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
 std::vector<Recording> ModelRuns::record(std::size_t record, Simulation& simulation,
                                          std::string* fault) const {
   const Plan& plan = simulation.plan();

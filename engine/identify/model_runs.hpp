@@ -45,6 +45,8 @@ class ModelRuns {
   std::vector<Recording> run(std::size_t record, const Values& values, std::string* fault = nullptr) const;
   /// The same from a plan of its own. Throws Error where the diagram refuses the values.
   std::vector<Recording> run_anew(std::size_t record, const Values& values, std::string* fault) const;
+  /// Why the diagram refuses the values; empty where it takes them. Compiled runs go on with any.
+  std::string refusal(std::size_t record, const Values& values) const;
 
  private:
   Plan plan(std::size_t record, const Values& values) const;

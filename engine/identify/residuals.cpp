@@ -198,6 +198,15 @@ bool Residuals::evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& residuals) c
   return good;
 }
 
+std::string Residuals::refusal(const Eigen::VectorXd& x) const {
+  const bool alike = unknowns_.size() == request_.parameters.size();  // for all records
+  for (const std::size_t record : fitted_) {
+    std::string why = runs_.refusal(record, values(record, x));
+    if (!why.empty() || alike) return why;
+  }
+  return "";
+}
+
 bool Residuals::column(std::size_t record, std::size_t parameter, const Eigen::VectorXd& x,
                        Differences differences, const double* base, double* out) const {
   const FitParameter& of = request_.parameters[parameter];

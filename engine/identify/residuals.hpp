@@ -42,6 +42,10 @@ class Residuals {
   /// False where a run ends early or gives what is no number.
   bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& residuals) const;
 
+  /// Why the diagram refuses x, e.g. as a damper that gives out energy; empty where it takes it. The
+  /// residuals of what is refused can be evaluated all the same where one compilation serves all runs.
+  std::string refusal(const Eigen::VectorXd& x) const;
+
   enum class Differences { forward, central };
   /// Also the derivatives, by differences of runs.
   bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& residuals, Jacobian& jacobian,

@@ -35,10 +35,15 @@ double draw(const FitParameter& parameter, Random& random) {
   return wide ? low * std::pow(high / low, share) : low + (high - low) * share;
 }
 
+/// A point that the diagram takes, if one is found soon.
 Eigen::VectorXd draw(const Residuals& residuals, Random& random) {
+  constexpr int tries = 50;
   Eigen::VectorXd x = residuals.start();
-  for (Eigen::Index i = 0; i < x.size(); ++i)
-    x[i] = draw(residuals.parameter(static_cast<std::size_t>(i)), random);
+  for (int k = 0; k < tries; ++k) {
+    for (Eigen::Index i = 0; i < x.size(); ++i)
+      x[i] = draw(residuals.parameter(static_cast<std::size_t>(i)), random);
+    if (residuals.refusal(x).empty()) break;
+  }
   return x;
 }
 
@@ -100,7 +105,7 @@ Eigen::VectorXd evolve(const Residuals& residuals, const FitRequest& request,
     for (std::size_t i = 0; i < population.size() && !stopped(); ++i) {
       Eigen::VectorXd x = child_of(population, i, residuals, random);
       const double cost = cost_at(residuals, request, x);
-      if (cost <= population[i].cost) population[i] = {std::move(x), cost};
+      if (cost <= population[i].cost && residuals.refusal(x).empty()) population[i] = {std::move(x), cost};
     }
     if (watch) watch(g + 1, best()->cost);
   }

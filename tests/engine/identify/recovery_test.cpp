@@ -128,3 +128,32 @@ TEST_CASE("the interval of a noisy fit holds the truth") {
   CHECK(found(result, "tau").high > 0.2);
   CHECK(found(result, "gain").standard_error < 0.02);
 }
+
+TEST_CASE("what the records want but no damper is, is held off and told") {
+  const std::string text = R"(step: 1 ms
+stop: 2 s
+solver: rk4
+parameters:
+  gamma: {value: 0 1/m, doc: of the model}
+blocks:
+  v: {block: Sine, amplitude: 50 mm/s, frequency: 1 Hz}
+  z: {block: BoucWen, A: 1, beta: 100, gamma: -150, velocity: v}
+  truth: {block: Gain, u: z, gain: 1000}
+  model: {block: MRDamper, velocity: v, current: 0 A, A: 1, beta: 100 1/m, gamma: $gamma, alpha: [1000], c: [0],
+          current_range: [0 A, 1 A]}
+units: {truth: N}
+record: [model.force, truth]
+fit:
+  parameters: {gamma: {start: 0 1/m, bounds: [-300 1/m, 300 1/m]}}
+  compare: [{model: model.force, measured: truth}]
+)";
+  GeneratedCode code;
+  for (CodeSource* source : {static_cast<CodeSource*>(nullptr), static_cast<CodeSource*>(&code)}) {
+    const FitResult result = fit_text(text, source);
+    CHECK(result.limited);
+    CHECK(found(result, "gamma").value >= -100.0);
+    CHECK(found(result, "gamma").value < -90.0);
+    REQUIRE_FALSE(result.findings.empty());
+    CHECK_THAT(result.findings.front(), Contains("|gamma| = ") && Contains("above beta = 100"));
+  }
+}
