@@ -54,7 +54,7 @@ std::string correlations(const FitResult& result) {
 
 std::string record_line(const FittedRecord& record, std::size_t width) {
   std::string text = fmt::format("  {:<{}}", record.label.empty() ? "the record" : record.label, width);
-  for (const double agreement : record.agreement) text += fmt::format("  {:6.2f} %", agreement);
+  for (const ComparedRows& rows : record.comparisons) text += fmt::format("  {:6.2f} %", rows.agreement);
   return text + (record.held_out ? "  held out\n" : "\n");
 }
 
@@ -81,6 +81,27 @@ Json number_json(const FittedNumber& number) {
       .set("standard_error", number.standard_error)
       .set("interval", Json::list({number.low, number.high}))
       .set("at_bound", number.at_bound);
+}
+
+Json agreements_json(const FittedRecord& record) {
+  Json list = Json::list();
+  for (const ComparedRows& rows : record.comparisons) list.push(rows.agreement);
+  return list;
+}
+
+/// In SI, as the parameters.
+Json curves_json(const FitResult& result) {
+  Json list = Json::list();
+  for (const FittedCurve& curve : result.curves)
+    list.push(Json::object()
+                  .set("curve", curve.name)
+                  .set("unit", curve.dimension ? Json(si_name(*curve.dimension)) : Json())
+                  .set("at", Json::list_of(curve.at))
+                  .set("value", Json::list_of(curve.value))
+                  .set("low", Json::list_of(curve.low))
+                  .set("high", Json::list_of(curve.high))
+                  .set("data_range", Json::list_of(curve.data_range)));
+  return list;
 }
 
 Json matrix_json(const Eigen::MatrixXd& matrix) {
@@ -115,7 +136,7 @@ Json fit_json(const Work& work, const FitResult& result) {
                      .set("record", record.label)
                      .set("held_out", record.held_out)
                      .set("rows", record.rows)
-                     .set("fit", Json::list_of(record.agreement)));
+                     .set("fit", agreements_json(record)));
   for (const FittedStart& start : result.starts)
     starts.push(Json::object()
                     .set("cost", start.cost)
@@ -129,6 +150,7 @@ Json fit_json(const Work& work, const FitResult& result) {
       .set("deviation", result.deviation)
       .set("degrees_of_freedom", result.freedom)
       .set("records", std::move(records))
+      .set("curves", curves_json(result))
       .set("starts", std::move(starts))
       .set("findings", Json::list_of(result.findings))
       .set("converged", result.converged)

@@ -31,8 +31,20 @@ FitResult fit_visibly(const Registry& registry, const Work& work, const WorkOpti
 /// The options with what was found in the place of the file's values.
 WorkOptions with_fitted(WorkOptions options, const FitResult& result);
 
-/// Writes fit.json and parameters.yaml into a folder. Throws SurroundingsError.
-void write_fit(const std::string& folder, const Work& work, const FitResult& result);
+/// A picture of a fit and the name of its file.
+struct FitPicture {
+  std::string file;
+  std::string svg;
+};
+
+/// Measured and model of the worst, middle and best record of each comparison, over time and over what the
+/// file names, with the residuals; the curves with their intervals; the correlations. Throws
+/// SurroundingsError without gnuplot.
+std::vector<FitPicture> fit_pictures(const FitRequest& request, const FitResult& result);
+
+/// Writes fit.json, parameters.yaml and the pictures into a folder and returns the pictures' names. Throws
+/// SurroundingsError.
+std::vector<std::string> write_fit(const std::string& folder, const Work& work, const FitResult& result);
 
 /// What was found, for people.
 std::string fit_text(const FitResult& result);

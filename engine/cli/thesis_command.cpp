@@ -94,7 +94,8 @@ class Maker {
     entry.error = "could not be run; the terminal says why";
     return guarded([&] {
       Work work = prepare(registry_, file.string(), {});
-      if (work.fit) fit_first(work, folder);
+      std::vector<std::string> fitted;
+      if (work.fit) fitted = fit_first(work, folder);
       describe(work, entry);
       write_replay(folder, work.job);
       RunOptions options;
@@ -105,18 +106,21 @@ class Maker {
       entry.verdicts = outcome.verdicts;
       for (const std::string& picture : write_outputs(folder, work, outcome))
         entry.pictures.push_back(stem + "/" + picture);
+      for (const std::string& picture : fitted) entry.pictures.push_back(stem + "/" + picture);
       entry.error = outcome.result.faults.empty() ? "" : outcome.result.faults.front().fault.message;
       return outcome.code;
     });
   }
 
-  void fit_first(Work& work, const std::string& folder) const {
+  /// The names of its pictures.
+  std::vector<std::string> fit_first(Work& work, const std::string& folder) const {
     FitWords words;
     words.threads = 1;
     GeneratedCode code;
     const FitResult result = fit_quietly(registry_, work, {}, words, worth_compiling(work) ? &code : nullptr);
-    write_fit(folder, work, result);
+    const std::vector<std::string> pictures = write_fit(folder, work, result);
     if (code_of(result) == ExitCode::done) work = prepare(registry_, work.file, with_fitted({}, result));
+    return pictures;
   }
 
   const ThesisCommand& command_;

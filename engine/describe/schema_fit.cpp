@@ -29,12 +29,24 @@ Json parameter() {
 }
 
 Json comparison() {
-  Json keys = Json::object().set("model", expression("what the diagram computes"));
+  Json keys = Json::object().set("model", explained(schema_ref("series"), "what the diagram computes"));
   keys.set("measured", expression("what it is held against"));
   keys.set("weight", expression("factor of the difference, 1 over what is expected of it: 1/(3 N)"));
   keys.set("where", expression("only rows for which this is true are compared"));
   keys.set("offset", explained(one_word_of({"free"}), "the mean difference of each record is no error"));
+  keys.set("against", one_or_list_of(schema_ref("series")));
   return closed_map(std::move(keys), {"model", "measured"});
+}
+
+Json curve() {
+  Json keys = Json::object().set(
+      "y", explained(schema_ref("series"), "expression of fitted parameters and of the variable"));
+  Json over = Json::object().set("type", "object").set("minProperties", 1).set("maxProperties", 1);
+  keys.set("over", explained(over.set("additionalProperties", pair_of(schema_ref("expression"))),
+                             "the variable and its range in bare numbers: {i: [0, 1]}"));
+  keys.set("data", expression("where the records have the variable; this range is shaded"));
+  keys.set("x_label", explained(Json::object().set("type", "string"), "text at the axis of the variable"));
+  return closed_map(std::move(keys), {"y", "over"});
 }
 
 Json global() {
@@ -61,6 +73,8 @@ Json fit_schema() {
   keys.set("seed", whole(0, "of what is random"));
   keys.set("iterations", whole(1, "steps of one search, at most"));
   keys.set("global", global());
+  keys.set("curves", explained(list_of(curve()),
+                               "what follows from the fitted parameters, drawn with its 95 % interval"));
   return explained(
       closed_map(std::move(keys), {"parameters", "compare"}),
       "finds parameters so that the model agrees with records: the runs of the sweep, or the one run");

@@ -40,7 +40,8 @@ std::string unknown_parameter(const std::string& name, const Names& names) {
 std::string unknown_column(const std::string& name, const Names& names) {
   std::vector<std::string> all;
   for (const auto& column : names.columns) all.push_back(column.name);
-  if (names.plane) return fmt::format("'{}' is no coordinate of the plane; there are: x, y", name);
+  if (!names.unknown.empty())
+    return fmt::format("'{}' {}{}", name, names.unknown, nearest_or_all(name, all, "there are"));
   const bool is_vector = names.find(name + ".1") != nullptr;
   if (names.lacks(name) && !is_vector) return fmt::format("'{}' is not recorded; add it to 'record'", name);
   return fmt::format("'{}' is not recorded{}", name, nearest_or_all(name, all, "recorded are"));

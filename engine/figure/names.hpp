@@ -41,7 +41,7 @@ struct Names {
   std::vector<RecordedName> columns;
   std::vector<KnownParameter> parameters{};
   std::vector<std::string> signals{};    ///< what could be recorded, by the names that the diagram has for it
-  bool plane = false;                    ///< the columns are the coordinates of a plane, not records
+  std::string unknown{};                 ///< said of a name that is no column, where columns are no records
   const DiagramView* diagram = nullptr;  ///< the diagram itself; null where it cannot be drawn
   std::vector<NamedOutline> outlines{};
 

@@ -166,6 +166,9 @@ class PanelReader {
       for (const auto& item : node.is_list() ? node.items : one)
         if (const auto value = number(item, option.key, option.axis))
           panel_.levels[option.key].push_back(*value);
+      if (option.pairs && panel_.levels[option.key].size() % 2 != 0)
+        fault(node.mark, "figure." + option.key,
+              "needs two numbers for each range, its beginning and its end");
     } else if (const auto value = number(node, option.key, option.axis)) {
       panel_.numbers[option.key] = *value;
     }
@@ -196,7 +199,8 @@ class PanelReader {
 
   /// Boundaries are formulas of the plane, not of the record: only x and y are known in them.
   void read_boundary(const Node& node) {
-    Names plane{names_.file, {{"x", {}, {}}, {"y", {}, {}}}, names_.parameters, {}, true};
+    Names plane{
+        names_.file, {{"x", {}, {}}, {"y", {}, {}}}, names_.parameters, {}, "is no coordinate of the plane"};
     const std::vector<Node> one{node};
     for (const auto& item : node.is_list() ? node.items : one)
       if (auto formula = read_formula(item, plane, "figure.boundary", faults_))

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "engine/figure/plot_tools.hpp"
 
 namespace stepwire {
@@ -7,8 +9,43 @@ const Channel across{"x", "along the horizontal axis: EXPR or EXPR in UNIT", tru
 const Channel up{"y", "one expression or a list of them", true, true};
 const Channel by{"by", "one curve for each value of this, such as a swept parameter"};
 
+const Channel low{"low", "lower edge of a shaded band, such as an interval around y"};
+const Channel high{"high", "upper edge of the band"};
+const Option shade{.key = "shade",
+                   .doc = "ends of a range of x that is shaded, or of several: [0 s, 2 s]",
+                   .axis = "x",
+                   .list = true,
+                   .pairs = true};
+
+/// What lies between `low` and `high`.
+void draw_band(const Panel& panel, std::span<const Recording> recordings, Script& script) {
+  const Series *bottom = panel.find("low"), *top = panel.find("high");
+  if (!bottom || !top) return;
+  const Curves band = gather(panel, recording_of(panel, recordings), {panel.find("x"), bottom, top});
+  for (const Curve& curve : band.curves) {
+    for (const std::size_t edge : {1, 2})
+      for (const double value : curve.columns[edge]) script.y.add(value);
+    script.plot_below(
+        fmt::format("{} using 1:2:3 with filledcurves fc rgb '{}' fs transparent solid 0.2 noborder",
+                    script.data({curve}), curve_color(curve.group)));
+  }
+}
+
+void draw_shades(const Panel& panel, Script& script) {
+  const auto found = panel.levels.find("shade");
+  if (found == panel.levels.end()) return;
+  const auto& ends = found->second;
+  for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
+    script.set(
+        fmt::format("set object rectangle from {:.9g}, graph 0 to {:.9g}, graph 1 behind "
+                    "fc rgb '#eeeadd' fs solid noborder",
+                    ends[i], ends[i + 1]));
+}
+
 void draw_lines(const Panel& panel, std::span<const Recording> recordings, Script& script) {
+  draw_shades(panel, script);
   draw_curves(panel, recordings, script);
+  draw_band(panel, recordings, script);
   if (panel.equal) return script.plane(0.04);
   // The axis of time begins and ends with the record; the other one leaves the curves some room.
   const Extent all = script.x;
@@ -30,7 +67,8 @@ void draw_loop(const Panel& panel, std::span<const Recording> recordings, Script
 }  // namespace
 
 PlotKind lines_plot() {
-  return {"lines", "one or several curves over x, as over time", {across, up, by}, {}, true, draw_lines};
+  return {"lines",   "one or several curves over x, as over time", {across, up, low, high, by}, {shade}, true,
+          draw_lines};
 }
 
 PlotKind xy_plot() {

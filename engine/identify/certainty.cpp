@@ -50,6 +50,9 @@ Certainty certainty_of(const Eigen::VectorXd& residuals,
     result.free_directions.push_back(v.cwiseQuotient(lengths).cwiseQuotient(sizes));
     result.free_directions.back() /= result.free_directions.back().cwiseAbs().maxCoeff();
   }
+  const double variance = result.deviation * result.deviation;
+  result.covariance =
+      variance * lengths.cwiseInverse().asDiagonal() * inverse * lengths.cwiseInverse().asDiagonal();
   result.standard_errors.resize(count);
   for (Eigen::Index i = 0; i < count; ++i)
     result.standard_errors[i] =

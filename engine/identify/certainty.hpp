@@ -11,13 +11,14 @@ namespace stepwire {
 struct Certainty {
   Eigen::VectorXd standard_errors;               ///< nan where the number cannot be known
   Eigen::VectorXd half_widths;                   ///< of the 95 % interval by Student's t
+  Eigen::MatrixXd covariance;                    ///< of what is known; free directions count as fixed
   Eigen::MatrixXd correlation;                   ///< nan where one of both cannot be known
   double deviation = 0.0;                        ///< s, of a weighted residual
   std::vector<Eigen::VectorXd> free_directions;  ///< relative changes of the unknowns that change nothing
 };
 
-/// `sizes` are what relative changes of the unknowns are relative to, not 0: their values as a rule; `freedom`
-/// are the degrees of freedom, above 0.
+/// `sizes` are what relative changes of the unknowns are relative to, not 0: their values as a rule;
+/// `freedom` are the degrees of freedom, above 0.
 Certainty certainty_of(const Eigen::VectorXd& residuals,
                        const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>& jacobian,
                        const Eigen::VectorXd& sizes, double freedom);

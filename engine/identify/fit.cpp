@@ -10,6 +10,7 @@
 #include "engine/identify/least_squares.hpp"
 #include "engine/identify/loss.hpp"
 #include "engine/identify/starts.hpp"
+#include "engine/statistics/student.hpp"
 
 namespace stepwire {
 
@@ -163,11 +164,12 @@ class Fit {
   double predict() {
     double squares = 0.0;
     result_.records.clear();
+    result_.curves.assign(request_.curves.size(), FittedCurve{});
     for (std::size_t record = 0; record < runs_.records(); ++record) {
       FittedRecord one{runs_.label(record), residuals_.held_out(record), residuals_.rows(record)};
       double own = 0.0;
       try {
-        if (!interrupted()) one.agreement = residuals_.agreement(record, best_.x, own);
+        if (!interrupted()) own = take(residuals_.predict(record, best_.x), one);
       } catch (const Error& error) {
         if (!result_.refused)
           result_.findings.push_back(fmt::format(
@@ -178,6 +180,13 @@ class Fit {
       result_.records.push_back(std::move(one));
     }
     return squares;
+  }
+
+  double take(Prediction prediction, FittedRecord& record) {
+    record.comparisons = std::move(prediction.comparisons);
+    for (std::size_t i = 0; i < request_.curves.size() && !record.held_out; ++i)
+      add_data(request_.curves[i], prediction.recordings, result_.curves[i]);
+    return prediction.squares;
   }
 
   void describe_numbers() {
@@ -206,6 +215,12 @@ class Fit {
       one.standard_error = certainty.standard_errors[at];
       one.low = one.value - certainty.half_widths[at];
       one.high = one.value + certainty.half_widths[at];
+    }
+    for (std::size_t i = 0; i < request_.curves.size(); ++i) {
+      std::vector<double> data_range = std::move(result_.curves[i].data_range);
+      result_.curves[i] = fitted_curve(request_.curves[i], titles, best_.x, certainty.covariance,
+                                       student_quantile(0.975, result_.freedom));
+      result_.curves[i].data_range = std::move(data_range);
     }
     for (const Eigen::VectorXd& direction : certainty.free_directions)
       result_.findings.push_back(in_words(direction, titles));

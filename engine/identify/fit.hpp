@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "engine/identify/fit_request.hpp"
+#include "engine/identify/fitted_curve.hpp"
 #include "engine/identify/model_runs.hpp"
+#include "engine/identify/residuals.hpp"
 
 namespace stepwire {
 
@@ -36,7 +38,7 @@ struct FittedRecord {
   std::string label;
   bool held_out = false;
   std::size_t rows = 0;
-  std::vector<double> agreement{};  ///< 100 (1 - |e| / |y - mean y|) [%] for each comparison
+  std::vector<ComparedRows> comparisons{};  ///< none where it could not be predicted
 };
 
 /// How a search from one start went.
@@ -50,6 +52,7 @@ struct FitResult {
   std::vector<FittedNumber> numbers;
   Eigen::MatrixXd correlation;  ///< of the numbers
   std::vector<FittedRecord> records;
+  std::vector<FittedCurve> curves;
   std::vector<FittedStart> starts;
   std::vector<std::string> findings;  ///< what cannot be known, is at a bound or is refused
   double cost = 0.0;                  ///< half of the sum of what the weighted residuals count

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/figure/number.hpp"
+#include "engine/figure/panel_reading.hpp"
 #include "engine/identify/fit_request.hpp"
 
 namespace stepwire {
@@ -12,10 +13,10 @@ namespace {
 
 using Keys = std::vector<std::string>;
 
-const Keys fit_keys{"parameters", "compare", "hold_out", "loss",       "width",
-                    "starts",     "follow",  "seed",     "iterations", "global"};
+const Keys fit_keys{"parameters", "compare", "hold_out",   "loss",   "width", "starts",
+                    "follow",     "seed",    "iterations", "global", "curves"};
 const Keys parameter_keys{"start", "bounds", "scale", "each_record"};
-const Keys comparison_keys{"model", "measured", "weight", "where", "offset"};
+const Keys comparison_keys{"model", "measured", "weight", "where", "offset", "against"};
 const Keys global_keys{"population", "generations"};
 
 class Reader {
@@ -36,6 +37,7 @@ class Reader {
     request_.seed = whole(node_, "seed", 0, 1'000'000'000, request_.seed, "fit.seed");
     request_.iterations = whole(node_, "iterations", 1, 100'000, request_.iterations, "fit.iterations");
     if (const Node* global = node_.find("global")) read_global(*global);
+    if (const Node* curves = node_.find("curves")) read_curves(*curves);
     return std::move(request_);
   }
 
@@ -114,6 +116,7 @@ class Reader {
     if (const Node* bounds = entry.value.find("bounds")) read_bounds(*bounds, subject, parameter);
     parameter.each_record = flag(entry.value, "each_record", subject);
     read_scale(entry.value.find("scale"), subject, parameter);
+    all_.push_back(parameter);
     if (!of->set) request_.parameters.push_back(std::move(parameter));  // what the call sets is given
   }
 
@@ -180,7 +183,10 @@ class Reader {
     for (const char* key : {"model", "measured"})
       if (!map.find(key))
         fault(map.mark, "fit.compare", fmt::format("'{}' is missing: {{model: .., measured: ..}}", key));
-    auto model = formula(map, "model"), measured = formula(map, "measured");
+    auto measured = formula(map, "measured");
+    const Node* model_node = map.find("model");
+    auto model = model_node ? read_series(*model_node, names_, "fit.compare.model", faults_) : std::nullopt;
+    std::vector<Series> against = series(map, "against");
     auto weight = formula(map, "weight"), where = formula(map, "where");
     bool free_offset = false;
     if (const Node* offset = map.find("offset")) {
@@ -189,20 +195,43 @@ class Reader {
       free_offset = true;
     }
     if (!model || !measured) return;
-    if (model->dimension && measured->dimension && *model->dimension != *measured->dimension)
+    const auto& dimension = model->formula.dimension;
+    if (dimension && measured->dimension && *dimension != *measured->dimension)
       fault(map.mark, "fit.compare",
-            fmt::format("'{}' is in {}, but '{}' is in {}", model->text, si_name(*model->dimension),
+            fmt::format("'{}' is in {}, but '{}' is in {}", model->formula.text, si_name(*dimension),
                         measured->text, si_name(*measured->dimension)));
-    const std::size_t recording =
-        common_recording({&*model, &*measured, weight ? &*weight : nullptr, where ? &*where : nullptr},
-                         names_, map, "fit.compare", faults_);
+    std::vector<const Formula*> together{&model->formula, &*measured, weight ? &*weight : nullptr,
+                                         where ? &*where : nullptr};
+    for (const Series& one : against) together.push_back(&one.formula);
+    const std::size_t recording = common_recording(together, names_, map, "fit.compare", faults_);
     request_.comparisons.push_back({std::move(*model),
                                     std::move(*measured),
                                     std::move(weight),
                                     std::move(where),
                                     free_offset,
                                     recording,
-                                    {names_.file, map.mark}});
+                                    {names_.file, map.mark},
+                                    std::move(against)});
+  }
+
+  /// One expression or a list of them.
+  std::vector<Series> series(const Node& map, const char* key) {
+    std::vector<Series> all;
+    const Node* node = map.find(key);
+    if (!node) return all;
+    const std::vector<Node> one{*node};
+    for (const Node& item : node->is_list() ? node->items : one)
+      if (auto read = read_series(item, names_, std::string("fit.compare.") + key, faults_))
+        all.push_back(std::move(*read));
+    return all;
+  }
+
+  void read_curves(const Node& list) {
+    if (!list.is_list())
+      return fault(list.mark, "fit.curves", "is a list: [{y: c1*i + c0, over: {i: [0, 1]}, data: current}]");
+    for (const Node& item : list.items)
+      if (auto curve = read_fit_curve(item, names_, all_, faults_))
+        request_.curves.push_back(std::move(*curve));
   }
 
   void read_hold_out(const Node& node) {
@@ -252,6 +281,7 @@ class Reader {
   const Diagram& diagram_;
   Faults& faults_;
   FitRequest request_;
+  std::vector<FitParameter> all_;  ///< also what the call sets, which starts there
 };
 
 }  // namespace

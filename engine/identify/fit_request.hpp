@@ -8,6 +8,7 @@
 
 #include "engine/diagram/diagram.hpp"
 #include "engine/document/document.hpp"
+#include "engine/figure/figure.hpp"
 #include "engine/figure/formula.hpp"
 #include "engine/figure/names.hpp"
 
@@ -31,12 +32,26 @@ struct FitParameter {
 
 /// What is compared: residuals are weight (model - measured) in the rows where `where` holds.
 struct FitComparison {
-  Formula model, measured;
+  Series model;
+  Formula measured;
   std::optional<Formula> weight,
       where;                 ///< of the run with the start values; weight 1 and all rows if absent
   bool free_offset = false;  ///< the weighted mean of the difference is no error, in each record
   std::size_t recording = 0;
   Place place;
+  std::vector<Series> against{};  ///< what pictures show it over, beside the time
+};
+
+/// What follows from the fitted parameters as a function of something, such as alpha of the current.
+struct FitCurve {
+  Series y;                       ///< of parameters that all records share, and of the variable
+  std::vector<double> otherwise;  ///< values of its columns where they are not fitted but set by the call
+  std::string variable;           ///< a bare number
+  double from = 0.0, to = 1.0;    ///< of the variable
+  std::string label;              ///< at its axis
+  std::optional<Formula> data;  ///< where the records have it (SI), as far as they tell anything of the curve
+  std::size_t recording = 0;    ///< that has the data
+  Place place{};
 };
 
 /// What residuals that are large beside `width` count.
@@ -51,16 +66,22 @@ struct GlobalSearch {
 struct FitRequest {
   std::vector<FitParameter> parameters;
   std::vector<FitComparison> comparisons;
+  std::vector<FitCurve> curves{};
   std::optional<Formula> hold_out;  ///< of swept parameters: records that are predicted, not fitted
   FitLoss loss = FitLoss::none;
-  double width = 1.0;      ///< of the loss, in weighted residuals
-  std::size_t starts = 1;  ///< the first is the given one, the others are random within the bounds
+  double width = 1.0;                 ///< of the loss, in weighted residuals
+  std::size_t starts = 1;             ///< the first is the given one, the others are random within the bounds
   std::optional<std::size_t> follow;  ///< how many of them go on after the first steps; a quarter if absent
   std::uint64_t seed = 1;
   std::size_t iterations = 100;  ///< of one start, at most
   std::optional<GlobalSearch> global;
   Place place;
 };
+
+/// Reads one entry of `fit.curves` for a section with these parameters; nothing where it is wrong, which goes
+/// to `faults`.
+std::optional<FitCurve> read_fit_curve(const Node& node, const Names& names,
+                                       const std::vector<FitParameter>& parameters, Faults& faults);
 
 /// Reads the value under the key `fit`. Everything that is wrong goes to `faults`; what is returned then is
 /// of no use.

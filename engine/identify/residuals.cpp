@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <numeric>
 
 #include "engine/identify/parallel.hpp"
+#include "engine/identify/row_values.hpp"
 
 namespace stepwire {
 
@@ -21,13 +21,6 @@ bool is_true(double value) {
   return value != 0.0 && !std::isnan(value);
 }
 
-/// A formula that is a column needs no evaluating.
-std::vector<double> values_of(const Formula& formula, const Recording& recording) {
-  if (formula.columns.size() == 1 && formula.text == formula.expression.variables().front())
-    if (const Column* column = recording.table.find(formula.columns.front())) return column->values;
-  return evaluate(Formula(formula), recording);  // one object is for one thread
-}
-
 /// The value of a formula of swept parameters.
 double value_of(const Formula& formula, const std::vector<Column>& swept) {
   std::vector<double> values;
@@ -35,15 +28,6 @@ double value_of(const Formula& formula, const std::vector<Column>& swept) {
     for (const Column& column : swept)
       if (column.name == name) values.push_back(column.values.front());
   return formula.expression(values);
-}
-
-double norm(const std::vector<double>& values) {
-  return std::sqrt(std::inner_product(values.begin(), values.end(), values.begin(), 0.0));
-}
-
-void subtract_mean(std::vector<double>& values) {
-  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-  for (double& value : values) value -= mean;
 }
 
 }  // namespace
@@ -163,7 +147,7 @@ bool Residuals::differences(std::size_t record, const std::vector<Recording>& re
   for (std::size_t c = 0; c < request_.comparisons.size(); ++c) {
     const FitComparison& comparison = request_.comparisons[c];
     const Selection& selection = selections_[record][c];
-    const std::vector<double> model = values_of(comparison.model, recordings[comparison.recording]);
+    const std::vector<double> model = values_of(comparison.model.formula, recordings[comparison.recording]);
     const std::vector<double> measured = values_of(comparison.measured, recordings[comparison.recording]);
     if (model.size() != selection.recorded) return false;  // it stopped at another time
     double sum = 0.0, weights = 0.0;
@@ -254,32 +238,6 @@ bool Residuals::evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& residuals, J
     jacobian.col(static_cast<Eigen::Index>(*unknown_of_[record][parameter])).segment(first, rows) = slope;
   });
   return good;
-}
-
-std::vector<double> Residuals::agreement(std::size_t record, const Eigen::VectorXd& x,
-                                         double& squares) const {
-  std::string why;
-  const std::vector<Recording> recordings = runs_.run_anew(record, values(record, x), &why);
-  if (recordings.empty()) throw Error(fault(request_.place, "the run ended early: " + why, record));
-  std::vector<double> weighted(rows(record));
-  if (!differences(record, recordings, weighted.data()))
-    throw Error(fault(request_.place, "the model gives what is no number", record));
-  for (double one : weighted) squares += one * one;
-  std::vector<double> agreement;
-  for (std::size_t c = 0; c < request_.comparisons.size(); ++c) {
-    const FitComparison& comparison = request_.comparisons[c];
-    const std::vector<double> model = values_of(comparison.model, recordings[comparison.recording]);
-    const std::vector<double> measured = values_of(comparison.measured, recordings[comparison.recording]);
-    std::vector<double> error, spread;
-    for (std::size_t row : selections_[record][c].rows) {
-      error.push_back(model[row] - measured[row]);
-      spread.push_back(measured[row]);
-    }
-    if (comparison.free_offset) subtract_mean(error);
-    subtract_mean(spread);
-    agreement.push_back(100.0 * (1.0 - norm(error) / norm(spread)));
-  }
-  return agreement;
 }
 
 }  // namespace stepwire

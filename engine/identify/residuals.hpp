@@ -17,6 +17,21 @@ struct Unknown {
   std::optional<std::size_t> record;  ///< whose own it is
 };
 
+/// What a comparison of one record came to: its compared rows, in SI. Where the offset is free, the model has
+/// it.
+struct ComparedRows {
+  double agreement = 0.0;  ///< 100 (1 - |e| / |y - mean y|) [%]
+  std::vector<double> time{}, model{}, measured{};
+  std::vector<std::vector<double>> against{};
+};
+
+/// A record as the model predicts it.
+struct Prediction {
+  std::vector<ComparedRows> comparisons;
+  std::vector<Recording> recordings;
+  double squares = 0.0;  ///< sum of the weighted residuals' squares
+};
+
 using Jacobian = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Weighted differences between model and measurement over all fitted records, as a function of the unknowns
@@ -51,9 +66,8 @@ class Residuals {
   bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& residuals, Jacobian& jacobian,
                 Differences differences) const;
 
-  /// How well a record is predicted, 100 (1 - |e| / |y - mean y|) [%] for each comparison, from a run that is
-  /// planned anew; adds its residuals to the sum of squares. Throws Error where the diagram refuses x.
-  std::vector<double> agreement(std::size_t record, const Eigen::VectorXd& x, double& squares) const;
+  /// How a record is predicted, from a run that is planned anew. Throws Error where the diagram refuses x.
+  Prediction predict(std::size_t record, const Eigen::VectorXd& x) const;
   std::size_t rows(std::size_t record) const;
 
  private:
@@ -68,6 +82,8 @@ class Residuals {
   std::vector<Selection> select(std::size_t record) const;
   bool differences(std::size_t record, const std::vector<Recording>& recordings, double* out) const;
   bool run(std::size_t record, const Values& values, double* out) const;
+  ComparedRows compare(const FitComparison& comparison, const Selection& selection,
+                       const Recording& recording) const;
   Eigen::Index rows_of(std::size_t record) const;
   Fault fault(const Place& place, const std::string& message, std::size_t record) const;
   bool column(std::size_t record, std::size_t parameter, const Eigen::VectorXd& x, Differences differences,

@@ -18,7 +18,8 @@ std::vector<Eigen::VectorXd> make_starts(const Residuals& residuals, const FitRe
 using GenerationWatcher = std::function<void(std::size_t generation, double cost)>;
 
 /// Differential evolution (rand/1/bin, factor 0.7, crossover 0.9) within the bounds and what the
-/// diagram takes; the given start is one of the first population. Returns the best point. R. Storn, K. Price 1997.
+/// diagram takes; the given start is one of the first population. Returns the best point. R. Storn, K. Price
+/// 1997.
 Eigen::VectorXd evolve(const Residuals& residuals, const FitRequest& request,
                        const std::atomic<bool>* interrupt, const GenerationWatcher& watch);
 

@@ -38,7 +38,7 @@ inline Names sample_names() {
            {"slow", newton, 1}},
           {{"limit", 0.35}, {"low", -2.0}, {"reach", 0.1, metre}},
           {"rig.x", "e", "motor", "wide"},
-          false,
+          "",
           nullptr,
           {{"map", square_outline()}, {"ball", {true, {{{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}}}}}}};
 }

@@ -37,7 +37,7 @@ TEST_CASE("without noise the truth is found again") {
   const FitResult result = fit_text(lag(both));
   CHECK(found(result, "tau").value == Approx(0.2).epsilon(1e-7));
   CHECK(found(result, "gain").value == Approx(3.0).epsilon(1e-7));
-  CHECK(result.records.at(0).agreement.at(0) > 99.999);
+  CHECK(result.records.at(0).comparisons.at(0).agreement > 99.999);
 }
 
 TEST_CASE("several starts find the truth, and the same seed goes the same way") {
@@ -110,9 +110,9 @@ fit:
   CHECK(found(result, "bias of -2").value == Approx(-2.0).epsilon(1e-7));
   REQUIRE(result.records.size() == 3);
   CHECK_FALSE(result.records[0].held_out);
-  CHECK(result.records[0].agreement.at(0) > 99.99);
+  CHECK(result.records[0].comparisons.at(0).agreement > 99.99);
   CHECK(result.records[2].held_out);
-  CHECK(result.records[2].agreement.at(0) < 99.0);  // its bias is at the start
+  CHECK(result.records[2].comparisons.at(0).agreement < 99.0);  // its bias is at the start
 }
 
 TEST_CASE("the interval of a noisy fit holds the truth") {

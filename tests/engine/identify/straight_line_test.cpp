@@ -52,7 +52,7 @@ TEST_CASE("a free offset does what a fitted bias does") {
   CHECK(found(result, "slope").value == Approx(slope).epsilon(1e-9));
   CHECK(result.freedom == 6.0);
   CHECK(found(result, "slope").standard_error == Approx(std::sqrt(squares / 6.0 / 42.0)).epsilon(1e-6));
-  CHECK(result.records.at(0).agreement.at(0) ==
+  CHECK(result.records.at(0).comparisons.at(0).agreement ==
         Approx(100.0 * (1.0 - std::sqrt(squares / squares_of_y))).epsilon(1e-9));
 }
 

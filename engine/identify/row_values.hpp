@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/figure/formula.hpp"
+
+namespace stepwire {
+
+/// Value of a formula in each row of a recording; from any thread, and without evaluating where it is a
+/// column.
+std::vector<double> values_of(const Formula& formula, const Recording& recording);
+
+}  // namespace stepwire
