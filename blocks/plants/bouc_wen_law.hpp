@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace stepwire {
 
@@ -33,8 +34,9 @@ struct BoucWenLaw {
   /// Where z settles in a steady motion; only for beta + gamma > 0.
   double limit() const { return std::pow(A / (beta + gamma), 1.0 / n); }
 
-  /// Exact solution for n = 1 over a time in which the velocity goes in a straight line from v0 to v1. The
-  /// law knows no time, only travel: where the motion turns back in between, both ways count.
+  /// Solution over a time in which the velocity goes in a straight line from v0 to v1: exact for n = 1, else
+  /// by sub-steps (see forward_by_steps); stable for any travel where beta >= |gamma|. The law knows no time,
+  /// only travel: where the motion turns back in between, both ways count.
   Travelled over(double z, double v0, double v1, double duration) const {
     if (!(v0 * v1 < 0.0)) return travel(z, 0.5 * (v0 + v1) * duration);
     const double turn = duration * v0 / (v0 - v1);
@@ -43,7 +45,7 @@ struct BoucWenLaw {
     return {back.z, out.lost + back.lost};
   }
 
-  /// Exact solution for n = 1 over a travel dx in one direction.
+  /// Solution over a travel dx in one direction.
   Travelled travel(double z, double dx) const {
     if (dx >= 0.0) return forward(z, dx);
     const Travelled mirrored = forward(-z, -dx);
@@ -53,12 +55,58 @@ struct BoucWenLaw {
  private:
   /// For dx >= 0 the law is dz/dx = A - k z with k = beta - gamma below zero and beta + gamma above it.
   Travelled forward(double z, double dx) const {
+    if (n != 1.0) return forward_by_steps(z, dx);
     if (z >= 0.0) return relax(z, dx, beta + gamma);
     const double to_zero = distance_to_zero(z);
     if (dx < to_zero) return relax(z, dx, beta - gamma);
     const Travelled below = relax(z, to_zero, beta - gamma);
     const Travelled above = relax(0.0, dx - to_zero, beta + gamma);
     return {above.z, below.lost + above.lost};
+  }
+
+  /// For any n: dz/dx = A - k |z|^(n-1) z by exponential Rosenbrock steps of third order (exprb32; M.
+  /// Hochbruck, A. Ostermann, J. Schweitzer 2009), each of which changes z by a small part of its limit. They
+  /// are exact where the law is linear, so that the settled motion takes one step however stiff it is.
+  Travelled forward_by_steps(double z, double dx) const {
+    const double part = 1.0 / (48.0 * n), stiffest = beta + std::abs(gamma);
+    const double least = stiffest > 0.0 ? part * std::pow(A / stiffest, 1.0 / n) : dx * A;
+    Travelled way{z, 0.0};
+    for (double left = dx; left > 0.0;) {
+      double change = std::max(least, part * std::abs(way.z));
+      // Not far across zero, where the law has a kink.
+      if (way.z < 0.0) change = std::max(std::min(change, -way.z), 0.1 * least);
+      const double h = std::min(left, reach(way.z, change));
+      const Travelled step = rosenbrock(way.z, h);
+      way = {step.z, way.lost + step.lost};
+      left -= h;
+    }
+    return way;
+  }
+
+  /// dz/dx for dx > 0, and how it falls with z, which it never grows with.
+  double slope(double z) const {
+    return A - (z < 0.0 ? beta - gamma : beta + gamma) * power(z) * (z < 0.0 ? -1.0 : 1.0);
+  }
+  double fall(double z) const {
+    return (z < 0.0 ? beta - gamma : beta + gamma) * n * std::pow(std::abs(z), n - 1.0);
+  }
+
+  /// Travel after which z has changed by so much, the law being taken for linear; infinite where it never
+  /// does.
+  double reach(double z, double change) const {
+    const double s = std::abs(slope(z)), j = fall(z);
+    if (change * j >= s) return std::numeric_limits<double>::infinity();
+    return j > 0.0 ? -std::log1p(-change * j / s) / j : change / s;
+  }
+
+  Travelled rosenbrock(double z, double h) const {
+    const double s = slope(z), j = fall(z), y = j * h, decay = mean_of_decay(y),
+                 rise = mean_of_rise(y, decay);
+    const double linear = z + s * h * decay;
+    const double bend = slope(linear) - s + j * (linear - z);
+    const double correction = 2.0 * h * third(y, rise) * bend, end = linear + correction;
+    const double mean = z + s * h * rise + 0.25 * correction;  // which grows with the cube of the way
+    return {end, std::max(0.0, A * h * mean - 0.5 * (end - z) * (end + z))};
   }
 
   double distance_to_zero(double z) const {
@@ -82,6 +130,12 @@ struct BoucWenLaw {
   static double mean_of_rise(double s, double decay) {
     if (s > 0.01) return (1.0 - decay) / s;
     return 1.0 / 2 - s * (1.0 / 6 - s * (1.0 / 24 - s * (1.0 / 120 - s / 720)));
+  }
+
+  /// (1/2 - mean_of_rise(s)) / s
+  static double third(double s, double rise) {
+    if (s > 0.01) return (0.5 - rise) / s;
+    return 1.0 / 6 - s * (1.0 / 24 - s * (1.0 / 120 - s / 720));
   }
 };
 

@@ -51,7 +51,6 @@ void MRDamperCore::configure(Configure& is) {
   refuse_pushing<&Core::alpha>(*this, is);
   refuse_pushing<&Core::c>(*this, is);
   const bool exact = integration == Integration::exact;
-  if (exact && n != 1.0) is.refuse<&Core::integration>("exact needs n = 1; with any other n take 'solver'");
   if (k0 != 0.0) is.require<&Core::position>("k0 is not 0");
 
   is.feedthrough<&Core::velocity, &Core::z>(exact);

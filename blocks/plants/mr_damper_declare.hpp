@@ -49,9 +49,9 @@ void declare_mr_damper(Declare<Damper>& is, const MRDamperUnits& units) {
        .words = {"hold", "raw"}});
   is.template parameter<&Damper::integration>(
       {.doc = "how z follows the velocity: by the diagram's solver, for any n, whose step must resolve "
-              "1/((beta + |gamma|) |v|); or, for n = 1, by the exact solution from tick to tick for a "
-              "velocity that goes in a straight line "
-              "between them, which is stable with any step",
+              "1/((beta + |gamma|) |v|); or from tick to tick for a velocity that goes in a straight line "
+              "between them, which is stable with any step: by the exact solution for n = 1, by as many "
+              "sub-steps as it takes (to some 1e-6 of the limit of z) for other n",
        .words = {"solver", "exact"}});
 
   is.template input<&Damper::velocity>({.unit = units.velocity, .doc = "velocity v"});

@@ -57,6 +57,28 @@ TEST_CASE("The exact travel agrees with small steps of the differential equation
   CHECK(exact.lost == Approx(fine.lost).epsilon(1e-7).margin(1e-9));
 }
 
+TEST_CASE("For n = 2 the travel from rest is a hyperbolic tangent, and from below zero a tangent") {
+  const BoucWenLaw law{3.0, 0.5, 0.25, 2.0};
+  const double up = std::sqrt(3.0 * 0.75), limit = std::sqrt(3.0 / 0.75);
+  const double x = GENERATE(0.01, 0.3, 2.0, 50.0);
+  CHECK(law.travel(0.0, x).z == Approx(limit * std::tanh(up * x)).epsilon(2e-6));
+  CHECK(law.travel(0.0, -x).z == Approx(-limit * std::tanh(up * x)).epsilon(2e-6));
+  const double down = std::sqrt(3.0 * 0.25), scale = std::sqrt(3.0 / 0.25);
+  const double start = -1.5, phase = std::atan(start / scale);
+  CHECK(law.travel(start, 0.2).z == Approx(scale * std::tan(phase + down * 0.2)).epsilon(2e-6));
+}
+
+TEST_CASE("For other n the travel agrees with small steps of the differential equation") {
+  const double n = GENERATE(1.2, 1.5, 2.0, 4.0);
+  const BoucWenLaw law{36.2095, 10.6140 / std::pow(5.0, n), -7.0773 / std::pow(5.0, n), n};
+  const auto [z, v0, v1] = GENERATE(table<double, double, double>(
+      {{0.0, 10.0, 10.0}, {-4.0, 10.0, 40.0}, {5.0, -60.0, -5.0}, {2.0, 30.0, -50.0}, {12.0, 20.0, 60.0}}));
+  CAPTURE(n, z, v0, v1);
+  const BoucWenLaw::Travelled fine = integrate(law, z, v0, v1, 0.01), way = law.over(z, v0, v1, 0.01);
+  CHECK(way.z == Approx(fine.z).margin(3e-6 * law.limit()));
+  CHECK(way.lost == Approx(fine.lost).epsilon(1e-4).margin(1e-5 * law.limit()));
+}
+
 TEST_CASE("The exact travel does not depend on where it is divided") {
   const double z = -9.0, dx = 1.3;
   const BoucWenLaw::Travelled whole = printed.travel(z, dx);
