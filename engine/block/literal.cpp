@@ -8,7 +8,7 @@ std::string Literal<Numbers>::text(const Numbers& value, LiteralWriter& writer) 
   if (value.empty()) return "Numbers()";
   if (value.size() == 1) return fmt::format("Numbers(1, {})", writer.number(value[0]));
   const std::string place = writer.numbers(value.data(), value.size());
-  return fmt::format("Numbers::view({}, {})", place, writer.count(value.size()));
+  return fmt::format("Numbers::view({}, {})", place, writer.whole(value.size()));
 }
 
 std::string Literal<PerElement>::text(const PerElement& value, LiteralWriter& writer) {
@@ -20,7 +20,7 @@ std::string Literal<PerElement>::text(const PerElement& value, LiteralWriter& wr
 }
 
 std::string Literal<Matrix>::text(const Matrix& value, LiteralWriter& writer) {
-  const std::string rows = writer.count(value.rows()), columns = writer.count(value.columns());
+  const std::string rows = writer.whole(value.rows()), columns = writer.whole(value.columns());
   return fmt::format("Matrix({}, {}, {})", rows, columns, Literal<Numbers>::text(value.elements(), writer));
 }
 

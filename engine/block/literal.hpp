@@ -1,6 +1,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -32,8 +33,8 @@ class LiteralWriter {
   virtual std::string enumerator(int value, const std::string& type) = 0;
   /// A pointer to these numbers, one behind the other.
   virtual std::string numbers(const double* values, Index size) = 0;
-  /// How many rows, columns or numbers there are.
-  virtual std::string count(Index count) { return std::to_string(count); }
+  /// A whole number, such as a seed or how many rows there are.
+  virtual std::string whole(std::int64_t value) { return std::to_string(value); }
 };
 
 /// How the value of a member of type T is written as an expression of C++ that can be assigned to it. A type
@@ -51,12 +52,15 @@ struct Literal<bool> {
   static std::string text(bool value, LiteralWriter& writer) { return writer.flag(value); }
 };
 
-/// Whole numbers are literals, since a double does not hold all of them.
-template <std::integral T>
+template <std::signed_integral T>
 struct Literal<T> {
-  static std::string text(T value, LiteralWriter&) {
-    return std::to_string(value) + (std::is_unsigned_v<T> ? "u" : "");
-  }
+  static std::string text(T value, LiteralWriter& writer) { return writer.whole(value); }
+};
+
+/// These are literals, since no signed number holds all of them.
+template <std::unsigned_integral T>
+struct Literal<T> {
+  static std::string text(T value, LiteralWriter&) { return std::to_string(value) + "u"; }
 };
 
 template <class T>

@@ -122,6 +122,9 @@ std::string fit_text(const FitResult& result) {
   for (const FittedRecord& record : result.records) labels = std::max(labels, record.label.size());
   std::string text = summary(result);
   for (const FittedNumber& number : result.numbers) text += number_line(number, names);
+  if (result.together > 0)
+    text +=
+        fmt::format("  residuals go together over {} rows, which widens the intervals\n", result.together);
   text += correlations(result);
   for (const FittedRecord& record : result.records) text += record_line(record, labels);
   for (const std::string& finding : result.findings) text += fmt::format("  note: {}\n", finding);
@@ -149,6 +152,7 @@ Json fit_json(const Work& work, const FitResult& result) {
       .set("cost", result.cost)
       .set("deviation", result.deviation)
       .set("degrees_of_freedom", result.freedom)
+      .set("residuals_together", static_cast<std::size_t>(result.together))
       .set("records", std::move(records))
       .set("curves", curves_json(result))
       .set("starts", std::move(starts))

@@ -37,9 +37,11 @@ std::string Literals::enumerator(int value, const std::string& type) {
   return fmt::format("static_cast<{}>({})", type, number);
 }
 
-std::string Literals::count(Index count) {
-  const std::string place = parameter(static_cast<double>(count));
-  return place.empty() ? std::to_string(count) : fmt::format("static_cast<Index>({})", place);
+std::string Literals::whole(std::int64_t value) {
+  constexpr std::int64_t exact = std::int64_t{1} << 53;  // a double holds all whole numbers up to here
+  if (value > exact || value < -exact) return std::to_string(value);
+  const std::string place = parameter(static_cast<double>(value));
+  return place.empty() ? std::to_string(value) : fmt::format("static_cast<std::int64_t>({})", place);
 }
 
 std::string Literals::numbers(const double* values, Index size) {

@@ -39,7 +39,7 @@ class Literals : public LiteralWriter {
   std::string flag(bool value) override;
   std::string enumerator(int value, const std::string& type) override;
   std::string numbers(const double* values, Index size) override;
-  std::string count(Index count) override;
+  std::string whole(std::int64_t value) override;
 
   /// What the next table is called.
   void name_tables(std::string name) {

@@ -28,7 +28,8 @@ std::string listed(const std::vector<std::string>& names) {
 
 Certainty certainty_of(const Eigen::VectorXd& residuals,
                        const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>& jacobian,
-                       const Eigen::VectorXd& sizes, double freedom) {
+                       const Eigen::VectorXd& sizes, double freedom,
+                       const std::vector<Eigen::Index>& starts) {
   const Eigen::Index count = jacobian.cols();
   Certainty result;
   result.deviation = residuals.norm() / std::sqrt(freedom);
@@ -50,21 +51,26 @@ Certainty certainty_of(const Eigen::VectorXd& residuals,
     result.free_directions.push_back(v.cwiseQuotient(lengths).cwiseQuotient(sizes));
     result.free_directions.back() /= result.free_directions.back().cwiseAbs().maxCoeff();
   }
-  const double variance = result.deviation * result.deviation;
-  result.covariance =
-      variance * lengths.cwiseInverse().asDiagonal() * inverse * lengths.cwiseInverse().asDiagonal();
+  result.serial = SerialCorrelation::of(residuals, starts);
+  const double rows = static_cast<double>(residuals.size());
+  const double worth = std::max(1.0, freedom - rows + rows / result.serial.inflation);
+  result.quantile = student_quantile(0.975, worth);
+  Eigen::MatrixXd known = result.deviation * result.deviation * inverse;  // of the scaled unknowns
+  if (result.serial.rows > 0) {
+    const Eigen::MatrixXd terms = residuals.asDiagonal() * scaled;
+    known = rows / freedom * inverse * result.serial.covariance_of_sum(terms, starts) * inverse;
+  }
+  result.covariance = lengths.cwiseInverse().asDiagonal() * known * lengths.cwiseInverse().asDiagonal();
+  const Eigen::VectorXd deviations = known.diagonal().cwiseMax(1e-300).cwiseSqrt();
+  const auto open = [&](Eigen::Index i) { return unknown[i] > part_of_direction; };
   result.standard_errors.resize(count);
-  for (Eigen::Index i = 0; i < count; ++i)
-    result.standard_errors[i] =
-        unknown[i] > part_of_direction ? nan : result.deviation * std::sqrt(inverse(i, i)) / lengths[i];
-  result.half_widths = student_quantile(0.975, freedom) * result.standard_errors;
   result.correlation.resize(count, count);
-  for (Eigen::Index i = 0; i < count; ++i)
+  for (Eigen::Index i = 0; i < count; ++i) {
+    result.standard_errors[i] = open(i) ? nan : deviations[i] / lengths[i];
     for (Eigen::Index j = 0; j < count; ++j)
-      result.correlation(i, j) =
-          std::isnan(result.standard_errors[i]) || std::isnan(result.standard_errors[j])
-              ? nan
-              : inverse(i, j) / std::sqrt(inverse(i, i) * inverse(j, j));
+      result.correlation(i, j) = open(i) || open(j) ? nan : known(i, j) / (deviations[i] * deviations[j]);
+  }
+  result.half_widths = result.quantile * result.standard_errors;
   return result;
 }
 

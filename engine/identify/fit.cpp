@@ -10,7 +10,6 @@
 #include "engine/identify/least_squares.hpp"
 #include "engine/identify/loss.hpp"
 #include "engine/identify/starts.hpp"
-#include "engine/statistics/student.hpp"
 
 namespace stepwire {
 
@@ -206,9 +205,10 @@ class Fit {
       if (size == 0.0) size = residuals_.parameter(i).scale;
       titles.push_back(result_.numbers[i].title());
     }
-    const Certainty certainty = certainty_of(r, slopes, sizes, result_.freedom);
+    const Certainty certainty = certainty_of(r, slopes, sizes, result_.freedom, residuals_.stretches());
     result_.deviation = certainty.deviation;
     result_.correlation = certainty.correlation;
+    result_.together = certainty.serial.rows;
     for (std::size_t i = 0; i < titles.size(); ++i) {
       const auto at = static_cast<Eigen::Index>(i);
       FittedNumber& one = result_.numbers[i];
@@ -218,8 +218,8 @@ class Fit {
     }
     for (std::size_t i = 0; i < request_.curves.size(); ++i) {
       std::vector<double> data_range = std::move(result_.curves[i].data_range);
-      result_.curves[i] = fitted_curve(request_.curves[i], titles, best_.x, certainty.covariance,
-                                       student_quantile(0.975, result_.freedom));
+      result_.curves[i] =
+          fitted_curve(request_.curves[i], titles, best_.x, certainty.covariance, certainty.quantile);
       result_.curves[i].data_range = std::move(data_range);
     }
     for (const Eigen::VectorXd& direction : certainty.free_directions)

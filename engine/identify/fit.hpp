@@ -58,6 +58,7 @@ struct FitResult {
   double cost = 0.0;                  ///< half of the sum of what the weighted residuals count
   double deviation = 0.0;             ///< of a weighted residual
   double freedom = 0.0;               ///< rows less numbers found
+  Eigen::Index together = 0;          ///< rows over which residuals go together, which intervals allow for
   bool converged = false, interrupted = false;
   bool limited = false;   ///< the diagram refuses what the records want
   bool compiled = false;  ///< one compilation served all runs

@@ -112,8 +112,10 @@ class Reader {
     if (!is_map(entry.value, parameter_keys, subject, "it", "{start: 2 kg, bounds: [1 kg, 5 kg]}")) return;
     FitParameter parameter{.name = entry.key, .start = *own, .dimension = of->dimension};
     parameter.place = {names_.file, entry.mark};
-    if (const Node* start = entry.value.find("start")) parameter.start = number(*start, subject, parameter);
-    if (const Node* bounds = entry.value.find("bounds")) read_bounds(*bounds, subject, parameter);
+    const Node* start = entry.value.find("start");
+    if (start) parameter.start = number(*start, subject, parameter);
+    if (const Node* bounds = entry.value.find("bounds"))
+      read_bounds(*bounds, start ? start->text : of->text, subject, parameter);
     parameter.each_record = flag(entry.value, "each_record", subject);
     read_scale(entry.value.find("scale"), subject, parameter);
     all_.push_back(parameter);
@@ -136,7 +138,8 @@ class Reader {
     return read->value;
   }
 
-  void read_bounds(const Node& node, const std::string& subject, FitParameter& parameter) {
+  void read_bounds(const Node& node, const std::string& start, const std::string& subject,
+                   FitParameter& parameter) {
     if (!node.is_list() || node.items.size() != 2)
       return fault(node.mark, subject, "bounds are a lower and an upper one: [1 kg, 5 kg]");
     parameter.lower = number(node.items[0], subject, parameter);
@@ -147,9 +150,8 @@ class Reader {
                                node.items[1].text));
     if (parameter.start < parameter.lower || parameter.start > parameter.upper)
       fault(node.mark, subject,
-            fmt::format("the start, {}, is outside of the bounds [{}, {}]; it must lie within them",
-                        short_number(parameter.start, 6), short_number(parameter.lower, 6),
-                        short_number(parameter.upper, 6)));
+            fmt::format("the start, {}, is outside of the bounds [{}, {}]; it must lie within them", start,
+                        node.items[0].text, node.items[1].text));
   }
 
   void read_scale(const Node* node, const std::string& subject, FitParameter& parameter) {

@@ -134,6 +134,18 @@ Eigen::VectorXd Residuals::start() const {
   return x;
 }
 
+std::vector<Eigen::Index> Residuals::stretches() const {
+  std::vector<Eigen::Index> starts;
+  for (const std::size_t record : fitted_) {
+    Eigen::Index first = first_row_[record];
+    for (const Selection& selection : selections_[record]) {
+      starts.push_back(first);
+      first += static_cast<Eigen::Index>(selection.rows.size());
+    }
+  }
+  return starts;
+}
+
 Values Residuals::values(std::size_t record, const Eigen::VectorXd& x) const {
   Values values;
   for (std::size_t j = 0; j < request_.parameters.size(); ++j) {

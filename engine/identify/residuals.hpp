@@ -47,6 +47,8 @@ class Residuals {
     return request_.parameters[unknowns_[unknown].parameter];
   }
   Eigen::VectorXd start() const;
+  /// Rows at which stretches of residuals begin: one for each comparison of each fitted record.
+  std::vector<Eigen::Index> stretches() const;
   Eigen::Index count() const { return count_; }
   /// Means that are free and count against the degrees of freedom.
   std::size_t free_offsets() const { return free_offsets_; }

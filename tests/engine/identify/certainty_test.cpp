@@ -35,7 +35,7 @@ TEST_CASE("what is known beside a product keeps its error, and the product's mem
     jacobian.row(t) << 2.0 * -5.0, 2.0 * 3.0, t;
     residuals[t] = t % 2 == 0 ? 0.1 : -0.1;
   }
-  const Certainty certainty = certainty_of(residuals, jacobian, Eigen::Vector3d(3.0, -5.0, 1.0), 3.0);
+  const Certainty certainty = certainty_of(residuals, jacobian, Eigen::Vector3d(3.0, -5.0, 1.0), 3.0, {0});
   CHECK(std::isnan(certainty.standard_errors[0]));
   CHECK(std::isnan(certainty.standard_errors[1]));
   // The slope of a straight line over t = 0 to 4, whose sum of squares about the mean is 10.

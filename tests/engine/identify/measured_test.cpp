@@ -32,7 +32,8 @@ FitResult fit_example(const std::string& name, const std::function<void(FitReque
 
 double worst_agreement(const FitResult& result) {
   double worst = 100.0;
-  for (const FittedRecord& record : result.records) worst = std::min(worst, record.comparisons.at(0).agreement);
+  for (const FittedRecord& record : result.records)
+    worst = std::min(worst, record.comparisons.at(0).agreement);
   return worst;
 }
 
