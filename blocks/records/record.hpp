@@ -22,6 +22,7 @@ struct RecordColumn {
 /// were taken from.
 struct Record {
   std::string file;                   ///< for messages
+  std::string time_name;              ///< of the column with the times, for messages
   std::vector<double> time;           ///< of each row [s], increasing; two rows or more
   std::vector<RecordColumn> columns;  ///< as long as `time` each
 

@@ -6,7 +6,24 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "engine/expression/expression.hpp"
+
 namespace stepwire {
+
+namespace {
+
+/// A number with or without a unit, or, as parameters come in, a formula of numbers in SI.
+std::optional<Quantity> read_number(const std::string& text) {
+  if (const auto quantity = parse_quantity(text)) return quantity;
+  try {
+    const double value = Expression(text, [](std::string_view) { return false; })({});
+    return std::isfinite(value) ? std::optional<Quantity>({value, std::nullopt}) : std::nullopt;
+  } catch (const ExpressionError&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
 
 std::string StepOptions::text(std::string_view key) const {
   const Value* value = step_.find(key);
@@ -17,7 +34,7 @@ std::string StepOptions::text(std::string_view key) const {
 
 double StepOptions::number(std::string_view key, const std::optional<Dimension>& dimension) const {
   const std::string given = text(key);
-  const auto quantity = parse_quantity(given);
+  const auto quantity = read_number(given);
   if (!quantity) refuse(key, fmt::format("'{}' is no number; write it as in {}", given, example_));
   if (quantity->dimension && dimension && *quantity->dimension != *dimension)
     refuse(key, fmt::format("{} is in {}, but must be in {}", given, si_name(*quantity->dimension),
@@ -57,7 +74,7 @@ void StepOptions::require_even(const Record& record) const {
   refuse(
       fmt::format("it needs evenly spaced rows, but {} is {:.6g} s and does not fit the mean interval of "
                   "{:.6g} s; put {{resample: {:.6g} s}} before it",
-                  place_in_file(record.file, "time", static_cast<std::size_t>(file_row)),
+                  place_in_file(record.file, record.time_name, static_cast<std::size_t>(file_row)),
                   record.time[static_cast<std::size_t>(*row)], record.interval(), record.interval()));
 }
 

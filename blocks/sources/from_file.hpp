@@ -30,8 +30,8 @@ struct FromFile {
   Output<> y{};
   Notice ended{};
   Time t{};
-  Samples samples{};
-  BandLimited smooth{};  ///< of the columns, where band-limited
+  Samples samples;
+  BandLimited smooth;  ///< of the columns, where band-limited
   double offset = 0.0;   ///< instant of the record that is time 0 of the run [s]
 
   void outputs() {

@@ -138,6 +138,7 @@ Record read_record(const FromFile& asked, const Configure& is, const Table& tabl
   const std::vector<double> time = times(asked, is, table, columns.front()->values.size());
   Record record;
   record.file = asked.file.string();
+  record.time_name = std::string(asked.time);
   record.table = &table;
   for (const Column* column : columns)
     if (column->values.size() != time.size())
