@@ -8,6 +8,7 @@
 #include "blocks/records/preparation.hpp"
 #include "engine/block/configure.hpp"
 #include "engine/table/file.hpp"
+#include "engine/table/table_cache.hpp"
 #include "engine/unit/unit.hpp"
 
 namespace stepwire {
@@ -25,7 +26,7 @@ Table read_file(const FromFile& asked, const Configure& is) {
   if (!std::filesystem::is_regular_file(asked.file, none))
     is.refuse<&FromFile::file>(fmt::format("{} is no file that holds a table", asked.file.string()));
   try {
-    return read_table(asked.file.string());
+    return TableCache::of_process().read(asked.file.string());
   } catch (const TableError& error) {
     is.refuse<&FromFile::file>(error.what());
   }
