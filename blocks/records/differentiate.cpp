@@ -22,8 +22,6 @@ std::vector<double> bends(const std::vector<double>& y, double h) {
   return result;
 }
 
-constexpr Dimension second{{0.0, 0.0, 1.0}};
-
 }  // namespace
 
 void differentiate(Record& record, const StepOptions& given) {
@@ -32,7 +30,8 @@ void differentiate(Record& record, const StepOptions& given) {
   given.require_even(record);
   for (RecordColumn& column : record.columns) {
     column.values = (times == 1 ? slopes : bends)(column.values, record.interval());
-    if (column.dimension) column.dimension = *column.dimension / power(second, static_cast<double>(times));
+    if (column.dimension)
+      column.dimension = *column.dimension / power(time_dimension, static_cast<double>(times));
   }
 }
 

@@ -11,6 +11,8 @@
 
 namespace stepwire {
 
+inline constexpr Dimension time_dimension{{0.0, 0.0, 1.0}};
+
 /// One column of a record in SI, and what it is, where its unit is known.
 struct RecordColumn {
   std::string name;

@@ -10,7 +10,6 @@ namespace stepwire {
 
 namespace {
 
-constexpr Dimension second{{0.0, 0.0, 1.0}};
 constexpr double most_rows = 1e8;
 
 std::vector<double> straight(const std::vector<double>& time, const std::vector<double>& y,
@@ -49,7 +48,7 @@ std::vector<double> band_limited(const std::vector<double>& time, const std::vec
 }  // namespace
 
 void resample(Record& record, const StepOptions& given) {
-  const double interval = given.positive("resample", second);
+  const double interval = given.positive("resample", time_dimension);
   const bool straight_lines = !given.has("method") || given.word("method", {"linear", "band_limited"}) == 0;
   const double length = record.time.back() - record.time.front();
   const double intervals = std::floor(length / interval * (1.0 + 1e-12) + 1e-9);

@@ -9,8 +9,6 @@ namespace stepwire {
 
 namespace {
 
-constexpr Dimension second{{0.0, 0.0, 1.0}};
-
 /// The record's part of a column of the file, in the file's unit.
 std::vector<double> rows_of(const Record& record, const StepOptions& given) {
   const std::string name = given.text("trim");
@@ -55,7 +53,7 @@ void trim(Record& record, const StepOptions& given) {
   if (!(*high > *low))
     given.refuse("trim", fmt::format("in {} {} does not move: it is {} in all rows", record.file,
                                      given.text("trim"), *low));
-  const double margin = given.has("margin") ? given.number("margin", second) : 0.0;
+  const double margin = given.has("margin") ? given.number("margin", time_dimension) : 0.0;
   const Span moving = movement(y, record.file_times, share * (*high - *low));
   const double slack = 1e-6 * record.interval();  // instants and rows are both rounded
   const auto& t = record.time;

@@ -15,7 +15,6 @@ namespace stepwire {
 
 namespace {
 
-constexpr Dimension time_dimension{{0.0, 0.0, 1.0}};
 constexpr double longest = 1e12,
                  shortest = 1e-12;  // [s]; far beyond, places in the record would not be numbers
 
