@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "blocks/records/steps.hpp"
@@ -60,7 +61,11 @@ void run_step(Record& record, const Value& tree, const StepOptions::Refuse& refu
   for (const auto& [key, value] : *tree.map())
     if (std::find(step->keys.begin(), step->keys.end(), key) == step->keys.end())
       refuse(fmt::format("{} has no '{}'; it is {}", step->keys.front(), key, step->example), value);
-  step->apply(record, StepOptions(tree, step->keys.front(), step->example, refuse));
+  const StepOptions given(tree, step->keys.front(), step->example, refuse);
+  step->apply(record, given);
+  for (const RecordColumn& column : record.columns)
+    if (!std::all_of(column.values.begin(), column.values.end(), [](double y) { return std::isfinite(y); }))
+      given.refuse(fmt::format("{} of {} gets larger than numbers can be", column.name, record.file));
 }
 
 }  // namespace

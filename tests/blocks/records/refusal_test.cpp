@@ -73,3 +73,10 @@ TEST_CASE("a record that trimming leaves nothing of is refused") {
   CHECK_THAT(refused_step(scratch.file("still.csv", "time,y\n0,3\n1,3\n2,3\n"), "{trim: y}"),
              Contains("does not move: it is 3 in all rows"));
 }
+
+TEST_CASE("a step whose result no number can hold is refused") {
+  const Scratch scratch;
+  const std::string file = scratch.file("huge.csv", "time,y\n0,-1e308\n0.1,1e308\n0.2,-1e308\n0.3,1e308\n");
+  CHECK_THAT(refused_step(file, "{differentiate: 1}"),
+             Contains("y of ") && Contains("larger than numbers can be"));
+}
