@@ -49,8 +49,10 @@ std::string Literals::numbers(const double* values, Index size) {
   if (!place.empty()) return fmt::format("parameters + static_cast<Index>({})", place);
   const std::string name = in_name_++ == 0 ? name_ : fmt::format("{}_{}", name_, in_name_);
   tables_ += fmt::format("constexpr double {}[] = {{", name);
-  for (Index i = 0; i < size; ++i)
-    tables_ += fmt::format("{}{}", i == 0 ? "" : i % 8 == 0 ? ",\n    " : ", ", number_text(values[i]));
+  for (Index i = 0; i < size; ++i) {
+    tables_ += i == 0 ? "" : i % 8 == 0 ? ",\n    " : ", ";
+    tables_ += number_text(values[i]);  // records have many numbers: no format where none is needed
+  }
   tables_ += "};\n";
   return "table::" + name;
 }

@@ -40,7 +40,7 @@ Table TableCache::read(const std::string& path) {
   if (find(path, stamp, table)) return table;
   table = read_table(path);
   const bool may_change_unseen =
-      std::filesystem::file_time_type::clock::now() - stamp.changed < coarsest_clock;
+      stamp.changed + coarsest_clock > std::filesystem::file_time_type::clock::now();
   if (!may_change_unseen && stamp_of(path) == stamp) keep({path, stamp, table});
   return table;
 }
