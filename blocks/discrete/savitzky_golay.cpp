@@ -69,7 +69,7 @@ void SavitzkyGolay::declare(Declare<SavitzkyGolay>& is) {
       {.doc = "number of samples N, odd", .at_least = 3.0, .at_most = 10001.0});
   is.parameter<&SavitzkyGolay::order>({.doc = "of the polynomial", .at_least = 0.0, .at_most = 10.0});
   is.parameter<&SavitzkyGolay::derivative>(
-      {.doc = "0: value, 1: first derivative, 2: second", .at_least = 0.0, .at_most = 2.0});
+      {.doc = "0: value, 1: first derivative, per second, 2: second one", .at_least = 0.0, .at_most = 2.0});
   is.input<&SavitzkyGolay::u>({.unit = "'u", .doc = "signal"});
   is.output<&SavitzkyGolay::y>({.unit = "'u 'r", .doc = "smoothed signal or its derivative"});
   is.state<&SavitzkyGolay::samples>(
