@@ -31,8 +31,8 @@ struct FromFile {
   Notice ended{};
   Time t{};
   Samples samples;
-  BandLimited smooth;  ///< of the columns, where band-limited
-  double offset = 0.0;   ///< instant of the record that is time 0 of the run [s]
+  BandLimited smooth;   ///< of the columns, where band-limited
+  double offset = 0.0;  ///< instant of the record that is time 0 of the run [s]
 
   void outputs() {
     if (interpolation == Interpolation::band_limited) {
