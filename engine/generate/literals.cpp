@@ -1,5 +1,6 @@
 #include "engine/generate/literals.hpp"
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <cmath>
@@ -9,7 +10,7 @@ namespace stepwire {
 std::string number_text(double value) {
   if (std::isnan(value)) return "std::numeric_limits<double>::quiet_NaN()";
   if (std::isinf(value)) return value > 0.0 ? "unlimited" : "-unlimited";
-  std::string text = fmt::format("{}", value);
+  std::string text = fmt::format(FMT_COMPILE("{}"), value);
   if (text.find_first_of(".e") == std::string::npos) text += ".0";
   return text;
 }
