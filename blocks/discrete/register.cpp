@@ -5,6 +5,7 @@
 #include "blocks/discrete/discrete_pid.hpp"
 #include "blocks/discrete/discrete_transfer_function.hpp"
 #include "blocks/discrete/moving_average.hpp"
+#include "blocks/discrete/savitzky_golay.hpp"
 #include "blocks/discrete/unit_delay.hpp"
 #include "blocks/discrete/zero_order_hold.hpp"
 
@@ -16,6 +17,7 @@ void register_discrete(Registry& registry) {
   registry.add<DiscretePID>("discrete");
   registry.add<DiscreteTransferFunction>("discrete");
   registry.add<MovingAverage>("discrete");
+  registry.add<SavitzkyGolay>("discrete");
   registry.add<UnitDelay>("discrete");
   registry.add<ZeroOrderHold>("discrete");
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "blocks/records/preparation.hpp"
 #include "blocks/sources/read_samples.hpp"
 #include "engine/block/declare.hpp"
 
@@ -25,16 +26,16 @@ struct Literal<BandLimited> {
 
 namespace {
 
-/// A Fourier transform takes rows for evenly spaced; a thousandth of an interval is the rounding of a logger.
+/// A Fourier transform takes rows for evenly spaced.
 void require_even(const FromFile& block, const Configure& is) {
   const Samples& samples = block.samples;
-  for (Index row = 0; row < samples.rows(); ++row) {
-    const double even = samples.begin() + static_cast<double>(row) * samples.interval;
-    if (std::abs(samples.time[row] - even) > 1e-3 * samples.interval)
-      is.refuse<&FromFile::interpolation>(fmt::format(
-          "band_limited needs evenly spaced rows, but in {} the row at {} s should be at {} s; use linear",
-          block.file.string(), samples.time[row], even));
-  }
+  const auto row = first_uneven({samples.time.begin(), samples.time.end()});
+  if (row)
+    is.refuse<&FromFile::interpolation>(
+        fmt::format("band_limited needs evenly spaced rows, but in {} the row at {} s does not fit the mean "
+                    "interval of {} s; "
+                    "use linear, or prepare: [{{resample: {:.6g} s}}]",
+                    block.file.string(), samples.time[*row], samples.interval, samples.interval));
 }
 
 void require_start(const FromFile& block, const Configure& is) {
@@ -77,7 +78,10 @@ void FromFile::declare(Declare<FromFile>& is) {
       {.doc =
            "Plays back columns of a data file (CSV with a header line, or MAT): y at t is the record at t + "
            "start. "
-           "Numbers become SI by their column's unit. band_limited takes the record for whole periods of a "
+           "Numbers become SI by their column's unit. A column without a unit is in SI; where its name ends "
+           "in "
+           "another one (x_mm), its unit must be said. What `prepare` lists is done first. band_limited "
+           "takes the record for whole periods of a "
            "periodic signal without content above half of the sample rate, and gives that signal between the "
            "rows "
            "to 2e-13 of its amplitude.",
@@ -98,6 +102,10 @@ void FromFile::declare(Declare<FromFile>& is) {
        .at_least = 0.0});
   is.parameter<&FromFile::from>({.unit = "s", .doc = "rows before this time of the record are left out"});
   is.parameter<&FromFile::to>({.unit = "s", .doc = "rows after this time of the record are left out"});
+  is.parameter<&FromFile::prepare_>(
+      {.doc =
+           "steps, done once and in order on all rows in use before the run, so that they may look ahead: " +
+           preparation_help()});
   is.parameter<&FromFile::start_>(
       {.unit = "s", .doc = "time of the record at which the run begins; left out: its first row in use"});
   is.parameter<&FromFile::interpolation>(

@@ -6,14 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "blocks/sources/band_limited.hpp"
+#include "blocks/records/band_limited.hpp"
 #include "blocks/sources/samples.hpp"
 #include "engine/block/block.hpp"
+#include "engine/block/tree.hpp"
 
 namespace stepwire {
 
-/// Columns of a data file, played back: y(t) is the record at t + start, held, straight, or band-limited
-/// between rows.
+/// Columns of a data file, prepared and then played back: y(t) is the record at t + start, held, straight, or
+/// band-limited between rows.
 struct FromFile {
   enum class Interpolation { linear, hold, band_limited };
   enum class AfterEnd { refuse, hold, repeat };
@@ -23,14 +24,15 @@ struct FromFile {
   std::vector<std::string> column{}, unit{};
   Text time = Text::literal<"time">();
   double sample_time = 0.0, from = -open, to = open, start_ = -open;
+  Tree prepare_{};
   Interpolation interpolation = Interpolation::linear;
   AfterEnd after_end = AfterEnd::refuse;
   Output<> y{};
   Notice ended{};
   Time t{};
-  Samples samples{};
-  BandLimited smooth{};  ///< of the columns, where band-limited
-  double offset = 0.0;   ///< instant of the record that is time 0 of the run [s]
+  Samples samples;
+  BandLimited smooth;   ///< of the columns, where band-limited
+  double offset = 0.0;  ///< instant of the record that is time 0 of the run [s]
 
   void outputs() {
     if (interpolation == Interpolation::band_limited) {

@@ -2,15 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "blocks/records/preparation.hpp"
 #include "engine/block/configure.hpp"
 #include "engine/table/file.hpp"
+#include "engine/table/table_cache.hpp"
 #include "engine/unit/unit.hpp"
 
 namespace stepwire {
 
 namespace {
 
-constexpr Dimension time_dimension{{0.0, 0.0, 1.0}};
 constexpr double longest = 1e12,
                  shortest = 1e-12;  // [s]; far beyond, places in the record would not be numbers
 
@@ -21,36 +25,21 @@ Table read_file(const FromFile& asked, const Configure& is) {
   if (!std::filesystem::is_regular_file(asked.file, none))
     is.refuse<&FromFile::file>(fmt::format("{} is no file that holds a table", asked.file.string()));
   try {
-    return read_table(asked.file.string());
+    return TableCache::of_process().read(asked.file.string());
   } catch (const TableError& error) {
     is.refuse<&FromFile::file>(error.what());
   }
-}
-
-/// Where a number stands: "press.csv:17" for the 16th row below the header, "press.mat: element 16 of t".
-std::string place_of(const FromFile& asked, const Column& column, std::size_t row) {
-  if (asked.file.extension() == ".mat")
-    return fmt::format("{}: element {} of {}", asked.file.string(), row + 1, column.name);
-  return fmt::format("{}:{}: {}", asked.file.string(), row + 2, column.name);
-}
-
-std::string names_of(const Table& table) {
-  std::string names;
-  for (const Column& column : table.columns) names += (names.empty() ? "" : ", ") + column.name;
-  return names;
 }
 
 template <auto parameter>
 const Column& find_column(const FromFile& asked, const Configure& is, const Table& table,
                           const std::string& name, const char* cure) {
   const Column* column = table.find(name);
-  if (!column)
-    is.refuse<parameter>(
-        fmt::format("{} has no column '{}'; it has: {}{}", asked.file.string(), name, names_of(table), cure));
+  if (!column) is.refuse<parameter>(no_column(asked.file.string(), table, name) + cure);
   for (std::size_t row = 0; row < column->values.size(); ++row)
     if (!std::isfinite(column->values[row]))
       is.refuse<parameter>(fmt::format("{} is {}; every row must be a finite number",
-                                       place_of(asked, *column, row), column->values[row]));
+                                       place_in_file(asked.file.string(), name, row), column->values[row]));
   return *column;
 }
 
@@ -62,15 +51,31 @@ Unit read_unit(const Configure& is, const std::string& text) {
   return *unit;
 }
 
+/// Names that end in the word of a unit and mean something else: what comes in, the least.
+bool is_other_word(std::string_view ending) {
+  return ending == "in" || ending == "min" || ending.size() < 2;
+}
+
+/// The unit that a name ends in, as `x_mm`, where it is another one than SI; empty where there is none.
+std::string unit_in_name(const std::string& name) {
+  const std::string ending = name.substr(name.rfind('_') + 1);
+  if (ending.size() == name.size() || is_other_word(ending)) return "";
+  const auto unit = parse_unit(ending);
+  return unit && (unit->scale != 1.0L || unit->offset != 0.0L) ? ending : "";
+}
+
 /// Times of all rows [s]. A column without a unit is in seconds.
-Numbers times(const FromFile& asked, const Configure& is, const Table& table, std::size_t rows) {
-  if (asked.sample_time > 0.0) {
-    std::vector<double> even(rows);
-    for (std::size_t row = 0; row < rows; ++row) even[row] = asked.sample_time * static_cast<double>(row);
-    return Numbers(even);
-  }
+std::vector<double> times(const FromFile& asked, const Configure& is, const Table& table, std::size_t rows) {
+  std::vector<double> result(rows);
+  for (std::size_t row = 0; row < rows; ++row) result[row] = asked.sample_time * static_cast<double>(row);
+  if (asked.sample_time > 0.0) return result;
   const Column& column = find_column<&FromFile::time>(asked, is, table, std::string(asked.time),
                                                       "; name the one with the times, or give sample_time");
+  if (const std::string told = unit_in_name(column.name); column.unit.empty() && !told.empty())
+    is.refuse<&FromFile::time>(
+        fmt::format("in {} the header gives no unit of '{}', which would be seconds, but its name says {}; "
+                    "write `{} [{}]` there",
+                    asked.file.string(), column.name, told, column.name, told));
   const Unit unit = read_unit<&FromFile::time>(is, column.unit.empty() ? "s" : column.unit);
   if (unit.dimension != time_dimension)
     is.refuse<&FromFile::time>(
@@ -78,81 +83,100 @@ Numbers times(const FromFile& asked, const Configure& is, const Table& table, st
   for (std::size_t row = 1; row < column.values.size(); ++row)
     if (!(column.values[row] > column.values[row - 1]))
       is.refuse<&FromFile::time>(fmt::format("{} is {}, after {} in the row before; times must increase",
-                                             place_of(asked, column, row), column.values[row],
-                                             column.values[row - 1]));
-  std::vector<double> result;
+                                             place_in_file(asked.file.string(), column.name, row),
+                                             column.values[row], column.values[row - 1]));
+  result.clear();
   for (double value : column.values) result.push_back(unit.to_si(value));
-  return Numbers(result);
+  return result;
 }
 
-/// The unit of a column: as the block says, else as the header says, else SI.
-std::string unit_of(const FromFile& asked, const Column& column, std::size_t index) {
-  if (asked.unit.empty()) return column.unit;
-  return asked.unit.size() == 1 ? asked.unit.front() : asked.unit[index];
+/// The unit of a column: as the block says, else as the header says, else SI. A name that says another one is
+/// not passed over.
+std::string unit_of(const FromFile& asked, const Configure& is, const Column& column, std::size_t index) {
+  if (!asked.unit.empty()) return asked.unit.size() == 1 ? asked.unit.front() : asked.unit[index];
+  if (const std::string told = unit_in_name(column.name); column.unit.empty() && !told.empty())
+    is.refuse<&FromFile::column>(fmt::format(
+        "in {} the header gives no unit of '{}', which would be SI, but its name says {}; say `unit: {}`",
+        asked.file.string(), column.name, told, told));
+  return column.unit;
 }
 
-/// `rows` rows of all columns from `first` on, in SI.
-Matrix values(const FromFile& asked, const Configure& is, const std::vector<const Column*>& columns,
-              Index first, Index rows) {
-  std::vector<Unit> units;
-  for (std::size_t i = 0; i < columns.size(); ++i)
-    units.push_back(read_unit<&FromFile::unit>(is, unit_of(asked, *columns[i], i)));
-  std::vector<double> all;
+/// Rows of a column from `first` on, in SI.
+RecordColumn read_column(const FromFile& asked, const Configure& is, const Column& column, std::size_t index,
+                         Index first, Index rows) {
+  const std::string text = unit_of(asked, is, column, index);
+  const Unit unit = read_unit<&FromFile::unit>(is, text);
+  RecordColumn result{column.name, std::nullopt, {}};
+  if (!text.empty()) result.dimension = unit.dimension;
   for (Index row = first; row < first + rows; ++row)
-    for (std::size_t i = 0; i < columns.size(); ++i)
-      all.push_back(units[i].to_si(columns[i]->values[static_cast<std::size_t>(row)]));
-  return {static_cast<Index>(columns.size()), rows, Numbers(all)};
+    result.values.push_back(unit.to_si(column.values[static_cast<std::size_t>(row)]));
+  return result;
+}
+
+/// Takes the times that the block asks for as the record's rows.
+void cut(const FromFile& asked, const Configure& is, const std::vector<double>& time, Record& record) {
+  const double slack = 1e-6 * (time.back() - time.front()) / static_cast<double>(time.size());
+  const auto below = [&](double limit) { return std::lower_bound(time.begin(), time.end(), limit); };
+  const auto first = below(asked.from - slack), end = below(asked.to + slack);
+  if (end - first < 2)
+    is.refuse<&FromFile::file>(fmt::format("{} has {} rows in use, from {} s to {} s; two or more are needed",
+                                           record.file, std::max<Index>(end - first, 0), time.front(),
+                                           time.back()));
+  record.first = first - time.begin();
+  record.time = record.file_times = std::vector<double>(first, end);
+  if (!(record.interval() >= shortest && *first >= -longest && record.time.back() <= longest))
+    is.refuse<&FromFile::time>(
+        fmt::format("{}: times beyond {} s, or closer than {} s in the mean, are no record", record.file,
+                    longest, shortest));
+}
+
+/// What the file holds, cut to its range.
+Record read_record(const FromFile& asked, const Configure& is, const Table& table) {
+  std::vector<const Column*> columns;
+  for (const std::string& name : asked.column)
+    columns.push_back(&find_column<&FromFile::column>(asked, is, table, name, ""));
+  const std::vector<double> time = times(asked, is, table, columns.front()->values.size());
+  Record record;
+  record.file = asked.file.string();
+  record.time_name = std::string(asked.time);
+  record.table = &table;
+  for (const Column* column : columns)
+    if (column->values.size() != time.size())
+      is.refuse<&FromFile::column>(fmt::format("{}: {} has {} rows, but there are {} times", record.file,
+                                               column->name, column->values.size(), time.size()));
+  cut(asked, is, time, record);
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    record.columns.push_back(read_column(asked, is, *columns[i], i, record.first, record.rows()));
+  return record;
 }
 
 /// The output's unit is that of the columns where they all have one and the same; a vector of several has
 /// none.
-void tell_unit(const FromFile& asked, Configure& is, const std::vector<const Column*>& columns) {
-  const std::string text = unit_of(asked, *columns.front(), 0);
-  if (text.empty()) return;
-  for (std::size_t i = 1; i < columns.size(); ++i)
-    if (parse_unit(unit_of(asked, *columns[i], i))->dimension != parse_unit(text)->dimension) return;
-  is.unit("'u", text);
+void tell_unit(const Record& record, Configure& is) {
+  const auto& dimension = record.columns.front().dimension;
+  for (const RecordColumn& column : record.columns)
+    if (!column.dimension || column.dimension != dimension) return;
+  is.unit("'u", si_name(*dimension));
 }
 
-Samples cut(const FromFile& asked, const Configure& is, const Numbers& time, Index& first) {
-  const double slack = 1e-6 * (time[time.size() - 1] - time[0]) / static_cast<double>(time.size());
-  const auto below = [&](double limit) {
-    return std::count_if(time.begin(), time.end(), [&](double t) { return t < limit; });
-  };
-  first = below(asked.from - slack);
-  const Index count = below(asked.to + slack) - first;
-  if (count < 2)
-    is.refuse<&FromFile::file>(fmt::format("{} has {} rows in use, from {} s to {} s; two or more are needed",
-                                           asked.file.string(), std::max<Index>(count, 0), time[0],
-                                           time[time.size() - 1]));
-  Samples samples;
-  samples.time = Numbers(time.data() + first, count);
-  samples.interval = (samples.end() - samples.begin()) / static_cast<double>(count - 1);
-  if (!(samples.interval >= shortest && samples.begin() >= -longest && samples.end() <= longest))
-    is.refuse<&FromFile::time>(
-        fmt::format("{}: times beyond {} s, or closer than {} s in the mean, are no record",
-                    asked.file.string(), longest, shortest));
-  return samples;
+Samples samples_of(const Record& record) {
+  std::vector<double> all;
+  for (std::size_t row = 0; row < record.time.size(); ++row)
+    for (const RecordColumn& column : record.columns) all.push_back(column.values[row]);
+  return {Numbers(record.time),
+          Matrix(static_cast<Index>(record.columns.size()), record.rows(), Numbers(all)), record.interval()};
 }
 
 }  // namespace
 
 Samples read_samples(const FromFile& asked, Configure& is) {
   const Table table = read_file(asked, is);
-  std::vector<const Column*> columns;
-  for (const std::string& name : asked.column)
-    columns.push_back(&find_column<&FromFile::column>(asked, is, table, name, ""));
-  const Numbers time = times(asked, is, table, columns.front()->values.size());
-  for (const Column* column : columns)
-    if (static_cast<Index>(column->values.size()) != time.size())
-      is.refuse<&FromFile::column>(fmt::format("{}: {} has {} rows, but there are {} times",
-                                               asked.file.string(), column->name, column->values.size(),
-                                               time.size()));
-  Index first = 0;
-  Samples samples = cut(asked, is, time, first);
-  samples.value = values(asked, is, columns, first, samples.rows());
-  tell_unit(asked, is, columns);
-  return samples;
+  Record record = read_record(asked, is, table);
+  prepare_record(record, asked.prepare_.value(), [&](const std::string& message, const Value& where) {
+    is.refuse<&FromFile::prepare_>(message, where);
+  });
+  tell_unit(record, is);
+  return samples_of(record);
 }
 
 }  // namespace stepwire

@@ -8,8 +8,8 @@ namespace stepwire {
 
 /// Rows of numbers over time, and what they are between the rows.
 struct Samples {
-  Numbers time{};         ///< of each row [s], increasing
-  Matrix value{};         ///< a column for each row, so that a row lies in one piece
+  Numbers time;           ///< of each row [s], increasing
+  Matrix value;           ///< a column for each row, so that a row lies in one piece
   double interval = 0.0;  ///< mean time between rows [s]
 
   Index rows() const { return time.size(); }

@@ -1,5 +1,6 @@
 #include "engine/generate/literals.hpp"
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <cmath>
@@ -9,7 +10,7 @@ namespace stepwire {
 std::string number_text(double value) {
   if (std::isnan(value)) return "std::numeric_limits<double>::quiet_NaN()";
   if (std::isinf(value)) return value > 0.0 ? "unlimited" : "-unlimited";
-  std::string text = fmt::format("{}", value);
+  std::string text = fmt::format(FMT_COMPILE("{}"), value);
   if (text.find_first_of(".e") == std::string::npos) text += ".0";
   return text;
 }
@@ -51,8 +52,10 @@ std::string Literals::numbers(const double* values, Index size) {
   if (!place.empty()) return fmt::format("parameters + static_cast<Index>({})", place);
   const std::string name = in_name_++ == 0 ? name_ : fmt::format("{}_{}", name_, in_name_);
   tables_ += fmt::format("constexpr double {}[] = {{", name);
-  for (Index i = 0; i < size; ++i)
-    tables_ += fmt::format("{}{}", i == 0 ? "" : i % 8 == 0 ? ",\n    " : ", ", number_text(values[i]));
+  for (Index i = 0; i < size; ++i) {
+    tables_ += i == 0 ? "" : i % 8 == 0 ? ",\n    " : ", ";
+    tables_ += number_text(values[i]);  // records have many numbers: no format where none is needed
+  }
   tables_ += "};\n";
   return "table::" + name;
 }

@@ -26,6 +26,7 @@ const std::map<std::string, std::string> contract_values{
     {"DrivenLinkage.housing_inertia", "0.2"},
     {"FromFile.column", "x"},
     {"FromFile.file", "contract_record.csv"},
+    {"FromFile.prepare", "[{low_pass: 100 Hz, order: 2}, {differentiate: 1}]"},
     {"Hysteresis.lower", "0.6"},
     {"Linkage.anchors", "[[2, 0, 0], [0, 2, 0], [0, 0, 2]]"},
     {"Linkage.pin_mass", "1"},

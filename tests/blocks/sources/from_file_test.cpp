@@ -123,6 +123,48 @@ TEST_CASE("what is wrong in a record is told with the file and the row") {
   REQUIRE_THAT(refused(uneven, "column: x, interpolation: band_limited"), Catch::Contains("evenly spaced"));
 }
 
+TEST_CASE("a column is suggested for one that is not there") {
+  const Folder folder;
+  const std::string file = folder.file("press.csv", record);
+  REQUIRE_THAT(refused(file, "column: F_n"), Catch::Contains("did you mean 'F_N'? It has: time, x, F_N"));
+  REQUIRE_THAT(refused(file, "column: x, time: tim"), Catch::Contains("did you mean 'time'?"));
+}
+
+TEST_CASE("a column whose name says a unit that nothing else says is not taken for SI") {
+  const Folder folder;
+  const std::string file = folder.file("named.csv", "time,x_mm,F_N,u_in\n0,1,2,3\n0.4,5,6,7\n");
+  REQUIRE_THAT(refused(file, "column: x_mm"),
+               Catch::Contains("named.csv") && Catch::Contains("say `unit: mm`"));
+  REQUIRE(refused(file, "column: x_mm, unit: mm").empty());
+  REQUIRE(refused(file, "column: F_N").empty());
+  REQUIRE(refused(file, "column: u_in").empty());
+  const std::string fast = folder.file("fast.csv", "t_ms,x\n0,1\n400,5\n");
+  REQUIRE_THAT(refused(fast, "column: x, time: t_ms"), Catch::Contains("t_ms [ms]"));
+}
+
+TEST_CASE("rows that are no numbers, no rows, and times that stand still are told with their place") {
+  const Folder folder;
+  const auto message = [&](const std::string& rows) {
+    return refused(folder.file("bad.csv", rows), "column: x");
+  };
+  REQUIRE_THAT(message("time,x\n0,1\n0.1,\n0.2,3\n"), Catch::Contains("bad.csv:3: '' is no number"));
+  REQUIRE_THAT(message("time,x\n0,1\n0.1,off\n0.2,3\n"), Catch::Contains("bad.csv:3: 'off' is no number"));
+  REQUIRE_THAT(message("time,x\n0,1\n0.1\n0.2,3\n"), Catch::Contains("bad.csv:3: 1 value where"));
+  REQUIRE_THAT(message("time,x\n0,1\n0.1,2\n0.1,3\n"),
+               Catch::Contains("bad.csv:4: time is 0.1, after 0.1 in the row before"));
+  REQUIRE_THAT(message("time,x\nnan,1\n0.1,2\n"), Catch::Contains("bad.csv:2: time is nan"));
+  REQUIRE_THAT(message("time,x\n0,1\n"), Catch::Contains("1 rows in use"));
+  REQUIRE_THAT(message("time,x\n"), Catch::Contains("no rows below the header"));
+  REQUIRE_THAT(message(""), Catch::Contains("the file is empty"));
+}
+
+TEST_CASE("columns of a MAT file that differ in length are refused") {
+  const Folder folder;
+  write_mat((folder.path / "odd.mat").string(), Table{{{"time", "", {0, 0.1, 0.2}}, {"x", "", {1, 2}}}});
+  REQUIRE_THAT(refused((folder.path / "odd.mat").string(), "column: x"),
+               Catch::Contains("x has 2 rows, but there are 3 times"));
+}
+
 TEST_CASE("a run that is longer than its record ends after its last row and says so") {
   const Folder folder;
   REQUIRE_THAT(refused(folder.file("short.csv", "time,x\n0,1\n0.1,2\n"), "column: x"),

@@ -1,8 +1,8 @@
-#include "blocks/sources/band_limited.hpp"
+#include "blocks/records/band_limited.hpp"
 
 #include <numbers>
 
-#include "blocks/sources/fourier.hpp"
+#include "blocks/records/fourier.hpp"
 
 namespace stepwire {
 

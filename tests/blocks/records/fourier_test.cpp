@@ -1,4 +1,4 @@
-#include "blocks/sources/fourier.hpp"
+#include "blocks/records/fourier.hpp"
 
 #include <catch2/catch.hpp>
 

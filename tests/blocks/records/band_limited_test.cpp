@@ -1,4 +1,4 @@
-#include "blocks/sources/band_limited.hpp"
+#include "blocks/records/band_limited.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+
+#include "engine/block/block.hpp"
+#include "engine/signal/numbers.hpp"
+
+namespace stepwire {
+
+/// Value or derivative of the polynomial that fits the samples of a window best, at the window's middle.
+struct SavitzkyGolay {
+  std::int64_t window = 5, order = 2, derivative = 0;
+  Input<> u{};
+  Output<> y{};
+  DiscreteState<>
+      samples{};  // rows of one sample each, written in a circle: all of the window but this tick's
+  DiscreteState<1> oldest{};  // row of the first sample of the window
+  DiscreteState<1> begun{};   // 0 at the first tick, then 1
+
+  Numbers coefficients;  // of the samples of the window, the oldest first
+
+  void outputs() {
+    const Index before = coefficients.size() - 1;
+    for (Index i = 0; i < y.size(); ++i) y[i] = coefficients[before] * u[i];
+    Index row = static_cast<Index>(oldest);
+    for (Index k = 0; k < before; ++k) {
+      const double* const sample = begun > 0.0 ? samples.data() + row * y.size() : u.data();
+      for (Index i = 0; i < y.size(); ++i) y[i] += coefficients[k] * sample[i];
+      row = row + 1 < before ? row + 1 : 0;
+    }
+  }
+
+  void update() {
+    const Index before = coefficients.size() - 1, row = static_cast<Index>(oldest);
+    const Index first = begun > 0.0 ? row : 0, end = begun > 0.0 ? row + 1 : before;
+    for (Index k = first; k < end; ++k)
+      for (Index i = 0; i < u.size(); ++i) samples[k * u.size() + i] = u[i];
+    oldest = row + 1 < before ? static_cast<double>(row + 1) : 0.0;
+    begun = 1.0;
+  }
+
+  void configure(Configure& is);
+  static void declare(Declare<SavitzkyGolay>& is);
+};
+
+}  // namespace stepwire

@@ -1,0 +1,32 @@
+#include "blocks/records/record.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "engine/document/error.hpp"
+
+namespace stepwire {
+
+std::optional<Index> first_uneven(std::span<const double> time) {
+  const double interval = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+  for (std::size_t row = 0; row < time.size(); ++row)
+    if (std::abs(time[row] - (time.front() + static_cast<double>(row) * interval)) > 1e-3 * interval)
+      return static_cast<Index>(row);
+  return std::nullopt;
+}
+
+std::string place_in_file(const std::string& file, const std::string& column, std::size_t row) {
+  const bool has_lines = !file.ends_with(".mat") && !file.ends_with(".MAT");
+  return has_lines ? fmt::format("{}:{}: {}", file, row + 2, column)
+                   : fmt::format("{}: element {} of {}", file, row + 1, column);
+}
+
+std::string no_column(const std::string& file, const Table& table, const std::string& name) {
+  std::vector<std::string> names;
+  for (const Column& column : table.columns) names.push_back(column.name);
+  return fmt::format("{} has no column '{}'{}", file, name,
+                     did_you_mean(name, names, fmt::format("It has: {}", fmt::join(names, ", "))));
+}
+
+}  // namespace stepwire
