@@ -78,12 +78,20 @@ class Watch : public ceres::IterationCallback {
   const LeastSquaresOptions& options_;
 };
 
+/// What a step may still gain, in parts of the cost: so little that no unknown moves by more than some
+/// hundredth of its standard error. (The cost of `freedom` rows is half of freedom s^2, and one standard
+/// error costs s^2 / 2.)
+double smallest_gain(const Residuals& residuals, Eigen::Index unknowns) {
+  constexpr double part = 1e-4;
+  const double freedom = static_cast<double>(residuals.count() - unknowns);
+  return std::clamp(part / std::max(1.0, freedom), 1e-10, 1e-8);
+}
+
 ceres::Solver::Options solver_options(const LeastSquaresOptions& options, Watch& watch) {
   ceres::Solver::Options result;
   result.linear_solver_type = ceres::DENSE_QR;
   result.max_num_iterations = static_cast<int>(options.iterations);
   result.max_num_consecutive_invalid_steps = 20;  // a step may lead where the model blows up
-  result.function_tolerance = 1e-10;
   result.parameter_tolerance = 1e-10;
   result.gradient_tolerance = 1e-14;
   result.logging_type = ceres::SILENT;
@@ -115,7 +123,9 @@ Minimum minimise(const Residuals& residuals, const FitRequest& request, const Ei
   }
   Watch watch(options);
   ceres::Solver::Summary summary;
-  ceres::Solve(solver_options(options, watch), &problem, &summary);
+  ceres::Solver::Options how = solver_options(options, watch);
+  how.function_tolerance = smallest_gain(residuals, start.size());
+  ceres::Solve(how, &problem, &summary);
   Minimum found = cost.best();
   found.iterations = summary.iterations.size();
   if (!std::isfinite(found.cost)) {  // not even the start could be evaluated
