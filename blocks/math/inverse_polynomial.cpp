@@ -38,7 +38,7 @@ void InversePolynomial::declare(Declare<InversePolynomial>& is) {
            {.doc = "The argument at which a polynomial has a given value, e.g. the current that makes a "
                    "damper's force. The polynomial must rise over the range; a value below what it has "
                    "there gives the lower end, one above the upper end.",
-            .symbol = {.text = "P^{-1}(u)"}});
+            .symbol = {.text = "P⁻¹(u)"}});
   is.parameter<&InversePolynomial::coefficients>({.unit = "*",
                                                   .doc = "highest power first, as those of a Polynomial: "
                                                          "[a, b, c] is a y^2 + b y + c"});
