@@ -21,8 +21,7 @@ void Directionality::declare(Declare<Directionality>& is) {
               "there is no direction in which to resist. The hand's force is partly made by the resistance "
               "itself, so that under a push at given speed its direction drifts; with `direction: motion` "
               "the displacement over the last `travel` stands in its place, 0 before the first motion.",
-       .source = "thesis 3.4.2, eq. 11-16; direction: motion and the cases of 0 are assumptions",
-       .symbol = {.text = "{law}"}});
+       .source = "thesis 3.4.2, eq. 11-16; direction: motion and the cases of 0 are assumptions"});
   is.parameter<&Directionality::law>({.doc = "which of the two laws", .words = {"D1", "D2"}});
   is.parameter<&Directionality::direction>(
       {.doc = "what tells where the hand wants to go", .words = {"force", "motion"}});

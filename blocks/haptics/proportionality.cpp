@@ -37,8 +37,7 @@ void Proportionality::declare(Declare<Proportionality>& is) {
               "= 0, "
               "which it keeps outside. piecewise is any other law: straight lines through `values` at "
               "`points`, the end values beyond them, and a jump where two points are the same.",
-       .source = "thesis 3.4.1, figure 31",
-       .symbol = {.text = "{law}"}});
+       .source = "thesis 3.4.1, figure 31"});
   is.parameter<&Proportionality::law>({.doc = "which law", .words = {"P1", "P2", "piecewise"}});
   is.parameter<&Proportionality::offset>(
       {.unit = "N", .doc = "P1: magnitude felt on entering, at Er = 0", .at_least = 0.0});
