@@ -20,6 +20,9 @@ void LayerActivator::configure(Configure& is) {
   const LayerSwitches read = reader.read(switches.value());
   ways = Numbers(read.ways);
   events = Numbers(read.events);
+  is.feedthrough<&LayerActivator::u, &LayerActivator::weights>(false);
+  is.feedthrough<&LayerActivator::u, &LayerActivator::layer>(false);
+  is.feedthrough<&LayerActivator::u, &LayerActivator::switched>(false);
   is.size("k", layers);
   is.size("r", std::max<Index>(1, is.count<&LayerActivator::regions>()));
   is.size("s", ways.size() / way_size);
