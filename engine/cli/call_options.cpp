@@ -49,6 +49,8 @@ void add_loop_options(CLI::App& verb, LoopCommand& command) {
 }
 
 void add_fit_options(CLI::App& verb, FitWords& words) {
+  verb.add_option("--follow", words.follow, "how many of the searches go on, in place of the file's")
+      ->check(CLI::Range(1, 10'000));
   verb.add_option("--starts", words.starts, "how many searches, in place of the file's")
       ->check(CLI::Range(1, 10'000));
   verb.add_option("--seed", words.seed, "of random starts, in place of the file's");

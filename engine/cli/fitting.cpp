@@ -25,6 +25,7 @@ FitResult fit_quietly(const Registry& registry, const Work& work, const WorkOpti
                       const std::function<void(double, const std::string&)>& progress) {
   FitRequest request = *work.fit;
   if (words.starts) request.starts = *words.starts;
+  if (words.follow) request.follow = words.follow;
   if (words.seed) request.seed = *words.seed;
   Loader loader(registry, options.limits);
   ModelSource source{loader, work.file, options.settings, code, &interrupted()};

@@ -12,7 +12,7 @@ namespace stepwire {
 
 /// What a call asks of a fit in place of the file's words.
 struct FitWords {
-  std::optional<std::size_t> starts;
+  std::optional<std::size_t> starts, follow;
   std::optional<std::uint64_t> seed;
   unsigned threads = 0;  ///< 0: all cores
 };
