@@ -161,6 +161,7 @@ Json fit_json(const Work& work, const FitResult& result) {
       .set("limited", result.limited)
       .set("interrupted", result.interrupted)
       .set("compiled", result.compiled)
+      .set("in_part", result.in_part)
       .set("duration", result.seconds);
 }
 

@@ -31,6 +31,7 @@ class Fit {
     search();
     describe_records();
     result_.compiled = runs_.compiled();
+    result_.in_part = runs_.in_part();
     result_.interrupted = interrupted();
     describe_numbers();
     set_parameters();

@@ -62,6 +62,7 @@ struct FitResult {
   bool converged = false, interrupted = false;
   bool limited = false;   ///< the diagram refuses what the records want
   bool compiled = false;  ///< one compilation served all runs
+  bool in_part = false;   ///< only what the parameters move was run, the rest played back
   bool refused = false;   ///< the diagram does not take what was found
   double seconds = 0.0;
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include "engine/diagram/load.hpp"
 #include "engine/identify/fit_request.hpp"
+#include "engine/identify/moved_part.hpp"
 #include "engine/identify/shared_code.hpp"
 #include "engine/run/run.hpp"
 
@@ -24,7 +26,8 @@ struct ModelSource {
 
 /// The runs of a file's records with any values of the fitted parameters. One compilation serves all of them
 /// where the numbers of the plan are affine functions of the values; elsewhere each run is planned anew,
-/// which is slower and gives the same.
+/// which is slower and gives the same. Where it can be told apart, only the part of the diagram that the
+/// parameters move is run, and what it reads of the rest is played back.
 class ModelRuns {
  public:
   /// Throws Error where the diagram refuses the start values.
@@ -37,6 +40,8 @@ class ModelRuns {
   const std::vector<Column>& swept(std::size_t record) const { return swept_[record]; }
   /// Does one compilation serve all runs?
   bool compiled() const { return !codes_.empty(); }
+  /// Is only a part of the diagram run, and the rest played back?
+  bool in_part() const { return part_.has_value(); }
   /// From now on plans each run anew.
   void plan_anew() { codes_.clear(); }
 
@@ -49,16 +54,28 @@ class ModelRuns {
   std::string refusal(std::size_t record, const Values& values) const;
 
  private:
-  Plan plan(std::size_t record, const Values& values) const;
-  std::vector<Recording> record(std::size_t record, Simulation& simulation, std::string* fault) const;
+  Diagram load(std::size_t record, const Values& values) const;
+  Plan plan(std::size_t record, const Values& values) const { return make_plan(load(record, values)); }
+  /// Of what is run for each value: the part, or all of it.
+  Plan plan_run(std::size_t record, const Values& values) const;
+  void find_part();
+  bool play_in(std::size_t record);
+  /// Runs to the end and takes all that is recorded; nothing after a fault.
+  std::vector<Recording> take(std::size_t record, Simulation& simulation, std::string* fault,
+                              const std::function<void()>& before_tick = {},
+                              const std::function<void()>& after_tick = {}) const;
+  std::vector<Recording> complete(std::size_t record, std::vector<Recording> moved) const;
 
   ModelSource source_;
   const Job& job_;
   const FitRequest& request_;
   std::vector<std::string> labels_;
   std::vector<std::vector<Column>> swept_;
-  std::vector<Plan> at_start_;
-  std::vector<RecordCode> codes_;  ///< for each record; empty: planned anew
+  std::vector<Plan> at_start_;  ///< of what is run
+  std::optional<MovedPart> part_;
+  std::vector<std::vector<double>> tapes_;     ///< [record]: what the part reads, tick by tick
+  std::vector<std::vector<Recording>> still_;  ///< [record]: what is compared and does not move
+  std::vector<RecordCode> codes_;              ///< for each record; empty: planned anew
   mutable std::mutex loading_;
 };
 

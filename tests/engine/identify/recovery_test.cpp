@@ -40,6 +40,23 @@ TEST_CASE("without noise the truth is found again") {
   CHECK(result.records.at(0).comparisons.at(0).agreement > 99.999);
 }
 
+TEST_CASE(
+    "what no parameter moves is run once and played back where it changes at ticks alone, to the same "
+    "result") {
+  GeneratedCode code;
+  std::string sampled = lag(both);
+  sampled.replace(sampled.find("frequency: 1 Hz}"), 16, "frequency: 1 Hz, every: 20 ms}");
+  for (CodeSource* source : {static_cast<CodeSource*>(nullptr), static_cast<CodeSource*>(&code)}) {
+    const FitResult whole = fit_text(lag(both), source), part = fit_text(sampled, source);
+    CHECK_FALSE(whole.in_part);  // the sine is read between ticks
+    CHECK(part.in_part);
+    for (const FitResult* result : {&whole, &part}) {
+      CHECK(found(*result, "tau").value == Approx(0.2).epsilon(1e-7));
+      CHECK(found(*result, "gain").value == Approx(3.0).epsilon(1e-7));
+    }
+  }
+}
+
 TEST_CASE("several starts find the truth, and the same seed goes the same way") {
   const FitResult once = fit_text(lag(both + "  starts: 5\n  seed: 7\n"));
   const FitResult again = fit_text(lag(both + "  starts: 5\n  seed: 7\n"));
