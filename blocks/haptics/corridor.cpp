@@ -77,7 +77,8 @@ void refuse_contact(const PlaneChain& chain, double half_width) {
       if (apart > 2.0 * half_width || is_one_bend(chain, a, b, half_width)) continue;
       throw ShapeError(fmt::format(
           "it touches itself: near {} it is {} from another part of its middle line; that must be more than "
-          "its width of {}",
+          "its width of {} (a way that crosses itself is a union of corridors that do not, or layers of "
+          "them)",
           shown(a.line.start), shown(apart), shown(2.0 * half_width)));
     }
 }

@@ -7,6 +7,7 @@
 #include "blocks/math/dot.hpp"
 #include "blocks/math/expression.hpp"
 #include "blocks/math/gain.hpp"
+#include "blocks/math/inverse_polynomial.hpp"
 #include "blocks/math/lookup_table.hpp"
 #include "blocks/math/lookup_table_2d.hpp"
 #include "blocks/math/matrix_gain.hpp"
@@ -14,6 +15,7 @@
 #include "blocks/math/norm.hpp"
 #include "blocks/math/polynomial.hpp"
 #include "blocks/math/product.hpp"
+#include "blocks/math/rotate.hpp"
 #include "blocks/math/sign.hpp"
 #include "blocks/math/sqrt.hpp"
 #include "blocks/math/sum.hpp"
@@ -34,10 +36,12 @@ void register_math(Registry& registry) {
   registry.add<Atan2>("math");
   registry.add<MinMax>("math");
   registry.add<Polynomial>("math");
+  registry.add<InversePolynomial>("math");
   registry.add<ExpressionBlock>("math");
   registry.add<Norm>("math");
   registry.add<Dot>("math");
   registry.add<Cross>("math");
+  registry.add<Rotate>("math");
   registry.add<LookupTable>("math");
   registry.add<LookupTable2D>("math");
 }

@@ -12,10 +12,16 @@ void DrivenLinkage::configure(Configure& is) {
   is.feedthrough<&DrivenLinkage::velocity, &DrivenLinkage::length>(false);
   is.feedthrough<&DrivenLinkage::acceleration, &DrivenLinkage::length>(false);
   is.feedthrough<&DrivenLinkage::acceleration, &DrivenLinkage::rate>(false);
+  is.feedthrough<&DrivenLinkage::acceleration, &DrivenLinkage::angular_rate>(false);
   is.feedthrough<&DrivenLinkage::acceleration, &DrivenLinkage::kinetic_energy>(false);
   is.feedthrough<&DrivenLinkage::force, &DrivenLinkage::length>(false);
   is.feedthrough<&DrivenLinkage::force, &DrivenLinkage::rate>(false);
+  is.feedthrough<&DrivenLinkage::force, &DrivenLinkage::angular_rate>(false);
   is.feedthrough<&DrivenLinkage::force, &DrivenLinkage::kinetic_energy>(false);
+  is.feedthrough<&DrivenLinkage::torque, &DrivenLinkage::length>(false);
+  is.feedthrough<&DrivenLinkage::torque, &DrivenLinkage::rate>(false);
+  is.feedthrough<&DrivenLinkage::torque, &DrivenLinkage::angular_rate>(false);
+  is.feedthrough<&DrivenLinkage::torque, &DrivenLinkage::kinetic_energy>(false);
 }
 
 void DrivenLinkage::declare(Declare<DrivenLinkage>& is) {

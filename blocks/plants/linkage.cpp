@@ -41,7 +41,9 @@ void Linkage::declare(Declare<Linkage>& is) {
               "in the plane or in space, with the masses and inertias of housings and rods. A link is a "
               "housing that turns about its anchor and a rod that slides in it and ends at the pin, both "
               "thin and straight. Joints are revolute in the plane and universal in space, without "
-              "friction; no gravity. Forces along the links and on the pin move it. DrivenLinkage is the "
+              "friction; no gravity. Forces along the links and on the pin move it, in the plane also "
+              "torques about the "
+              "anchors. DrivenLinkage is the "
               "same mechanism along a given motion.",
        .source = "Lagrange's equations of the kinetic energy; thesis 2.4, 2.5"});
   declare_linkage(is, true);

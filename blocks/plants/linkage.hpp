@@ -4,7 +4,8 @@
 
 namespace stepwire {
 
-/// Links from the ground to one pin, moved by forces: M(p) a + h(p, v) = external + sum of force e.
+/// Links from the ground to one pin, moved by forces: M(p) a + h(p, v) = external + sum of force e + torque/l
+/// n.
 struct Linkage : LinkageCore {
   Input<> external{};
   Output<> position{}, velocity{};

@@ -13,6 +13,11 @@ void LinkageCore::configure(Configure& is) {
   if (size < 1 || size > 3)
     is.refuse<&LinkageCore::anchors>(
         fmt::format("has {} columns; it takes 1 (on a line), 2 (in the plane) or 3 (in space)", size));
+  if (size != 2 && is.connected<&LinkageCore::torque>())
+    is.refuse<&LinkageCore::anchors>(
+        fmt::format("has {} columns, and a torque turns links in the plane only: leave 'torque' out, or give "
+                    "each anchor 2 coordinates",
+                    size));
   require_order<&LinkageCore::shortest, &LinkageCore::longest>(*this, is);
 }
 

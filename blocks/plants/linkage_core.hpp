@@ -16,9 +16,11 @@ namespace stepwire {
 /// anchor:
 ///
 ///     T = 1/2 pin_mass v^2 + sum over links of 1/2 rod_mass (e.v)^2 + 1/2 J(l)/l^2 w^2
-///     M(p) a + h(p, v) = external + sum of force e                         (Lagrange's equations of T)
+///     M(p) a + h(p, v) = external + sum of force e + torque/l n            (Lagrange's equations of T)
 ///     M = pin_mass 1 + sum of rod_mass e e^T + mu (1 - e e^T),  mu(l) = J/l^2
 ///     h = sum of rod_mass rod_centre w^2/l^2 e + mu' (e.v) w
+///
+/// A torque about an anchor, in the plane, acts at the pin along n, which is e turned left by a right angle.
 struct LinkageCore {
   using Vector = std::array<double, 3>;  ///< on a line and in the plane the further elements are 0
 
@@ -26,8 +28,8 @@ struct LinkageCore {
   PerElement rod_mass = 0.0, rod_inertia = 0.0, rod_centre = 0.0, housing_inertia = 0.0;
   double pin_mass = 0.0;
   PerElement shortest = 0.0, longest = unlimited;
-  Input<> force{};
-  Output<> length{}, rate{};
+  Input<> force{}, torque{};
+  Output<> length{}, rate{}, angular_rate{};
   Output<1> kinetic_energy{};
   DiscreteState<1> strayed{}, strayed_length{};
   Notice out_of_stroke{};
@@ -88,7 +90,10 @@ struct LinkageCore {
   void write_link(Index k, const Link& now) {
     length[k] = now.length;
     rate[k] = now.rate;
+    angular_rate[k] = 0.0;
     if (now.length == 0.0) return;
+    if (dimensions() == 2)
+      angular_rate[k] = (now.along[0] * now.across[1] - now.along[1] * now.across[0]) / now.length;
     kinetic_energy =
         kinetic_energy + 0.5 * (rod_mass[k] * now.rate * now.rate + mass_across(k, now.length) * now.turning);
   }
@@ -112,6 +117,9 @@ struct LinkageCore {
         at(row(sum, i), j) += along * at(now.along, i) * at(now.along, j);
       at(sum.load, i) += pull * at(now.along, i) - drag * at(now.across, i);
     }
+    if (!torque.connected()) return;
+    sum.load[0] -= torque[k] / l * now.along[1];
+    sum.load[1] += torque[k] / l * now.along[0];
   }
 
   void watch_stroke() {

@@ -9,7 +9,8 @@ namespace stepwire {
 /// Which link left its stroke, with its length and limit.
 std::string strayed_link(const LinkageCore& linkage);
 
-/// Declares the parameters and ports that both linkages have. Only a free pin needs a mass.
+/// Declares the parameters and ports that both linkages have. Only a free pin needs a mass, and its motion
+/// follows on the torques: then no output shows them at the same instant.
 template <class Block>
 void declare_linkage(Declare<Block>& is, bool free_pin) {
   is.template parameter<&Block::anchors>(
@@ -33,8 +34,16 @@ void declare_linkage(Declare<Block>& is, bool free_pin) {
       {.unit = "m", .doc = "length of a link below which the run ends", .at_least = 0.0});
   is.template parameter<&Block::longest>(
       {.unit = "m", .doc = "length of a link above which the run ends", .above = 0.0});
+  is.template input<&Block::torque>(
+      {.unit = "N m",
+       .doc = "torque on each link about its anchor, in the plane; positive turns it left (a rotary damper "
+              "gives minus its resistance)",
+       .feedthrough = !free_pin,
+       .optional = true});
   is.template output<&Block::length>({.unit = "m", .doc = "length of each link, anchor to pin"});
   is.template output<&Block::rate>({.unit = "m/s", .doc = "rate of change of each length"});
+  is.template output<&Block::angular_rate>(
+      {.unit = "rad/s", .doc = "how fast each link turns left about its anchor, in the plane; else 0"});
   is.template output<&Block::kinetic_energy>({.unit = "J", .doc = "of the pin and all links"});
   is.template state<&Block::strayed>(
       {.doc = "number of the link that first left its stroke, 0: none", .settable = false});

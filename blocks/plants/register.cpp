@@ -5,6 +5,7 @@
 #include "blocks/plants/linkage.hpp"
 #include "blocks/plants/mass.hpp"
 #include "blocks/plants/mr_damper.hpp"
+#include "blocks/plants/pusher.hpp"
 #include "blocks/plants/rotary_mr_damper.hpp"
 
 namespace stepwire {
@@ -15,6 +16,7 @@ void register_plants(Registry& registry) {
   registry.add<Linkage>("plants");
   registry.add<MRDamper>("plants");
   registry.add<Mass>("plants");
+  registry.add<Pusher>("plants");
   registry.add<RotaryMRDamper>("plants");
 }
 

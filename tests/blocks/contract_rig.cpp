@@ -19,7 +19,7 @@ namespace {
 const std::map<std::string, std::string> contract_values{
     {"Delay.delay", "5 ms"},
     {"Demux.sizes", "[1, 2]"},
-    {"DrivenLinkage.anchors", "[[2, 0, 0], [0, 2, 0], [0, 0, 2]]"},
+    {"DrivenLinkage.anchors", "[[2, 0], [0, 2], [-1, -1]]"},
     {"DrivenLinkage.pin_mass", "1"},
     {"DrivenLinkage.rod_mass", "0.5"},
     {"DrivenLinkage.rod_centre", "0.1"},
@@ -28,11 +28,16 @@ const std::map<std::string, std::string> contract_values{
     {"FromFile.file", "contract_record.csv"},
     {"FromFile.prepare", "[{low_pass: 100 Hz, order: 2}, {differentiate: 1}]"},
     {"Hysteresis.lower", "0.6"},
-    {"Linkage.anchors", "[[2, 0, 0], [0, 2, 0], [0, 0, 2]]"},
+    {"Linkage.anchors", "[[2, 0], [0, 2], [-1, -1]]"},
     {"Linkage.pin_mass", "1"},
     {"Linkage.rod_mass", "0.5"},
     {"Linkage.rod_centre", "0.1"},
     {"Linkage.housing_inertia", "0.2"},
+    {"InversePolynomial.range", "[0.4, 3]"},
+    {"LayerActivator.switches",
+     "[{from: 1, to: 2, when: [{enter: 1}, {after: 4 ms}]}, {from: 2, to: 1, when: {leave: 2}}, "
+     "{from: 1, to: 2, when: {pass: [0.9, 0.9], within: 0.1}}]"},
+    {"LayerActivator.blend", "5 ms"},
     {"MatrixGain.gain", "[[1, 2], [3, 4]]"},
     {"MovingAverage.window", "5 ms"},
     {"GuidePath.trail", "2 mm"},
@@ -41,6 +46,9 @@ const std::map<std::string, std::string> contract_values{
     {"Interval.lower", "-1"},
     {"Interval.upper", "0.5"},
     {"Proportionality.maximum", "5"},
+    {"Proportionality.points", "[0, 1]"},
+    {"Proportionality.values", "[0, 4]"},
+    {"Pusher.points", "[[0, 0], [3 mm, 1 mm], [0, 2 mm]]"},
     {"Proportionality.offset", "1"},
     {"Proportionality.slope", "2"},
     {"Region.shape", "{union: [{center: [0.5, 0.7], radius: 0.1}, {polygon: [[2, 0], [4, 0], [4, 1]]}]}"},
@@ -55,16 +63,21 @@ const std::map<std::string, std::string> contract_values{
 /// Sizes that an input needs where nothing else fixes them.
 const std::map<std::string, int> contract_sizes{{"Cross.u", 3},
                                                 {"Demux.u", 3},
-                                                {"DrivenLinkage.acceleration", 3},
+                                                {"DrivenLinkage.acceleration", 2},
                                                 {"DrivenLinkage.force", 3},
-                                                {"DrivenLinkage.position", 3},
-                                                {"DrivenLinkage.velocity", 3},
-                                                {"Linkage.external", 3},
+                                                {"DrivenLinkage.position", 2},
+                                                {"DrivenLinkage.torque", 3},
+                                                {"DrivenLinkage.velocity", 2},
+                                                {"LayerActivator.position", 2},
+                                                {"Linkage.external", 2},
                                                 {"Linkage.force", 3},
+                                                {"Linkage.torque", 3},
+                                                {"Rotate.u", 2},
                                                 {"Select.u", 3}};
 
 /// Optional inputs that the values above need.
-const std::set<std::string> contract_inputs{"StateMachine.u"};
+const std::set<std::string> contract_inputs{"Directionality.force", "LayerActivator.regions",
+                                            "StateMachine.u"};
 
 std::string value_given(const BlockType& type, const ParameterSpec& spec) {
   const std::string name = type.name + "." + spec.name;

@@ -27,6 +27,50 @@ TEST_CASE("P2 rises from W to its maximum on the boundary and keeps it") {
   CHECK(law.magnitude(0.1) == 20.0);
 }
 
+TEST_CASE(
+    "A piecewise law goes straight from value to value, keeps the last ones and jumps where points are the "
+    "same") {
+  Proportionality law;
+  law.law = Proportionality::Law::piecewise;
+  law.points = {-4e-3, 0.0, 0.0, 10e-3};
+  law.values = {1.0, 3.0, 5.0, 25.0};
+  CHECK(law.magnitude(-9e-3) == 1.0);
+  CHECK(law.magnitude(-2e-3) == Approx(2.0));
+  CHECK(law.magnitude(-1e-9) == Approx(3.0).margin(1e-5));
+  CHECK(law.magnitude(0.0) == 5.0);
+  CHECK(law.magnitude(2.5e-3) == Approx(10.0));
+  CHECK(law.magnitude(10e-3) == 25.0);
+  CHECK(law.magnitude(1.0) == 25.0);
+}
+
+TEST_CASE("P1 and P2 are piecewise laws, too") {
+  Proportionality p1, p2, same;
+  p1.offset = 5.0;
+  p1.slope = 1e3;
+  p2.law = Proportionality::Law::P2;
+  p2.W = -8e-3;
+  p2.maximum = 20.0;
+  same.law = Proportionality::Law::piecewise;
+  for (double error = -12e-3; error < 20e-3; error += 0.37e-3) {
+    same.points = {-1.0, 0.0, 0.0, 0.03};
+    same.values = {0.0, 0.0, 5.0, 35.0};
+    CHECK(same.magnitude(error) == Approx(p1.magnitude(error)).margin(1e-12));
+    same.points = {-8e-3, 0.0};
+    same.values = {0.0, 20.0};
+    CHECK(same.magnitude(error) == Approx(p2.magnitude(error)).margin(1e-12));
+  }
+}
+
+TEST_CASE("A piecewise law whose points fall or lack values is refused") {
+  const auto refused = [](const std::string& law) {
+    return error_of("step: 1 ms\nstop: 1 s\nblocks:\n  p: {block: Proportionality, law: piecewise, u: 0 m, " +
+                    law + "}\n");
+  };
+  CHECK_THAT(refused("points: [1 mm, 0 mm], values: [1 N, 2 N]"),
+             Catch::Contains("p.points") && Catch::Contains("must not fall"));
+  CHECK_THAT(refused("points: [1 mm], values: [1 N, 2 N]"), Catch::Contains("1 points and 2 values"));
+}
+
 TEST_CASE("A diagram chooses the proportionality law by its name") {
   const Table table = run_text(R"(
 step: 1 ms

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cmath>
+
+#include "engine/block/block.hpp"
+
+namespace stepwire {
+
+/// The force of the device on the hand that is wanted, from the largest resistance F_max, which points to the
+/// authorized region, and from the direction d in which the hand pushes or moves:
+///
+///     D1, for each axis: F_out = F_max where F_max d < 0, else 0
+///     D2: F_out = -|F_max| gain d/|d|, gain = sin(angle between d and F_max) up to 90 degrees, beyond it 1
+struct Directionality {
+  enum class Law { D1, D2 };
+  enum class Direction { force, motion };
+
+  Law law = Law::D2;
+  Direction direction = Direction::force;
+  double threshold = 0.0, travel = 0.3e-3;
+  Input<> f_max{}, force{}, position{};
+  Output<> y{}, gain{};
+  DiscreteState<> behind{};     ///< a point that the position draws along, `travel` behind it
+  DiscreteState<1> is_drawn{};  ///< 0 before the first tick
+
+  void outputs() {
+    if (law == Law::D1) {
+      gain.each([&](Index i) { return f_max[i] * toward(i) < 0.0 ? 1.0 : 0.0; });
+      y.each([&](Index i) { return gain[i] * f_max[i]; });
+      return;
+    }
+    const double length = length_of_direction(), most = length_of(f_max);
+    const double share = length > 0.0 && most > 0.0 ? share_of_angle(length, most) : 0.0;
+    gain.each([&](Index) { return share; });
+    y.each([&](Index i) { return share > 0.0 ? -most * share / length * toward(i) : 0.0; });
+  }
+
+  void update() {
+    if (direction == Direction::force) return;
+    double square = 0.0;
+    for (Index i = 0; i < position.size(); ++i) square += way(i) * way(i);
+    const double share = square > travel * travel ? travel / std::sqrt(square) : 1.0;
+    behind.each([&](Index i) { return position[i] - share * way(i); });
+    is_drawn = 1.0;
+  }
+
+  void configure(Configure& is);
+  static void declare(Declare<Directionality>& is);
+
+ private:
+  double way(Index i) const { return is_drawn == 0.0 ? 0.0 : position[i] - behind[i]; }
+
+  /// What counts as the direction of the hand; 0 where a force is not above the threshold.
+  double toward(Index i) const {
+    if (direction == Direction::motion) return way(i);
+    if (law == Law::D1) return std::abs(force[i]) > threshold ? static_cast<double>(force[i]) : 0.0;
+    return force[i];
+  }
+
+  double length_of_direction() const {
+    double square = 0.0;
+    for (Index i = 0; i < f_max.size(); ++i) square += toward(i) * toward(i);
+    const double length = std::sqrt(square);
+    return direction == Direction::force && !(length > threshold) ? 0.0 : length;
+  }
+
+  static double length_of(const Input<>& vector) {
+    double square = 0.0;
+    for (Index i = 0; i < vector.size(); ++i) square += vector[i] * vector[i];
+    return std::sqrt(square);
+  }
+
+  /// The sine from what is left of d beside F_max: exact also where both are nearly in line.
+  double share_of_angle(double length, double most) const {
+    double along = 0.0, beside = 0.0;
+    for (Index i = 0; i < f_max.size(); ++i) along += toward(i) / length * (f_max[i] / most);
+    if (along <= 0.0) return 1.0;
+    for (Index i = 0; i < f_max.size(); ++i) {
+      const double rest = toward(i) / length - along * (f_max[i] / most);
+      beside += rest * rest;
+    }
+    return beside < 1.0 ? std::sqrt(beside) : 1.0;
+  }
+};
+
+}  // namespace stepwire

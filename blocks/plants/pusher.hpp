@@ -1,0 +1,62 @@
+#pragma once
+
+#include <algorithm>
+
+#include "engine/block/block.hpp"
+
+namespace stepwire {
+
+/// A programmable motor that moves a pin through points, straight from each to the next, whatever resists:
+/// it speeds up with `highest_acceleration`, goes on at `speed`, slows down again and stops at each point.
+struct Pusher {
+  Matrix points;
+  double speed = 0.01, highest_acceleration = 0.5, begin = 0.0;
+  Output<> position{}, velocity{}, acceleration{};
+  Output<1> distance{}, leg{};
+  Time time{};
+  Numbers legs{};  ///< `leg_size` numbers for each way from point to point
+
+  void prepare();
+  void outputs() {
+    const double t = std::max(time - begin, 0.0);
+    const Index last = points.rows() - 2;
+    Index k = 0;
+    while (k < last && t >= number(k + 1, starts)) ++k;
+    const Instant now = instant(k, t - number(k, starts));
+    distance = number(k, before) + now.way;
+    leg = static_cast<double>(k + 1);
+    const double length = number(k, way);
+    position.each([&](Index i) { return points(k, i) + now.way / length * run(k, i); });
+    velocity.each([&](Index i) { return now.speed / length * run(k, i); });
+    acceleration.each([&](Index i) { return now.rise / length * run(k, i); });
+  }
+
+  void configure(Configure& is);
+  static void declare(Declare<Pusher>& is);
+
+  /// What the numbers of a leg are: when it starts, the way before it, its own way, how long it speeds up,
+  /// and how long it goes on at the speed reached.
+  enum LegNumber { starts, before, way, rising, cruising, leg_size };
+
+ private:
+  /// Way, speed and acceleration along a leg.
+  struct Instant {
+    double way, speed, rise;
+  };
+
+  double number(Index leg, LegNumber which) const { return legs[leg * leg_size + which]; }
+  double run(Index leg, Index i) const { return points(leg + 1, i) - points(leg, i); }
+
+  Instant instant(Index leg, double t) const {
+    const double up = number(leg, rising), even = number(leg, cruising), top = highest_acceleration * up;
+    if (time < begin) return {0.0, 0.0, 0.0};
+    if (t < up) return {0.5 * highest_acceleration * t * t, highest_acceleration * t, highest_acceleration};
+    if (t < up + even) return {top * (t - 0.5 * up), top, 0.0};
+    const double left = 2.0 * up + even - t;
+    if (left <= 0.0) return {number(leg, way), 0.0, 0.0};
+    return {number(leg, way) - 0.5 * highest_acceleration * left * left, highest_acceleration * left,
+            -highest_acceleration};
+  }
+};
+
+}  // namespace stepwire

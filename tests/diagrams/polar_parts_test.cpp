@@ -1,0 +1,140 @@
+// What the parts of the polar interface promise, beyond what the figures that use them claim.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "tests/support/run_text.hpp"
+
+using namespace stepwire;
+
+namespace {
+
+double last(const Table& table, const std::string& name) {
+  return column(table, name).back();
+}
+
+/// The controller without feedback, at an angle of 0.3 rad and a length of 0.2 m; forces as [x, y].
+Table commanded(const std::string& wanted, const std::string& measured) {
+  return run_text("step: 1 ms\nstop: 10 ms\nblocks:\n  wanted: {block: Rotate, u: " + wanted +
+                  ", angle: 0.3}\n  measured: {block: Rotate, u: " + measured + R"(, angle: 0.3}
+  control: {diagram: ../diagrams/parts/force-feedback-controller.yaml, wanted: wanted, measured: measured, length: 200 mm,
+            angle: 0.3, kp: 0, ki: 0 Hz}
+record: [control.linear, control.rotary, control.wanted, control.realisable, control.delivered]
+)");
+}
+
+/// Friction of both dampers in steady motion, thesis eq. 4-10, in N and N m.
+double friction_of_linear(double i) {
+  return 36.2095 / (10.6140 - 7.0773) * (72.8 * i * i * i - 42.88 * i * i + 14.83 * i + 0.29);
+}
+double friction_of_rotary(double i) {
+  return 2.7789 / (5.1269 + 1.5960) * 0.112984829 * (-25.99 * i * i * i + 49.02 * i * i + 28.05 * i + 5.23);
+}
+
+}  // namespace
+
+TEST_CASE("The controller's currents make the wanted force at each joint by the dampers' friction") {
+  const Table table = commanded("[-12 N, 6 N]", "[5 N, -3 N]");
+  CHECK(friction_of_linear(last(table, "control.linear")) == Approx(12.0).epsilon(1e-4));
+  CHECK(friction_of_rotary(last(table, "control.rotary")) == Approx(6.0 * 0.2).epsilon(1e-4));
+  for (const std::string what : {"control.wanted", "control.realisable"}) {
+    CHECK(last(table, what + ".1") == Approx(-12.0));
+    CHECK(last(table, what + ".2") == Approx(6.0));
+  }
+  CHECK(last(table, "control.delivered.1") == Approx(-5.0));
+  CHECK(last(table, "control.delivered.2") == Approx(3.0));
+}
+
+TEST_CASE(
+    "What the dampers cannot make is not realisable: more than their friction at full current, or a push") {
+  const Table much = commanded("[-50 N, 20 N]", "[5 N, -3 N]");
+  CHECK(last(much, "control.linear") == Approx(0.35).epsilon(1e-3));
+  CHECK(last(much, "control.rotary") == Approx(0.75).epsilon(1e-3));
+  CHECK(last(much, "control.realisable.1") == Approx(-friction_of_linear(0.35)).epsilon(1e-4));
+  CHECK(last(much, "control.realisable.2") == Approx(friction_of_rotary(0.75) / 0.2).epsilon(1e-4));
+  const Table push = commanded("[-12 N, 6 N]", "[-5 N, -3 N]");  // the hand itself goes inward
+  CHECK(last(push, "control.linear") == 0.0);
+  CHECK(last(push, "control.realisable.1") == 0.0);
+  CHECK(last(push, "control.rotary") > 0.1);
+}
+
+TEST_CASE("Where nothing is wanted no current flows") {
+  const Table table = commanded("[0 N, 0 N]", "[5 N, -3 N]");
+  CHECK(last(table, "control.linear") == 0.0);
+  CHECK(last(table, "control.rotary") == 0.0);
+}
+
+TEST_CASE("The sensors of the polar interface find pin and force from what is measured at its joints") {
+  const Table table = run_text(R"yaml(
+step: 1 ms
+stop: 3 s
+blocks:
+  pin:     {block: Pusher, points: [[205 mm, -20 mm], [243 mm, 15 mm]], speed: 20 mm/s}
+  x_and_y: {block: Demux, u: pin.position, sizes: [1, 1]}
+  length:  {block: Norm, u: pin.position}
+  angle:   {block: Atan2, opposite: x_and_y.y2, adjacent: x_and_y.y1}
+  joint:   {block: Rotate, u: [6 N, -4 N], angle: angle, inverse: true}
+  sensors: {diagram: ../diagrams/parts/polar-sensors.yaml, length: length, angle: angle, joint_force: joint, noise: 0 mm, linearity: 0,
+            force_noise: 0 N}
+record: [pin.position, sensors.position, sensors.force]
+)yaml");
+  // half a count of the encoder at up to 243.5 mm, half a level of potentiometer and of load cell
+  const double turn = M_PI / 4000.0, across = 0.2435 * turn, along = 0.150 / 16384.0 / 2.0;
+  const double force = 160.0 / 16384.0 / 2.0 * std::sqrt(2.0) + std::hypot(6.0, 4.0) * turn;
+  double worst = 0.0, worst_force = 0.0;
+  for (std::size_t k = 0; k < column(table, "time").size(); ++k) {
+    const auto off = [&](const std::string& a, const std::string& b) {
+      return column(table, a)[k] - column(table, b)[k];
+    };
+    worst = std::max(worst, std::hypot(off("sensors.position.1", "pin.position.1"),
+                                       off("sensors.position.2", "pin.position.2")));
+    worst_force = std::max(worst_force, std::hypot(column(table, "sensors.force.1")[k] - 6.0,
+                                                   column(table, "sensors.force.2")[k] + 4.0));
+  }
+  CHECK(worst <= std::hypot(across, along) * (1.0 + 1e-6));
+  CHECK(worst > 0.8 * across);
+  CHECK(worst_force <= force);
+}
+
+TEST_CASE(
+    "A polar platform that is pulled about and switched out of time gives out no energy and loses none") {
+  const Table table = run_text(R"(
+step: 0.1 ms
+stop: 3 s
+solver: rk4
+blocks:
+  hand:     {block: Sine, amplitude: [9 N, 4 N], frequency: [0.7 Hz, 1.1 Hz]}
+  linear:   {block: Pulse, amplitude: 0.35 A, period: 0.231 s, width: 0.4}
+  rotary:   {block: Pulse, amplitude: 0.75 A, period: 0.347 s, width: 0.4}
+  platform: {diagram: ../diagrams/parts/free-polar-platform.yaml, external: hand, linear: linear, rotary: rotary}
+stop_when: abs(platform.length - 224 mm) > 25 mm
+record: [platform.least_gain, platform.supplied, platform.damper_work, platform.kinetic_energy, platform.length, platform.angle]
+)");
+  CHECK(last(table, "platform.least_gain") > -1e-12);
+  CHECK(column(table, "time").back() > 0.3);
+  CHECK(last(table, "platform.supplied") ==
+        Approx(last(table, "platform.damper_work") + last(table, "platform.kinetic_energy")).epsilon(1e-7));
+}
+
+TEST_CASE(
+    "Pushed around the base at full current the rotary damper is felt with its torque over the length") {
+  // rigs that are brake-like: 10.0, 8.9 and 8.0 N at 200, 224 and 250 mm, and 1.09 N off at 224 mm
+  const auto felt = [](const std::string& radius, const std::string& current) {
+    const Table table = run_text(
+        "step: 0.25 ms\nstop: 2 s\nsolver: rk4\nblocks:\n  phase: {block: Ramp, slope: 0.05 rad/s}\n  arm: "
+        "{block: Constant, value: [" +
+        radius + R"(, 0 mm]}
+  swing:    {block: Constant, value: [0 mm, )" +
+        radius + R"(]}
+  position: {block: Rotate, u: arm, angle: phase}
+  tangent:  {block: Rotate, u: swing, angle: phase}
+  velocity: {block: Gain, u: tangent, gain: 0.05 Hz}
+  platform: {diagram: ../diagrams/parts/polar-platform.yaml, position: position, velocity: velocity, acceleration: [0, 0], linear: 0 A,
+             rotary: )" +
+        current + "}\nrecord: [platform.joint_force]\n");
+    return last(table, "platform.joint_force.2");
+  };
+  CHECK(felt("200 mm", "0.75 A") == Approx(10.0).margin(0.05));
+  CHECK(felt("224 mm", "0.75 A") == Approx(8.94).margin(0.05));
+  CHECK(felt("250 mm", "0.75 A") == Approx(8.0).margin(0.05));
+  CHECK(felt("224 mm", "0 A") == Approx(1.09).margin(0.02));
+}
