@@ -38,6 +38,12 @@ const std::map<std::string, std::string> contract_values{
      "[{from: 1, to: 2, when: [{enter: 1}, {after: 4 ms}]}, {from: 2, to: 1, when: {leave: 2}}, "
      "{from: 1, to: 2, when: {pass: [0.9, 0.9], within: 0.1}}]"},
     {"LayerActivator.blend", "5 ms"},
+    {"LoadCell.calibration",
+     "[[1, 0, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0], [0, 0, 1, 0, 0, 0], [0, 0, 0, 1, 0, 0], "
+     "[0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]]"},
+    {"LoadCellToWrench.calibration",
+     "[[1, 0, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0], [0, 0, 1, 0, 0, 0], [0, 0, 0, 1, 0, 0], "
+     "[0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]]"},
     {"MatrixGain.gain", "[[1, 2], [3, 4]]"},
     {"MovingAverage.window", "5 ms"},
     {"GuidePath.trail", "2 mm"},
@@ -72,6 +78,9 @@ const std::map<std::string, int> contract_sizes{{"Cross.u", 3},
                                                 {"Linkage.external", 2},
                                                 {"Linkage.force", 3},
                                                 {"Linkage.torque", 3},
+                                                {"LoadCell.force", 3},
+                                                {"LoadCell.torque", 3},
+                                                {"LoadCellToWrench.gauges", 6},
                                                 {"Rotate.u", 2},
                                                 {"Select.u", 3}};
 
@@ -104,7 +113,8 @@ class Feeds {
  private:
   std::string one(int elements) {
     std::string start = fmt::format("{}", 0.5 + 0.05 * count_);
-    if (elements > 1) start = fmt::format("[{}, 0.7{}]", start, elements > 2 ? ", 0.3" : "");
+    for (int k = 1; k < elements; ++k) start += k % 2 == 1 ? ", 0.7" : ", 0.3";
+    if (elements > 1) start = "[" + start + "]";
     const std::string name = fmt::format("feed_{}", count_++);
     blocks_ += fmt::format("  {}: {{block: Lag, u: 1, tau: 20 ms, initial: {}}}\n", name, start);
     return name;
