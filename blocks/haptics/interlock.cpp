@@ -23,11 +23,6 @@ void Interlock::configure(Configure& is) {
   if (!causes.empty() && causes.size() != count)
     is.refuse<&Interlock::causes>(fmt::format(
         "there are {} names for {} faults; each needs one, e.g. [force, speed]", causes.size(), count));
-  is.feedthrough<&Interlock::u, &Interlock::portion>(false);
-  is.feedthrough<&Interlock::faults, &Interlock::portion>(false);
-  is.feedthrough<&Interlock::measured, &Interlock::portion>(false);
-  is.feedthrough<&Interlock::dead_man, &Interlock::portion>(false);
-  is.feedthrough<&Interlock::reset, &Interlock::portion>(false);
   if (!is.connected<&Interlock::measured>()) is.size("m", 0);
 }
 
@@ -62,9 +57,6 @@ void Interlock::declare(Declare<Interlock>& is) {
   is.output<&Interlock::y>({.unit = "'u", .doc = "the commands that are let through"});
   is.output<&Interlock::cause>(
       {.doc = "0: nothing is wrong; 1: a number is not finite; from 2 on: of `faults` in their order"});
-  is.output<&Interlock::portion>({.doc = "share of the commands that may pass at this tick, 0 to 1, as known "
-                                         "from the tick before; a controller "
-                                         "that wants no more than this share of its goal does not wind up"});
   is.state<&Interlock::latched>({.doc = "cause at the last tick", .settable = false});
   is.state<&Interlock::first>({.doc = "first cause of the run, also after a reset", .settable = false});
   is.state<&Interlock::share>({.doc = "of the commands that is let through", .settable = false});

@@ -19,14 +19,13 @@ struct Interlock {
   Inputs faults{}, measured{};
   Input<1> dead_man{}, reset{};
   Output<> y{};
-  Output<1> cause{}, portion{};
+  Output<1> cause{};
   DiscreteState<1> latched{}, first{}, share{}, last_reset{};
   Notice tripped{}, stopped{};
   Time time{};
   Period period{};
 
   void outputs() {
-    portion = eased();
     cause = cause_now();
     const double part = is_free() ? eased() : 0.0;
     y.each([&](Index i) { return part > 0.0 ? part * u[i] : 0.0; });
