@@ -29,17 +29,13 @@ void Interlock::configure(Configure& is) {
 void Interlock::declare(Declare<Interlock>& is) {
   is.block(
       "Interlock",
-      {.doc =
-           "Lets the commands u through as long as nothing is wrong, and cuts them off to 0 at the tick at "
-           "which "
-           "one of `faults` becomes true (above 0), or a command or something measured is not a finite "
-           "number. "
-           "What was the first cause stays, in the output `cause` and by its name in a notice, until a "
-           "`reset` "
-           "is pressed while nothing is wrong any more: holding it does not count. While `dead_man` is not "
-           "true nothing is let through either, but nothing stays. After a start, a reset and a press of the "
-           "dead-man switch the commands come back evenly over the time `ramp`. With `stop` the run, or the "
-           "real-time loop, ends with the first cause.",
+      {.doc = "Lets the commands u through as long as nothing is wrong, and cuts them off to 0 at the tick "
+              "at which one of `faults` becomes true (above 0), or a command or something measured is not a "
+              "finite number. What was the first cause stays, in the output `cause` and by its name in a "
+              "notice, until a `reset` is pressed while nothing is wrong any more: holding it does not "
+              "count. While `dead_man` is not true nothing is let through either, but nothing stays. After a "
+              "start, a reset and a press of the dead-man switch the commands come back evenly over the time "
+              "`ramp`. With `stop` the run, or the real-time loop, ends with the first cause.",
        .source = "thesis 3.4, safety feature; the ramp, the dead-man switch and all causes but the force are "
                  "additions"});
   is.parameter<&Interlock::causes>({.doc = "a name for each of `faults`; their numbers only where left out"});

@@ -7,21 +7,15 @@ namespace stepwire {
 void PassivityObserver::declare(Declare<PassivityObserver>& is) {
   is.block(
       "PassivityObserver",
-      {.doc =
-           "The energy account of a port: what force and velocity have supplied since the start, what of it "
-           "is "
-           "dissipated beside what is stored (wire `stored` where the device can tell), and whether the "
-           "device "
-           "gave out more than it may. `judge: net` asks whether more came out than went in; a device that "
-           "has dissipated much may then give out as much before it is noticed. `judge: fall` asks whether "
-           "what was dissipated ever falls again, and needs `stored`. `budget` is what measuring may be "
-           "wrong "
-           "by. `booked` is energy that is known to come from elsewhere: the work that a change of the "
-           "current "
-           "does on an MR damper (`switching_work`). Force and velocity are those along which energy goes "
-           "in, "
-           "of any number of axes, with torques and angular velocities alike. It integrates as the solver "
-           "does, or sums what is sampled.",
+      {.doc = "The energy account of a port: what force and velocity have supplied since the start, what of "
+              "it is dissipated beside what is stored (wire `stored` where the device can tell), and whether "
+              "the device gave out more than it may. `judge: net` asks whether more came out than went in; a "
+              "device that has dissipated much may then give out as much before it is noticed. `judge: fall` "
+              "asks whether what was dissipated ever falls again, and needs `stored`. `budget` is what "
+              "measuring may be wrong by. `booked` is energy that is known to come from elsewhere: the work "
+              "that a change of the current does on an MR damper (`switching_work`). Force and velocity are "
+              "those along which energy goes in, of any number of axes, with torques and angular velocities "
+              "alike. It integrates as the solver does, or sums what is sampled.",
        .source = "B. Hannaford and J.-H. Ryu, IEEE Trans. Robotics and Automation 18 (2002) 1"});
   is.parameter<&PassivityObserver::judge>({.doc = "what must not be", .words = {"net", "fall"}});
   is.parameter<&PassivityObserver::budget>(

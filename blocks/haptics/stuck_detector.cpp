@@ -5,13 +5,12 @@
 namespace stepwire {
 
 void StuckDetector::declare(Declare<StuckDetector>& is) {
-  is.block(
-      "StuckDetector",
-      {.doc = "1 where a sensor is stuck: none of its numbers has changed for longer than `time` while, all "
-              "that time, something else says that it should (`moving` is true). What that is depends on "
-              "the sensor: another one that sees the same motion, a force above all friction, or 1 for a "
-              "sensor whose noise never rests, which is stale when it does.",
-       .timing = Timing::discrete});
+  is.block("StuckDetector",
+           {.doc = "1 where a sensor is stuck: none of its numbers has changed for longer than `time` while, "
+                   "all that time, something else says that it should (`moving` is true). What that is "
+                   "depends on the sensor: another one that sees the same motion, a force above all "
+                   "friction, or 1 for a sensor whose noise never rests, which is stale when it does.",
+            .timing = Timing::discrete});
   is.parameter<&StuckDetector::time>(
       {.unit = "s", .doc = "for which nothing changes at most", .at_least = 0.0});
   is.parameter<&StuckDetector::tolerance>(

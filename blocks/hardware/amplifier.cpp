@@ -10,12 +10,11 @@ void Amplifier::configure(Configure& is) {
 }
 
 void Amplifier::declare(Declare<Amplifier>& is) {
-  is.block(
-      "Amplifier",
-      {.doc = "A power amplifier in current mode, with a current limit and the lag of its current loop: "
-              "tau di/dt = wanted - i, wanted = gain u within the limits, and 0 while it is inhibited. An "
-              "explicit solver needs steps of at most 2 tau.",
-       .source = "thesis 3.3"});
+  is.block("Amplifier",
+           {.doc = "A power amplifier in current mode, with a current limit and the lag of its current loop: "
+                   "tau di/dt = wanted - i, wanted = gain u within the limits, and 0 while it is inhibited. "
+                   "An explicit solver needs steps of at most 2 tau.",
+            .source = "thesis 3.3"});
   is.parameter<&Amplifier::gain>({.unit = "A/'u", .doc = "current per command; 1 where the command is in A"});
   is.parameter<&Amplifier::lower>({.unit = "A", .doc = "lowest current; none where left out"});
   is.parameter<&Amplifier::upper>({.unit = "A", .doc = "highest current; none where left out"});

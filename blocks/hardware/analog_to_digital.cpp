@@ -11,10 +11,10 @@ void AnalogToDigital::prepare() {
 void AnalogToDigital::declare(Declare<AnalogToDigital>& is) {
   is.block(
       "AnalogToDigital",
-      {.doc = "A converter of an acquisition board, volts to counts: the nearest of 2^bits levels over "
-              "-range to range, and the last one beyond either end. It samples at its ticks (`every`). In "
-              "a controller the same block turns a wanted voltage into counts for DigitalToAnalog, which "
-              "is the way back.",
+      {.doc =
+           "A converter of an acquisition board, volts to counts: the nearest of 2^bits levels over -range "
+           "to range, and the last one beyond either end. It samples at its ticks (`every`). In a controller "
+           "the same block turns a wanted voltage into counts for DigitalToAnalog, which is the way back.",
        .source = "thesis 3.2; datasheet of the Sensoray 626",
        .timing = Timing::discrete});
   is.parameter<&AnalogToDigital::range>({.unit = "V", .doc = "from -range to range", .above = 0.0});

@@ -12,15 +12,14 @@ void EncoderToAngle::prepare() {
 }
 
 void EncoderToAngle::declare(Declare<EncoderToAngle>& is) {
-  is.block(
-      "EncoderToAngle",
-      {.doc = "The angle of an encoder from the counts that a board delivers, continued over wraps of the "
-              "counter. From tick to tick the counts may change by less than half of the counter, and by "
-              "at most `largest_step`; a change above that, or counts that the counter does not have, are "
-              "a fault: the angle stays where it was, until the counts are again within that of the last "
-              "ones that were believed. The first counts are taken from 0 the shorter way.",
-       .source = "thesis 3.2",
-       .timing = Timing::discrete});
+  is.block("EncoderToAngle",
+           {.doc = "The angle of an encoder from the counts that a board delivers, continued over wraps of "
+                   "the counter. From tick to tick the counts may change by less than half of the counter, "
+                   "and by at most `largest_step`; a change above that, or counts that the counter does not "
+                   "have, are a fault: the angle stays where it was, until the counts are again within that "
+                   "of the last ones that were believed. The first counts are taken from 0 the shorter way.",
+            .source = "thesis 3.2",
+            .timing = Timing::discrete});
   is.parameter<&EncoderToAngle::counts_per_revolution>(
       {.doc = "edges of both tracks, four for each line", .above = 0.0});
   is.parameter<&EncoderToAngle::zero>({.unit = "rad", .doc = "angle of count 0"});

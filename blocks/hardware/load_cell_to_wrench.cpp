@@ -11,13 +11,12 @@ void LoadCellToWrench::configure(Configure& is) {
 }
 
 void LoadCellToWrench::declare(Declare<LoadCellToWrench>& is) {
-  is.block(
-      "LoadCellToWrench",
-      {.doc = "Force and torque from the voltages of a six-axis load cell, by its calibration. While `tare` "
-              "is true the cell carries no load but its own: the mean of the voltages over that time "
-              "counts as 0 from then on, until the next tare.",
-       .source = "thesis 3.2; datasheet of the ATI Mini40",
-       .timing = Timing::discrete});
+  is.block("LoadCellToWrench",
+           {.doc = "Force and torque from the voltages of a six-axis load cell, by its calibration. While "
+                   "`tare` is true the cell carries no load but its own: the mean of the voltages over that "
+                   "time counts as 0 from then on, until the next tare.",
+            .source = "thesis 3.2; datasheet of the ATI Mini40",
+            .timing = Timing::discrete});
   is.parameter<&LoadCellToWrench::calibration>(
       {.shape = "6 x 6", .doc = "rows [Fx, Fy, Fz, Tx, Ty, Tz] in N and N m, for a volt of each gauge"});
   is.parameter<&LoadCellToWrench::offset>(

@@ -14,8 +14,8 @@ void QuadratureEncoder::prepare() {
 void QuadratureEncoder::declare(Declare<QuadratureEncoder>& is) {
   is.block(
       "QuadratureEncoder",
-      {.doc = "An incremental encoder with the counter that reads it, in counts as a board delivers them: "
-              "0 to 2^bits - 1, and beyond either end from the other one on. Counting begins at the angle "
+      {.doc = "An incremental encoder with the counter that reads it, in counts as a board delivers them: 0 "
+              "to 2^bits - 1, and beyond either end from the other one on. Counting begins at the angle "
               "`zero`, halfway between two edges of the encoder. EncoderToAngle is the way back.",
        .source = "thesis 3.2; 24 bits are those of the counters of a Sensoray 626",
        .timing = Timing::discrete});

@@ -56,6 +56,23 @@ double cut_off(const Table& table, double cause) {
   return time[k - 1];
 }
 
+/// The parts of this repository, for a text that lies in no folder.
+std::string from_anywhere(std::string text) {
+  const std::string here = "../diagrams";
+  for (auto at = text.find(here); at != std::string::npos; at = text.find(here))
+    text.replace(at, here.size(), STEPWIRE_SOURCE_DIR "/diagrams");
+  return text;
+}
+
+/// What the interlock lets through to the linear damper.
+double command_of(const Simulation& simulation) {
+  const Plan& plan = simulation.plan();
+  for (std::size_t b = 0; b < plan.blocks.size(); ++b)
+    if (plan.diagram.blocks[b].name == "safety.interlock")
+      return simulation.values()[plan.blocks[b].outputs[0].offset];
+  throw std::logic_error("there is no interlock");
+}
+
 const std::string healthy = "position: pin, force: hand, length: length, angle: angle";
 
 }  // namespace
@@ -140,25 +157,26 @@ TEST_CASE("A reset after a fault brings the currents back by the ramp") {
   CHECK(current.back() == Approx(linear).margin(1e-4));
 }
 
+TEST_CASE("With stop the first fault ends the experiment, and is named") {
+  CHECK_THAT(error_of(rig(healthy + ", jumped: fault, stop: true")),
+             Catch::Contains("safety.interlock") && Catch::Contains("encoder jumped (cause 7)") &&
+                 Catch::Contains("0.5 s"));
+}
+
 TEST_CASE(
     "A sensor whose number is none leaves no command at the tick that shows it, with which the run ends") {
-  const Plan plan = plan_text(rig("position: pin, force: hand, length: broken, angle: angle",
-                                  "  clock: {block: Clock}\n  broken: {block: Expression, u: [length, "
-                                  "clock], expression: \"u1 + 0*sqrt(0.4995 - "
-                                  "u2)\", every: 1 ms}\nunits: {broken: m}\n"));
+  const Plan plan = plan_text(from_anywhere(
+      rig("position: pin, force: hand, length: broken, angle: angle",
+          "  clock: {block: Clock}\n  broken: {block: Expression, u: [length, clock], expression: \"u1 + "
+          "0*sqrt(0.4995 - u2)\", every: 1 ms}\n")));
   Simulation simulation(plan);
-  const auto command = [&](const std::string& name) {
-    for (std::size_t b = 0; b < plan.blocks.size(); ++b)
-      if (plan.diagram.blocks[b].name == name) return simulation.values()[plan.blocks[b].outputs[0].offset];
-    throw std::logic_error("there is no block " + name);
-  };
   double last = 0.0;
   while (simulation.healthy()) {
-    last = command("safety.interlock");
+    last = command_of(simulation);
     simulation.evaluate();
     if (simulation.healthy()) simulation.advance();
   }
   CHECK(last == linear);
   CHECK(simulation.tick() == 5000);
-  CHECK(command("safety.interlock") == 0.0);
+  CHECK(command_of(simulation) == 0.0);
 }
