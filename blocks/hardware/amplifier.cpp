@@ -10,17 +10,20 @@ void Amplifier::configure(Configure& is) {
 }
 
 void Amplifier::declare(Declare<Amplifier>& is) {
-  is.block(
-      "Amplifier",
-      {.doc = "A power amplifier in current mode, with a current limit and the lag of its current loop: "
-              "tau di/dt = wanted - i, wanted = gain u within the limits. An explicit solver needs steps "
-              "of at most 2 tau.",
-       .source = "thesis 3.3"});
+  is.block("Amplifier",
+           {.doc = "A power amplifier in current mode, with a current limit and the lag of its current loop: "
+                   "tau di/dt = wanted - i, wanted = gain u within the limits, and 0 while it is inhibited. "
+                   "An explicit solver needs steps of at most 2 tau.",
+            .source = "thesis 3.3"});
   is.parameter<&Amplifier::gain>({.unit = "A/'u", .doc = "current per command; 1 where the command is in A"});
   is.parameter<&Amplifier::lower>({.unit = "A", .doc = "lowest current; none where left out"});
   is.parameter<&Amplifier::upper>({.unit = "A", .doc = "highest current; none where left out"});
   is.parameter<&Amplifier::tau>({.unit = "s", .doc = "time constant of the current loop", .above = 0.0});
   is.input<&Amplifier::u>({.unit = "'u", .doc = "command", .feedthrough = false});
+  is.input<&Amplifier::inhibit>({.unit = "*",
+                                 .doc = "true switches the bridge off, whatever is asked",
+                                 .feedthrough = false,
+                                 .optional = true});
   is.output<&Amplifier::current, &Amplifier::current_>({.unit = "A", .doc = "current in the load"});
   is.state<&Amplifier::current_>({.unit = "A", .doc = "current in the load"});
   is.notice<&Amplifier::at_limit>({.doc = "the command asks for more current than the amplifier's limit"});

@@ -7,10 +7,12 @@
 
 namespace stepwire {
 
-/// A power amplifier in current mode: tau di/dt = wanted - i, wanted = gain u within [lower, upper].
+/// A power amplifier in current mode: tau di/dt = wanted - i, wanted = gain u within [lower, upper], or 0
+/// while it is inhibited.
 struct Amplifier {
   PerElement gain = 1.0, lower = -unlimited, upper = unlimited, tau = 1e-3;
   Input<> u{};
+  Input<1> inhibit{};
   Output<> current{};
   State<> current_{};
   Notice at_limit{};
@@ -21,14 +23,17 @@ struct Amplifier {
   }
   void update() {
     for (Index i = 0; i < u.size(); ++i)
-      if (gain[i] * u[i] != wanted(i)) at_limit.raise(time);
+      if (gain[i] * u[i] != limited(i)) at_limit.raise(time);
   }
 
   void configure(Configure& is);
   static void declare(Declare<Amplifier>& is);
 
  private:
-  double wanted(Index i) const { return std::clamp(gain[i] * u[i], lower[i], upper[i]); }
+  /// Whatever is neither false nor a number inhibits.
+  bool inhibited() const { return inhibit.connected() && !(inhibit <= 0.0); }
+  double limited(Index i) const { return std::clamp(gain[i] * u[i], lower[i], upper[i]); }
+  double wanted(Index i) const { return inhibited() ? 0.0 : limited(i); }
 };
 
 /// Peak current of the datasheet. The bandwidth of 2.5 kHz is assumed, from its sister series.

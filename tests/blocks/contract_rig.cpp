@@ -38,6 +38,12 @@ const std::map<std::string, std::string> contract_values{
      "[{from: 1, to: 2, when: [{enter: 1}, {after: 4 ms}]}, {from: 2, to: 1, when: {leave: 2}}, "
      "{from: 1, to: 2, when: {pass: [0.9, 0.9], within: 0.1}}]"},
     {"LayerActivator.blend", "5 ms"},
+    {"LoadCell.calibration",
+     "[[1, 0, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0], [0, 0, 1, 0, 0, 0], [0, 0, 0, 1, 0, 0], "
+     "[0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]]"},
+    {"LoadCellToWrench.calibration",
+     "[[1, 0, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0], [0, 0, 1, 0, 0, 0], [0, 0, 0, 1, 0, 0], "
+     "[0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]]"},
     {"MatrixGain.gain", "[[1, 2], [3, 4]]"},
     {"MovingAverage.window", "5 ms"},
     {"GuidePath.trail", "2 mm"},
@@ -58,6 +64,8 @@ const std::map<std::string, std::string> contract_values{
     {"StateSpace.A", "[[-1, 2], [0, -3]]"},
     {"StateSpace.B", "[[1], [1]]"},
     {"StateSpace.C", "[[1, 1]]"},
+    {"StuckDetector.time", "3 ms"},
+    {"StuckDetector.tolerance", "1"},
 };
 
 /// Sizes that an input needs where nothing else fixes them.
@@ -72,8 +80,14 @@ const std::map<std::string, int> contract_sizes{{"Cross.u", 3},
                                                 {"Linkage.external", 2},
                                                 {"Linkage.force", 3},
                                                 {"Linkage.torque", 3},
+                                                {"LoadCell.force", 3},
+                                                {"LoadCell.torque", 3},
+                                                {"LoadCellToWrench.gauges", 6},
                                                 {"Rotate.u", 2},
                                                 {"Select.u", 3}};
+
+/// Where what feeds an input starts, on its way to 1; else at a half and more.
+const std::map<std::string, double> contract_starts{{"Interlock.faults", -1.9}};
 
 /// Optional inputs that the values above need.
 const std::set<std::string> contract_inputs{"Directionality.force", "LayerActivator.regions",
@@ -95,16 +109,19 @@ class Feeds {
   std::string feed(const BlockType& type, const InputSpec& input) {
     const auto size = contract_sizes.find(type.name + "." + input.name);
     const int elements = size == contract_sizes.end() ? 1 : size->second;
-    if (!input.list) return one(elements);
-    const std::string first = one(elements);
-    return "[" + first + ", " + one(elements) + "]";
+    const auto known = contract_starts.find(type.name + "." + input.name);
+    const double start = known == contract_starts.end() ? 0.5 : known->second;
+    if (!input.list) return one(elements, start);
+    const std::string first = one(elements, start);
+    return "[" + first + ", " + one(elements, start) + "]";
   }
   const std::string& blocks() const { return blocks_; }
 
  private:
-  std::string one(int elements) {
-    std::string start = fmt::format("{}", 0.5 + 0.05 * count_);
-    if (elements > 1) start = fmt::format("[{}, 0.7{}]", start, elements > 2 ? ", 0.3" : "");
+  std::string one(int elements, double first) {
+    std::string start = fmt::format("{}", first + 0.05 * count_);
+    for (int k = 1; k < elements; ++k) start += k % 2 == 1 ? ", 0.7" : ", 0.3";
+    if (elements > 1) start = "[" + start + "]";
     const std::string name = fmt::format("feed_{}", count_++);
     blocks_ += fmt::format("  {}: {{block: Lag, u: 1, tau: 20 ms, initial: {}}}\n", name, start);
     return name;

@@ -77,9 +77,12 @@ blocks:
             force_noise: 0 N}
 record: [pin.position, sensors.position, sensors.force]
 )yaml");
-  // half a count of the encoder at up to 243.5 mm, half a level of potentiometer and of load cell
+  // half a count of the encoder at up to 243.5 mm, half a level of the potentiometer; a newton across is seen
+  // by gauges at 0, 120 and 240 degrees, 20 N/V each, half a level of all of which adds up
   const double turn = M_PI / 4000.0, across = 0.2435 * turn, along = 0.150 / 16384.0 / 2.0;
-  const double force = 160.0 / 16384.0 / 2.0 * std::sqrt(2.0) + std::hypot(6.0, 4.0) * turn;
+  const double level = 20.0 / 16384.0, x = 20.0 * 2.0 / 3.0 * 2.0 * std::sin(M_PI / 3.0),
+               y = 20.0 * 2.0 / 3.0 * 2.0;
+  const double force = std::hypot(x, y) * level / 2.0 + std::hypot(6.0, 4.0) * turn;
   double worst = 0.0, worst_force = 0.0;
   for (std::size_t k = 0; k < column(table, "time").size(); ++k) {
     const auto off = [&](const std::string& a, const std::string& b) {

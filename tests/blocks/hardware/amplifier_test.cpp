@@ -38,3 +38,21 @@ TEST_CASE("An amplifier with crossed limits is refused") {
                "A, upper: 0 A}\n"),
       Catch::Contains("a.lower"));
 }
+
+TEST_CASE(
+    "An inhibited amplifier lets its current decay by its lag, whatever is asked, and takes it up again") {
+  const Table table = run_text(R"(
+step: 0.01 ms
+stop: 30 ms
+solver: rk4
+blocks:
+  off:       {block: Pulse, amplitude: 1, delay: 10 ms, period: 1 s, width: 0.01, every: 0.01 ms}
+  amplifier: {block: Amplifier, u: 5 V, gain: 0.1 A/V, inhibit: off, tau: 1 ms}
+record: [amplifier]
+)");
+  const auto& current = column(table, "amplifier");
+  CHECK(current[1000] == Approx(0.5).epsilon(1e-4));
+  CHECK(current[1300] == Approx(0.5 * std::exp(-3.0)).epsilon(1e-3));
+  CHECK(current[2000] < 1e-4);
+  CHECK(current.back() == Approx(0.5).epsilon(1e-4));
+}

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "engine/block/block.hpp"
+
+namespace stepwire {
+
+/// Lets commands through as long as nothing is wrong: y = share u, where share rises evenly from 0 to 1
+/// within `ramp`, and is 0 from the tick at which a fault is seen (latched until a reset) and while nobody
+/// holds the dead-man switch.
+struct Interlock {
+  std::vector<std::string> causes{};
+  double ramp = 0.1;
+  bool stop = false;
+  Input<> u{};
+  Inputs faults{}, measured{};
+  Input<1> dead_man{}, reset{};
+  Output<> y{};
+  Output<1> cause{};
+  DiscreteState<1> latched{}, first{}, share{}, last_reset{};
+  Notice tripped{}, stopped{};
+  Time time{};
+  Period period{};
+
+  void outputs() {
+    cause = cause_now();
+    const double part = is_free() ? eased() : 0.0;
+    y.each([&](Index i) { return part > 0.0 ? part * u[i] : 0.0; });
+  }
+  void update() {
+    if (cause > 0.0) trip();
+    share = is_free() ? std::fmin(1.0, eased() + step()) : 0.0;
+    latched = cause_now();
+    last_reset = resetting() ? 1.0 : 0.0;
+  }
+
+  void configure(Configure& is);
+  static void declare(Declare<Interlock>& is);
+
+  /// Number of the cause that stands for a number that is none; those of `faults` follow.
+  static constexpr double not_finite = 1.0;
+
+ private:
+  bool resetting() const { return reset.connected() && reset > 0.0; }
+  bool is_held() const { return !dead_man.connected() || dead_man > 0.0; }
+  bool is_free() const { return is_held() && cause_now() == 0.0; }
+  double eased() const { return ramp > 0.0 ? static_cast<double>(share) : 1.0; }
+  double step() const { return ramp > 0.0 ? period / ramp : 1.0; }
+
+  /// Only the moment at which the reset is pressed counts, so that a reset that hangs hides nothing.
+  double cause_now() const {
+    const bool is_reset = resetting() && last_reset == 0.0;
+    return latched > 0.0 && !is_reset ? static_cast<double>(latched) : present_fault();
+  }
+  double present_fault() const {
+    if (!all_finite()) return not_finite;
+    for (Index k = 0; k < faults.count(); ++k)
+      if (!(faults.first(k) <= 0.0)) return not_finite + static_cast<double>(k + 1);
+    return 0.0;
+  }
+  bool all_finite() const {
+    for (Index i = 0; i < u.size(); ++i)
+      if (!std::isfinite(u[i])) return false;
+    for (Index k = 0; k < measured.count(); ++k)
+      for (Index i = 0; i < measured[k].size; ++i)
+        if (!std::isfinite(measured[k].data[i])) return false;
+    return true;
+  }
+  void trip() {
+    if (first == 0.0) first = static_cast<double>(cause);
+    (stop ? stopped : tripped).raise(time);
+  }
+};
+
+}  // namespace stepwire
