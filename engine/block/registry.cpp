@@ -2,9 +2,12 @@
 
 #include <stdexcept>
 
+#include "engine/block/symbol_check.hpp"
+
 namespace stepwire {
 
 void Registry::add(BlockType type) {
+  check_symbol(type);
   const std::string name = type.name;
   const bool added = types_.emplace(name, std::make_unique<const BlockType>(std::move(type))).second;
   if (!added) throw std::logic_error("two blocks are called " + name);

@@ -13,7 +13,7 @@ namespace stepwire {
 /// The kinds of block that diagram files may use, by name.
 class Registry {
  public:
-  /// Adds a kind from its declaration. Throws std::logic_error for a second one of the same name.
+  /// Adds a kind. Throws std::logic_error for a second one of its name, or a symbol that cannot be drawn.
   template <class Block>
   void add(std::string folder) {
     Declare<Block> declaration;

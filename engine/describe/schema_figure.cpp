@@ -1,5 +1,7 @@
 #include "engine/describe/schema_figure.hpp"
 
+#include <functional>
+
 #include "engine/describe/schema_values.hpp"
 #include "engine/figure/panel_reading.hpp"
 #include "engine/figure/plot_kind.hpp"
@@ -29,6 +31,14 @@ Json option_schema(const Option& option) {
   return explained(option.list ? one_or_list_of(number) : number, option.doc);
 }
 
+/// Points of the plane by their names, or a list of them.
+Json marks_schema() {
+  const Json point = pair_of(schema_ref("number"));
+  Json named =
+      Json::object().set("type", "object").set("minProperties", 1).set("additionalProperties", point);
+  return any_of({std::move(named), list_of(point)});
+}
+
 /// What a key of every panel or picture holds.
 Json common_schema(const std::string& key) {
   if (key.ends_with("_range")) return pair_of(schema_ref("number"));
@@ -38,14 +48,16 @@ Json common_schema(const std::string& key) {
   if (key == "log") return one_or_list_of(one_word_of({"x", "y", "color"}));
   if (key == "legend" || key == "boundary" || key == "region") return one_or_list_of(schema_ref("text"));
   if (key == "size") return pair_of(Json::object().set("type", "integer"));
+  if (key == "marks") return marks_schema();
   if (key == "columns") return Json::object().set("type", "integer").set("minimum", 1).set("maximum", 6);
   if (key == "panels") return list_of(schema_ref("panel")).set("minItems", 1);
   return schema_ref("text");
 }
 
-void add_keys(Json& properties, const std::vector<FigureKey>& keys, const std::string& without = "") {
+void add_keys(Json& properties, const std::vector<FigureKey>& keys,
+              const std::function<bool(const std::string&)>& takes) {
   for (const FigureKey& key : keys)
-    if (key.name != without) properties.set(key.name, explained(common_schema(key.name), key.doc));
+    if (takes(key.name)) properties.set(key.name, explained(common_schema(key.name), key.doc));
 }
 
 /// Keys of one plot; alone in its picture it has the picture's keys too.
@@ -55,8 +67,8 @@ Json plot_schema(const PlotKind& kind, bool alone) {
   if (kind.read) {  // a picture for itself
     for (const char* key : {"title", "caption"}) properties.set(key, schema_ref("text"));
   } else {
-    add_keys(properties, panel_keys(), kind.plane ? "" : "boundary");
-    if (alone) add_keys(properties, picture_keys(), "panels");
+    add_keys(properties, panel_keys(), [&](const std::string& key) { return kind.takes(key); });
+    if (alone) add_keys(properties, picture_keys(), [](const std::string& key) { return key != "panels"; });
   }
   for (const Channel& channel : kind.channels) {
     properties.set(channel.key, channel_schema(channel));
@@ -94,7 +106,7 @@ void add_figure_definitions(Json& definitions) {
   definitions.set("panel", plot_choice("panel.", false));
   definitions.set("plot", plot_choice("plot.", true));
   Json properties = Json::object();
-  add_keys(properties, picture_keys());
+  add_keys(properties, picture_keys(), [](const std::string&) { return true; });
   definitions.set("panels", closed_map(std::move(properties), {"panels"}));
   Json figure = Json::object().set("if", Json::object().set("required", Json::list({"panels"})));
   definitions.set("figure", figure.set("then", schema_ref("panels")).set("else", schema_ref("plot")));

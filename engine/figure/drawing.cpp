@@ -5,6 +5,7 @@
 
 #include "engine/figure/gnuplot.hpp"
 #include "engine/figure/grid.hpp"
+#include "engine/figure/mark_drawing.hpp"
 #include "engine/figure/picture.hpp"
 #include "engine/figure/plot_kind.hpp"
 #include "engine/figure/region_drawing.hpp"
@@ -56,13 +57,15 @@ struct DrawnPanel {
   std::size_t titles = 0;
 };
 
+/// Pixels for labels and a colour bar beside the axes, and for labels below and above them.
+constexpr double room_across = 150.0, room_up = 80.0;
+
 double wanted_height(const Script& script, double width) {
   if (script.height > 0.0) return script.height;
   if (script.space) return 0.8 * width;
   if (!script.panel().equal || script.x.empty() || script.y.empty()) return 0.66 * width;
-  // Room for labels and a colour bar is about 150 pixels across and 80 up.
   const double ratio = (script.y.high - script.y.low) / (script.x.high - script.x.low);
-  return std::clamp((width - 150.0) * ratio + 80.0, 0.3 * width, 1.2 * width);
+  return std::clamp((width - room_across) * ratio + room_up, 0.3 * width, 1.2 * width);
 }
 
 DrawnPanel draw_panel(const Figure& figure, std::span<const Recording> recordings, std::size_t index,
@@ -73,10 +76,13 @@ DrawnPanel draw_panel(const Figure& figure, std::span<const Recording> recording
   const auto title = panel.words.find("title");
   if (title != panel.words.end()) script.set("set title " + quoted(title->second));
   cover_regions(panel, script);
+  cover_marks(panel, script);
   panel.kind->draw(panel, recordings, script);
   draw_boundaries(panel, script);
   draw_regions(panel, script);
-  return {legend_place(script.titles()) + script.text(), wanted_height(script, width), script.titles()};
+  const double height = wanted_height(script, width);
+  draw_marks(panel, {width - room_across, height - room_up}, script);
+  return {legend_place(script.titles()) + script.text(), height, script.titles()};
 }
 
 /// Rows of panels, each as high as its highest panel.

@@ -33,6 +33,12 @@ struct Series {
   std::string axis_label() const;
 };
 
+/// A point of the plane with a name, in the units of the axes.
+struct MarkedPoint {
+  std::string name;
+  double x = 0.0, y = 0.0;
+};
+
 /// One pair of axes. Numbers are in the units in which they are drawn.
 struct Panel {
   using Range = std::array<double, 2>;
@@ -45,6 +51,7 @@ struct Panel {
   std::map<std::string, std::vector<double>> levels;  ///< lists of numbers: contour
   std::vector<Formula> boundaries;  ///< of the plane's x and y in SI; a curve is drawn where one is zero
   std::vector<Outline> regions;     ///< in SI: shaded in the plane, and their lines drawn
+  std::vector<MarkedPoint> marks;   ///< drawn on top of everything, with their names
   std::vector<std::string> legend;
   std::optional<Formula> where;
   std::vector<std::size_t> recordings;  ///< for each y, or one

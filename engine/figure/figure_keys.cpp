@@ -20,7 +20,8 @@ const std::vector<FigureKey>& panel_keys() {
       {"log", "axes with a logarithmic scale: x, y, color, or a list"},
       {"boundary",
        "expression of x and y in SI units (or a list); a line is drawn where it is zero: x - 5 mm"},
-      {"region", "name of a Region (or a list): its boundary is drawn, and its inside shaded"}};
+      {"region", "name of a Region (or a list): its boundary is drawn, and its inside shaded"},
+      {"marks", "points with names, drawn on top: {A: [0 mm, 20 mm]}; a list of points numbers them"}};
   return keys;
 }
 

@@ -12,12 +12,6 @@ namespace {
 
 using Keys = std::vector<std::string>;
 
-const Channel* find_channel(const PlotKind& kind, const std::string& key) {
-  const auto found = std::find_if(kind.channels.begin(), kind.channels.end(),
-                                  [&](const Channel& channel) { return channel.key == key; });
-  return found == kind.channels.end() ? nullptr : &*found;
-}
-
 const Option* find_option(const PlotKind& kind, const std::string& key) {
   const auto found = std::find_if(kind.options.begin(), kind.options.end(),
                                   [&](const Option& option) { return option.key == key; });
@@ -38,16 +32,17 @@ class PanelReader {
     if (!find_kind()) return std::nullopt;
     if (panel_.kind->read) return read_picture();
     for (const auto& entry : node_.entries)
-      if (find_channel(*panel_.kind, entry.key) != nullptr) read_channel(entry);
+      if (panel_.kind->channel(entry.key)) read_channel(entry);
     // Options are read in the units of the channels, so they come second.
     for (const auto& entry : node_.entries)
-      if (find_channel(*panel_.kind, entry.key) == nullptr) read_other(entry);
+      if (!panel_.kind->channel(entry.key)) read_other(entry);
     for (const auto& channel : panel_.kind->channels)
       if (channel.required && node_.find(channel.key) == nullptr)
         fault(node_.mark, "figure." + channel.key,
               fmt::format("a plot '{}' needs '{}': {}", panel_.kind->name, channel.key, channel.doc));
     check_units_of_y();
     check_legend();
+    if (const Node* marks = node_.find("marks")) check_marks(*marks, panel_, names_, faults_);
     find_recordings();
     return std::move(panel_);
   }
@@ -93,7 +88,7 @@ class PanelReader {
   }
 
   void read_channel(const Entry& entry) {
-    const Channel& channel = *find_channel(*panel_.kind, entry.key);
+    const Channel& channel = *panel_.kind->channel(entry.key);
     const std::string subject = "figure." + entry.key;
     if (entry.value.is_list() && !channel.several)
       return fault(entry.value.mark, subject,
@@ -110,7 +105,7 @@ class PanelReader {
     const std::string& key = entry.key;
     if (key == "plot" || (alone_ && is_among(picture_keys(), key))) return;
     if (const Option* option = find_option(*panel_.kind, key)) return read_option(*option, entry.value);
-    if (!is_among(panel_keys(), key) || (key == "boundary" && !panel_.kind->plane)) return unknown(entry);
+    if (!is_among(panel_keys(), key) || !panel_.kind->takes(key)) return unknown(entry);
     const Node& value = entry.value;
     if (key == "title" || key.ends_with("_label")) panel_.words[key] = text(value, key);
     if (key == "where") panel_.where = read_formula(value, names_, "figure.where", faults_);
@@ -120,6 +115,7 @@ class PanelReader {
     if (key == "log") read_log(value);
     if (key == "boundary") read_boundary(value);
     if (key == "region") read_region(value);
+    if (key == "marks") read_marks(value, panel_, names_, faults_);
     if (key.ends_with("_range")) read_range(value, key);
   }
 
@@ -127,7 +123,7 @@ class PanelReader {
     Keys keys{"plot"};
     for (const auto& key : figure_keys(panel_.kind->name)) keys.push_back(key.name);
     for (const auto& key : panel_keys())
-      if (key.name != "boundary" || panel_.kind->plane) keys.push_back(key.name);
+      if (panel_.kind->takes(key.name)) keys.push_back(key.name);
     if (alone_)
       for (const auto& key : picture_keys())
         if (!is_among(panel_keys(), key.name)) keys.push_back(key.name);
@@ -146,16 +142,8 @@ class PanelReader {
     return {};
   }
 
-  /// A number in the unit in which an axis is drawn.
   std::optional<double> number(const Node& node, const std::string& key, const std::string& axis) {
-    const std::string subject = "figure." + key;
-    const auto read = read_number(node, names_, subject, faults_);
-    if (!read) return std::nullopt;
-    const Series* series = panel_.find(axis);
-    if (series == nullptr) return read->value;
-    check_dimension(*read, series->formula.dimension, fmt::format("'{}'", series->formula.text), node, names_,
-                    subject, faults_);
-    return series->unit.from_si(read->value);
+    return read_axis_number(node, panel_, axis, names_, "figure." + key, faults_);
   }
 
   void read_option(const Option& option, const Node& node) {

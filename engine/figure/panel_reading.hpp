@@ -15,6 +15,16 @@ const std::vector<FigureKey>& picture_keys();
 /// Reads one panel; keys of the whole picture are passed over where `alone`, else they are refused.
 std::optional<Panel> read_panel(const Node& node, const Names& names, bool alone, Faults& faults);
 
+/// Reads a number for an axis of the panel, x, y, z or color: in the unit in which that is drawn.
+std::optional<double> read_axis_number(const Node& node, const Panel& panel, const std::string& axis,
+                                       const Names& names, const std::string& subject, Faults& faults);
+
+/// Reads the value of `marks`: {NAME: [X, Y], ...}, or a list of points, which are named 1, 2, 3.
+void read_marks(const Node& node, Panel& panel, const Names& names, Faults& faults);
+
+/// Adds a fault for each mark that lies beyond the ranges that the file gives.
+void check_marks(const Node& node, const Panel& panel, const Names& names, Faults& faults);
+
 /// Reads "EXPR", "EXPR in UNIT" or {signal: ..., label: ...}.
 std::optional<Series> read_series(const Node& node, const Names& names, const std::string& subject,
                                   Faults& faults);

@@ -49,6 +49,8 @@ std::string picture_terminal(double width, double height) {
 
 std::string finished_picture(std::string svg, const std::string& title) {
   replace_all(svg, "font-family=\"Helvetica\"", "font-family=\"Helvetica, Arial, sans-serif\"");
+  replace_all(svg, "stroke=\"none\" fill=\"rgb(16,16,16)\"",
+              "stroke=\"#ffffff\" stroke-width=\"3\" style=\"paint-order:stroke\" fill=\"#101010\"");
   replace_all(svg, "<image ", "<image style='image-rendering:pixelated' ");
   replace_all(svg, "<title>Gnuplot</title>", "<title>" + escaped(title) + "</title>");
   return svg;

@@ -10,8 +10,11 @@ std::string picture_style();
 /// The gnuplot command that starts a picture of so many pixels.
 std::string picture_terminal(double width, double height);
 
-/// The picture that gnuplot made, with what it does not offer: a list of fonts, crisp cells of maps, and a
-/// title that a screen reader says.
+/// The colour by which a finished picture knows texts that lie on curves.
+constexpr const char* rimmed_text = "#101010";
+
+/// The picture that gnuplot made, with what it does not offer: a list of fonts, crisp cells of maps, white
+/// rims of texts that lie on curves, and a title that a screen reader says.
 std::string finished_picture(std::string svg, const std::string& title);
 
 }  // namespace stepwire

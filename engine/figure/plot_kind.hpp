@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/figure/figure.hpp"
@@ -36,11 +37,16 @@ struct PlotKind {
   std::string doc;
   std::vector<Channel> channels;
   std::vector<Option> options;
-  bool plane = true;  ///< has the axes x and y in a plane, so that boundaries may be drawn
+  bool plane = true;  ///< has the axes x and y in a plane
   void (*draw)(const Panel& panel, std::span<const Recording> recordings, Script& script) = nullptr;
   /// For a plot that has a picture for itself and draws it without gnuplot, in place of `draw`: reads its
   /// options.
   Picture (*read)(const Node& node, const Names& names, Faults& faults) = nullptr;
+
+  /// The channel of this name, or nullptr.
+  const Channel* channel(std::string_view key) const;
+  /// May this key of panels be given here? Boundaries want a plane, marks also something along both its axes.
+  bool takes(std::string_view panel_key) const;
 };
 
 /// All kinds, in the order of the reference.

@@ -1,5 +1,7 @@
 #include "engine/figure/plot_kind.hpp"
 
+#include <algorithm>
+
 namespace stepwire {
 
 const std::vector<PlotKind>& plot_kinds() {
@@ -7,6 +9,16 @@ const std::vector<PlotKind>& plot_kinds() {
                                            strip_plot(), map_plot(),       field_plot(),   space_plot(),
                                            box_plot(),   histogram_plot(), diagram_plot(), rig_plot()};
   return kinds;
+}
+
+const Channel* PlotKind::channel(std::string_view key) const {
+  const auto found = std::ranges::find(channels, key, &Channel::key);
+  return found == channels.end() ? nullptr : &*found;
+}
+
+bool PlotKind::takes(std::string_view panel_key) const {
+  if (panel_key == "boundary") return plane;
+  return panel_key != "marks" || (plane && channel("x") && channel("y"));
 }
 
 }  // namespace stepwire

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/figure/thinning.hpp"
+
 namespace stepwire {
 namespace {
 
@@ -20,9 +22,14 @@ Curve curve_of(const Panel& panel, const Outline& outline, const Outline::Line& 
   return curve;
 }
 
-std::vector<Curve> curves_of(const Panel& panel, const Outline& outline) {
+/// The lines of an outline; in the plane without points that cannot be told apart in the frame.
+std::vector<Curve> curves_of(const Panel& panel, const Outline& outline, const Script& script) {
+  const std::vector<double> widths{script.x.high - script.x.low, script.y.high - script.y.low};
   std::vector<Curve> curves;
-  for (const Outline::Line& line : outline.lines) curves.push_back(curve_of(panel, outline, line));
+  for (const Outline::Line& line : outline.lines) {
+    curves.push_back(curve_of(panel, outline, line));
+    if (!outline.space) curves.back() = simplify(curves.back(), widths, unseen, false);
+  }
   return curves;
 }
 
@@ -75,7 +82,7 @@ void cover_regions(const Panel& panel, Script& script) {
 void draw_regions(const Panel& panel, Script& script) {
   if (!panel.regions.empty()) script.set("set clip two");  // a line may begin and end beyond the frame
   for (const Outline& outline : panel.regions) {
-    const std::vector<Curve> curves = curves_of(panel, outline);
+    const std::vector<Curve> curves = curves_of(panel, outline, script);
     const std::string columns = outline.space ? "1:2:3" : "1:2";
     script.plot(script.data(curves) + " using " + columns + " with lines lc rgb '#111111' lw 1.6");
     if (outline.space) continue;

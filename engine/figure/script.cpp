@@ -41,6 +41,7 @@ Extent Extent::padded(double share) const {
 }
 
 std::string Script::data(const std::vector<Curve>& curves) {
+  if (!panel_.marks.empty()) std::ranges::copy(curves, std::back_inserter(drawn_));
   const std::string block = fmt::format("${}{}", name_, blocks_++);
   commands_ += block + " << EOD\n";
   auto out = std::back_inserter(commands_);

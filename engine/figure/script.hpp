@@ -53,6 +53,8 @@ class Script {
   double share = 1.0;  ///< part of the picture's size, in bytes, that this panel may take
   Extent x, y;
 
+  /// Curves in the plane that are drawn so far, where marks will have to keep off them; else none.
+  const std::vector<Curve>& drawn() const { return drawn_; }
   const Panel& panel() const { return panel_; }
   std::size_t titles() const { return titles_; }
   std::string text() const;
@@ -63,6 +65,7 @@ class Script {
   const Panel& panel_;
   std::string name_, commands_;
   std::vector<std::string> items_;
+  std::vector<Curve> drawn_;
   std::size_t blocks_ = 0, titles_ = 0;
 };
 

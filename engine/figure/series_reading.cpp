@@ -66,4 +66,15 @@ std::optional<Series> read_series(const Node& node, const Names& names, const st
   return series;
 }
 
+std::optional<double> read_axis_number(const Node& node, const Panel& panel, const std::string& axis,
+                                       const Names& names, const std::string& subject, Faults& faults) {
+  const auto read = read_number(node, names, subject, faults);
+  if (!read) return std::nullopt;
+  const Series* series = panel.find(axis);
+  if (series == nullptr) return read->value;
+  check_dimension(*read, series->formula.dimension, fmt::format("'{}'", series->formula.text), node, names,
+                  subject, faults);
+  return series->unit.from_si(read->value);
+}
+
 }  // namespace stepwire

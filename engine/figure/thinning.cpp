@@ -151,8 +151,7 @@ std::vector<Curve> thinned(const Curves& all, std::size_t group, std::size_t bud
   std::vector<Curve> curves;
   for (const Curve& curve : all.curves)
     if (curve.group == group) curves.push_back(decimate(curve, most_rows));
-  // A quarter of a thousandth is a fraction of a pixel.
-  for (double tolerance = 2.5e-4; tolerance < 0.1; tolerance *= 1.6) {
+  for (double tolerance = unseen; tolerance < 0.1; tolerance *= 1.6) {
     for (Curve& curve : curves) curve = simplify(curve, widths, tolerance, colored);
     if (rows_of(curves) <= budget) break;
   }

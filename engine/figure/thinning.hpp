@@ -7,6 +7,9 @@
 
 namespace stepwire {
 
+/// Share of the width of a picture that is a fraction of a pixel.
+constexpr double unseen = 2.5e-4;
+
 /// At most about `limit` rows of a curve, in their order, among them the smallest and largest of every column
 /// in every stretch, so that no peak is lost.
 Curve decimate(const Curve& curve, std::size_t limit);

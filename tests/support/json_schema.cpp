@@ -104,6 +104,10 @@ class Check {
          [](Check& c, const json& is, const json&) {
            c.demand(!c.value_.is_object() || c.value_.size() >= is, "has too few keys");
          }},
+        {"maxProperties",
+         [](Check& c, const json& is, const json&) {
+           c.demand(!c.value_.is_object() || c.value_.size() <= is, "has too many keys");
+         }},
         {"minimum", [](Check& c, const json& is,
                        const json&) { c.demand(!c.value_.is_number() || c.value_ >= is, "is too small"); }},
         {"maximum", [](Check& c, const json& is,

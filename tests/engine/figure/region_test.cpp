@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "engine/figure/region_drawing.hpp"
 #include "tests/engine/figure/samples.hpp"
@@ -41,6 +43,26 @@ TEST_CASE("the shade ends at the frame of the axes and lies below the curves") {
   CHECK_THAT(script.text(),
              Contains("plot $p1 using 1:2 with filledcurves") && Contains("2 1.5\n") && Contains("0 -2\n"));
   CHECK(script.text().find("filledcurves") < script.text().find("1 notitle, "));
+}
+
+TEST_CASE("an outline has no more points than can be seen") {
+  constexpr double turn = 6.283185307179586;
+  constexpr int points = 5000;
+  Outline::Line circle;
+  for (int i = 0; i <= points; ++i)
+    circle.points.push_back({4e-3 * std::cos(turn * i / points), 4e-3 * std::sin(turn * i / points), 0.0});
+  Panel panel = panel_of("{" + plane + "}");
+  panel.regions = {{false, {circle}}};
+  Script script(panel, "p");
+  script.x = script.y = {-5.0, 5.0};
+  draw_regions(panel, script);
+  const std::string text = script.text();
+  const std::string line = text.substr(0, text.find("EOD\n", text.find("EOD\n") + 4));
+  const auto rows = std::count(line.begin(), line.end(), '\n');
+  // A chord of a circle of radius 4 stays within 10 * 2.5e-4 of it for 2 acos(1 - 2.5e-3/4): 89 chords at
+  // least.
+  CHECK(rows > 89);
+  CHECK(rows < 250);
 }
 
 TEST_CASE("a region that is none, or not of the plot's space, is refused") {
