@@ -10,6 +10,9 @@ std::string picture_style();
 /// The gnuplot command that starts a picture of so many pixels.
 std::string picture_terminal(double width, double height);
 
+/// A text as it stands in SVG: & < > replaced.
+std::string svg_escaped(std::string text);
+
 /// The picture that gnuplot made, with what it does not offer: a list of fonts, crisp cells of maps, and a
 /// title that a screen reader says.
 std::string finished_picture(std::string svg, const std::string& title);
