@@ -14,7 +14,9 @@ namespace {
 
 constexpr double negligible = 1e-11;    // of the largest singular value
 constexpr double largest_radius = 1e5;  // of the points' spread: beyond it an arc is a line
-constexpr const char* on_a_line = "the points lie on a line, or so near to one that no circle fits better";
+constexpr const char* on_a_line =
+    "the points lie on a line, or so near to one that their circle would be 100000 times as large as their "
+    "spread";
 
 /// A circle as a (x^2 + y^2) + b x + c y + d = 0.
 Circle from_coefficients(const Eigen::Vector4d& k) {

@@ -21,7 +21,8 @@ struct Circle {
 enum class CircleFit { geometric, kasa, pratt, taubin };
 
 /// The circle that fits points best. Throws StatisticsError for fewer than three points, for coordinates that
-/// are not finite, and for points on a line, or so near to one that no circle fits better.
+/// are not finite, and for points on a line, or so near to one
+/// that the circle would be 100000 times as large as their spread.
 Circle fit_circle(const PlanePoints& points, CircleFit fit = CircleFit::geometric);
 
 /// Sum of (r_i - R)^2 over all points: the path error of task 1 (section 4.3.1) before it is normalised, in

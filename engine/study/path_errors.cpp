@@ -32,10 +32,14 @@ std::vector<const Trial*> of_task(const std::vector<Trial>& trials, const std::s
   return result;
 }
 
-PathError started(const Trial& trial) {
-  PathError error{trial.subject, trial.condition};
-  error.duration = trial.time.back() - trial.time.front();
-  return error;
+PathError started(const Trial& trial, double time_limit, PathErrors& errors) {
+  PathError row{trial.subject, trial.condition};
+  row.duration = trial.time.back() - trial.time.front();
+  if (row.duration > time_limit)
+    errors.warnings.push_back(
+        fmt::format("{} lasted {:.3g} s; the thesis repeats trials that last longer than {:g} s",
+                    name_of(trial), row.duration, time_limit));
+  return row;
 }
 
 void normalise(PathErrors& errors) {
@@ -115,7 +119,7 @@ std::vector<std::string> PathErrors::conditions() const {
 
 PathErrors circle_errors(const std::vector<Trial>& trials, const CircleTask& task) {
   const auto chosen = of_task(trials, task.task);
-  PathErrors errors{task.task, "m^2", "m", {}, {}, {}};
+  PathErrors errors{task.task, "m^2", "m", {}, {}, {}, {}};
   errors.rule = fmt::format(
       "sum of squared radial deviations of all recorded points from the circle fitted to the drawing {} ({} "
       "fit), "
@@ -125,7 +129,7 @@ PathErrors circle_errors(const std::vector<Trial>& trials, const CircleTask& tas
     if (trial->condition == task.without_feedback)
       errors.circles[trial->subject] = scored(*trial, [&] { return fit_circle(trial->points, task.fit); });
   for (const Trial* trial : chosen) {
-    PathError row = started(*trial);
+    PathError row = started(*trial, task.time_limit, errors);
     row.error = row.raw = squared_deviations(trial->points, circle_of(errors, *trial, task));
     row.points = trial->time.size();
     row.deviation = std::sqrt(row.error / static_cast<double>(row.points));
@@ -137,7 +141,7 @@ PathErrors circle_errors(const std::vector<Trial>& trials, const CircleTask& tas
 }
 
 PathErrors return_errors(const std::vector<Trial>& trials, const WayBack& way_back, const ReturnTask& task) {
-  PathErrors errors{task.task, "m", "rad", {}, {}, {}};
+  PathErrors errors{task.task, "m", "rad", {}, {}, {}, {}};
   errors.rule = fmt::format(
       "sum of step lengths times their angles from the way back (equations 17 to 25), resampled by {} in "
       "steps of "
@@ -147,7 +151,7 @@ PathErrors return_errors(const std::vector<Trial>& trials, const WayBack& way_ba
   for (const Trial* trial : of_task(trials, task.task)) {
     const ReturnError found =
         scored(*trial, [&] { return return_error(trial->points, way_back, task.resampling); });
-    PathError row = started(*trial);
+    PathError row = started(*trial, task.time_limit, errors);
     row.error = found.error;
     row.raw = found.raw;
     row.points = static_cast<std::size_t>(found.points);

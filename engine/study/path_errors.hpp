@@ -33,7 +33,9 @@ struct PathErrors {
   std::string deviation_unit;  ///< "m", "rad"
   std::string rule;            ///< in words
   std::vector<PathError> rows;
-  std::map<std::string, Circle> circles;        ///< of task 1, by subject [m]
+  std::map<std::string, Circle> circles;  ///< of task 1, by subject [m]
+  std::vector<std::string> warnings;      ///< trials that lasted longer than the thesis allows
+
   std::vector<std::string> conditions() const;  ///< in the order in which they come up
 };
 
@@ -43,6 +45,7 @@ struct CircleTask {
   std::string task = "1";
   std::string without_feedback = "NO";  ///< the condition that the circle is fitted to
   CircleFit fit = CircleFit::geometric;
+  double time_limit = 75.0;  ///< [s]; a longer trial was to be repeated: it is scored, with a warning
 };
 
 /// Throws StatisticsError, with the trial in front, for a subject without that drawing, for what fit_circle
@@ -53,6 +56,7 @@ PathErrors circle_errors(const std::vector<Trial>& trials, const CircleTask& tas
 struct ReturnTask {
   std::string task = "2";
   Resampling resampling{};
+  double time_limit = 20.0;  ///< [s], as in task 1
 };
 
 /// Throws StatisticsError, with the trial in front, for what return_error refuses, and where there are no

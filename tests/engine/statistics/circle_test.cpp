@@ -119,7 +119,7 @@ TEST_CASE("points without a circle are refused with the reason") {
   line << 0, 1, 2, 3, 4, 1, 3, 5, 7, 9;
   for (const CircleFit fit : all_fits)
     CHECK_THROWS_WITH(fit_circle(line, fit),
-                      "the points lie on a line, or so near to one that no circle fits better");
+                      Catch::StartsWith("the points lie on a line, or so near to one"));
   CHECK_THROWS_AS(fit_circle(PlanePoints::Constant(2, 9, 3.0)), StatisticsError);
   CHECK_THROWS_WITH(fit_circle(line.leftCols(2)), "a circle needs three points or more; there are 2");
   line(0, 2) = NAN;

@@ -54,6 +54,15 @@ TEST_CASE("a straight return scores its length times its angle, over the largest
   CHECK_THAT(errors.rule, Contains("resampled by arc length in steps of 2 mm"));
 }
 
+TEST_CASE("a trial that lasted too long is scored, and named") {
+  const PathErrors errors = circle_errors(drawings(), {"1", "NO", CircleFit::geometric, 20.0});
+  REQUIRE(errors.warnings.size() == 4);
+  CHECK(errors.warnings[1] ==
+        "subject a, task 1, condition V lasted 24.8 s; the thesis repeats trials that last longer than 20 s");
+  CHECK(errors.rows.size() == 4);
+  CHECK(circle_errors(drawings()).warnings.empty());
+}
+
 TEST_CASE("what cannot be scored names its trial") {
   const std::vector<Trial> without{circle_drawing("Ann", "V", 0.0, 1 * mm)};
   CHECK_THROWS_WITH(

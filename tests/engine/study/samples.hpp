@@ -44,7 +44,7 @@ inline Eigen::Vector2d to_half_plane(const Eigen::Vector2d& point) {
 /// Ten subjects whose mean errors are those that the thesis prints, each subject a share above or below.
 inline PathErrors errors_of(const std::string& task,
                             const std::vector<std::pair<std::string, double>>& means) {
-  PathErrors errors{task, "m", "rad", "made up", {}, {}};
+  PathErrors errors{task, "m", "rad", "made up", {}, {}, {}};
   for (int subject = 0; subject < 10; ++subject)
     for (std::size_t k = 0; k < means.size(); ++k) {
       const double share = 0.3 * std::sin(1.0 + 2.0 * subject + 5.0 * static_cast<double>(k));
