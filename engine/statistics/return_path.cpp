@@ -90,10 +90,6 @@ PlanePoints history(const PlanePoints& path, const WayBack& way_back) {
 
 }  // namespace
 
-std::string Resampling::text() const {
-  return fmt::format("{}, {}", rule == Rule::arc_length ? "arc length" : "chord", spacing);
-}
-
 double path_length(const PlanePoints& path) {
   double length = 0.0;
   for (Eigen::Index i = 0; i + 1 < path.cols(); ++i) length += (path.col(i + 1) - path.col(i)).norm();

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <string>
 
 #include "engine/statistics/circle.hpp"
 
@@ -18,9 +17,6 @@ struct Resampling {
 
   Rule rule = Rule::arc_length;
   double spacing = 2e-3;  ///< [m], or the unit of the points; above 0
-
-  /// "arc length, 0.002".
-  std::string text() const;
 };
 
 /// The resampled path. Throws StatisticsError for fewer than two points, for what is not finite, and for a
