@@ -73,9 +73,9 @@ TEST_CASE("what a figure asks wrongly is told with its place") {
         "d.yaml:1:44: figure.x_range: 5 N is in N, but 'time' is in s\n");
   CHECK(faults_of("{plot: map, x: time, y: time, color: time, boundary: z}") ==
         "d.yaml:1:54: figure.boundary: 'z' is no coordinate of the plane; there are: x, y\n");
-  CHECK_THAT(
-      faults_of("{plot: lines, x: time, y: rig.x, colour: 3}"),
-      Catch::StartsWith("d.yaml:1:34: figure: a plot 'lines' has no 'colour'; it has: plot, x, y, low, high, by, "));
+  CHECK_THAT(faults_of("{plot: lines, x: time, y: rig.x, colour: 3}"),
+             Catch::StartsWith(
+                 "d.yaml:1:34: figure: a plot 'lines' has no 'colour'; it has: plot, x, y, low, high, by, "));
   CHECK(faults_of("{plot: lines, x: time, y: rig.x, legend: [a, b]}") ==
         "d.yaml:1:42: figure.legend: there are 2 texts, but only 1 in 'y'; 'by' with a swept parameter tells "
         "runs "
