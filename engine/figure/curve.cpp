@@ -124,6 +124,8 @@ std::vector<Curve> one_for_each_stretch(const Source& source, const std::vector<
   return curves;
 }
 
+}  // namespace
+
 std::vector<std::string> labels_of(const Series& by, const std::vector<double>& groups,
                                    const Recording& recording) {
   std::vector<std::string> labels;
@@ -138,8 +140,6 @@ std::vector<std::string> labels_of(const Series& by, const std::vector<double>& 
   }
   return labels;
 }
-
-}  // namespace
 
 Curves gather(const Panel& panel, const Recording& recording, const std::vector<const Series*>& channels) {
   Source source = read_source(panel, recording, channels);

@@ -31,4 +31,8 @@ struct Curves {
 /// joined.
 Curves gather(const Panel& panel, const Recording& recording, const std::vector<const Series*>& channels);
 
+/// "0.1 A" for each value of a series that tells curves apart, or the word that the value stands for.
+std::vector<std::string> labels_of(const Series& by, const std::vector<double>& groups,
+                                   const Recording& recording);
+
 }  // namespace stepwire

@@ -8,12 +8,19 @@ namespace stepwire {
 /// are held.
 double hazen_quantile(const std::vector<double>& sorted, double p);
 
-/// What a box plot shows of a sample: full range, quartiles after Hazen, median and mean.
+/// How far the whiskers of a box reach: over all values, or to the last value within 1.5 interquartile ranges
+/// of the box (Tukey 1977).
+enum class Whiskers { range, tukey };
+
+/// What a box plot shows of a sample: quartiles after Hazen, median, mean, the ends of the whiskers, and the
+/// values beyond them.
 struct BoxSummary {
   double min = 0.0, lower = 0.0, median = 0.0, upper = 0.0, max = 0.0, mean = 0.0;
+  double low_whisker = 0.0, high_whisker = 0.0;
+  std::vector<double> beyond{};
 };
 
 /// The values need not be sorted; at least one is needed.
-BoxSummary box_summary(std::vector<double> values);
+BoxSummary box_summary(std::vector<double> values, Whiskers whiskers = Whiskers::range);
 
 }  // namespace stepwire

@@ -32,6 +32,7 @@ const std::map<std::string, Folders> arrows{
     {"realtime", {"run"}},
     {"generate", {"solve", "record"}},
     {"identify", {"run", "figure", "statistics"}},
+    {"study", {"figure", "record", "statistics", "table", "unit"}},
     {"describe", {"diagram", "table", "figure", "solve"}},
     {"cli", {"run", "replay", "draw", "figure", "describe", "realtime", "generate", "identify"}},
 };

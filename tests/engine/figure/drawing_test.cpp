@@ -62,6 +62,7 @@ const std::vector<std::string> every_kind{
     "{plot: 3d, x: rig.x in mm, y: rig.v in mm/s, z: current, color: time}",
     "{plot: 3d, x: rig.x in mm, y: rig.v in mm/s, z: current, style: points, equal: true}",
     "{plot: box, y: rig.x in mm, by: current}",
+    "{plot: box, y: rig.x in mm, by: current, beside: {signal: rig.v > 0, label: forth}, whiskers: tukey}",
     "{plot: histogram, x: rig.x in mm}"};
 
 }  // namespace
@@ -85,6 +86,19 @@ TEST_CASE("every kind of plot is drawn where no row is left, or a single one") {
       INFO(text);
       CHECK(is_well_formed(drawn(text)));
     }
+}
+
+TEST_CASE("boxes side by side are named in the legend, and values beyond the whiskers have their mark") {
+  if (gnuplot_is_missing()) return;
+  const std::string whiskers =
+      "{plot: box, y: \"rig.x*rig.x*rig.x*rig.x*rig.x*rig.x*rig.x\", by: current, beside: {signal: rig.v > "
+      "0, "
+      "label: forth}, whiskers: ";
+  const std::string tukey = drawn(whiskers + "tukey}"), range = drawn(whiskers + "range}");
+  for (const std::string text : {"forth 0", "forth 1", "median", "mean"})
+    CHECK_THAT(range, Catch::Contains("<text>" + text + "</text>"));
+  CHECK_THAT(tukey, Catch::Contains("beyond the whiskers"));
+  CHECK_THAT(range, !Catch::Contains("beyond the whiskers"));
 }
 
 TEST_CASE("the same data give the same bits") {

@@ -1,0 +1,130 @@
+#include "engine/study/side_by_side.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace stepwire {
+namespace {
+
+constexpr double significant = 0.05, factor_of_agreement = 2.0;
+
+double value_of(const std::vector<NamedValue>& values, const std::string& name) {
+  const auto found =
+      std::find_if(values.begin(), values.end(), [&](const NamedValue& value) { return value.name == name; });
+  return found == values.end() ? std::numeric_limits<double>::quiet_NaN() : found->value;
+}
+
+/// Names by falling value, those of one value in the order in which they came.
+std::string order_of(std::vector<NamedValue> values) {
+  std::stable_sort(values.begin(), values.end(),
+                   [](const NamedValue& a, const NamedValue& b) { return a.value > b.value; });
+  std::string text;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    text += (i == 0 ? "" : values[i].value == values[i - 1].value ? " = " : " > ") + values[i].name;
+  return text;
+}
+
+/// The conditions of a list that we have; a list of fewer than two says nothing.
+std::vector<NamedValue> present(const std::vector<std::string>& names, const std::vector<NamedValue>& ours) {
+  std::vector<NamedValue> result;
+  for (const std::string& name : names)
+    if (const double value = value_of(ours, name); !std::isnan(value)) result.push_back({name, value});
+  return result;
+}
+
+Agreement judge_order(const std::vector<NamedValue>& listed) {
+  std::vector<std::string> names;
+  bool falls = true;
+  for (std::size_t i = 0; i < listed.size(); ++i) {
+    names.push_back(listed[i].name);
+    falls = falls && (i == 0 || listed[i].value < listed[i - 1].value);
+  }
+  return {fmt::format("order {}", fmt::join(names, " > ")), falls, order_of(listed)};
+}
+
+/// Ratios to the condition with the largest published error do not depend on how errors are normalised.
+void judge_ratios(SideBySide& both) {
+  const auto largest = std::max_element(
+      both.values.begin(), both.values.end(),
+      [](const ComparedValue& a, const ComparedValue& b) { return a.published < b.published; });
+  if (largest == both.values.end() || std::isnan(largest->ours)) return;
+  for (const ComparedValue& value : both.values) {
+    if (&value == &*largest || std::isnan(value.ours)) continue;
+    const double published = value.published / largest->published, ours = value.ours / largest->ours;
+    const double apart = std::max(published / ours, ours / published);
+    both.agreements.push_back(
+        {fmt::format("{} is {:.3g} of {}, within a factor of two", value.name, published, largest->name),
+         apart <= factor_of_agreement, fmt::format("{:.3g}", ours)});
+  }
+}
+
+std::string word(double p) {
+  return std::isnan(p) ? "cannot be estimated" : p < significant ? "significant" : "not significant";
+}
+
+std::string verdict(const Agreement& agreement) {
+  return fmt::format("{}: {}; ours: {}.", agreement.agrees ? "Agrees" : "Disagrees", agreement.that,
+                     agreement.ours);
+}
+
+}  // namespace
+
+SideBySide compare_errors(const PublishedValues& published, const std::vector<NamedValue>& ours,
+                          const std::vector<std::vector<std::string>>& order) {
+  SideBySide both{"Errors: the thesis (" + published.source + ") and ours", "normalised error", {}, {}};
+  for (const NamedValue& value : published.values)
+    both.values.push_back({value.name, value.value, value_of(ours, value.name)});
+  for (const auto& names : order)
+    if (const auto listed = present(names, ours); listed.size() > 1)
+      both.agreements.push_back(judge_order(listed));
+  judge_ratios(both);
+  return both;
+}
+
+SideBySide compare_significance(const PublishedValues& published, const Anova& ours) {
+  SideBySide both{"Significance: the thesis (" + published.source + ") and ours", "P", {}, {}};
+  for (const NamedValue& value : published.values) {
+    const AnovaRow* row = ours.find(value.name);
+    const double p = row == nullptr ? std::numeric_limits<double>::quiet_NaN() : row->p;
+    both.values.push_back({value.name, value.value, p});
+    both.agreements.push_back({fmt::format("{} is {} at {}", value.name, word(value.value), significant),
+                               word(p) == word(value.value), word(p)});
+  }
+  return both;
+}
+
+std::vector<SideBySide> compare(const PublishedTask& published, const TaskAnalysis& ours) {
+  return {compare_errors(published.means, ours.means, published.order),
+          compare_significance(published.probabilities, ours.additive)};
+}
+
+TextTable side_by_side_table(const SideBySide& both) {
+  TextTable table{both.title, {both.quantity, "thesis", "ours", "ours / thesis"}, {}, {}};
+  for (const ComparedValue& value : both.values)
+    table.rows.push_back({value.name, printed_probability(value.published), printed_probability(value.ours),
+                          printed_probability(value.ours / value.published)});
+  for (const Agreement& agreement : both.agreements) table.notes.push_back(verdict(agreement));
+  return table;
+}
+
+Json side_by_side_json(const SideBySide& both) {
+  Json values = Json::list(), agreements = Json::list();
+  for (const ComparedValue& value : both.values)
+    values.push(
+        Json::object().set("name", value.name).set("published", value.published).set("ours", value.ours));
+  for (const Agreement& agreement : both.agreements)
+    agreements.push(Json::object()
+                        .set("that", agreement.that)
+                        .set("agrees", agreement.agrees)
+                        .set("ours", agreement.ours));
+  return Json::object()
+      .set("title", both.title)
+      .set("quantity", both.quantity)
+      .set("values", std::move(values))
+      .set("agreements", std::move(agreements));
+}
+
+}  // namespace stepwire
