@@ -10,7 +10,7 @@ namespace stepwire {
 
 namespace {
 
-using Keys = std::vector<std::pair<std::string, std::string>>;
+using ExampleKeys = std::vector<std::pair<std::string, std::string>>;
 
 constexpr std::size_t widest_line = 96;
 constexpr std::size_t most_defaults = 2;
@@ -51,7 +51,7 @@ bool is_telling(const ParameterSpec& spec, const std::string& text) {
   return short_kind && text.find("none") == std::string::npos && text[0] != '[';
 }
 
-void add_defaults(const BlockType& type, Keys& keys) {
+void add_defaults(const BlockType& type, ExampleKeys& keys) {
   std::size_t count = 0;
   for (const ParameterSpec& parameter : type.parameters) {
     if (count == most_defaults) continue;
@@ -62,8 +62,8 @@ void add_defaults(const BlockType& type, Keys& keys) {
   }
 }
 
-Keys keys_to_show(const BlockType& type) {
-  Keys keys{{"block", type.name}};
+ExampleKeys keys_to_show(const BlockType& type) {
+  ExampleKeys keys{{"block", type.name}};
   if (!type.presets.empty()) keys.emplace_back("preset", type.presets.front().name);
   for (const InputSpec& input : type.inputs)
     if (!input.optional) keys.emplace_back(input.name, source_text(input));

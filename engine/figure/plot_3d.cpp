@@ -5,14 +5,14 @@
 namespace stepwire {
 namespace {
 
-constexpr double point_budget = 4000.0;
+constexpr double space_budget = 4000.0;
 
 void draw_space(const Panel& panel, std::span<const Recording> recordings, Script& script) {
   const Series* color = panel.find("color");
   std::vector<const Series*> channels{panel.find("x"), panel.find("y"), panel.find("z")};
   if (color != nullptr) channels.push_back(color);
   const Curves all = gather(panel, recording_of(panel, recordings), channels);
-  const auto budget = static_cast<std::size_t>(point_budget * script.share);
+  const auto budget = static_cast<std::size_t>(space_budget * script.share);
   const auto style = panel.words.find("style");
   const bool points_only = style != panel.words.end() && style->second == "points";
   std::vector<Curve> curves;

@@ -3,12 +3,12 @@
 namespace stepwire {
 namespace {
 
-constexpr double point_budget = 4000.0;  ///< each coloured piece is an element of its own in the picture
+constexpr double piece_budget = 4000.0;  ///< each coloured piece is an element of its own in the picture
 
 void draw_path(const Panel& panel, std::span<const Recording> recordings, Script& script) {
   const Series &x = *panel.find("x"), &y = *panel.find("y"), &color = *panel.find("color");
   const Curves all = gather(panel, recording_of(panel, recordings), {&x, &y, &color});
-  const auto budget = static_cast<std::size_t>(point_budget * script.share);
+  const auto budget = static_cast<std::size_t>(piece_budget * script.share);
   std::vector<Curve> curves;
   for (std::size_t group = 0; group < all.groups.size(); ++group)
     std::ranges::copy(thinned(all, group, budget / all.groups.size(), true), std::back_inserter(curves));

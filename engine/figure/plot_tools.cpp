@@ -5,7 +5,7 @@
 namespace stepwire {
 namespace {
 
-constexpr double point_budget = 14000.0;  ///< of a picture, so that it stays below some 300 kB
+constexpr double picture_budget = 14000.0;  ///< of a picture, so that it stays below some 300 kB
 constexpr std::size_t most_in_legend = 8;
 
 std::string legend_text(const Panel& panel, const Series& y, const Curves& curves, std::size_t group,
@@ -40,7 +40,7 @@ Curve with_group_value(Curve curve, const Curves& all) {
 }
 
 std::size_t rows_for(const Script& script, std::size_t parts) {
-  return static_cast<std::size_t>(point_budget * script.share / static_cast<double>(parts));
+  return static_cast<std::size_t>(picture_budget * script.share / static_cast<double>(parts));
 }
 
 /// Many groups: the value of `by` is shown as a colour.

@@ -30,6 +30,15 @@ struct FitParameter {
   bool bounded() const { return lower > -open && upper < open; }
 };
 
+/// Values of all fitted parameters for one record.
+using Values = std::vector<double>;
+
+inline Values start_of(const std::vector<FitParameter>& parameters) {
+  Values start;
+  for (const FitParameter& parameter : parameters) start.push_back(parameter.start);
+  return start;
+}
+
 /// What is compared: residuals are weight (model - measured) in the rows where `where` holds.
 struct FitComparison {
   Series model;

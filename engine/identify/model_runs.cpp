@@ -25,12 +25,6 @@ std::string label_of(const Job& job, std::size_t point) {
   return text;
 }
 
-Values start_of(const std::vector<FitParameter>& parameters) {
-  Values start;
-  for (const FitParameter& parameter : parameters) start.push_back(parameter.start);
-  return start;
-}
-
 /// All parameters a little away from the start, within their bounds, each by another part of its scale.
 Values beside_start(const std::vector<FitParameter>& parameters) {
   Values values;

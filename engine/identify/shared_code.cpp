@@ -17,12 +17,6 @@ struct Point {
   Plan plan;
 };
 
-Values start_of(const std::vector<FitParameter>& parameters) {
-  Values values;
-  for (const FitParameter& parameter : parameters) values.push_back(parameter.start);
-  return values;
-}
-
 /// Plans around the start, whose numbers show how they move with the parameters.
 class Probing {
  public:

@@ -10,9 +10,6 @@
 
 namespace stepwire {
 
-/// Values of all fitted parameters for one record.
-using Values = std::vector<double>;
-
 /// Code and start of a run of one record, for any values of the parameters.
 class RecordCode {
  public:

@@ -94,7 +94,7 @@ std::string matlab_name(const std::string& name, std::set<std::string>& used) {
 }
 
 /// 116 bytes of text, 8 of nothing, version and byte order. No date: the same table gives the same bytes.
-std::string file_header() {
+std::string header_text() {
   std::string text = "MATLAB 5.0 MAT-file, created by stepwire";
   text.resize(116, ' ');
   const std::array<std::uint16_t, 2> version{0x0100, 0x4D49};
@@ -109,7 +109,7 @@ void write_mat(const std::string& path, const Table& table) {
                              "else",   "elseif",    "end",    "for",        "function", "global",
                              "if",     "otherwise", "parfor", "persistent", "return",   "spmd",
                              "switch", "try",       "while",  "classdef"};
-  std::string content = file_header();
+  std::string content = header_text();
   for (const Column& column : table.columns) {
     content += matrix(Class::float64, column.values.size(), 1, matlab_name(column.name, used),
                       element(Element::float64, bytes(column.values.data(), column.values.size())));

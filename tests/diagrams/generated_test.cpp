@@ -28,13 +28,16 @@ struct Loaded {
   std::string problem;
 };
 
-Loaded load(const Plan& plan, const Compiler& compiler, const std::string& stem) {
+Loaded load(const Job& job, const Compiler& compiler, const std::string& stem) {
   Loaded loaded;
+  const Plan& plan = job.plan;
   const GeneratedProgram program = make_program(plan);
   std::string source = library_source(program);
   source += "extern \"C\" void stepwire_reset(double* w, const double* p) { reset(w, p); }\n";
   std::ofstream(stem + ".cpp") << source;
-  loaded.problem = compiler.compile(stem + ".cpp", stem + ".so", flags_for_this_machine(program.headers), {});
+  std::vector<std::string> flags = flags_for_this_machine(program.headers);
+  if (!job.points.empty()) flags.push_back("-O0");  // sweeps are compared as the compiler optimises them below
+  loaded.problem = compiler.compile(stem + ".cpp", stem + ".so", flags, {});
   void* library = loaded.problem.empty() ? ::dlopen((stem + ".so").c_str(), RTLD_NOW | RTLD_LOCAL) : nullptr;
   if (!library) return loaded;
   loaded.reset = reinterpret_cast<Loaded::Reset>(::dlsym(library, "stepwire_reset"));
@@ -135,7 +138,7 @@ TEST_CASE("every diagram that can be generated gives the interpreter's bits and 
   std::vector<std::string> refused(jobs.size());
   in_parallel(jobs.size(), [&](std::size_t i) {
     try {
-      loaded[i] = load(jobs[i].plan, compiler, (folder / std::to_string(i)).string());
+      loaded[i] = load(jobs[i], compiler, (folder / std::to_string(i)).string());
     } catch (const Error& error) {
       refused[i] = error.what();
     }
