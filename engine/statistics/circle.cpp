@@ -30,16 +30,16 @@ Eigen::VectorXd squares(const PlanePoints& points) {
 }
 
 Circle kasa(const PlanePoints& points) {
-  Eigen::MatrixX3d columns(points.cols(), 3);
+  Eigen::MatrixXd columns(points.cols(), 3);
   columns << points.transpose(), Eigen::VectorXd::Ones(points.cols());
-  const Eigen::Vector3d solution = columns.colPivHouseholderQr().solve(-squares(points));
+  const Eigen::VectorXd solution = columns.colPivHouseholderQr().solve(-squares(points));
   return from_coefficients({1.0, solution[0], solution[1], solution[2]});
 }
 
 /// Smallest |M k| with b^2 + c^2 - 4 a d = 1, M the rows (x^2 + y^2, x, y, 1): the constraint in the axes of
 /// M's singular values has one negative eigenvalue, and the one after it belongs to the solution.
 Circle pratt(const PlanePoints& points) {
-  Eigen::MatrixX4d columns(points.cols(), 4);
+  Eigen::MatrixXd columns(points.cols(), 4);
   columns << squares(points), points.transpose(), Eigen::VectorXd::Ones(points.cols());
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(columns, Eigen::ComputeFullV);
   Eigen::Vector4d sizes = Eigen::Vector4d::Zero();  // three points have three singular values
@@ -50,7 +50,7 @@ Circle pratt(const PlanePoints& points) {
   inverse(0, 3) = inverse(3, 0) = -0.5;
   inverse(1, 1) = inverse(2, 2) = 1.0;
   const Eigen::Matrix4d scaled = axes * sizes.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(scaled.transpose() * inverse * scaled);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled.transpose() * inverse * scaled);
   return from_coefficients(axes * solver.eigenvectors().col(1).cwiseQuotient(sizes));
 }
 
@@ -58,7 +58,7 @@ Circle pratt(const PlanePoints& points) {
 Circle taubin(const PlanePoints& points) {
   const Eigen::VectorXd z = squares(points);
   const double mean = z.mean(), scale = 2.0 * std::sqrt(mean);
-  Eigen::MatrixX3d columns(points.cols(), 3);
+  Eigen::MatrixXd columns(points.cols(), 3);
   columns << (z.array() - mean).matrix() / scale, points.transpose();
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(columns, Eigen::ComputeFullV);
   const Eigen::Vector3d k = svd.matrixV().col(2);

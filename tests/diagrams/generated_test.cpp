@@ -36,7 +36,8 @@ Loaded load(const Job& job, const Compiler& compiler, const std::string& stem) {
   source += "extern \"C\" void stepwire_reset(double* w, const double* p) { reset(w, p); }\n";
   std::ofstream(stem + ".cpp") << source;
   std::vector<std::string> flags = flags_for_this_machine(program.headers);
-  if (!job.points.empty()) flags.push_back("-O0");  // sweeps are compared as the compiler optimises them below
+  if (!job.points.empty())
+    flags.push_back("-O0");  // sweeps are compared as the compiler optimises them below
   loaded.problem = compiler.compile(stem + ".cpp", stem + ".so", flags, {});
   void* library = loaded.problem.empty() ? ::dlopen((stem + ".so").c_str(), RTLD_NOW | RTLD_LOCAL) : nullptr;
   if (!library) return loaded;
