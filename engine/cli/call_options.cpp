@@ -57,6 +57,20 @@ void add_fit_options(CLI::App& verb, FitWords& words) {
   verb.add_option("--threads", words.threads, "how many threads; all cores without it");
 }
 
+void add_study_options(CLI::App& verb, RunCommand& command) {
+  StudyWords& words = command.options.study;
+  verb.add_option("--subjects", words.subjects, "how many people, in place of the file's")
+      ->check(CLI::Range(1, 1000));
+  verb.add_option("--seed", words.seed, "who they are and all that is random, in place of the file's")
+      ->check(CLI::Range(0, 1'000'000'000));
+  verb.add_option("--trials", words.trials, "a CSV file of recorded trials in place of simulated operators");
+  verb.add_option(
+          "--repeat", command.study_repeats,
+          "how many experiments, each with other people; with --out, where they are kept and gone on with")
+      ->check(CLI::Range(1, 1'000'000));
+  verb.add_option("--threads", command.study_threads, "how many threads; all cores without it");
+}
+
 CLI::Option* add_out_option(CLI::App& verb, const std::string& names, std::string& out,
                             const std::string& what) {
   return verb.add_option(names, out, what)->check(is_named);

@@ -47,6 +47,7 @@ class CommandLine {
     app_.set_version_flag("--version", "stepwire " + program_version());
     add_run();
     add_fit();
+    add_study();
     add_check();
     add_flatten();
     add_generate();
@@ -110,6 +111,23 @@ class CommandLine {
     add_out_option(*verb, "--out", run_.out, "folder for parameters.yaml, fit.json and all that run writes");
     verb->callback([this] {
       run_.fit_asked = true;
+      action_ = [this] { return run_or_check(); };
+    });
+  }
+
+  void add_study() {
+    CLI::App* verb = app_.add_subcommand(
+        "study", "run the trials of a human-subject study by simulated operators, and analyse them");
+    verb->footer("Example:\n  stepwire study circle.yaml --subjects 20 --out out/circle");
+    add_work_options(*verb, run_, settings_, stop_, large_);
+    add_engine_option(*verb, run_.engine, "interpreted, compiled, or auto; all to the same bits");
+    add_study_options(*verb, run_);
+    add_out_option(*verb, "--out", run_.out,
+                   "folder for trials.csv, errors.csv, tables.txt, study.json and all that run writes");
+    verb->callback([this] {
+      run_.study_asked = true;
+      if (run_.study_repeats > 0 && run_.out.empty())
+        throw CLI::ValidationError("--repeat", "needs --out, the folder in which experiments are kept");
       action_ = [this] { return run_or_check(); };
     });
   }

@@ -19,8 +19,11 @@ struct RunCommand {
   bool units = false;
   bool profile = false;  ///< measure what each block costs
   bool check_only = false;
-  bool fit_asked = false;  ///< a file without a section `fit` is refused
+  bool fit_asked = false;    ///< a file without a section `fit` is refused
+  bool study_asked = false;  ///< a file without a section `study` is refused
   FitWords fit;
+  unsigned study_threads = 0;     ///< 0: all cores
+  std::size_t study_repeats = 0;  ///< experiments; 0: the one of the file
   Engine engine = Engine::automatic;
 };
 
@@ -68,7 +71,7 @@ struct BlocksCommand {
   bool markdown = false;
 };
 
-/// `run`, `fit` and `check`.
+/// `run`, `fit`, `study` and `check`.
 ExitCode run_files(const RunCommand& command, const Registry& registry);
 /// `flatten`: a diagram as one file without parts and parameters.
 ExitCode flatten_file(const FlattenCommand& command, const Registry& registry);

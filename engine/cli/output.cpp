@@ -11,12 +11,6 @@ namespace stepwire {
 
 namespace {
 
-/// A swept word as it is meant, without the quotes of its file.
-std::string unquoted(const std::string& word) {
-  const bool quoted = word.size() > 1 && word.front() == '"' && word.back() == '"';
-  return quoted ? word.substr(1, word.size() - 2) : word;
-}
-
 ColumnWords words_of(const Recording& recording) {
   ColumnWords words;
   for (const Words& column : recording.words)

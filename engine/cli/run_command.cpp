@@ -9,6 +9,7 @@
 #include "engine/cli/profile_report.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/report.hpp"
+#include "engine/cli/studying.hpp"
 #include "engine/generate/generated_code.hpp"
 #include "engine/replay/replay_folder.hpp"
 #include "engine/table/file.hpp"
@@ -107,6 +108,38 @@ ExitCode fit_first(Work& work, const RunCommand& command, const Registry& regist
   return code_of(result);
 }
 
+/// Makes the study for which the file asks, in the place of a run.
+ExitCode study(Work& work, const RunCommand& command, const Registry& registry, Studies& studies,
+               Json& results) {
+  const std::string folder = command.out.empty() ? "" : folder_of(command, work.file);
+  if (!folder.empty()) require_folder(folder);
+  const StudyCall call{command.engine, command.study_threads, true};
+  if (command.study_repeats > 0)
+    return repeat_study(registry, work, command.options, call, command.study_repeats, folder);
+  const auto experiment = studies.experiment(registry, work, command.options, call);
+  const Outcome outcome = carry_out_study(work, *experiment);
+  if (outcome.result.interrupted) return ExitCode::interrupted;  // nothing is kept of half a study
+  if (!folder.empty()) {
+    if (!work.job.points.empty()) write_replay(folder, work.job);
+    write_outputs(folder, work, outcome);
+    write_study(folder, work, *experiment);
+  }
+  if (command.json) {
+    Json result = run_json(work, outcome).set("claims", claims_json(work, outcome));
+    results.push(result.set("study", study_json(work, *experiment)));
+    return outcome.code;
+  }
+  fmt::print("{}{}", study_text(work, *experiment), outcome_text(work, outcome));
+  if (!folder.empty()) fmt::print("  written to {}\n", folder);
+  return outcome.code;
+}
+
+void require_study(const Work& work, const RunCommand& command) {
+  if (command.study_asked && !work.study)
+    throw Error(Fault{
+        {work.file, {}}, "", "asks for no study; a section 'study' names task, people and conditions", {}});
+}
+
 ExitCode run(const Work& work, const RunCommand& command, GeneratedCode& code, Json& results) {
   const std::string folder = command.out.empty() ? "" : folder_of(command, work.file);
   if (!folder.empty()) {  // better now than after an hour, in which data files may change
@@ -137,12 +170,15 @@ ExitCode run_files(const RunCommand& command, const Registry& registry) {
   if (!folders_differ(command)) return ExitCode::wrong;
   ExitCode code = ExitCode::done;
   GeneratedCode compiler;
+  Studies studies;
   Json results = Json::list();
   for (const std::string& file : command.files) {
     if (interrupted()) break;
     code = worst(code, guarded([&] {
                    Work work = prepare(registry, file, command.options);
                    if (command.check_only) return check(work, command, results);
+                   require_study(work, command);
+                   if (work.study) return study(work, command, registry, studies, results);
                    const ExitCode fitted = fit_first(work, command, registry, compiler, results);
                    return fitted == ExitCode::done ? run(work, command, compiler, results) : fitted;
                  }));

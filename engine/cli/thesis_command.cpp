@@ -11,6 +11,7 @@
 #include "engine/cli/output.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/report.hpp"
+#include "engine/cli/studying.hpp"
 #include "engine/figure/gallery.hpp"
 #include "engine/generate/generated_code.hpp"
 #include "engine/replay/replay_folder.hpp"
@@ -97,11 +98,7 @@ class Maker {
       std::vector<std::string> fitted;
       if (work.fit) fitted = fit_first(work, folder);
       describe(work, entry);
-      write_replay(folder, work.job);
-      RunOptions options;
-      options.interrupt = &interrupted();
-      options.threads = 1;  // the figures themselves are made in parallel
-      const Outcome outcome = carry_out(work, options);
+      const Outcome outcome = work.study ? study(work, folder) : run(work, folder);
       print_faults(outcome.result);
       entry.verdicts = outcome.verdicts;
       for (const std::string& picture : write_outputs(folder, work, outcome))
@@ -110,6 +107,23 @@ class Maker {
       entry.error = outcome.result.faults.empty() ? "" : outcome.result.faults.front().fault.message;
       return outcome.code;
     });
+  }
+
+  Outcome run(const Work& work, const std::string& folder) const {
+    write_replay(folder, work.job);
+    RunOptions options;
+    options.interrupt = &interrupted();
+    options.threads = 1;  // the figures themselves are made in parallel
+    return carry_out(work, options);
+  }
+
+  Outcome study(Work& work, const std::string& folder) {
+    const auto experiment = studies_.experiment(registry_, work, {}, {});
+    Outcome outcome = carry_out_study(work, *experiment);
+    if (outcome.result.interrupted) return outcome;
+    write_replay(folder, work.job);
+    write_study(folder, work, *experiment);
+    return outcome;
   }
 
   /// The names of its pictures.
@@ -129,6 +143,7 @@ class Maker {
   std::vector<GalleryEntry> entries_;
   std::vector<ExitCode> codes_;
   std::atomic<std::size_t> next_ = 0, done_ = 0;
+  Studies studies_;
   Progress progress_{"thesis"};
 };
 

@@ -1,5 +1,7 @@
 #include "engine/cli/work.hpp"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -7,6 +9,8 @@
 #include "engine/diagram/flatten.hpp"
 #include "engine/draw/draw.hpp"
 #include "engine/record/recorder.hpp"
+#include "engine/study/study_columns.hpp"
+#include "engine/study/study_tables.hpp"
 
 namespace stepwire {
 
@@ -15,10 +19,14 @@ namespace {
 void add_swept_names(const Job& job, Names& names) {
   if (job.points.empty()) return;
   for (const Sweep::Axis& axis : job.plan.diagram.sweep->axes) {
-    std::optional<Dimension> dimension;
-    for (const DiagramParameter& parameter : job.plan.diagram.parameters)
-      if (parameter.name == axis.parameter) dimension = parameter.dimension;
-    names.columns.push_back({axis.parameter, dimension, std::nullopt});
+    RecordedName name{axis.parameter, std::nullopt, std::nullopt};
+    for (const DiagramParameter& parameter : job.plan.diagram.parameters) {
+      if (parameter.name != axis.parameter) continue;
+      name.dimension = parameter.dimension;
+      if (!std::holds_alternative<double>(parameter.value.content))
+        for (const std::string& value : axis.values) name.words.push_back(unquoted(value));
+    }
+    names.columns.push_back(std::move(name));
   }
 }
 
@@ -57,6 +65,21 @@ Names names_of(const Job& job) {
   return names;
 }
 
+/// Reads what the file asks of a study, and adds the names that it makes.
+void add_study(Loader& loader, const WorkOptions& options, Work& work, Names& names, Faults& faults) {
+  const Node* section = loader.document(work.file).root.find("study");
+  if (!section) return;
+  const Diagram& diagram = work.job.plan.diagram;
+  if (diagram.sweep)
+    faults.add({{work.file, section->mark}, "study", "a file has a study or a sweep, not both", {}});
+  if (diagram.fit.kind != Node::Kind::empty)
+    faults.add({{work.file, section->mark}, "study", "a file has a study or a fit, not both", {}});
+  work.study = read_study(*section, names, diagram, loader, options.study, faults);
+  faults.throw_if_any();
+  add_study_names(*work.study, names);
+  work.tables = names.tables = empty_study_tables();
+}
+
 Verdict not_judged(const Claim& claim, const std::string& why) {
   Verdict verdict;
   verdict.that = claim.that;
@@ -70,6 +93,11 @@ Verdict not_judged(const Claim& claim, const std::string& why) {
 
 }  // namespace
 
+std::string unquoted(const std::string& word) {
+  const bool quoted = word.size() > 1 && word.front() == '"' && word.back() == '"';
+  return quoted ? word.substr(1, word.size() - 2) : word;
+}
+
 Work prepare(const Registry& registry, const std::string& file, const WorkOptions& options) {
   Loader loader(registry, options.limits);
   return prepare(loader, file, options);
@@ -82,7 +110,11 @@ Work prepare(Loader& loader, const std::string& file, const WorkOptions& options
   const Diagram& diagram = work.job.plan.diagram;
   const DiagramView view(diagram, loader);
   names.diagram = &view;
+  add_study(loader, options, work, names, faults);
   if (diagram.figure.kind != Node::Kind::empty) work.figures = read_figures(diagram.figure, names, faults);
+  if (work.study)
+    for (Figure& figure : work.figures)
+      if (!figure.title.empty()) figure.title += fmt::format(" ({})", whose_trials(*work.study));
   if (diagram.claims.kind != Node::Kind::empty) work.claims = read_claims(diagram.claims, names, faults);
   if (diagram.fit.kind != Node::Kind::empty) work.fit = read_fit(diagram.fit, names, diagram, faults);
   faults.throw_if_any();
@@ -90,11 +122,7 @@ Work prepare(Loader& loader, const std::string& file, const WorkOptions& options
   return work;
 }
 
-Outcome carry_out(const Work& work, const RunOptions& options) {
-  Outcome outcome;
-  const auto start = std::chrono::steady_clock::now();
-  outcome.result = run_job(work.job, options);
-  outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+void judge_claims(const Work& work, Outcome& outcome) {
   const bool early = !outcome.result.faults.empty() || outcome.result.interrupted;
   for (const Claim& claim : work.claims)
     outcome.verdicts.push_back(early ? not_judged(claim, "the run ended early")
@@ -105,6 +133,14 @@ Outcome carry_out(const Work& work, const RunOptions& options) {
   }
   if (!outcome.result.faults.empty()) outcome.code = worst(outcome.code, ExitCode::wrong);
   if (outcome.result.interrupted) outcome.code = ExitCode::interrupted;
+}
+
+Outcome carry_out(const Work& work, const RunOptions& options) {
+  Outcome outcome;
+  const auto start = std::chrono::steady_clock::now();
+  outcome.result = run_job(work.job, options);
+  outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  judge_claims(work, outcome);
   return outcome;
 }
 

@@ -10,6 +10,7 @@
 #include "engine/figure/figure.hpp"
 #include "engine/identify/fit_request.hpp"
 #include "engine/run/run.hpp"
+#include "engine/study/study_request.hpp"
 
 namespace stepwire {
 
@@ -19,8 +20,10 @@ struct Work {
   Job job;
   std::vector<Figure> figures;
   std::vector<Claim> claims;
-  std::optional<FitRequest> fit;  ///< what is to be found in records before the run
-  std::string hash;               ///< of the flattened diagram and its data as they were before the run
+  std::optional<FitRequest> fit;        ///< what is to be found in records before the run
+  std::string hash;                     ///< of the flattened diagram and its data as they were before the run
+  std::optional<StudyRequest> study{};  ///< whose trials are the runs of the file
+  std::vector<NamedTable> tables{};     ///< that the study will make, for figures
 };
 
 /// What a call asks of each file.
@@ -29,6 +32,7 @@ struct WorkOptions {
   PointSettings of_points{};  ///< beside them, of the points of a sweep
   std::optional<std::string> stop;
   DocumentLimits limits;
+  StudyWords study{};
 };
 
 /// Loads, plans, and reads figures and claims. Throws Error with everything that is wrong, SurroundingsError.
@@ -43,7 +47,13 @@ struct Outcome {
   ExitCode code = ExitCode::done;
 };
 
+/// Judges all claims on what was recorded; those about a run that ended early do not hold.
+void judge_claims(const Work& work, Outcome& outcome);
+
 /// Runs and judges. Claims about a run that ended early are not judged and do not hold.
 Outcome carry_out(const Work& work, const RunOptions& options);
+
+/// A swept word as it is meant, without the quotes of its file.
+std::string unquoted(const std::string& word);
 
 }  // namespace stepwire

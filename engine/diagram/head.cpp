@@ -11,9 +11,10 @@ namespace stepwire {
 
 namespace {
 
-const std::vector<std::string> head_keys = {
-    "stepwire", "title", "caption", "thesis",    "step",   "stop",  "solver", "parameters", "inputs",
-    "outputs",  "units", "blocks",  "stop_when", "record", "sweep", "figure", "claims",     "fit"};
+const std::vector<std::string> head_keys = {"stepwire", "title",  "caption",    "thesis", "step",
+                                            "stop",     "solver", "parameters", "inputs", "outputs",
+                                            "units",    "blocks", "stop_when",  "record", "sweep",
+                                            "figure",   "claims", "fit",        "study"};
 
 constexpr double most_steps = 9e15;  // whole numbers beyond are not exact in a double
 

@@ -15,7 +15,8 @@ bool is_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// A text in which each $name is replaced by its number, and for each character where it came from.
+/// A text in which each $name and each "word" is replaced by its number, and for each character where it came
+/// from.
 struct Substituted {
   std::string text;
   std::vector<std::size_t> origin;
@@ -57,9 +58,48 @@ std::string number_text(const KnownParameter& parameter, const Names& names) {
   return unit_prefix(unit, known) == unit.size() ? number + " " + unit : number;
 }
 
+/// The column of words before a comparison, whose sign ends at `end`; null where it is none.
+const RecordedName* compared_column(std::string_view text, std::size_t end, const Names& names) {
+  const auto last_of = [&](std::size_t behind) {
+    while (behind > 0 && text[behind - 1] == ' ') --behind;
+    return behind;
+  };
+  const std::size_t sign = last_of(end);
+  if (sign < 2 || text[sign - 1] != '=' || (text[sign - 2] != '=' && text[sign - 2] != '!')) return nullptr;
+  const std::size_t behind = last_of(sign - 2);
+  std::size_t begin = behind;
+  while (begin > 0 && (is_word(text[begin - 1]) || text[begin - 1] == '.')) --begin;
+  const RecordedName* found = names.find(text.substr(begin, behind - begin));
+  return found && !found->words.empty() ? found : nullptr;
+}
+
+/// Replaces the quoted word that starts at `begin` by its number; returns the position behind it.
+std::size_t append_word(std::string_view text, std::size_t begin, const Names& names, Substituted& result) {
+  const std::size_t end = text.find(text[begin], begin + 1);
+  if (end == std::string_view::npos) throw ExpressionError("the word that begins here has no end", begin);
+  const RecordedName* column = compared_column(text, begin, names);
+  if (!column)
+    throw ExpressionError(
+        "a word stands behind == or != and the name of a column of words: condition == \"V\"", begin);
+  const std::string word(text.substr(begin + 1, end - begin - 1));
+  const auto found = std::find(column->words.begin(), column->words.end(), word);
+  if (found == column->words.end())
+    throw ExpressionError(fmt::format("'{}' is never '{}'{}", column->name, word,
+                                      nearest_or_all(word, column->words, "there are")),
+                          begin + 1);
+  if (std::find(found + 1, column->words.end(), word) != column->words.end())
+    throw ExpressionError(fmt::format("several values of '{}' are '{}'", column->name, word), begin + 1);
+  result.append(std::to_string(found - column->words.begin()), begin);
+  return end + 1;
+}
+
 Substituted substitute(std::string_view text, const Names& names) {
   Substituted result;
   for (std::size_t i = 0; i < text.size();) {
+    if (text[i] == '"' || text[i] == '\'') {
+      i = append_word(text, i, names, result);
+      continue;
+    }
     if (text[i] != '$') {
       result.append(text.substr(i, 1), i);
       ++i;

@@ -24,7 +24,8 @@ struct Formula {
   Mark mark;
 };
 
-/// Reads an expression; `$name` is the number of a parameter. What is wrong goes to `faults` with the place
+/// Reads an expression; `$name` is the number of a parameter, and a word in quotes behind `NAME ==` or
+/// `NAME !=` that which stands for it in a column of words. What is wrong goes to `faults` with the place
 /// inside the scalar, and nothing is returned.
 std::optional<Formula> read_formula(const Node& node, const Names& names, const std::string& subject,
                                     Faults& faults);

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "engine/block/outline.hpp"
+#include "engine/figure/text_table.hpp"
 #include "engine/unit/unit.hpp"
 
 namespace stepwire {
@@ -20,6 +22,7 @@ struct RecordedName {
   std::optional<std::size_t>
       recording;         ///< which recording has it; none: each has it (time, swept parameters)
   std::string column{};  ///< its name in the table where that differs ("lag" for "lag.y"); else empty
+  std::vector<std::string> words{};  ///< that its numbers 0, 1, ... stand for; empty: they are numbers
 };
 
 /// A parameter of the diagram, used in figures and claims as "$name".
@@ -35,6 +38,12 @@ struct NamedOutline {
   Outline outline;
 };
 
+/// A table that figures may show. It is filled in before they are drawn.
+struct NamedTable {
+  std::string name;
+  std::shared_ptr<TextTable> table = std::make_shared<TextTable>();
+};
+
 /// All that the figures and claims of one diagram file may name.
 struct Names {
   std::string file;  ///< for the places of faults
@@ -44,6 +53,7 @@ struct Names {
   std::string unknown{};                 ///< said of a name that is no column, where columns are no records
   const DiagramView* diagram = nullptr;  ///< the diagram itself; null where it cannot be drawn
   std::vector<NamedOutline> outlines{};
+  std::vector<NamedTable> tables{};
 
   const RecordedName* find(std::string_view name) const;
   /// Is it a signal that the file does not record?

@@ -6,7 +6,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "engine/identify/parallel.hpp"
+#include "engine/run/parallel.hpp"
 #include "engine/identify/row_values.hpp"
 
 namespace stepwire {

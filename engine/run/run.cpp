@@ -45,6 +45,7 @@ RunResult run_plan(const Plan& plan, const RunOptions& options, Changeover& chan
     result.interrupted = options.interrupt && *options.interrupt;
     if (result.interrupted) break;
   }
+  if (options.ended) options.ended(simulation);
   for (const Recorder& recorder : recorders) result.recordings.push_back(recorder.take());
   if (auto fault = simulation.fault()) result.faults.push_back(std::move(*fault));
   result.notices = simulation.notices();

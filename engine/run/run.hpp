@@ -19,7 +19,8 @@ struct RunOptions {
   std::function<void(double)> progress;  ///< told the fraction done, 0 to 1, now and then, from any thread
   unsigned threads = 0;                  ///< for sweeps; 0: all cores
   Engine engine = Engine::interpreted;
-  CodeSource* code = nullptr;  ///< for any other engine
+  CodeSource* code = nullptr;                    ///< for any other engine
+  std::function<void(const Simulation&)> ended;  ///< shown a run as it stands at its end, from any thread
 };
 
 /// What a run, or all runs of a sweep, gave.

@@ -24,4 +24,8 @@ const PublishedTask& published_task_2() {
   return task;
 }
 
+const PublishedTask& published_task(const std::string& task) {
+  return task == "1" ? published_task_1() : published_task_2();
+}
+
 }  // namespace stepwire

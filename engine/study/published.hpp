@@ -28,4 +28,7 @@ const PublishedTask& published_task_1();
 /// Task 2: section 4.3.2 with tables 5 and 6. Table 5 prints the error of V_gp in a line named H_gp.
 const PublishedTask& published_task_2();
 
+/// The task with this number: "1", and the other one for any other text.
+const PublishedTask& published_task(const std::string& task);
+
 }  // namespace stepwire

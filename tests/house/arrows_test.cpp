@@ -32,9 +32,9 @@ const std::map<std::string, Folders> arrows{
     {"realtime", {"run"}},
     {"generate", {"solve", "record"}},
     {"identify", {"run", "figure", "statistics"}},
-    {"study", {"figure", "record", "statistics", "table", "unit"}},
+    {"study", {"run", "figure", "statistics"}},
     {"describe", {"diagram", "table", "figure", "solve"}},
-    {"cli", {"run", "replay", "draw", "figure", "describe", "realtime", "generate", "identify"}},
+    {"cli", {"run", "replay", "draw", "figure", "describe", "realtime", "generate", "identify", "study"}},
 };
 
 const Folders seen_by_blocks{"signal", "block", "expression", "table", "unit"};

@@ -1,4 +1,4 @@
-#include "engine/identify/parallel.hpp"
+#include "engine/run/parallel.hpp"
 
 #include <algorithm>
 #include <atomic>

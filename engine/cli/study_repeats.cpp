@@ -1,0 +1,96 @@
+// Many experiments of one study.
+#include <fmt/format.h>
+
+#include <atomic>
+#include <filesystem>
+#include <mutex>
+
+#include "engine/cli/interrupt.hpp"
+#include "engine/cli/progress.hpp"
+#include "engine/cli/studying.hpp"
+#include "engine/generate/generated_code.hpp"
+#include "engine/run/parallel.hpp"
+#include "engine/study/repetition.hpp"
+#include "engine/study/study_columns.hpp"
+#include "engine/table/file.hpp"
+
+namespace stepwire {
+
+namespace {
+
+/// The file of experiments that are done, of the study that the note beside it names.
+class ExperimentFile {
+ public:
+  ExperimentFile(const std::string& folder, const Work& work, Repetition& repetition)
+      : path_(folder + "/experiments.csv"), repetition_(repetition) {
+    const std::string note = folder + "/experiments.json";
+    const std::string text = Json::object().set("study", study_key(work, false)).text() + "\n";
+    if (std::filesystem::exists(path_)) {
+      if (!std::filesystem::exists(note) || read_file(note) != text)
+        throw Error(Fault{{path_, {}}, "", "has experiments of another study; give another --out", {}});
+      repetition.read(path_);
+    }
+    write_file(note, text);
+  }
+
+  void add(std::uint64_t seed, const std::vector<NamedValue>& outcome) {
+    const std::lock_guard lock(mutex_);
+    repetition_.add(seed, outcome);
+    write_file(path_, repetition_.csv());
+  }
+
+ private:
+  std::string path_;
+  Repetition& repetition_;
+  std::mutex mutex_;
+};
+
+/// Performs those that are missing, several at a time, each of them on one thread.
+void perform_missing(const Registry& registry, const Work& work, const WorkOptions& options,
+                     const StudyCall& call, const std::vector<std::uint64_t>& seeds, ExperimentFile& file) {
+  const StudyRequest& request = *work.study;
+  Progress progress("experiments " + std::filesystem::path(work.file).filename().string());
+  std::atomic<std::size_t> next = 0, done = 0;
+  const auto workers = call.threads ? call.threads : std::max(1u, std::thread::hardware_concurrency());
+  in_parallel(workers, workers, [&](std::size_t) {
+    Loader loader(registry, options.limits);
+    GeneratedCode code;
+    TrialSource source =
+        trial_source(loader, work, options, call.engine == Engine::interpreted ? nullptr : &code);
+    source.threads = 1;
+    TrialRuns runs(std::move(source), request, work.job.plan.diagram);
+    for (std::size_t i = next++; i < seeds.size() && !interrupted(); i = next++) {
+      const Experiment experiment = perform(runs, request, work.job.plan.diagram, seeds[i]);
+      if (experiment.interrupted) return;
+      file.add(seeds[i], outcome(experiment, request));
+      progress.show(static_cast<double>(++done) / static_cast<double>(seeds.size()));
+    }
+  });
+}
+
+}  // namespace
+
+ExitCode repeat_study(const Registry& registry, const Work& work, const WorkOptions& options,
+                      const StudyCall& call, std::size_t count, const std::string& folder) {
+  const StudyRequest& request = *work.study;
+  if (!request.trials.empty())
+    throw Error(Fault{request.place, "study", "recorded trials cannot be repeated by the computer", {}});
+  require_folder(folder);
+  Repetition repetition(outcome_columns(request));
+  ExperimentFile file(folder, work, repetition);
+  std::vector<std::uint64_t> missing;
+  for (std::uint64_t seed = request.seed; seed < request.seed + count; ++seed)
+    if (!repetition.has(seed)) missing.push_back(seed);
+  perform_missing(registry, work, options, call, missing, file);
+  if (interrupted()) {
+    fmt::print("{} experiments are done; the same call goes on\n", repetition.size());
+    return ExitCode::interrupted;
+  }
+  const TextTable table = repetition.table(request);
+  write_file(folder + "/experiments.svg", repetition.picture(request));
+  write_file(folder + "/experiments.txt", text(table));
+  fmt::print("{}  written to {}\n", text(table), folder);
+  return ExitCode::done;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,126 @@
+#include "engine/cli/studying.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+#include "engine/cli/interrupt.hpp"
+#include "engine/cli/progress.hpp"
+#include "engine/generate/generated_code.hpp"
+#include "engine/study/study_columns.hpp"
+#include "engine/study/study_tables.hpp"
+
+namespace stepwire {
+
+namespace {
+
+/// Will the trials take so long that a compilation ahead of them is worth its time?
+bool worth_compiling(const Work& work) {
+  // What an interpreted block takes per tick, the part of `stop` that a trial lasts, and what may pass [s].
+  constexpr double per_block = 2e-8, part = 0.25, patience = 20.0;
+  const Plan& plan = work.job.plan;
+  const auto trials = static_cast<double>(work.study->subjects.size() * work.study->conditions.size());
+  const double ticks = static_cast<double>(plan.steps) * part * trials;
+  const double cores = std::max(1u, std::thread::hardware_concurrency());
+  return per_block * static_cast<double>(plan.diagram.blocks.size()) * ticks / cores > patience;
+}
+
+Experiment make_experiment(const Registry& registry, const Work& work, const WorkOptions& options,
+                           const StudyCall& call) {
+  const StudyRequest& request = *work.study;
+  const Diagram& diagram = work.job.plan.diagram;
+  if (!request.trials.empty()) return score_recorded(request, diagram);
+  Loader loader(registry, options.limits);
+  GeneratedCode code;
+  const bool compiles =
+      call.engine == Engine::compiled || (call.engine == Engine::automatic && worth_compiling(work));
+  TrialSource source = trial_source(loader, work, options, compiles ? &code : nullptr);
+  source.threads = call.threads;
+  TrialRuns runs(std::move(source), request, diagram);
+  if (!call.visible) return perform(runs, request, diagram, request.seed);
+  Progress progress("study " + std::filesystem::path(work.file).filename().string());
+  std::atomic<std::size_t> done = 0;
+  const auto all = static_cast<double>(request.subjects.size() * request.conditions.size());
+  Experiment experiment = perform(runs, request, diagram, request.seed,
+                                  [&] { progress.show(static_cast<double>(++done) / all); });
+  const std::string problem = code.take_problem();
+  if (!problem.empty()) fmt::print(stderr, "interpreted, since {}\n", problem);
+  return experiment;
+}
+
+/// What tells the trials apart, as the axes of a sweep.
+Sweep axes_of(const StudyRequest& request) {
+  Sweep sweep;
+  sweep.axes.push_back({"subject", request.subject_names(), {}, {}});
+  sweep.axes.push_back({"condition", request.condition_names(), {}, {}});
+  return sweep;
+}
+
+}  // namespace
+
+TrialSource trial_source(Loader& loader, const Work& work, const WorkOptions& options, CodeSource* code) {
+  TrialSource source{loader, work.file, options.settings, code, 0, &interrupted()};
+  if (options.stop) source.settings.push_back({"stop", *options.stop, "--stop " + *options.stop});
+  return source;
+}
+
+std::string study_key(const Work& work, bool with_seed) {
+  const StudyRequest& request = *work.study;
+  std::string key =
+      fmt::format("{} {} {} {} {} {} {} {} {}", work.hash, request.task, fmt::join(request.subjects, ","),
+                  with_seed ? request.seed : 0, request.subject_parameter, request.seed_parameter,
+                  request.position, request.attempts, request.trials);
+  for (const StudyCondition& condition : request.conditions) {
+    key += " " + condition.feedback.name;
+    for (const Setting& setting : condition.settings)
+      key += fmt::format(",{}={}", setting.name, setting.value);
+  }
+  if (request.circle)
+    key += fmt::format(" {} {} {} {}", request.circle->of, request.circle->x, request.circle->y,
+                       request.circle->radius);
+  if (request.way_back)
+    for (const SignalRef& signal : {request.way_back->position, request.way_back->direction})
+      key += fmt::format(" {}.{}", signal.block, signal.output);
+  return key;
+}
+
+Studies::Shared Studies::experiment(const Registry& registry, const Work& work, const WorkOptions& options,
+                                    const StudyCall& call) {
+  std::promise<Shared> promise;
+  std::shared_future<Shared> future;
+  bool is_new = false;
+  {
+    const std::lock_guard lock(mutex_);
+    const auto [known, added] = known_.try_emplace(study_key(work));
+    if (added) known->second = promise.get_future().share();
+    is_new = added;
+    future = known->second;
+  }
+  if (is_new) try {
+      promise.set_value(std::make_shared<const Experiment>(make_experiment(registry, work, options, call)));
+    } catch (...) {
+      promise.set_exception(std::current_exception());
+    }
+  return future.get();
+}
+
+Outcome carry_out_study(Work& work, const Experiment& experiment) {
+  Outcome outcome;
+  const auto start = std::chrono::steady_clock::now();
+  outcome.result.interrupted = experiment.interrupted;
+  outcome.result.ticks = experiment.ticks;
+  outcome.result.compiled_ticks = experiment.compiled_ticks;
+  if (!experiment.interrupted) {
+    fill_study_tables(experiment, *work.study, work.tables);
+    outcome.result.recordings = study_recordings(experiment, *work.study, work.job.plan);
+    work.job.plan.diagram.sweep = axes_of(*work.study);
+    for (const TrialRun& run : experiment.runs) work.job.points.push_back(run.point);
+  }
+  judge_claims(work, outcome);
+  outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return outcome;
+}
+
+}  // namespace stepwire

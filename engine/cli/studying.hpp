@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <future>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "engine/cli/work.hpp"
+#include "engine/study/experiment.hpp"
+#include "engine/table/json.hpp"
+
+namespace stepwire {
+
+/// How a call wants its studies to be made.
+struct StudyCall {
+  Engine engine = Engine::automatic;
+  unsigned threads = 0;  ///< 0: all cores
+  bool visible = false;  ///< with its progress shown
+};
+
+/// The studies of one call. Files of one study, which differ in figures and claims only, share its
+/// experiment.
+class Studies {
+ public:
+  using Shared = std::shared_ptr<const Experiment>;
+
+  /// The experiment of a file, performed now or before. From any thread; who asks for one that is being
+  /// performed waits for it. Throws Error.
+  Shared experiment(const Registry& registry, const Work& work, const WorkOptions& options,
+                    const StudyCall& call);
+
+ private:
+  std::mutex mutex_;
+  std::map<std::string, std::shared_future<Shared>> known_;
+};
+
+/// Puts an experiment into the place of a run: its trials as runs of the work, its tables, its recordings;
+/// and judges the claims.
+Outcome carry_out_study(Work& work, const Experiment& experiment);
+
+/// Writes trials.csv, errors.csv, study.json, tables.txt into a folder. Throws SurroundingsError.
+void write_study(const std::string& folder, const Work& work, const Experiment& experiment);
+
+/// What the study found, for people.
+std::string study_text(const Work& work, const Experiment& experiment);
+Json study_json(const Work& work, const Experiment& experiment);
+
+/// All that decides on the experiment of a work, as a text; with or without the seed, which decides who the
+/// people are.
+std::string study_key(const Work& work, bool with_seed = true);
+
+/// The runs of a work as trials.
+TrialSource trial_source(Loader& loader, const Work& work, const WorkOptions& options, CodeSource* code);
+
+/// Performs experiments with `count` seeds from the file's one on, as far as the folder does not have them
+/// yet in experiments.csv; draws their distribution in experiments.svg. What is done is kept when it is
+/// interrupted. Throws Error, SurroundingsError.
+ExitCode repeat_study(const Registry& registry, const Work& work, const WorkOptions& options,
+                      const StudyCall& call, std::size_t count, const std::string& folder);
+
+}  // namespace stepwire

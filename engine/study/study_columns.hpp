@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/study/experiment.hpp"
+
+namespace stepwire {
+
+/// Adds the columns that a study has beside the recorded signals, for figures and claims:
+/// - subject and condition in every recording, as words;
+/// - of each trial error, normalised, raw, deviation, length and duration, in a recording behind the file's;
+/// - of the experiment mean.CONDITION, p.FACTOR (feedbacks alone) and p_subject.FACTOR (with the subject as a
+///   factor), in the one behind that.
+/// Throws Error where a recorded signal has one of these names.
+void add_study_names(const StudyRequest& request, Names& names);
+
+/// mean.CONDITION, p.FACTOR and p_subject.FACTOR.
+std::vector<std::string> outcome_columns(const StudyRequest& request);
+
+/// What of a study has a value for each experiment, by the names of its columns.
+std::vector<NamedValue> outcome(const Experiment& experiment, const StudyRequest& request);
+
+/// The recordings of an experiment, in the order of the names: the file's, of which `plan` is one run, pooled
+/// over the trials; the errors; the outcome.
+std::vector<Recording> study_recordings(const Experiment& experiment, const StudyRequest& request,
+                                        const Plan& plan);
+
+}  // namespace stepwire

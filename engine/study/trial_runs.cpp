@@ -1,0 +1,176 @@
+#include "engine/study/trial_runs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/run/parallel.hpp"
+
+namespace stepwire {
+
+namespace {
+
+constexpr std::uint64_t most = 1'000'000'000;
+enum Purpose : std::uint64_t { person = 1, noise = 2 };
+
+std::string name_of(const TrialRun& trial, const StudyRequest& request) {
+  return fmt::format("subject {}, condition {}", trial.subject,
+                     request.conditions[trial.condition].feedback.name);
+}
+
+}  // namespace
+
+std::uint64_t drawn_number(std::initializer_list<std::uint64_t> from) {
+  std::uint64_t hash = 0;
+  for (const std::uint64_t number : from) {  // SplitMix64 (Steele, Lea and Flood 2014) of each sum
+    hash += number + 0x9e3779b97f4a7c15u;
+    hash = (hash ^ (hash >> 30)) * 0xbf58476d1ce4e5b9u;
+    hash = (hash ^ (hash >> 27)) * 0x94d049bb133111ebu;
+    hash ^= hash >> 31;
+  }
+  return hash % most;
+}
+
+/// Compiles what it is asked for together with the probes, so that the text is the same each time.
+class TrialRuns::SharedCode : public CodeSource {
+ public:
+  SharedCode(CodeSource& source, const std::vector<Plan>& probes) : source_(source), probes_(probes) {}
+
+  std::vector<CompiledPlan> compile(const std::vector<const Plan*>& plans,
+                                    const std::stop_token& stop) override {
+    std::vector<const Plan*> all = plans;
+    for (const Plan& probe : probes_) all.push_back(&probe);
+    std::vector<CompiledPlan> code = source_.compile(all, stop);
+    if (code.size() == all.size()) code.resize(plans.size());
+    return code;
+  }
+
+ private:
+  CodeSource& source_;
+  const std::vector<Plan>& probes_;
+};
+
+TrialRuns::TrialRuns(TrialSource source, const StudyRequest& request, const Diagram& diagram)
+    : source_(std::move(source)), request_(request), diagram_(diagram) {
+  if (source_.code) make_probes();
+}
+
+/// Other people, noises and circles under each condition, twice.
+void TrialRuns::make_probes() {
+  const auto number = [&](const std::string& name) {
+    for (const DiagramParameter& parameter : diagram_.parameters)
+      if (parameter.name == name) return std::get<double>(parameter.value.content);
+    return 0.0;
+  };
+  for (std::size_t i = 0; i < 2 * request_.conditions.size(); ++i) {
+    TrialRun probe{.subject = i + 1, .condition = i / 2};
+    Circles circles;
+    const double aside = 1e-5 * static_cast<double>(i + 1);
+    if (request_.circle)
+      circles[probe.subject] = {{number(request_.circle->x) + aside, number(request_.circle->y) + aside},
+                                number(request_.circle->radius) + aside};
+    try {
+      plan(most + i, probe, circles);
+      probes_.push_back(std::move(probe.point.plan));
+    } catch (const Error&) {  // a diagram may refuse what no trial will ask of it
+    }
+  }
+}
+
+std::string TrialRuns::text_of(const std::string& name, double value) const {
+  const auto& all = diagram_.parameters;
+  const auto parameter =
+      std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
+  const bool has_unit = parameter->dimension && *parameter->dimension != Dimension{};
+  return fmt::format("{}{}", value, has_unit ? " " + si_name(*parameter->dimension) : "");
+}
+
+std::vector<Setting> TrialRuns::settings_of(std::uint64_t seed, const TrialRun& trial,
+                                            const Circles& circles) const {
+  const StudyCondition& condition = request_.conditions[trial.condition];
+  std::vector<Setting> settings = condition.settings;
+  const auto set = [&](const std::string& parameter, const std::string& value) {
+    settings.push_back({parameter, value, request_.place.file, request_.place.mark});
+  };
+  set(request_.subject_parameter, std::to_string(drawn_number({person, seed, trial.subject})));
+  set(request_.seed_parameter,
+      std::to_string(drawn_number({noise, seed, trial.subject, trial.condition, trial.attempts})));
+  const auto circle = circles.find(trial.subject);
+  if (!request_.circle || circle == circles.end()) return settings;
+  set(request_.circle->x, text_of(request_.circle->x, circle->second.centre.x()));
+  set(request_.circle->y, text_of(request_.circle->y, circle->second.centre.y()));
+  set(request_.circle->radius, text_of(request_.circle->radius, circle->second.radius));
+  return settings;
+}
+
+void TrialRuns::plan(std::uint64_t seed, TrialRun& trial, const Circles& circles) {
+  trial.point.settings = settings_of(seed, trial, circles);
+  std::vector<Setting> all = source_.settings;
+  all.insert(all.end(), trial.point.settings.begin(), trial.point.settings.end());
+  try {
+    trial.point.plan = make_plan(source_.loader.load_point(source_.file, all));
+  } catch (const Error& error) {
+    std::vector<Fault> faults = error.faults();
+    for (Fault& fault : faults)
+      fault.message += fmt::format(" (in the trial of {})", name_of(trial, request_));
+    throw Error(std::move(faults));
+  }
+}
+
+void TrialRuns::note_end(const Simulation& run, TrialRun& trial) const {
+  const auto& signals = run.plan().diagram.records[request_.recording].signals;
+  const auto position = std::find_if(signals.begin(), signals.end(), [&](const RecordedSignal& signal) {
+    return signal.name == request_.position;
+  });
+  const double* point = run.values() + run.plan().slot(position->signal).offset;
+  trial.end = run.time();
+  trial.end_point = {point[0], point[1]};
+}
+
+void TrialRuns::run_all(std::vector<TrialRun*>& trials, const std::function<void()>& told) {
+  std::vector<const Plan*> plans;
+  for (const TrialRun* trial : trials) plans.push_back(&trial->point.plan);
+  std::optional<SharedCode> code;
+  if (source_.code) code.emplace(*source_.code, probes_);
+  Changeover changeover(code ? Engine::compiled : Engine::interpreted, code ? &*code : nullptr, plans);
+  in_parallel(trials.size(), source_.threads, [&](std::size_t i) {
+    TrialRun& trial = *trials[i];
+    RunOptions options;
+    options.interrupt = source_.interrupt;
+    options.ended = [&](const Simulation& run) { note_end(run, trial); };
+    trial.result.interrupted = options.interrupt && *options.interrupt;
+    if (trial.result.interrupted) return;
+    trial.result = run_plan(trial.point.plan, options, changeover, i);
+    const auto& faults = trial.result.faults;
+    trial.done = faults.empty() && trial.result.ticks < trial.point.plan.steps;
+    if (!trial.done && !trial.result.interrupted)
+      trial.failures.push_back(faults.empty()
+                                   ? fmt::format("not done within {:g} s", trial.point.plan.diagram.stop)
+                                   : faults.front().fault.subject + ": " + faults.front().fault.message);
+    if (told) told();
+  });
+}
+
+std::vector<TrialRun> TrialRuns::run(std::uint64_t seed, const std::vector<std::size_t>& subjects,
+                                     const std::vector<std::size_t>& conditions, const Circles& circles,
+                                     const std::function<void()>& told) {
+  std::vector<TrialRun> trials;
+  for (const std::size_t subject : subjects)
+    for (const std::size_t condition : conditions)
+      trials.push_back({.subject = subject, .condition = condition});
+  std::vector<TrialRun*> open;
+  for (TrialRun& trial : trials) open.push_back(&trial);
+  for (std::size_t attempt = 1; !open.empty() && attempt <= request_.attempts; ++attempt) {
+    for (TrialRun* trial : open) {
+      trial->attempts = attempt;
+      plan(seed, *trial, circles);
+    }
+    run_all(open, attempt == 1 ? told : std::function<void()>{});
+    for (const TrialRun* trial : open)
+      if (trial->result.interrupted) return trials;
+    std::erase_if(open, [](const TrialRun* trial) { return trial->done; });
+  }
+  return trials;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "engine/run/run.hpp"
+#include "engine/statistics/circle.hpp"
+#include "engine/study/study_request.hpp"
+
+namespace stepwire {
+
+/// The file whose runs are the trials, and how they are run.
+struct TrialSource {
+  Loader& loader;
+  std::string file;
+  std::vector<Setting> settings;                 ///< of the call
+  CodeSource* code = nullptr;                    ///< null: interpreted
+  unsigned threads = 0;                          ///< 0: all cores
+  const std::atomic<bool>* interrupt = nullptr;  ///< once true, nothing more is begun
+};
+
+/// One trial of an experiment as it was run.
+struct TrialRun {
+  std::size_t subject = 0;    ///< number of the person
+  std::size_t condition = 0;  ///< index of the request's
+  std::size_t attempts = 1;
+  bool done = false;                    ///< by `stop_when`; else no attempt was
+  std::vector<std::string> failures{};  ///< why each attempt before the last, or all of them, failed
+  SweepPoint point{};
+  RunResult result{};
+  double end = 0.0;                                     ///< when it was done [s]
+  Eigen::Vector2d end_point = Eigen::Vector2d::Zero();  ///< and where [m], which need not be a recorded row
+};
+
+/// Whole numbers below 1e9 that follow from others, each as if drawn: who the subject is, the noise of a
+/// trial, the order of the conditions.
+std::uint64_t drawn_number(std::initializer_list<std::uint64_t> from);
+
+/// Runs trials of a file in parallel. One compilation serves them all: they differ in numbers only.
+class TrialRuns {
+ public:
+  /// The circles that the first trials of task 1 give, by subject.
+  using Circles = std::map<std::size_t, Circle>;
+
+  TrialRuns(TrialSource source, const StudyRequest& request, const Diagram& diagram);
+
+  /// One trial of each of these subjects under each of these conditions, those of one subject side by side.
+  /// What is not done within the file's `stop`, or breaks off, is run again with another noise. `told` is
+  /// called for each run that has ended, from any thread. The same bits at any number of threads. Throws
+  /// Error where the diagram refuses what is set.
+  std::vector<TrialRun> run(std::uint64_t seed, const std::vector<std::size_t>& subjects,
+                            const std::vector<std::size_t>& conditions, const Circles& circles,
+                            const std::function<void()>& told = {});
+
+ private:
+  class SharedCode;
+
+  std::vector<Setting> settings_of(std::uint64_t seed, const TrialRun& trial, const Circles& circles) const;
+  std::string text_of(const std::string& parameter, double value) const;
+  void plan(std::uint64_t seed, TrialRun& trial, const Circles& circles);
+  void run_all(std::vector<TrialRun*>& trials, const std::function<void()>& told);
+  void note_end(const Simulation& run, TrialRun& trial) const;
+  void make_probes();
+
+  TrialSource source_;
+  const StudyRequest& request_;
+  const Diagram& diagram_;
+  std::vector<Plan> probes_;  ///< in which all differs that differs between trials
+};
+
+}  // namespace stepwire
