@@ -1,11 +1,14 @@
 #include "engine/cli/work.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "engine/diagram/flatten.hpp"
 #include "engine/draw/draw.hpp"
+#include "engine/figure/scene_states.hpp"
 #include "engine/record/recorder.hpp"
 
 namespace stepwire {
@@ -68,6 +71,16 @@ Verdict not_judged(const Claim& claim, const std::string& why) {
   return verdict;
 }
 
+/// Reads the scene ahead of figures and claims, which may name what it shows.
+std::shared_ptr<const Scene> read_scene_of(const Diagram& diagram, Names& names, Faults& faults) {
+  if (diagram.scene.kind == Node::Kind::empty) return nullptr;
+  const std::size_t before = faults.size();
+  auto scene = std::make_shared<const Scene>(read_scene(diagram.scene, names, faults));
+  if (faults.size() == before)
+    std::ranges::copy(scene_state_names(*scene), std::back_inserter(names.columns));
+  return scene;
+}
+
 }  // namespace
 
 Work prepare(const Registry& registry, const std::string& file, const WorkOptions& options) {
@@ -76,12 +89,14 @@ Work prepare(const Registry& registry, const std::string& file, const WorkOption
 }
 
 Work prepare(Loader& loader, const std::string& file, const WorkOptions& options) {
-  Work work{file, make_job(loader, file, options.settings, options.stop, options.of_points), {}, {}, {}, {}};
+  Work work{file, make_job(loader, file, options.settings, options.stop, options.of_points), {}, {}, {}, {},
+            {}};
   Names names = names_of(work.job);
   Faults faults;
   const Diagram& diagram = work.job.plan.diagram;
   const DiagramView view(diagram, loader);
   names.diagram = &view;
+  names.scene = work.scene = read_scene_of(diagram, names, faults);
   if (diagram.figure.kind != Node::Kind::empty) work.figures = read_figures(diagram.figure, names, faults);
   if (diagram.claims.kind != Node::Kind::empty) work.claims = read_claims(diagram.claims, names, faults);
   if (diagram.fit.kind != Node::Kind::empty) work.fit = read_fit(diagram.fit, names, diagram, faults);
@@ -96,9 +111,13 @@ Outcome carry_out(const Work& work, const RunOptions& options) {
   outcome.result = run_job(work.job, options);
   outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const bool early = !outcome.result.faults.empty() || outcome.result.interrupted;
+  if (work.scene && !early) {
+    outcome.shown = outcome.result.recordings;
+    add_scene_states(*work.scene, outcome.shown);
+  }
   for (const Claim& claim : work.claims)
     outcome.verdicts.push_back(early ? not_judged(claim, "the run ended early")
-                                     : judge(claim, outcome.result.recordings));
+                                     : judge(claim, outcome.recordings()));
   for (const Verdict& verdict : outcome.verdicts) {
     if (verdict.fails() && !early) outcome.code = worst(outcome.code, ExitCode::fails);
     if (verdict.surprises()) outcome.code = worst(outcome.code, ExitCode::wrong);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@
 namespace stepwire {
 
 class DiagramView;
+struct Scene;
 
 /// A name that figures and claims may use for a recorded column.
 struct RecordedName {
@@ -44,6 +46,7 @@ struct Names {
   std::string unknown{};                 ///< said of a name that is no column, where columns are no records
   const DiagramView* diagram = nullptr;  ///< the diagram itself; null where it cannot be drawn
   std::vector<NamedOutline> outlines{};
+  std::shared_ptr<const Scene> scene{};  ///< what the file shows; null where it has none
 
   const RecordedName* find(std::string_view name) const;
   /// Is it a signal that the file does not record?

@@ -64,5 +64,6 @@ PlotKind box_plot();
 PlotKind histogram_plot();
 PlotKind diagram_plot();
 PlotKind rig_plot();
+PlotKind scene_plot();
 
 }  // namespace stepwire
