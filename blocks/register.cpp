@@ -7,6 +7,7 @@
 #include "blocks/logic/register.hpp"
 #include "blocks/math/register.hpp"
 #include "blocks/nonlinear/register.hpp"
+#include "blocks/operators/register.hpp"
 #include "blocks/plants/register.hpp"
 #include "blocks/routing/register.hpp"
 #include "blocks/sinks/register.hpp"
@@ -25,6 +26,7 @@ Registry all_blocks() {
   register_routing(registry);
   register_sinks(registry);
   register_haptics(registry);
+  register_operators(registry);
   register_plants(registry);
   register_hardware(registry);
   return registry;

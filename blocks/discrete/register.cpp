@@ -7,6 +7,7 @@
 #include "blocks/discrete/moving_average.hpp"
 #include "blocks/discrete/savitzky_golay.hpp"
 #include "blocks/discrete/unit_delay.hpp"
+#include "blocks/discrete/variable_delay.hpp"
 #include "blocks/discrete/zero_order_hold.hpp"
 
 namespace stepwire {
@@ -19,6 +20,7 @@ void register_discrete(Registry& registry) {
   registry.add<MovingAverage>("discrete");
   registry.add<SavitzkyGolay>("discrete");
   registry.add<UnitDelay>("discrete");
+  registry.add<VariableDelay>("discrete");
   registry.add<ZeroOrderHold>("discrete");
 }
 

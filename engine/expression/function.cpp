@@ -15,7 +15,7 @@ namespace {
 
 constexpr int any_number = std::numeric_limits<int>::max();
 
-constexpr std::array<std::pair<std::string_view, Arity>, 25> functions{{
+constexpr std::array<std::pair<std::string_view, Arity>, 26> functions{{
     {"sin", {}},
     {"cos", {}},
     {"tan", {}},
@@ -41,6 +41,7 @@ constexpr std::array<std::pair<std::string_view, Arity>, 25> functions{{
     {"hypot", {2, 2}},
     {"min", {1, any_number}},
     {"max", {1, any_number}},
+    {"lognormal", {3, 3}},
 }};
 
 double negative(double x) {
@@ -82,6 +83,7 @@ void define_functions(mu::Parser& parser) {
   for (const auto& [name, function] : twos) parser.DefineFun(name, function, false);
   parser.DefineFun("min", language::smallest, false);
   parser.DefineFun("max", language::largest, false);
+  parser.DefineFun("lognormal", language::lognormal, false);
 }
 
 }  // namespace

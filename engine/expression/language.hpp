@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "engine/signal/normal_quantile.hpp"
+
 /// Functions of the language of expressions that the standard library lacks. Both evaluate them: the parser,
 /// and programs written in C++.
 namespace stepwire::language {
@@ -43,6 +45,20 @@ double min(const double (&values)[count]) {
 template <int count>
 double max(const double (&values)[count]) {
   return largest(values, count);
+}
+
+/// What makes a value that holds for people in general that of one person: a number above 0 that depends on
+/// `seed`, which tells who it is, and `stream`, which tells which of its properties, alone. Over all seeds
+/// its logarithm is normal, its median 1, and its standard deviation `variation` times its mean. Seed and
+/// stream are whole numbers; of others the fraction is left out, and those that doubles do not count give
+/// nan.
+inline double lognormal(double seed, double stream, double variation) {
+  if (!(std::abs(seed) < 0x1.0p53 && std::abs(stream) < 0x1.0p53)) return std::nan("");
+  // Samples of noise with the same seed are counted from 0 on; this one lies before them.
+  constexpr double before_all = 0x1.0p62;
+  const double even =
+      even_sample(static_cast<std::int64_t>(seed), static_cast<std::ptrdiff_t>(stream), before_all);
+  return std::exp(std::sqrt(std::log1p(variation * variation)) * normal_quantile(even));
 }
 
 }  // namespace stepwire::language

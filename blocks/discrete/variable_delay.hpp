@@ -1,0 +1,51 @@
+#pragma once
+
+#include <algorithm>
+
+#include "engine/block/block.hpp"
+
+namespace stepwire {
+
+/// Delay by a time that may change: y(t) = u(t - delay), linear between the samples.
+struct VariableDelay {
+  double longest = 0.0;
+  PerElement initial = 0.0;
+  Input<> u{};
+  Input<1> delay{};
+  Output<> y{};
+  DiscreteState<> samples{};  // rows of one sample each, written in a circle
+  DiscreteState<1> newest{};  // row that was written last
+
+  Index rows = 2;
+  Period period{};
+
+  void outputs() {
+    const double back = std::clamp(delay / period, 1.0, static_cast<double>(rows - 1)) - 1.0;
+    const auto whole = std::min(static_cast<Index>(back), rows - 2);
+    const double part = back - static_cast<double>(whole);
+    const double *later = row(whole), *earlier = row(whole + 1);
+    for (Index i = 0; i < y.size(); ++i) y[i] = later[i] + part * (earlier[i] - later[i]);
+  }
+
+  void update() {
+    const Index next = static_cast<Index>(newest) + 1 < rows ? static_cast<Index>(newest) + 1 : 0;
+    double* place = samples.data() + next * u.size();
+    for (Index i = 0; i < u.size(); ++i) place[i] = u[i];
+    newest = static_cast<double>(next);
+  }
+
+  void start() {
+    for (Index i = 0; i < samples.size(); ++i) samples[i] = initial[i % initial.size()];
+  }
+
+  void configure(Configure& is);
+  static void declare(Declare<VariableDelay>& is);
+
+ private:
+  const double* row(Index before) const {
+    const Index at = static_cast<Index>(newest) - before;
+    return samples.data() + (at < 0 ? at + rows : at) * y.size();
+  }
+};
+
+}  // namespace stepwire

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "engine/block/registry.hpp"
+
+namespace stepwire {
+
+/// Adds every block of this folder.
+void register_operators(Registry& registry);
+
+}  // namespace stepwire
