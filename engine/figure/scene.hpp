@@ -84,8 +84,8 @@ struct SceneAnimation {
 /// Objects in the plane that follow signals: what somebody at the device sees. Coordinates are metres, y
 /// upward.
 struct Scene {
-  std::array<double, 2> x{}, y{};  ///< what is in view [m]
-  std::string background;          ///< dark, light, or "#rrggbb"
+  std::array<double, 2> x{}, y{};   ///< what is in view [m]
+  std::string background = "dark";  ///< dark, light, or "#rrggbb"
   std::vector<SceneObject> objects;
   std::vector<Formula> formulas;
   SceneAnimation animation;

@@ -140,7 +140,7 @@ class SceneReader {
   const Node& node_;
   const Names& names_;
   Faults& faults_;
-  Scene scene_{.background = "dark"};
+  Scene scene_;
 };
 
 }  // namespace

@@ -28,16 +28,19 @@ std::vector<std::string> colors_of(const SceneObject& object) {
 
 std::vector<State> states_of(const Scene& scene) {
   std::vector<State> states;
-  std::size_t shape = 0;
+  std::size_t first = 0;
   for (const SceneObject& object : scene.objects) {
-    const std::size_t count = object.kind->name == "walls" ? object.walls.size() : 1;
-    for (std::size_t i = 0; i < count; ++i, ++shape) {
+    const std::size_t shapes = object.kind->name == "walls" ? object.walls.size() : 1;
+    const std::size_t told =
+        object.crossed ? shapes : std::min<std::size_t>(1, shapes);  // else they are alike
+    for (std::size_t i = 0; i < told; ++i) {
       const std::string name =
-          count > 1 ? fmt::format("scene.{}.{}", object.name, i + 1) : "scene." + object.name;
+          told > 1 ? fmt::format("scene.{}.{}", object.name, i + 1) : "scene." + object.name;
       for (const std::string& color : colors_of(object))
-        if (!color.empty()) states.push_back({name + "." + color, shape, color});
-      if (object.when) states.push_back({name + ".shown", shape, ""});
+        if (!color.empty()) states.push_back({name + "." + color, first + i, color});
+      if (object.when) states.push_back({name + ".shown", first + i, ""});
     }
+    first += shapes;
   }
   return states;
 }

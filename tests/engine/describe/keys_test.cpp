@@ -107,12 +107,12 @@ TEST_CASE("the schema has the keys of scenes that their reader has") {
     read_scene(document.root, {"test.yaml", {{"time", {}, {}}}}, faults);
     for (const Fault& fault : faults.list())
       if (fault.message.find("bogus_key") != std::string::npos) return listed_in(fault.message, "it has: ");
-    return Words{};
+    return std::set<std::string>{};
   };
   CHECK(known("{bogus_key: 1}") == keys_of_map(scene));
   CHECK(known("{view: {bogus_key: 1}}") == keys_of_map(properties.at("view")));
   CHECK(known("{animation: {bogus_key: 1}}") == keys_of_map(properties.at("animation")));
-  Words of_objects;
+  std::set<std::string> of_objects;
   for (const SceneKind& kind : scene_kinds())
     of_objects.merge(known("{objects: {a: {" + kind.name + ": x, bogus_key: 1}}}"));
   CHECK(of_objects == keys_of_map(properties.at("objects").at("additionalProperties")));

@@ -24,10 +24,10 @@ TEST_CASE("a scene has its objects in the order of the file, with lengths in met
 TEST_CASE("a scene without a view or without objects says what is missing") {
   CHECK_THAT(
       read_scene_of("{objects: {a: {ball: pen}}}").faults,
-      Contains("d.yaml:1:2: scene.view: 'view' says what is seen of the plane: {x: [-5 mm, 5 mm], y:"));
+      Contains("d.yaml:1:1: scene.view: 'view' says what is seen of the plane: {x: [-5 mm, 5 mm], y:"));
   CHECK_THAT(read_scene_of("{view: {x: [2 mm, 1 mm], y: [1 N, 2 N], z: 1}}").faults,
              Contains("d.yaml:1:12: scene.view.x: the first number of a range is below the second") &&
-                 Contains("d.yaml:1:31: scene.view.y: 1 N is in N, but a length is in m") &&
+                 Contains("d.yaml:1:30: scene.view.y: 1 N is in N, but a length is in m") &&
                  Contains("a view has no 'z'") &&
                  Contains("scene.objects: 'objects' are a map of name: object"));
   CHECK_THAT(read_scene_of("[a]").faults, Contains("scene: a scene is a map"));
@@ -51,7 +51,7 @@ TEST_CASE(
 
 TEST_CASE("units of a scene are those of lengths, and conditions fit theirs") {
   CHECK_THAT(scene_faults("a: {ball: [push, 0]}"),
-             Contains("d.yaml:1:66: scene.a.ball: 'push' is in N, but a length"));
+             Contains("d.yaml:1:67: scene.a.ball: 'push' is in N, but a length"));
   CHECK_THAT(scene_faults("a: {ball: pen, radius: 2 s}"), Contains("scene.a.radius: '2 s' is in s"));
   CHECK_THAT(scene_faults("a: {ball: pen, when: map.distance > 0 N}"), Contains("scene.a.when: "));
   CHECK_THAT(scene_faults("a: {ball: pen}", ", animation: {from: 1 m}"), Contains("but a time is in s"));
