@@ -45,7 +45,8 @@ AnimationRows animation_rows(const Scene& scene, const std::string& file, const 
       static_cast<std::size_t>(std::max(1.0, std::round(1.0 / (frames_per_second * between))));
   const std::size_t step = std::min(all.size() - 1, std::max(smooth, (all.size() - 1) / (most - 1) + 1));
   AnimationRows chosen;
-  for (std::size_t i = 0; i < all.size(); i += step) chosen.rows.push_back(all[i]);
+  // Counted from the last, which is what many a run goes for.
+  for (std::size_t i = (all.size() - 1) % step; i < all.size(); i += step) chosen.rows.push_back(all[i]);
   chosen.seconds = (time[chosen.rows.back()] - time[chosen.rows.front()]) / scene.animation.speed;
   return chosen;
 }

@@ -14,8 +14,8 @@ struct AnimationRows {
   double seconds = 0.0;  ///< how long the animation lasts
 };
 
-/// As many rows of the animated run as move smoothly to the eye, and no more than `most`. Throws Error if
-/// there are fewer than two.
+/// As many rows of the animated run as move smoothly to the eye, and no more than `most`, its last among
+/// them. Throws Error if there are fewer than two.
 AnimationRows animation_rows(const Scene& scene, const std::string& file, const Recording& recording,
                              std::size_t most);
 

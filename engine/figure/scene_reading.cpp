@@ -6,6 +6,7 @@
 #include "engine/figure/number.hpp"
 #include "engine/figure/scene.hpp"
 #include "engine/figure/scene_object_reading.hpp"
+#include "engine/figure/scene_states.hpp"
 
 namespace stepwire {
 namespace {
@@ -35,6 +36,7 @@ class SceneReader {
     if (const Node* background = node_.find("background")) read_background(*background);
     if (const Node* animation = node_.find("animation")) read_animation(*animation);
     find_recording();
+    check_states();
     return std::move(scene_);
   }
 
@@ -135,6 +137,15 @@ class SceneReader {
     for (const Formula& formula : scene_.formulas) formulas.push_back(&formula);
     if (scene_.animation.where) formulas.push_back(&*scene_.animation.where);
     scene_.recording = common_recording(formulas, names_, node_, "scene", faults_);
+  }
+
+  /// A name stands for one thing.
+  void check_states() {
+    for (const RecordedName& state : scene_state_names(scene_))
+      if (names_.find(state.name))
+        fault(node_, "scene",
+              fmt::format("'{}' is recorded already, and would be what the scene shows; rename its object",
+                          state.name));
   }
 
   const Node& node_;

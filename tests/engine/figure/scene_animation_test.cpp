@@ -40,8 +40,8 @@ TEST_CASE("an animation begins, ends and goes as the file says, through the run 
       scene_of("a: {ball: pen}", ", animation: {from: 200 ms, to: 600 ms, speed: 0.5, where: run == 1}");
   const AnimationRows rows = animation_rows(scene, "d.yaml", recording, 600);
   CHECK(rows.seconds == Approx(0.78));
-  CHECK(rows.rows.front() == 101 + 20);
-  CHECK(rows.rows.back() == 101 + 59);
+  CHECK(rows.rows.front() == 101 + 21);
+  CHECK(rows.rows.back() == 101 + 60);
   CHECK(rows.rows[1] - rows.rows[0] == 3);  // 10 ms of the run last 20 ms: 60 ms between frames
 }
 

@@ -84,3 +84,13 @@ TEST_CASE("signals of a scene are recorded together") {
   CHECK_THAT(scene_faults("a: {ball: pen, when: slow > 1 N}"),
              Contains("'pen.1' and 'slow' are recorded at different"));
 }
+
+TEST_CASE("what a scene shows has a name of its own") {
+  Names names = pen_names();
+  names.columns.push_back({"scene.a.shown", Dimension{}, 0});
+  Faults faults;
+  const Document document =
+      parse_document("{view: {x: [0, 1], y: [0, 1]}, objects: {a: {ball: pen, when: time > 1 s}}}", "d.yaml");
+  read_scene(document.root, names, faults);
+  CHECK_THAT(all_text(faults), Contains("'scene.a.shown' is recorded already"));
+}
