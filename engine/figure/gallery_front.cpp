@@ -36,9 +36,8 @@ Tally tally_of(const Gallery& gallery) {
   return tally;
 }
 
-std::string link_to_card(const GalleryEntry& entry, std::size_t index, const std::string& text) {
-  return fmt::format("<a href=\"#{}\" title=\"{}\">{}</a>", gallery_anchor(index),
-                     markup_escaped(entry.title), text);
+std::string link_to_card(std::size_t index, const std::string& text) {
+  return fmt::format("<a href=\"#{}\">{}</a>", gallery_anchor(index), text);
 }
 
 /// "Figure 15", or the title of what has no label.
@@ -82,8 +81,7 @@ std::string reproduced_item(const GalleryEntry& entry, std::size_t index) {
   const std::string claims = tally.all > 0 ? fmt::format("{} of {}", tally.hold, tally.all) : "";
   return fmt::format(
       "<li class=\"{}\"><span class=\"name\">{}</span> {} <span class=\"verdict\">{}</span></li>\n", look,
-      link_to_card(entry, index, short_name(entry)), entry.label.empty() ? "" : markup_escaped(entry.title),
-      claims);
+      link_to_card(index, short_name(entry)), entry.label.empty() ? "" : markup_escaped(entry.title), claims);
 }
 
 std::string chapter_of(const GalleryEntry& entry) {
@@ -113,38 +111,55 @@ std::string disagreements(const Gallery& gallery) {
   for (std::size_t i = 0; i < gallery.entries.size(); ++i)
     for (const Verdict& verdict : gallery.entries[i].verdicts)
       if (!verdict.disagrees.empty() && !verdict.holds)
-        items += fmt::format("<li>{}: {}<br><em>{}</em></li>\n",
-                             link_to_card(gallery.entries[i], i, short_name(gallery.entries[i])),
-                             markup_escaped(verdict.that), markup_escaped(verdict.disagrees));
+        items +=
+            fmt::format("<li>{}: {}<br><em>{}</em></li>\n", link_to_card(i, short_name(gallery.entries[i])),
+                        markup_escaped(verdict.that), markup_escaped(verdict.disagrees));
   if (items.empty()) return {};
   return "<section id=\"disagrees\">\n<h2>What disagrees with the text</h2>\n<ul class=\"disagrees\">\n" +
          items + "</ul>\n</section>\n";
 }
 
+/// Links to several cards: "Figure 24, 25, Table 2, Figure 27".
+class CardLinks {
+ public:
+  void add(const GalleryEntry& entry, std::size_t index) {
+    if (!html_.empty() && index == last_) return;
+    const std::string figure = "Figure ";
+    const bool again = after_figure_ && entry.label.starts_with(figure);
+    const std::string text = again ? markup_escaped(entry.label.substr(figure.size())) : short_name(entry);
+    html_ += (html_.empty() ? "" : ", ") + link_to_card(index, text);
+    last_ = index;
+    after_figure_ = entry.label.starts_with(figure);
+  }
+  const std::string& html() const { return html_; }
+
+ private:
+  std::string html_;
+  std::size_t last_ = 0;
+  bool after_figure_ = false;
+};
+
 /// Assumed values, one line for what several entries share, in the order of their first appearance.
 std::string assumed(const Gallery& gallery) {
   using Key = std::tuple<std::string, std::string, std::string>;
   std::vector<Key> order;
-  std::map<Key, std::string> links;
+  std::map<Key, CardLinks> links;
   for (std::size_t i = 0; i < gallery.entries.size(); ++i)
     for (const Assumption& one : gallery.entries[i].assumptions) {
       const Key key{one.name.substr(one.name.rfind('.') + 1), one.value, one.doc};
-      std::string& where = links[key];
-      if (where.empty()) order.push_back(key);
-      const std::string link = link_to_card(gallery.entries[i], i, short_name(gallery.entries[i]));
-      if (!where.ends_with(link)) where += (where.empty() ? "" : ", ") + link;
+      if (!links.contains(key)) order.push_back(key);
+      links[key].add(gallery.entries[i], i);
     }
   if (order.empty()) return {};
   std::string rows;
   for (const Key& key : order)
     rows += fmt::format("<tr><td><code>{}</code></td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
                         markup_escaped(std::get<0>(key)), markup_escaped(std::get<1>(key)),
-                        markup_escaped(std::get<2>(key)), links[key]);
+                        markup_escaped(std::get<2>(key)), links[key].html());
   return fmt::format(
       "<section id=\"assumed\">\n<h2>What is assumed</h2>\n<details>\n<summary>{} {} that the text does not "
       "give</summary>\n<table>\n<tr><th scope=\"col\">Parameter</th><th scope=\"col\">Value</th><th "
-      "scope=\"col\">Meaning"
-      "</th><th scope=\"col\">Where</th></tr>\n{}</table>\n</details>\n</section>\n",
+      "scope=\"col\">Meaning</th><th scope=\"col\">Where</th></tr>\n{}</table>\n</details>\n</section>\n",
       order.size(), order.size() == 1 ? "value" : "values", rows);
 }
 

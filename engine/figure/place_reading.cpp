@@ -2,6 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
+
+#include "engine/figure/number.hpp"
+
 namespace stepwire {
 namespace {
 
@@ -31,6 +36,21 @@ std::vector<Formula> read_coordinates(const Node& node, const Names& names, cons
   return place.size() == node.items.size() ? place : std::vector<Formula>{};
 }
 
+/// Names of what was recorded as several columns: v for v.1, v.2.
+std::vector<std::string> vectors_of(const Names& names) {
+  std::vector<std::string> vectors;
+  for (const RecordedName& column : names.columns)
+    if (column.name.ends_with(".1")) vectors.push_back(column.name.substr(0, column.name.size() - 2));
+  return vectors;
+}
+
+/// A word that is no column, no signal and no number.
+bool is_unknown_name(const std::string& text, const Names& names) {
+  const auto of_name = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '.'; };
+  return !text.empty() && std::isdigit(static_cast<unsigned char>(text.front())) == 0 &&
+         std::ranges::all_of(text, of_name) && !names.find(text) && !names.lacks(text);
+}
+
 }  // namespace
 
 std::optional<Formula> read_length(const Node& node, const Names& names, const std::string& subject,
@@ -49,8 +69,15 @@ std::vector<Formula> read_place(const Node& node, const Names& names, const std:
     if (auto formula = read_length_of(node, element, names, subject, faults))
       place.push_back(std::move(*formula));
   }
-  if (place.empty())
-    if (auto formula = read_length(node, names, subject, faults)) place.push_back(std::move(*formula));
+  if (!place.empty()) return place;
+  if (is_unknown_name(node.text, names))
+    faults.add({{names.file, node.mark},
+                subject,
+                fmt::format("'{}' is not recorded{}", node.text,
+                            nearest_or_all(node.text, vectors_of(names), "recorded vectors are")),
+                {}});
+  else if (auto formula = read_length(node, names, subject, faults))
+    place.push_back(std::move(*formula));
   return place;
 }
 

@@ -223,8 +223,7 @@ TEST_CASE("what is wrong in a scene is told before the first step") {
               "  animation: {to: 2 s}}\nfigure: {plot: scene, at: 3 s}\n");
   const Done done = run_program(folder, {"check", "pen.yaml"});
   CHECK(done.code == 2);
-  CHECK_THAT(done.err,
-             Contains("pen.yaml:6:68: scene.dot.ball: 'pne' is not recorded; did you mean 'pen.1'?"));
+  CHECK_THAT(done.err, Contains("pen.yaml:6:71: scene.dot.ball: 'pne' is not recorded; did you mean 'pen'?"));
   CHECK_THAT(done.err, Contains("scene.animation.to: 2 s is not within the run, which lasts 1 s"));
   CHECK_THAT(done.err, Contains("figure.at: 3 s is not within the run, which lasts 1 s"));
 }
