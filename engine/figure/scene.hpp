@@ -99,8 +99,8 @@ Scene read_scene(const Node& node, const Names& names, Faults& faults);
 /// What is shown of an object at one instant, in the colour that it has then.
 struct SceneShape {
   const SceneObject* object = nullptr;
-  std::size_t wall = 0;                       ///< which one of its walls
-  std::vector<std::array<double, 2>> points;  ///< [m]
+  std::size_t wall = 0;                       ///< which one of its walls, whose points stand there
+  std::vector<std::array<double, 2>> points;  ///< of what is no wall [m]
   double size = 0.0;                          ///< radius, or height of letters [m]
   double width = 0.0;                         ///< of its line [m]
   SceneColor color;

@@ -61,6 +61,7 @@ std::vector<RecordedName> scene_state_names(const Scene& scene) {
 void add_scene_states(const Scene& scene, std::vector<Recording>& recordings) {
   Recording& recording = recordings[scene.recording];
   const std::vector<State> states = states_of(scene);
+  if (states.empty()) return;
   const SceneView view = view_of(scene, recording);
   std::vector<Column> columns;
   for (const State& state : states) columns.push_back({state.name, "1", {}});

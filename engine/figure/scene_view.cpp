@@ -100,7 +100,6 @@ class Shaper {
     const SceneColor color = shape.color;
     for (std::size_t i = 0; i < object.walls.size(); ++i) {
       shape.wall = i;
-      shape.points = object.walls[i].points;
       shape.crossed = i == crossed;
       shape.color = shape.crossed && object.crossed ? *object.crossed : color;
       shapes.push_back(shape);
