@@ -44,7 +44,9 @@ void outline_plane(const PlaneShape& shape, Outline& outline) {
       append_points(piece, 100.0 * size, line.points);
     }
     line.points = thinned(line.points, 1e-3 * size);
-    outline.lines.push_back(std::move(line));
+    // Where two corners of a boundary meet in one, rounding leaves a loop that nobody sees.
+    constexpr std::size_t least_corners = 3;
+    if (line.endless || line.points.size() >= least_corners) outline.lines.push_back(std::move(line));
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/cli/version.hpp"
+#include "engine/figure/scene_animation.hpp"
 #include "engine/table/file.hpp"
 
 namespace stepwire {
@@ -55,6 +56,13 @@ Json parameters_json(const Diagram& diagram) {
                   .set("assumed", parameter.assumed)
                   .set("set", parameter.set));
   return list;
+}
+
+void write_scene(const std::string& folder, const Work& work, const Outcome& outcome,
+                 std::vector<std::string>& pictures) {
+  pictures.emplace_back("scene.svg");
+  write_file(folder + "/" + pictures.back(),
+             animated_scene(*work.scene, work.file, outcome.recordings(), work.job.plan.diagram.title));
 }
 
 }  // namespace
@@ -110,8 +118,9 @@ std::vector<std::string> write_outputs(const std::string& folder, const Work& wo
   if (!outcome.result.faults.empty() || outcome.result.interrupted) return pictures;
   for (std::size_t i = 0; i < work.figures.size(); ++i) {
     pictures.push_back(numbered("figure", i, ".svg"));
-    write_file(folder + "/" + pictures.back(), draw(work.figures[i], outcome.result.recordings).svg);
+    write_file(folder + "/" + pictures.back(), draw(work.figures[i], outcome.recordings()).svg);
   }
+  if (work.scene) write_scene(folder, work, outcome, pictures);
   return pictures;
 }
 

@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <filesystem>
+#include <limits>
 #include <thread>
+#include <utility>
 
 #include "engine/cli/commands.hpp"
 #include "engine/cli/fitting.hpp"
@@ -40,14 +43,32 @@ std::vector<fs::path> figure_files(const ThesisCommand& command) {
 }
 
 std::string label_of(const Diagram& diagram) {
-  if (diagram.thesis_figure) return fmt::format("Figure {}", *diagram.thesis_figure);
-  if (diagram.thesis_table) return fmt::format("Table {}", *diagram.thesis_table);
-  return "";
+  std::string label;
+  if (diagram.thesis_figure) label = fmt::format("Figure {}", *diagram.thesis_figure);
+  if (diagram.thesis_table)
+    label += fmt::format("{}Table {}", label.empty() ? "" : " and ", *diagram.thesis_table);
+  return label;
+}
+
+/// Tables of the thesis, and the figure behind which each stands in the text.
+constexpr std::array<std::pair<int, int>, 6> table_places{
+    {{1, 4}, {2, 26}, {3, 42}, {4, 43}, {5, 45}, {6, 46}}};
+
+/// Where something stands in the thesis: behind which figure, and tables behind the figure itself; what is
+/// neither figure nor table comes last.
+std::pair<int, int> place_of(const GalleryEntry& entry) {
+  if (entry.figure) return {*entry.figure, 0};
+  for (const auto& [table, figure] : table_places)
+    if (entry.table == table) return {figure, table};
+  return {std::numeric_limits<int>::max(), entry.table.value_or(0)};
 }
 
 void describe(const Work& work, GalleryEntry& entry) {
   const Diagram& diagram = work.job.plan.diagram;
   entry.label = label_of(diagram);
+  entry.figure = diagram.thesis_figure;
+  entry.table = diagram.thesis_table;
+  entry.section = diagram.thesis_section;
   entry.title = diagram.title;
   entry.caption = diagram.caption;
   for (const DiagramParameter& parameter : diagram.parameters)
@@ -71,7 +92,12 @@ class Maker {
     for (std::size_t i = 0; i < count; ++i) threads.emplace_back([this] { work(); });
   }
 
-  const std::vector<GalleryEntry>& entries() const { return entries_; }
+  /// In the order of the thesis.
+  std::vector<GalleryEntry> entries() const {
+    std::vector<GalleryEntry> entries = entries_;
+    std::ranges::stable_sort(entries, {}, place_of);
+    return entries;
+  }
   ExitCode code() const {
     ExitCode code = ExitCode::done;
     for (ExitCode one : codes_) code = worst(code, one);
@@ -147,8 +173,8 @@ class Maker {
   Progress progress_{"thesis"};
 };
 
-void summarise(const Maker& maker) {
-  for (const GalleryEntry& entry : maker.entries())
+void summarise(const std::vector<GalleryEntry>& entries) {
+  for (const GalleryEntry& entry : entries)
     for (const Verdict& verdict : entry.verdicts)
       if (!verdict.holds)
         fmt::print("{}: {}: {}: {} ({})\n", entry.folder, verdict.word(), verdict.that, verdict.shown,
@@ -168,7 +194,8 @@ ExitCode run_thesis(const ThesisCommand& command, const Registry& registry) {
     require_folder(command.out);
     Maker maker(command, registry, files);
     maker.run();
-    summarise(maker);
+    const std::vector<GalleryEntry> entries = maker.entries();
+    summarise(entries);
     const std::string page = (fs::path(command.out) / "index.html").string();
     write_file(
         page,
@@ -177,7 +204,7 @@ ExitCode run_thesis(const ThesisCommand& command, const Registry& registry) {
              "Every picture was computed by the diagram file beside it. What the thesis says of a figure "
              "stands under it as "
              "claims, checked on the recorded signals. What the text does not give is listed as assumed.",
-             maker.entries()}));
+             entries}));
     fmt::print("{} diagram files; see {}\n", files.size(), page);
     return interrupted() ? ExitCode::interrupted : maker.code();
   });

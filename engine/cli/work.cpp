@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "engine/diagram/flatten.hpp"
 #include "engine/draw/draw.hpp"
+#include "engine/figure/scene_states.hpp"
 #include "engine/record/recorder.hpp"
 #include "engine/study/study_columns.hpp"
 #include "engine/study/study_tables.hpp"
@@ -91,6 +94,16 @@ Verdict not_judged(const Claim& claim, const std::string& why) {
   return verdict;
 }
 
+/// Reads the scene ahead of figures and claims, which may name what it shows.
+std::shared_ptr<const Scene> read_scene_of(const Diagram& diagram, Names& names, Faults& faults) {
+  if (diagram.scene.kind == Node::Kind::empty) return nullptr;
+  const std::size_t before = faults.size();
+  auto scene = std::make_shared<const Scene>(read_scene(diagram.scene, names, faults));
+  if (faults.size() == before)
+    std::ranges::copy(scene_state_names(*scene), std::back_inserter(names.columns));
+  return scene;
+}
+
 }  // namespace
 
 std::string unquoted(const std::string& word) {
@@ -104,13 +117,15 @@ Work prepare(const Registry& registry, const std::string& file, const WorkOption
 }
 
 Work prepare(Loader& loader, const std::string& file, const WorkOptions& options) {
-  Work work{file, make_job(loader, file, options.settings, options.stop, options.of_points), {}, {}, {}, {}};
+  Work work{file, make_job(loader, file, options.settings, options.stop, options.of_points), {}, {}, {}, {},
+            {}};
   Names names = names_of(work.job);
   Faults faults;
   const Diagram& diagram = work.job.plan.diagram;
   const DiagramView view(diagram, loader);
   names.diagram = &view;
   add_study(loader, options, work, names, faults);
+  names.scene = work.scene = read_scene_of(diagram, names, faults);
   if (diagram.figure.kind != Node::Kind::empty) work.figures = read_figures(diagram.figure, names, faults);
   if (work.study)
     for (Figure& figure : work.figures)
@@ -124,9 +139,13 @@ Work prepare(Loader& loader, const std::string& file, const WorkOptions& options
 
 void judge_claims(const Work& work, Outcome& outcome) {
   const bool early = !outcome.result.faults.empty() || outcome.result.interrupted;
+  if (work.scene && !early) {
+    outcome.shown = outcome.result.recordings;
+    add_scene_states(*work.scene, outcome.shown);
+  }
   for (const Claim& claim : work.claims)
     outcome.verdicts.push_back(early ? not_judged(claim, "the run ended early")
-                                     : judge(claim, outcome.result.recordings));
+                                     : judge(claim, outcome.recordings()));
   for (const Verdict& verdict : outcome.verdicts) {
     if (verdict.fails() && !early) outcome.code = worst(outcome.code, ExitCode::fails);
     if (verdict.surprises()) outcome.code = worst(outcome.code, ExitCode::wrong);

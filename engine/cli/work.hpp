@@ -1,6 +1,8 @@
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -8,6 +10,7 @@
 #include "engine/diagram/load.hpp"
 #include "engine/figure/claim.hpp"
 #include "engine/figure/figure.hpp"
+#include "engine/figure/scene.hpp"
 #include "engine/identify/fit_request.hpp"
 #include "engine/run/run.hpp"
 #include "engine/study/study_request.hpp"
@@ -20,10 +23,11 @@ struct Work {
   Job job;
   std::vector<Figure> figures;
   std::vector<Claim> claims;
-  std::optional<FitRequest> fit;        ///< what is to be found in records before the run
-  std::string hash;                     ///< of the flattened diagram and its data as they were before the run
-  std::optional<StudyRequest> study{};  ///< whose trials are the runs of the file
-  std::vector<NamedTable> tables{};     ///< that the study will make, for figures
+  std::optional<FitRequest> fit;  ///< what is to be found in records before the run
+  std::string hash;               ///< of the flattened diagram and its data as they were before the run
+  std::shared_ptr<const Scene> scene{};  ///< null where the file shows none
+  std::optional<StudyRequest> study{};   ///< whose trials are the runs of the file
+  std::vector<NamedTable> tables{};      ///< that the study will make, for figures
 };
 
 /// What a call asks of each file.
@@ -42,9 +46,13 @@ Work prepare(const Registry& registry, const std::string& file, const WorkOption
 /// What became of a file.
 struct Outcome {
   RunResult result;
+  std::vector<Recording> shown;  ///< the recordings with what the scene shows; empty where there is none
   std::vector<Verdict> verdicts;
   double seconds = 0.0;  ///< of the run itself, without loading and drawing
   ExitCode code = ExitCode::done;
+
+  /// What figures and claims read.
+  std::span<const Recording> recordings() const { return shown.empty() ? result.recordings : shown; }
 };
 
 /// Judges all claims on what was recorded; those about a run that ended early do not hold.

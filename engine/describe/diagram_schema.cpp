@@ -3,6 +3,7 @@
 #include "engine/describe/schema_blocks.hpp"
 #include "engine/describe/schema_figure.hpp"
 #include "engine/describe/schema_fit.hpp"
+#include "engine/describe/schema_scene.hpp"
 #include "engine/describe/schema_study.hpp"
 #include "engine/describe/schema_values.hpp"
 #include "engine/solve/solver.hpp"
@@ -104,6 +105,7 @@ void add_run_keys(Json& keys) {
   keys.set("record", explained(one_or_list_of(schema_ref("record")), "signals that figures and claims read"));
   keys.set("sweep", sweep_schema());
   keys.set("figure", explained(one_or_list_of(schema_ref("figure")), "pictures of what was recorded"));
+  keys.set("scene", scene_schema());
   keys.set("claims", explained(list_of(schema_ref("claim")), "statements that the run is held to"));
   keys.set("fit", fit_schema());
   keys.set("study", study_schema());

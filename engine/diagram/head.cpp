@@ -14,7 +14,7 @@ namespace {
 const std::vector<std::string> head_keys = {"stepwire", "title",  "caption",    "thesis", "step",
                                             "stop",     "solver", "parameters", "inputs", "outputs",
                                             "units",    "blocks", "stop_when",  "record", "sweep",
-                                            "figure",   "claims", "fit",        "study"};
+                                            "figure",   "scene",  "claims",     "fit",    "study"};
 
 constexpr double most_steps = 9e15;  // whole numbers beyond are not exact in a double
 
@@ -218,6 +218,7 @@ void read_head_of_file(const Scope& scope, Report& report) {
   Diagram& diagram = report.diagram();
   read_sweep(scope, report);
   if (const Node* figure = scope.document->root.find("figure")) diagram.figure = *figure;
+  if (const Node* scene = scope.document->root.find("scene")) diagram.scene = *scene;
   if (const Node* claims = scope.document->root.find("claims")) diagram.claims = *claims;
   if (const Node* fit = scope.document->root.find("fit")) diagram.fit = *fit;
 }

@@ -29,9 +29,9 @@ bool mentions(const Node& node, const std::string& name) {
                      [&](const Entry& entry) { return in(entry.value); });
 }
 
-/// Figures, claims, fits and studies read parameters only after the diagram is built.
+/// Figures, scenes, claims, fits and studies read parameters only after the diagram is built.
 bool is_drawn_or_claimed(const Node& root, const std::string& name) {
-  for (const char* key : {"figure", "claims", "fit", "study"})
+  for (const char* key : {"figure", "scene", "claims", "fit", "study"})
     if (const Node* node = root.find(key); node && mentions(*node, name)) return true;
   const Node* sweep = root.find("sweep");
   return sweep && sweep->find(name);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,9 @@ struct Assumption {
 
 /// One diagram file on the gallery page. Paths are relative to the page.
 struct GalleryEntry {
-  std::string label;  ///< "Figure 15"
+  std::string label;                 ///< "Figure 15"
+  std::optional<int> figure, table;  ///< numbers in the source, by which entries are ordered
+  std::string section;  ///< of the source: "2.5.1"; its chapter is what stands before the first dot
   std::string title;
   std::string caption;
   std::vector<std::string> pictures;
@@ -33,7 +36,8 @@ struct Gallery {
   std::vector<GalleryEntry> entries;
 };
 
-/// A self-contained static HTML page with a summary of the claims and a card for each entry.
+/// A self-contained static HTML page: what is reproduced, what disagrees with the source and what is assumed,
+/// and a card for each entry.
 std::string gallery_page(const Gallery& gallery);
 
 }  // namespace stepwire

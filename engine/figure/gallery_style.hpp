@@ -31,6 +31,16 @@ main { display: grid; gap: 1.5rem; grid-template-columns: repeat(auto-fill, minm
 article { background: var(--card); border: 1px solid var(--line); border-radius: 10px; padding: 1.25rem; min-width: 0; }
 article:target { outline: 3px solid var(--link); }
 img { display: block; width: 100%; height: auto; background: #fff; border-radius: 6px; margin-bottom: .75rem; }
+section { margin: 1.5rem 0 0; }
+section h2 { margin-bottom: .25rem; }
+section li em { display: inline-block; margin-top: .15rem; }
+.index { list-style: none; margin: 0; padding: 0; columns: 22rem; column-gap: 2rem; }
+.index li { padding: .2rem 0; break-inside: avoid; }
+.index .name { font-weight: 600; margin-right: .25rem; }
+.index .verdict { font-weight: 500; font-size: .85em; white-space: nowrap; margin-left: .25rem; }
+.disagrees { margin: .25rem 0; padding-left: 1.1rem; max-width: 70rem; }
+.disagrees li { padding: .25rem 0; }
+section details { margin-top: .25rem; overflow-x: auto; }
 .summary { display: inline-block; font-weight: 600; border-left: 4px solid; padding: .35rem .9rem; background: var(--card); margin: .5rem 0; }
 .summary.good, .good .verdict { color: var(--good); }
 .summary.bad, .bad .verdict { color: var(--bad); }

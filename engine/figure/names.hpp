@@ -14,6 +14,7 @@
 namespace stepwire {
 
 class DiagramView;
+struct Scene;
 
 /// A name that figures and claims may use for a recorded column.
 struct RecordedName {
@@ -54,6 +55,7 @@ struct Names {
   const DiagramView* diagram = nullptr;  ///< the diagram itself; null where it cannot be drawn
   std::vector<NamedOutline> outlines{};
   std::vector<NamedTable> tables{};
+  std::shared_ptr<const Scene> scene{};  ///< what the file shows; null where it has none
 
   const RecordedName* find(std::string_view name) const;
   /// Is it a signal that the file does not record?

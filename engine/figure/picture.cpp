@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "engine/figure/svg.hpp"
+
 namespace stepwire {
 namespace {
 
@@ -29,13 +31,6 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
 
 }  // namespace
 
-std::string svg_escaped(std::string text) {
-  replace_all(text, "&", "&amp;");
-  replace_all(text, "<", "&lt;");
-  replace_all(text, ">", "&gt;");
-  return text;
-}
-
 std::string picture_style() {
   return style;
 }
@@ -52,7 +47,7 @@ std::string finished_picture(std::string svg, const std::string& title) {
   replace_all(svg, "stroke=\"none\" fill=\"rgb(16,16,16)\"",
               "stroke=\"#ffffff\" stroke-width=\"3\" style=\"paint-order:stroke\" fill=\"#101010\"");
   replace_all(svg, "<image ", "<image style='image-rendering:pixelated' ");
-  replace_all(svg, "<title>Gnuplot</title>", "<title>" + svg_escaped(title) + "</title>");
+  replace_all(svg, "<title>Gnuplot</title>", "<title>" + markup_escaped(title) + "</title>");
   return svg;
 }
 

@@ -10,9 +10,6 @@ std::string picture_style();
 /// The gnuplot command that starts a picture of so many pixels.
 std::string picture_terminal(double width, double height);
 
-/// A text as it stands in SVG: & < > replaced.
-std::string svg_escaped(std::string text);
-
 /// The colour by which a finished picture knows texts that lie on curves.
 constexpr const char* rimmed_text = "#101010";
 

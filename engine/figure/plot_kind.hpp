@@ -65,5 +65,6 @@ PlotKind histogram_plot();
 PlotKind diagram_plot();
 PlotKind rig_plot();
 PlotKind table_plot();
+PlotKind scene_plot();
 
 }  // namespace stepwire

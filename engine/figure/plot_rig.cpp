@@ -1,39 +1,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "engine/draw/draw.hpp"
 #include "engine/figure/plot_kind.hpp"
 #include "engine/figure/rig.hpp"
+#include "engine/figure/run_rows.hpp"
 
 namespace stepwire {
 namespace {
 
 constexpr std::size_t most_points_of_path = 400;
-
-/// Rows of the run that is drawn, and which of them.
-struct Rows {
-  std::size_t begin = 0, end = 0, drawn = 0;
-};
-
-Rows rows_of(const Rig& rig, const Recording& recording) {
-  const std::size_t count = recording.table.rows();
-  std::size_t drawn = 0;
-  if (rig.where) {
-    const std::vector<double> where = evaluate(*rig.where, recording);
-    drawn = static_cast<std::size_t>(
-        std::find_if(where.begin(), where.end(),
-                     [](double value) { return value != 0.0 && !std::isnan(value); }) -
-        where.begin());
-  }
-  Rows rows{0, count, drawn};
-  for (const std::size_t start : recording.starts) {
-    if (start <= drawn) rows.begin = start;
-    if (start > drawn) rows.end = std::min(rows.end, start);
-  }
-  return rows;
-}
 
 /// Values of a point's coordinates in all rows.
 class PointValues {
@@ -56,7 +33,7 @@ class PointValues {
   std::vector<std::vector<double>> columns_;
 };
 
-Json path_of(const RigPoint& point, const Recording& recording, const Rows& rows, std::size_t dimensions) {
+Json path_of(const RigPoint& point, const Recording& recording, const RunRows& rows, std::size_t dimensions) {
   const PointValues values(point, recording);
   const std::size_t step = (rows.end - rows.begin) / most_points_of_path + 1;
   Json points = Json::list();
@@ -65,14 +42,14 @@ Json path_of(const RigPoint& point, const Recording& recording, const Rows& rows
   return points;
 }
 
-Json element_json(const RigElement& element, const Recording& recording, const Rows& rows,
+Json element_json(const RigElement& element, const Recording& recording, const RunRows& rows,
                   std::size_t dimensions) {
   Json points = Json::list();
   if (element.kind == "path")
     points = path_of(element.points.front(), recording, rows, dimensions);
   else
     for (const RigPoint& point : element.points)
-      points.push(PointValues(point, recording).at(rows.drawn, dimensions));
+      points.push(PointValues(point, recording).at(rows.first, dimensions));
   Json json = Json::object().set("kind", element.kind).set("points", std::move(points));
   if (!element.name.empty()) json.set("name", element.name);
   if (element.body) json.set("body", *element.body);
@@ -89,9 +66,8 @@ std::size_t dimensions_of(const Rig& rig) {
 
 std::string draw_mechanism(const Rig& rig, const std::string& file, std::span<const Recording> recordings) {
   const Recording& recording = recordings[rig.recording];
-  const Rows rows = rows_of(rig, recording);
-  if (rows.drawn >= recording.table.rows())
-    throw Error(Fault{{file, rig.mark}, "figure.where", "no row is left to be drawn", {}});
+  const RunRows rows = rows_of_run(rig.where, recording);
+  if (rows.none()) throw Error(Fault{{file, rig.mark}, "figure.where", "no row is left to be drawn", {}});
   const std::size_t dimensions = dimensions_of(rig);
   Json elements = Json::list();
   for (const RigElement& element : rig.elements)

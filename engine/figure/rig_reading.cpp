@@ -5,6 +5,7 @@
 
 #include "engine/draw/draw.hpp"
 #include "engine/figure/number.hpp"
+#include "engine/figure/place_reading.hpp"
 #include "engine/figure/rig.hpp"
 
 namespace stepwire {
@@ -64,38 +65,11 @@ class RigReader {
 
   /// A place: [x, y], the name of a recorded vector, or a row of a block's parameter.
   std::optional<RigPoint> read_point(const Node& node) {
-    if (node.is_list()) return read_coordinates(node);
     if (auto row = row_of_parameter(node.text)) return row;
     RigPoint point;
-    for (std::size_t i = 1; i <= most_coordinates; ++i) {
-      const std::string element = fmt::format("{}.{}", node.text, i);
-      if (names_.find(element) == nullptr) break;
-      if (auto formula = read_length(node, element)) point.emplace_back(std::move(*formula));
-    }
-    if (!point.empty()) return point;
-    if (auto formula = read_length(node, node.text)) return RigPoint{std::move(*formula)};
-    return std::nullopt;
-  }
-
-  std::optional<RigPoint> read_coordinates(const Node& node) {
-    if (node.items.empty() || node.items.size() > most_coordinates) {
-      fault(node.mark, "points", "a point has one to three coordinates: [x, y]");
-      return std::nullopt;
-    }
-    RigPoint point;
-    for (const Node& item : node.items)
-      if (auto formula = read_length(item, item.text)) point.emplace_back(std::move(*formula));
-    return point;
-  }
-
-  std::optional<Formula> read_length(const Node& node, const std::string& text) {
-    auto formula = read_formula(node, text, 0, names_, "figure.points", faults_);
-    if (!formula || !formula->dimension || *formula->dimension == length_dimension ||
-        *formula->dimension == Dimension{})
-      return formula;
-    fault(node.mark, "points",
-          fmt::format("'{}' is in {}; a coordinate is a length", text, si_name(*formula->dimension)));
-    return std::nullopt;
+    for (Formula& coordinate : read_place(node, names_, "figure.points", faults_))
+      point.emplace_back(std::move(coordinate));
+    return point.empty() ? std::nullopt : std::optional(std::move(point));
   }
 
   std::optional<RigPoint> row_of_parameter(const std::string& text) const {

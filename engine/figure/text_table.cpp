@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "engine/figure/picture.hpp"
+#include "engine/figure/svg.hpp"
 
 namespace stepwire {
 namespace {
@@ -105,14 +105,14 @@ class TableDrawing {
         "{0:.0f} "
         "{1:.0f}\" font-family=\"Helvetica, Arial, sans-serif\">\n<title>{2}</title>\n<rect width=\"100%\" "
         "height=\"100%\" fill=\"#ffffff\"/>\n{3}</svg>\n",
-        width_, y_, svg_escaped(table_.title), body_);
+        width_, y_, markup_escaped(table_.title), body_);
   }
 
  private:
   void text(double x, const char* anchor, double size, const char* color, const std::string& words) {
     body_ += fmt::format(
         "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" font-size=\"{}\" fill=\"{}\">{}</text>\n", x, y_,
-        anchor, size, color, svg_escaped(words));
+        anchor, size, color, markup_escaped(words));
   }
 
   void rule(double thickness) {

@@ -26,7 +26,7 @@ TEST_CASE("what every diagram leaves in its folder can be verified there") {
     write_replay(out, job);
     job.plan.steps = std::min(job.plan.steps, most_steps);
     for (SweepPoint& point : job.points) point.plan.steps = std::min(point.plan.steps, most_steps);
-    const Work work{job.plan.diagram.file, std::move(job), {}, {}, {}, {}};
+    const Work work{job.plan.diagram.file, std::move(job), {}, {}, {}, {}, {}};
     write_outputs(out, work, carry_out(work, {}));
     const Verification verification = verify(out, library());
     CHECK(verification.difference == "");

@@ -35,6 +35,8 @@ TEST_CASE("Every point of an outline lies on the boundary, and pieces of a bound
   for (const std::string shape :
        {"{polygon: [[0 mm, 0 mm], [9 mm, 1 mm], [4 mm, 8 mm]]}",
         "{spline: [[0 mm, 0 mm], [9 mm, 4 mm], [14 mm, -8 mm], [22 mm, 0 mm]], half_width: 1.5 mm}",
+        "{corridor: [[206 mm, -22 mm], [224 mm, -6 mm], [238 mm, 6.4444 mm], [224 mm, 20 mm]], half_width: 3 "
+        "mm}",
         "{left: \"-8 mm + y^2/(90 mm)\", right: \"8 mm - y^2/(70 mm)\", y: [-9 mm, 19 mm]}",
         "{union: [{center: [0 mm, 0 mm], radius: 5 mm}, {center: [7 mm, 1 mm], radius: 4 mm}]}"}) {
     RegionRig region(shape);

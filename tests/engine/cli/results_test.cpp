@@ -195,3 +195,35 @@ TEST_CASE("the option --set reaches into parts and blocks, and the last one coun
   CHECK(run_program(folder, {"run", "a.yaml", "--set", "rig.mass=7kg", "--set", "rig.mass=2000 g"}).code ==
         0);
 }
+
+TEST_CASE("a file with a scene leaves its animation, and claims and figures see what it shows") {
+  const Scratch folder;
+  folder.file(
+      "pen.yaml",
+      "stepwire: 1\nstep: 10 ms\nstop: 1 s\nblocks: {pen: {block: Ramp, slope: [10 mm/s, 0 mm/s]}}\n"
+      "record: pen\nscene:\n  view: {x: [0 mm, 10 mm], y: [-5 mm, 5 mm]}\n  objects:\n"
+      "    dot: {ball: pen, color: {red: pen.1 > 5 mm, else: blue}}\n"
+      "figure:\n  - {plot: scene, where: scene.dot.red == 1}\n  - {plot: lines, x: time, y: scene.dot.red}\n"
+      "claims:\n  - {that: red beyond 5 mm, max: \"abs(scene.dot.red - (pen.1 > 5 mm))\", at_most: 0}\n"
+      "  - {that: half of the time, fraction: scene.dot.red == 1, between: [0.49, 0.51]}\n");
+  const Done done = run_program(folder, {"run", "pen.yaml", "--out", "out"});
+  INFO(done.out << done.err);
+  REQUIRE(done.code == 0);
+  CHECK_THAT(content_of(folder.path("out/scene.svg")), Contains("<animate attributeName=\"cx\""));
+  CHECK_THAT(content_of(folder.path("out/figure.svg")), Contains("fill=\"#ff3b30\""));
+  CHECK(lines_of(content_of(folder.path("out/signals.csv"))).front() == "time [s],pen.1 [m],pen.2 [m]");
+  CHECK(run_program(folder, {"verify", "out"}).code == 0);
+}
+
+TEST_CASE("what is wrong in a scene is told before the first step") {
+  const Scratch folder;
+  folder.file("pen.yaml",
+              "stepwire: 1\nstep: 10 ms\nstop: 1 s\nblocks: {pen: {block: Constant, value: [1 mm, 2 mm]}}\n"
+              "record: pen\nscene: {view: {x: [0 mm, 10 mm], y: [0, 1 mm]}, objects: {dot: {ball: pne}},\n"
+              "  animation: {to: 2 s}}\nfigure: {plot: scene, at: 3 s}\n");
+  const Done done = run_program(folder, {"check", "pen.yaml"});
+  CHECK(done.code == 2);
+  CHECK_THAT(done.err, Contains("pen.yaml:6:71: scene.dot.ball: 'pne' is not recorded; did you mean 'pen'?"));
+  CHECK_THAT(done.err, Contains("scene.animation.to: 2 s is not within the run, which lasts 1 s"));
+  CHECK_THAT(done.err, Contains("figure.at: 3 s is not within the run, which lasts 1 s"));
+}

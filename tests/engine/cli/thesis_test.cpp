@@ -30,6 +30,18 @@ TEST_CASE("thesis --only makes the figures that are asked for, and a page whose 
     CHECK(std::filesystem::exists(folder.path("page/" + made[0] + "/" + name)));
 }
 
+TEST_CASE("tables stand where the thesis has them, between its figures") {
+  const Scratch folder;
+  REQUIRE(run_program(folder, {"thesis", "--only", "fig06,fig04,table1", "--out", "page"}).code == 0);
+  const std::string page = content_of(folder.path("page/index.html"));
+  const std::size_t cards = page.find("<main>");
+  REQUIRE(cards != std::string::npos);
+  const auto card = [&](const std::string& label) { return page.find(">" + label + "</span>", cards); };
+  CHECK(card("Figure 4") < card("Table 1"));
+  CHECK(card("Table 1") < card("Figure 6"));
+  CHECK(card("Figure 6") != std::string::npos);
+}
+
 TEST_CASE("thesis refuses a page where a file stands") {
   const Scratch folder;
   folder.file("taken", "");

@@ -9,6 +9,7 @@
 #include "engine/describe/diagram_schema.hpp"
 #include "engine/diagram/load.hpp"
 #include "engine/figure/claim.hpp"
+#include "engine/figure/scene.hpp"
 #include "engine/identify/fit_request.hpp"
 #include "tests/support/run_text.hpp"
 
@@ -96,4 +97,23 @@ TEST_CASE("the schema has the keys of fits that their reader has") {
   CHECK(known("{compare: [{bogus_key: 1}]}", "it has: ") ==
         keys_of_map(properties.at("compare").at("items")));
   CHECK(known("{global: {bogus_key: 1}}", "it has: ") == keys_of_map(properties.at("global")));
+}
+
+TEST_CASE("the schema has the keys of scenes that their reader has") {
+  const json scene = schema().at("properties").at("scene"), properties = scene.at("properties");
+  const auto known = [](const std::string& yaml) {
+    Faults faults;
+    const Document document = parse_document(yaml, "test.yaml");
+    read_scene(document.root, {"test.yaml", {{"time", {}, {}}}}, faults);
+    for (const Fault& fault : faults.list())
+      if (fault.message.find("bogus_key") != std::string::npos) return listed_in(fault.message, "it has: ");
+    return std::set<std::string>{};
+  };
+  CHECK(known("{bogus_key: 1}") == keys_of_map(scene));
+  CHECK(known("{view: {bogus_key: 1}}") == keys_of_map(properties.at("view")));
+  CHECK(known("{animation: {bogus_key: 1}}") == keys_of_map(properties.at("animation")));
+  std::set<std::string> of_objects;
+  for (const SceneKind& kind : scene_kinds())
+    of_objects.merge(known("{objects: {a: {" + kind.name + ": x, bogus_key: 1}}}"));
+  CHECK(of_objects == keys_of_map(properties.at("objects").at("additionalProperties")));
 }

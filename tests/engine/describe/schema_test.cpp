@@ -78,7 +78,7 @@ TEST_CASE("every plot is offered and has all its keys") {
     const json& properties = schema().at("$defs").at("plot." + plot.name).at("properties");
     for (const FigureKey& key : figure_keys(plot.name)) CHECK(properties.contains(key.name));
     CHECK(properties.contains("caption"));
-    const std::set<std::string> pictures{"diagram", "rig", "table"};  // that are no panels of others
+    const std::set<std::string> pictures{"diagram", "rig", "scene", "table"};  // that are no panels of others
     const bool alone = pictures.contains(plot.name);
     const json& definitions = schema().at("$defs");
     REQUIRE(definitions.contains("panel." + plot.name) == !alone);

@@ -66,3 +66,27 @@ TEST_CASE("texts are escaped, pictures have a description, and nothing is loaded
   CHECK_THAT(page, !Catch::Contains("http"));
   CHECK_THAT(page, !Catch::Contains("<script"));
 }
+
+TEST_CASE("the front says what is reproduced by chapter, what disagrees and what is assumed, with links") {
+  GalleryEntry one = entry(), two = entry();
+  one.section = "2.5.1";
+  one.verdicts = {verdict("first", true), verdict("second", false, "a <misprint>")};
+  one.assumptions = {{"speed", "10 mm/s", "of the push"}};
+  two.label = "Table 3";
+  two.section = "4.3.1";
+  two.verdicts = {verdict("third", true)};
+  two.assumptions = {{"rig.speed", "10 mm/s", "of the push"}, {"a", "5 N", "offset"}};
+  const std::string page = gallery_page({"Title", "", {one, two}});
+  const std::size_t second = page.find("<h3>Chapter 2</h3>"), fourth = page.find("<h3>Chapter 4</h3>");
+  REQUIRE(second != std::string::npos);
+  REQUIRE(fourth != std::string::npos);
+  const std::string of_second = page.substr(second, fourth - second);
+  CHECK_THAT(of_second, Catch::Contains("href=\"#entry-1\"") && Catch::Contains("1 of 2") &&
+                            !Catch::Contains("href=\"#entry-2\""));
+  CHECK_THAT(page, Catch::Contains(">Figure 15</a>: second<br><em>a &lt;misprint&gt;</em>"));
+  CHECK_THAT(page, Catch::Contains("2 values that the text does not give"));
+  const std::size_t speed = page.find("<tr><td><code>speed</code></td>");
+  REQUIRE(speed != std::string::npos);
+  const std::string row = page.substr(speed, page.find("</tr>", speed) - speed);
+  CHECK_THAT(row, Catch::Contains(">Figure 15</a>, <a href=\"#entry-2\"") && Catch::Contains(">Table 3</a>"));
+}
