@@ -24,15 +24,14 @@ class Cost : public ceres::CostFunction {
   bool Evaluate(const double* const* parameters, double* residuals, double** jacobians) const override {
     const Eigen::VectorXd x =
         Eigen::Map<const Eigen::VectorXd>(parameters[0], scales_.size()).cwiseProduct(scales_);
-    Eigen::VectorXd r;
-    Jacobian slopes;
     const bool wanted = jacobians && jacobians[0];
-    if (wanted ? !residuals_.evaluate(x, r, slopes, Residuals::Differences::forward)
-               : !residuals_.evaluate(x, r)) {
+    if (!know(x, wanted)) {
       if (best_.refusal.empty()) best_.refusal = residuals_.refusal(x);  // else it blew up
       return false;
     }
-    if (wanted) slopes *= scales_.asDiagonal();
+    Eigen::VectorXd r = known_.residuals;
+    Jacobian slopes;
+    if (wanted) slopes = known_.slopes * scales_.asDiagonal();
     count(request_, r, slopes);
     if (const double cost = 0.5 * r.squaredNorm(); cost < best_.cost && !take(x, cost)) return false;
     std::copy_n(r.data(), r.size(), residuals);
@@ -44,6 +43,22 @@ class Cost : public ceres::CostFunction {
   const Minimum& best() const { return best_; }
 
  private:
+  /// What runs gave at the last point. Ceres asks for the cost of a step first, and for its slopes later.
+  struct Known {
+    Eigen::VectorXd x, residuals;
+    Jacobian slopes;  ///< empty: not asked for
+  };
+
+  bool know(const Eigen::VectorXd& x, bool slopes) const {
+    if (known_.x.size() != x.size() || known_.x != x) {
+      known_ = {};
+      if (!residuals_.evaluate(x, known_.residuals)) return false;
+      known_.x = x;
+    }
+    return !slopes || known_.slopes.size() > 0 ||
+           residuals_.differentiate(x, known_.residuals, known_.slopes, Residuals::Differences::forward);
+  }
+
   /// A point that the diagram refuses is as bad as one whose run blows up.
   bool take(const Eigen::VectorXd& x, double cost) const {
     std::string refusal = residuals_.refusal(x);
@@ -63,20 +78,32 @@ class Cost : public ceres::CostFunction {
   const FitRequest& request_;
   const Eigen::VectorXd& scales_;
   mutable Minimum best_;
+  mutable Known known_;
 };
 
 class Watch : public ceres::IterationCallback {
  public:
-  explicit Watch(const LeastSquaresOptions& options) : options_(options) {}
+  /// `before`: steps that have been done already.
+  Watch(const LeastSquaresOptions& options, std::size_t before) : options_(options), before_(before) {}
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
-    if (options_.watch) options_.watch(static_cast<std::size_t>(summary.iteration), summary.cost);
+    if (options_.watch) options_.watch(before_ + static_cast<std::size_t>(summary.iteration), summary.cost);
     return options_.interrupt && *options_.interrupt ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
                                                      : ceres::SOLVER_CONTINUE;
   }
 
  private:
   const LeastSquaresOptions& options_;
+  std::size_t before_;
 };
+
+/// A part of a search: how far a step may go at first (in Ceres' measure), and the part of the cost that a
+/// step must gain for the next one to be tried.
+struct Phase {
+  double radius, gain;
+};
+/// Far from a minimum, long steps leave its valley. Near it, where one step gains little of the cost, they
+/// are right, and short ones creep along what the records tell little of: two parameters that go together.
+constexpr double near_minimum = 0.1, short_steps = 1e4, long_steps = 1e10;
 
 /// What a step may still gain, in parts of the cost: so little that no unknown moves by more than some
 /// hundredth of its standard error. (The cost of `freedom` rows is half of freedom s^2, and one standard
@@ -87,10 +114,12 @@ double smallest_gain(const Residuals& residuals, Eigen::Index unknowns) {
   return std::clamp(part / std::max(1.0, freedom), 1e-10, 1e-8);
 }
 
-ceres::Solver::Options solver_options(const LeastSquaresOptions& options, Watch& watch) {
+ceres::Solver::Options solver_options(const Phase& phase, std::size_t iterations, Watch& watch) {
   ceres::Solver::Options result;
   result.linear_solver_type = ceres::DENSE_QR;
-  result.max_num_iterations = static_cast<int>(options.iterations);
+  result.max_num_iterations = static_cast<int>(iterations);
+  result.initial_trust_region_radius = phase.radius;
+  result.function_tolerance = phase.gain;
   result.max_num_consecutive_invalid_steps = 20;  // a step may lead where the model blows up
   result.parameter_tolerance = 1e-10;
   result.gradient_tolerance = 1e-14;
@@ -121,13 +150,17 @@ Minimum minimise(const Residuals& residuals, const FitRequest& request, const Ei
     if (parameter.upper < FitParameter::open)
       problem.SetParameterUpperBound(scaled.data(), at, parameter.upper / parameter.scale);
   }
-  Watch watch(options);
   ceres::Solver::Summary summary;
-  ceres::Solver::Options how = solver_options(options, watch);
-  how.function_tolerance = smallest_gain(residuals, start.size());
-  ceres::Solve(how, &problem, &summary);
+  std::size_t steps = 0;
+  for (const Phase& phase :
+       {Phase{short_steps, near_minimum}, Phase{long_steps, smallest_gain(residuals, start.size())}}) {
+    Watch watch(options, steps);
+    ceres::Solve(solver_options(phase, options.iterations - steps, watch), &problem, &summary);
+    steps += summary.iterations.size() - std::min<std::size_t>(1, summary.iterations.size());
+    if (summary.termination_type != ceres::CONVERGENCE) break;
+  }
   Minimum found = cost.best();
-  found.iterations = summary.iterations.size();
+  found.iterations = steps;
   if (!std::isfinite(found.cost)) {  // not even the start could be evaluated
     found.x = start;
     return found;

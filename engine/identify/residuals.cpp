@@ -235,7 +235,11 @@ bool Residuals::column(std::size_t record, std::size_t parameter, const Eigen::V
 
 bool Residuals::evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& residuals, Jacobian& jacobian,
                          Differences differences) const {
-  if (!evaluate(x, residuals)) return false;
+  return evaluate(x, residuals) && differentiate(x, residuals, jacobian, differences);
+}
+
+bool Residuals::differentiate(const Eigen::VectorXd& x, const Eigen::VectorXd& residuals, Jacobian& jacobian,
+                              Differences differences) const {
   jacobian.setZero(count_, x.size());
   const std::size_t parameters = request_.parameters.size();
   std::atomic<bool> good = true;

@@ -67,6 +67,9 @@ class Residuals {
   /// Also the derivatives, by differences of runs.
   bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& residuals, Jacobian& jacobian,
                 Differences differences) const;
+  /// The derivatives alone, where the residuals at x are known.
+  bool differentiate(const Eigen::VectorXd& x, const Eigen::VectorXd& residuals, Jacobian& jacobian,
+                     Differences differences) const;
 
   /// How a record is predicted, from a run that is planned anew. Throws Error where the diagram refuses x.
   Prediction predict(std::size_t record, const Eigen::VectorXd& x) const;
