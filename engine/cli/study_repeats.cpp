@@ -56,7 +56,7 @@ void perform_missing(const Registry& registry, const Work& work, const WorkOptio
     Loader loader(registry, options.limits);
     GeneratedCode code;
     TrialSource source =
-        trial_source(loader, work, options, call.engine == Engine::interpreted ? nullptr : &code);
+        trial_source(loader, work, options, compiles(work, call, seeds.size()) ? &code : nullptr);
     source.threads = 1;
     TrialRuns runs(std::move(source), request, work.job.plan.diagram);
     for (std::size_t i = next++; i < seeds.size() && !interrupted(); i = next++) {

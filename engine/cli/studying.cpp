@@ -16,17 +16,6 @@ namespace stepwire {
 
 namespace {
 
-/// Will the trials take so long that a compilation ahead of them is worth its time?
-bool worth_compiling(const Work& work) {
-  // What an interpreted block takes per tick, the part of `stop` that a trial lasts, and what may pass [s].
-  constexpr double per_block = 2e-8, part = 0.25, patience = 20.0;
-  const Plan& plan = work.job.plan;
-  const auto trials = static_cast<double>(work.study->subjects.size() * work.study->conditions.size());
-  const double ticks = static_cast<double>(plan.steps) * part * trials;
-  const double cores = std::max(1u, std::thread::hardware_concurrency());
-  return per_block * static_cast<double>(plan.diagram.blocks.size()) * ticks / cores > patience;
-}
-
 Experiment make_experiment(const Registry& registry, const Work& work, const WorkOptions& options,
                            const StudyCall& call) {
   const StudyRequest& request = *work.study;
@@ -34,9 +23,7 @@ Experiment make_experiment(const Registry& registry, const Work& work, const Wor
   if (!request.trials.empty()) return score_recorded(request, diagram);
   Loader loader(registry, options.limits);
   GeneratedCode code;
-  const bool compiles =
-      call.engine == Engine::compiled || (call.engine == Engine::automatic && worth_compiling(work));
-  TrialSource source = trial_source(loader, work, options, compiles ? &code : nullptr);
+  TrialSource source = trial_source(loader, work, options, compiles(work, call, 1) ? &code : nullptr);
   source.threads = call.threads;
   TrialRuns runs(std::move(source), request, diagram);
   if (!call.visible) return perform(runs, request, diagram, request.seed);
@@ -59,6 +46,18 @@ Sweep axes_of(const StudyRequest& request) {
 }
 
 }  // namespace
+
+bool compiles(const Work& work, const StudyCall& call, std::size_t experiments) {
+  if (call.engine != Engine::automatic) return call.engine == Engine::compiled;
+  // What an interpreted block takes per tick, the part of `stop` that a trial lasts, and what may pass [s].
+  constexpr double per_block = 2e-8, part = 0.25, patience = 20.0;
+  const Plan& plan = work.job.plan;
+  const auto trials =
+      static_cast<double>(work.study->subjects.size() * work.study->conditions.size() * experiments);
+  const double ticks = static_cast<double>(plan.steps) * part * trials;
+  const double cores = std::max(1u, std::thread::hardware_concurrency());
+  return per_block * static_cast<double>(plan.diagram.blocks.size()) * ticks / cores > patience;
+}
 
 TrialSource trial_source(Loader& loader, const Work& work, const WorkOptions& options, CodeSource* code) {
   TrialSource source{loader, work.file, options.settings, code, 0, &interrupted()};

@@ -51,6 +51,10 @@ Json study_json(const Work& work, const Experiment& experiment);
 /// people are.
 std::string study_key(const Work& work, bool with_seed = true);
 
+/// Are the trials of so many experiments compiled: as the call says, or where they take so long that a
+/// compilation ahead of them is worth its time?
+bool compiles(const Work& work, const StudyCall& call, std::size_t experiments);
+
 /// The runs of a work as trials.
 TrialSource trial_source(Loader& loader, const Work& work, const WorkOptions& options, CodeSource* code);
 

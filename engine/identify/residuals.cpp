@@ -6,8 +6,8 @@
 #include <atomic>
 #include <cmath>
 
-#include "engine/run/parallel.hpp"
 #include "engine/identify/row_values.hpp"
+#include "engine/run/parallel.hpp"
 
 namespace stepwire {
 

@@ -31,13 +31,15 @@ bool is_probability(const std::string& name) {
   return name.starts_with("p.");
 }
 
-std::string panel(const NamedValue& value) {
+/// The more experiments, the finer its bins.
+std::string panel(const NamedValue& value, std::size_t experiments) {
   const bool p = is_probability(value.name);
   const std::string x = p ? fmt::format("log10({})", value.name) : value.name;
   return fmt::format(
-      "  - {{plot: histogram, x: {0}, bins: 40, lines: {1:.9g}, x_label: '{2}', title: 'thesis: {3:.3g}'}}\n",
+      "  - {{plot: histogram, x: {0}, bins: {4}, lines: {1:.9g}, x_label: '{2}', title: 'thesis: "
+      "{3:.3g}'}}\n",
       x, p ? std::log10(value.value) : value.value, p ? "log10 of P, " + value.name.substr(2) : value.name,
-      value.value);
+      value.value, std::clamp<std::size_t>(static_cast<std::size_t>(1.5 * std::sqrt(experiments)), 6, 40));
 }
 
 }  // namespace
@@ -112,7 +114,7 @@ std::string Repetition::picture(const StudyRequest& request) const {
   for (const std::string& name : columns_) add(name, column(name));
   std::string text = "columns: 2\npanels:\n";
   for (const NamedValue& published : published_outcome(request))
-    if (names.find(published.name)) text += panel(published);
+    if (names.find(published.name)) text += panel(published, rows_.size());
   Faults faults;
   auto figures = read_figures(parse_document(text, "experiments").root, names, faults);
   faults.throw_if_any();

@@ -10,7 +10,7 @@ using Catch::StartsWith;
 namespace {
 
 std::string small_study() {
-  return content_of(std::string(STEPWIRE_SOURCE_DIR) + "/diagrams/examples/87-small-study.yaml");
+  return content_of(std::string(STEPWIRE_SOURCE_DIR) + "/diagrams/examples/88-small-study.yaml");
 }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
