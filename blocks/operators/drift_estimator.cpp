@@ -7,9 +7,10 @@
 namespace stepwire {
 
 void DriftEstimator::configure(Configure& is) {
-  if (measured.count() != precision.count())
-    is.refuse<&DriftEstimator::precision>(fmt::format(
-        "it has {} numbers for {} channels; each channel has its own", precision.count(), measured.count()));
+  const Index channels = is.count<&DriftEstimator::measured>(), told = is.count<&DriftEstimator::precision>();
+  if (channels != told)
+    is.refuse<&DriftEstimator::precision>(
+        fmt::format("it has {} numbers for {} channels; each channel has its own", told, channels));
 }
 
 void DriftEstimator::declare(Declare<DriftEstimator>& is) {

@@ -12,18 +12,19 @@ void ResistanceSearch::declare(Declare<ResistanceSearch>& is) {
               "resistance always opposes the motion, its direction tells nothing, and its strength not to "
               "which side the way lies. At each tick the hand turns by asin(F / F_max), in the sense of the "
               "last time, or in the other one where the resistance has grown since; at first toward "
-              "`guess`. While it does not move, or nothing resists by intent (maximum 0), what was found "
-              "last is kept; its precision is 0 before the first time.",
+              "`guess`. It does not turn where it feels no more than in a free motion. While it does not "
+              "move, or nothing resists by intent (maximum 0), what was found last is kept; its precision "
+              "is 0 before the first time.",
        .source = "thesis 3.4.2, eq. 14-16; Weber fraction of force: Pang, Tan and Durlach 1991",
        .timing = Timing::discrete});
   is.parameter<&ResistanceSearch::weber>(
       {.doc = "error of a felt force as a share of it, standard deviation", .at_least = 0.0});
-  is.parameter<&ResistanceSearch::threshold>(
-      {.unit = "N", .doc = "error of a weak force, standard deviation", .at_least = 0.0});
-  is.input<&ResistanceSearch::resistance>({.unit = "N", .doc = "strength of the force that is felt"});
+  is.input<&ResistanceSearch::resistance>({.unit = "N", .doc = "strength of the force that is felt, F"});
+  is.input<&ResistanceSearch::free>(
+      {.unit = "N", .doc = "resistance that a free motion meets, as learnt before"});
   is.input<&ResistanceSearch::maximum>(
-      {.unit = "N", .doc = "what it would be straight across the way, as learnt before"});
-  is.input<&ResistanceSearch::motion>({.unit = "rad", .doc = "direction in which the hand moves"});
+      {.unit = "N", .doc = "resistance straight across the way, F_max, as learnt before"});
+  is.input<&ResistanceSearch::push>({.unit = "rad", .doc = "direction in which the hand pushes"});
   is.input<&ResistanceSearch::guess>(
       {.unit = "rad", .doc = "where else the way is believed to lie: tells the first sense"});
   is.input<&ResistanceSearch::moving>({.doc = "true while the hand moves"});

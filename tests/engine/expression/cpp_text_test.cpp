@@ -115,6 +115,8 @@ std::vector<std::string> texts() {
                                "mod(x, y)",
                                "sign(x)",
                                "round(x)",
+                               "lognormal(x, y, z)",
+                               "lognormal(12, 3, 0.3)",
                                "x == x",
                                "0.30000000000000004*x",
                                "x - 123456789012345678",
@@ -159,7 +161,7 @@ class Compiled {
   std::string command() const {
     std::string text = "c++ -std=c++20 -O2 -ffp-contract=off -shared -fPIC -I'" STEPWIRE_SOURCE_DIR "'";
     for (const char* function : {"sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh",
-                                 "exp", "log", "log2", "log10", "cbrt", "hypot", "pow"})
+                                 "exp", "log", "log1p", "log2", "log10", "cbrt", "hypot", "pow"})
       text += std::string(" -fno-builtin-") + function;
     return text + " -o '" + (folder_ / "formulas.so").string() + "' '" + (folder_ / "formulas.cpp").string() +
            "'";

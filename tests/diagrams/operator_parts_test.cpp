@@ -1,0 +1,108 @@
+// What the parts of the simulated operators promise, beyond what the diagrams that use them claim.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "tests/support/run_text.hpp"
+
+using namespace stepwire;
+
+namespace {
+
+/// A hand that leads a free mass as heavy as itself, or what else is written as `body`.
+Table led(const std::string& body, const std::string& keys, const std::string& stop,
+          const std::string& planned = "[0 m/s, 0 m/s]") {
+  return run_text("step: 0.5 ms\nstop: " + stop +
+                  "\nsolver: rk4\nblocks:\n  hand: {diagram: ../diagrams/parts/hand.yaml, x: 0 mm, "
+                  "planned: " +
+                  planned + ", position: body.position, velocity: body.velocity, " + keys + "}\n" + body +
+                  "record: [body.position, hand.force, hand.push]\n");
+}
+
+const std::string mass =
+    "  pull: {block: Sum, u: [hand.force, [0.27 N, 0 N]]}\n  body: {block: Mass, force: pull, mass: 0.554 "
+    "kg}\n";
+const std::string free_mass = "  body: {block: Mass, force: hand.force, mass: 0.554 kg}\n";
+
+double rms(const std::vector<double>& x, std::size_t from) {
+  double sum = 0.0;
+  for (std::size_t k = from; k < x.size(); ++k) sum += x[k] * x[k];
+  return std::sqrt(sum / static_cast<double>(x.size() - from));
+}
+
+/// A hand that is to move the pin of the interface outward at 10 mm/s, and has practised so much.
+double way_after_one_second(const std::string& practice) {
+  const Table run = run_text(R"(
+step: 0.125 ms
+stop: 1 s
+solver: rk4
+blocks:
+  hand: {diagram: ../diagrams/parts/hand.yaml, planned: [10 mm/s, 0 m/s], position: rig.at, velocity: rig.velocity, noise: 0, tremor: 0 mm,
+         practice: )" + practice +
+                             R"(}
+  rig:  {diagram: ../diagrams/parts/polar-interface.yaml, external: hand.force, wanted: [0 N, 0 N], instrumented: 0, pin_mass: 1.354 kg}
+record: {every: 1 ms, signals: rig.at}
+)");
+  return column(run, "rig.at.1").back() - column(run, "rig.at.1").front();
+}
+
+Table circle(const std::string& keys) {
+  return run_text(
+      "step: 0.125 ms\nstop: 1.2 s\nsolver: bogacki_shampine\nblocks:\n  task: {diagram: "
+      "../diagrams/parts/circle-task.yaml, subject: 5, " +
+      keys + "}\nrecord: {every: 10 ms, signals: [task.position, task.distance, task.estimate]}\n");
+}
+
+}  // namespace
+
+TEST_CASE("A hand at rest gives way by the force over its stiffness") {
+  const Table run = led(mass, "noise: 0, tremor: 0 mm, practice: 0", "5 s");
+  CHECK(column(run, "body.position.1").back() == Approx(0.27 / 135.0).epsilon(1e-6));
+  CHECK(column(run, "body.position.2").back() == Approx(0.0).margin(1e-12));
+}
+
+TEST_CASE("A free hand trembles by the tremor that is asked for") {
+  // A second-order band lets through some of what is below it, and there the hand yields more.
+  const Table run = led(free_mass, "noise: 0, tremor: 0.05 mm, practice: 0, seed: 4", "120 s");
+  for (const std::string axis : {"1", "2"})
+    CHECK(rms(column(run, "body.position." + axis), 2000) == Approx(0.05e-3).epsilon(0.25));
+}
+
+TEST_CASE("The force of a hand is unsteady by a share of itself") {
+  // a pin that is held 20 mm from where the hand means to be: 2.7 N
+  const Table run = run_text(R"(
+step: 1 ms
+stop: 100 s
+solver: rk4
+blocks:
+  hand: {diagram: ../diagrams/parts/hand.yaml, planned: [0 m/s, 0 m/s], position: [20 mm, 0 mm], velocity: [0 m/s, 0 m/s], x: 0 mm,
+         noise: 3 %, tremor: 0 mm, seed: 8}
+record: {every: 10 ms, signals: [hand.force, hand.push]}
+)");
+  std::vector<double> along = column(run, "hand.force.1"), across = column(run, "hand.force.2");
+  for (double& force : along) force += 2.7;
+  // 10,000 samples: five standard errors are 3.5 %
+  CHECK(rms(along, 0) == Approx(0.03 * 2.7).epsilon(0.035));
+  CHECK(rms(across, 0) == Approx(0.03 * 2.7).epsilon(0.035));
+}
+
+TEST_CASE("Only who has learnt the off-state resistance of the device moves as planned at once") {
+  const double practised = way_after_one_second("1");
+  CHECK(practised > 7e-3);
+  CHECK(practised < 10.5e-3);
+  CHECK(way_after_one_second("0") < 2e-3);  // 3 N over 135 N/m are 22 mm
+}
+
+TEST_CASE("What is seen has no effect before the operator begins, and has one then") {
+  const Table without = circle("visual: 0, haptic: 0"), with = circle("visual: 1, haptic: 0");
+  const auto &a = column(without, "task.position.2"), &b = column(with, "task.position.2");
+  for (std::size_t k = 0; k <= 30; ++k) REQUIRE(a[k] == b[k]);
+  CHECK(a.back() != b.back());
+  CHECK(column(without, "task.estimate.1").back() == 0.0);
+}
+
+TEST_CASE("Resistance has no effect while the hand is inside of the corridor") {
+  const Table without = circle("visual: 1, haptic: 0, half_width: 15 mm"),
+              with = circle("visual: 1, haptic: 1, half_width: 15 mm");
+  CHECK(column(without, "task.position.1") == column(with, "task.position.1"));
+  CHECK(column(without, "task.position.2") == column(with, "task.position.2"));
+}

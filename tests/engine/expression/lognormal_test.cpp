@@ -1,0 +1,83 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <string>
+
+#include "engine/expression/expression.hpp"
+
+using stepwire::Expression;
+
+namespace {
+
+double value(const std::string& text) {
+  return Expression(text)({});
+}
+
+/// Of so many persons, one property each.
+constexpr int persons = 20000;
+
+std::vector<double> drawn(double variation) {
+  const Expression formula("lognormal(person, 3, variation)");
+  std::vector<double> all;
+  for (int person = 1; person <= persons; ++person) {
+    const double v[] = {static_cast<double>(person), variation};
+    all.push_back(formula(v));
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("a lognormal number is that of its seed and stream") {
+  // Python 3.11: SplitMix64 as Steele, Lea and Flood print it, and statistics.NormalDist().inv_cdf:
+  //   u = ((bits(bits(seed, stream), 2**62) >> 12) + 0.5) * 2.0**-52
+  //   math.exp(math.sqrt(math.log1p(v*v)) * NormalDist().inv_cdf(u))
+  CHECK(value("lognormal(1, 3, 0.3)") == Approx(0.9281546937119995).epsilon(1e-14));
+  CHECK(value("lognormal(2, 3, 0.3)") == Approx(1.2411413512222684).epsilon(1e-14));
+  CHECK(value("lognormal(1, 4, 0.3)") == Approx(1.3670470570880209).epsilon(1e-14));
+  CHECK(value("lognormal(10, 18, 1)") == Approx(0.3491399616048296).epsilon(1e-14));
+}
+
+TEST_CASE("over persons, lognormal numbers have the median 1 and the deviation that is asked for") {
+  for (const double variation : {0.1, 0.3, 1.0}) {
+    double sum = 0.0, square = 0.0, logarithms = 0.0;
+    int below_median = 0, below_mean = 0;
+    const double mean = std::sqrt(1.0 + variation * variation), shape = std::sqrt(std::log(mean * mean));
+    for (const double x : drawn(variation)) {
+      sum += x / persons, square += x * x / persons, logarithms += std::log(x) / persons;
+      below_median += x < 1.0;
+      below_mean += x < mean;
+    }
+    const double few = 5.0 / std::sqrt(static_cast<double>(persons));  // standard errors
+    CHECK(sum == Approx(mean).margin(few * variation * mean));
+    CHECK(logarithms == Approx(0.0).margin(few * shape));
+    CHECK(std::sqrt(square / (sum * sum) - 1.0) ==
+          Approx(variation).margin(few * (1.0 + variation) * (1.0 + variation)));
+    CHECK(below_median == Approx(0.5 * persons).margin(0.5 * few * persons));
+    CHECK(below_mean ==
+          Approx(0.5 * std::erfc(-shape / std::sqrt(8.0)) * persons).margin(0.5 * few * persons));
+  }
+}
+
+TEST_CASE("streams of one person are independent") {
+  double product = 0.0;
+  for (int person = 1; person <= persons; ++person) {
+    const std::string who = std::to_string(person);
+    product += std::log(value("lognormal(" + who + ", 3, 1)")) *
+               std::log(value("lognormal(" + who + ", 4, 1)")) / persons;
+  }
+  CHECK(std::abs(product) < 5.0 * std::log(2.0) / std::sqrt(static_cast<double>(persons)));
+}
+
+TEST_CASE("without variation everybody is alike, and what no double counts is nobody") {
+  CHECK(value("lognormal(7, 3, 0)") == 1.0);
+  CHECK(std::isnan(value("lognormal(1/0, 3, 0.3)")));
+  CHECK(std::isnan(value("lognormal(1e300, 3, 0.3)")));
+}
+
+TEST_CASE("a lognormal number has no unit, so that it keeps that of what it is multiplied with") {
+  const Expression formula("4 Hz * lognormal(subject, 3, 0.3)");
+  const stepwire::Measure measure = formula.measure({{stepwire::Dimension{}, true}});
+  REQUIRE(measure.dimension);
+  CHECK(*measure.dimension == stepwire::parse_unit("Hz")->dimension);
+  CHECK(measure.sure);
+}
