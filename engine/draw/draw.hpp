@@ -39,7 +39,8 @@ class DrawnFile {
 };
 
 /// The picture of a graph, or of a mechanism as rig.mjs describes it, as SVG; the same JSON gives the same
-/// bytes. Throws SurroundingsError where node or elkjs is missing.
+/// bytes. A picture is kept in cache_folder(), since laying one out takes seconds. Throws SurroundingsError
+/// where node or elkjs is missing.
 std::string draw_picture(const Json& drawn);
 
 }  // namespace stepwire

@@ -5,11 +5,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
 #include "engine/generate/headers.hpp"
+#include "engine/table/cache.hpp"
 #include "engine/table/file.hpp"
 
 namespace stepwire {
@@ -17,21 +17,6 @@ namespace stepwire {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::uint64_t hash_of(const std::string& text, std::uint64_t hash = 0xcbf29ce484222325u) {
-  for (unsigned char c : text) hash = (hash ^ c) * 0x100000001b3u;
-  return hash;
-}
-
-std::string default_folder() {
-  const auto variable = [](const char* name) -> std::string {
-    const char* value = std::getenv(name);
-    return value ? value : "";
-  };
-  if (!variable("STEPWIRE_CACHE").empty()) return variable("STEPWIRE_CACHE");
-  if (!variable("XDG_CACHE_HOME").empty()) return variable("XDG_CACHE_HOME") + "/stepwire";
-  return variable("HOME") + "/.cache/stepwire";
-}
 
 /// What tells this machine's processor from others.
 std::string processor() {
@@ -77,7 +62,7 @@ std::string library_source(const GeneratedProgram& program) {
   return source;
 }
 
-CodeCache::CodeCache() : CodeCache(default_folder()) {}
+CodeCache::CodeCache() : CodeCache(cache_folder()) {}
 
 std::string CodeCache::key(const std::string& source, const GeneratedProgram& program,
                            const Compiler& compiler) const {

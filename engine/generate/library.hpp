@@ -22,7 +22,7 @@ std::string library_source(const GeneratedProgram& program);
 /// too many.
 class CodeCache {
  public:
-  /// Under $STEPWIRE_CACHE, else $XDG_CACHE_HOME/stepwire, else ~/.cache/stepwire.
+  /// In cache_folder().
   CodeCache();
   explicit CodeCache(std::string folder, std::uintmax_t most_bytes = 256u << 20u)
       : folder_(std::move(folder)), most_bytes_(most_bytes) {}

@@ -141,3 +141,44 @@ TEST_CASE(
   CHECK(felt("250 mm", "0.75 A") == Approx(8.0).margin(0.05));
   CHECK(felt("224 mm", "0 A") == Approx(1.09).margin(0.02));
 }
+
+namespace {
+
+/// What the polar interface commands against a force that wants both dampers on; `pin` says what moves it.
+Table held(const std::string& pin) {
+  return run_text(
+      "step: 0.1 ms\nstop: 1.1 s\nsolver: rk4\nblocks:\n  held: {block: Step, time: 1 s, before: 1, after: "
+      "0}\n" +
+      ("  rig: {" + pin + ", wanted: [-12 N, -5 N], dead_man: held}\n") +
+      "record: {every: 1 ms, signals: [rig.linear, rig.rotary, rig.cause]}\n");
+}
+
+}  // namespace
+
+TEST_CASE("Letting go of the dead-man switch takes the current from both dampers within one sample") {
+  for (const std::string pin :
+       {"diagram: ../diagrams/parts/polar-rig.yaml, points: [[212 mm, -15 mm], [240 mm, 15 mm]]",
+        "diagram: ../diagrams/parts/polar-interface.yaml, external: [10 N, 4 N]"}) {
+    INFO(pin);
+    const Table table = held(pin);
+    const auto linear = column(table, "rig.linear"), rotary = column(table, "rig.rotary");
+    CHECK(linear[990] > 0.05);
+    CHECK(rotary[990] > 0.05);
+    for (std::size_t tick = 1001; tick < linear.size(); ++tick) REQUIRE(linear[tick] + rotary[tick] == 0.0);
+    CHECK(last(table, "rig.cause") == 0.0);
+  }
+}
+
+TEST_CASE("The ramp of the polar rig brings the current in by parts of its time, and leaves it alone after") {
+  const std::string pin =
+      "diagram: ../diagrams/parts/polar-rig.yaml, instrumented: 0, points: [[212 mm, -15 mm], [240 mm, 15 "
+      "mm]]";
+  const auto at_once = column(held(pin), "rig.linear"),
+             slowly = column(held(pin + ", ramp: 0.8 s"), "rig.linear");
+  CHECK(at_once[40] > 0.05);
+  CHECK(slowly[40] < at_once[40] * 0.2);
+  const double most = 0.35;  // [A]
+  for (std::size_t tick = 1; tick < 800; ++tick)
+    REQUIRE(slowly[tick] <= most * static_cast<double>(tick + 1) / 800.0);
+  CHECK(slowly[990] == Approx(at_once[990]).epsilon(0.02));
+}
