@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/statistics/quartiles.hpp"
 #include "engine/statistics/repeated_measures.hpp"
@@ -70,6 +71,12 @@ Json row_json(const AnovaRow& row) {
 }
 
 }  // namespace
+
+double value_of(const std::vector<NamedValue>& values, const std::string& name) {
+  const auto found =
+      std::find_if(values.begin(), values.end(), [&](const NamedValue& value) { return value.name == name; });
+  return found == values.end() ? std::numeric_limits<double>::quiet_NaN() : found->value;
+}
 
 std::string printed_probability(double p) {
   if (std::isnan(p)) return "–";

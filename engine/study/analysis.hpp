@@ -17,6 +17,9 @@ struct NamedValue {
   double value = 0.0;
 };
 
+/// The value of that name; nan where there is none.
+double value_of(const std::vector<NamedValue>& values, const std::string& name);
+
 /// What the errors of one task say.
 struct TaskAnalysis {
   std::vector<NamedValue> means;  ///< normalised error over all subjects, by condition

@@ -36,11 +36,6 @@ Trial trial_of(const TrialRun& run, const StudyRequest& request) {
   return trial;
 }
 
-std::string name_of(const TrialRun& run, const StudyRequest& request) {
-  return fmt::format("subject {}, condition {}", run.subject,
-                     request.conditions[run.condition].feedback.name);
-}
-
 /// Tells what had to be repeated; of each reason the first words are enough.
 void remark(const TrialRun& run, const StudyRequest& request, Experiment& experiment) {
   if (run.failures.empty()) return;

@@ -11,12 +11,6 @@ namespace {
 
 constexpr double significant = 0.05, factor_of_agreement = 2.0;
 
-double value_of(const std::vector<NamedValue>& values, const std::string& name) {
-  const auto found =
-      std::find_if(values.begin(), values.end(), [&](const NamedValue& value) { return value.name == name; });
-  return found == values.end() ? std::numeric_limits<double>::quiet_NaN() : found->value;
-}
-
 /// Names by falling value, those of one value in the order in which they came.
 std::string order_of(std::vector<NamedValue> values) {
   std::stable_sort(values.begin(), values.end(),

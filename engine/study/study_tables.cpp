@@ -11,12 +11,6 @@ namespace stepwire {
 
 namespace {
 
-double value_of(const std::vector<NamedValue>& values, const std::string& name) {
-  const auto found =
-      std::find_if(values.begin(), values.end(), [&](const NamedValue& value) { return value.name == name; });
-  return found == values.end() ? std::numeric_limits<double>::quiet_NaN() : found->value;
-}
-
 std::string shown(double value) {
   return std::isnan(value) ? "–" : fmt::format("{:.4f}", value);
 }

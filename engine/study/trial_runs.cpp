@@ -13,12 +13,12 @@ namespace {
 constexpr std::uint64_t most = 1'000'000'000;
 enum Purpose : std::uint64_t { person = 1, noise = 2 };
 
+}  // namespace
+
 std::string name_of(const TrialRun& trial, const StudyRequest& request) {
   return fmt::format("subject {}, condition {}", trial.subject,
                      request.conditions[trial.condition].feedback.name);
 }
-
-}  // namespace
 
 std::uint64_t drawn_number(std::initializer_list<std::uint64_t> from) {
   std::uint64_t hash = 0;

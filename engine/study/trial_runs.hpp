@@ -35,6 +35,9 @@ struct TrialRun {
   Eigen::Vector2d end_point = Eigen::Vector2d::Zero();  ///< and where [m], which need not be a recorded row
 };
 
+/// "subject 3, condition HV".
+std::string name_of(const TrialRun& trial, const StudyRequest& request);
+
 /// Whole numbers below 1e9 that follow from others, each as if drawn: who the subject is, the noise of a
 /// trial, the order of the conditions.
 std::uint64_t drawn_number(std::initializer_list<std::uint64_t> from);
