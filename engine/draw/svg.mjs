@@ -2,7 +2,7 @@
 
 import {arrowHead, dot, faint, group, ink, n, page, path, polyline, text} from "./pen.mjs";
 import {sizes, textSize} from "./symbol.mjs";
-import {forks, lies, netOf, segmentsOf} from "./wires.mjs";
+import {forks, netOf, segmentsOf} from "./wires.mjs";
 
 /** A curve from the square -1..1 with y upwards into the place around a centre. */
 function curvePath(data, cx, cy, half) {
@@ -97,32 +97,43 @@ function frameName(block) {
   return text(block.x + 10, block.y + 13, block.name, {size: sizes.name, anchor: "start", fill: "#333"});
 }
 
-/** How far from a point towards another what is drawn already reaches. */
-function reachedFrom(start, end, drawn) {
-  const distance = ([x, y]) => Math.abs(x - start[0]) + Math.abs(y - start[1]);
-  const along = drawn.filter((segment) => lies(start, segment));
-  if (along.some((segment) => lies(end, segment))) return end;
-  return along.flat().filter((point) => lies(point, [start, end])).reduce((best, one) => (distance(one) > distance(best) ? one : best), start);
+/** The parts of a straight line that others on it leave free, in its direction. */
+function freeParts([start, end], drawn) {
+  const axis = start[1] === end[1] ? 0 : 1, sign = Math.sign(end[axis] - start[axis]), other = 1 - axis;
+  const at = (point) => sign * point[axis], place = (value) => (axis ? [start[0], sign * value] : [sign * value, start[1]]);
+  const taken = drawn.filter((one) => one.every((point) => point[other] === start[other]))
+    .map((one) => one.map(at).sort((a, b) => a - b)).sort(([a], [b]) => a - b);
+  const parts = [];
+  let from = at(start);
+  for (const [low, high] of [...taken, [at(end), at(end)]]) {
+    if (low > from) parts.push([from, Math.min(low, at(end))].map(place));
+    from = Math.max(from, high);
+    if (from >= at(end)) break;
+  }
+  return parts;
 }
 
-/** What of a wire is not drawn yet by others of its net: no line is drawn twice, which would look bold. */
+/**
+ * What of a wire is not drawn yet by others of its net, as lines: no line is drawn twice, which would look bold. The last one
+ * ends at the tip.
+ */
 function remainder(points, drawn) {
-  for (let i = 0, from = points[0]; i + 1 < points.length;) {
-    const reached = reachedFrom(from, points[i + 1], drawn);
-    if (reached === from) return [from, ...points.slice(i + 1)];
-    if (reached === points[i + 1]) ++i;
-    from = reached;
+  const lines = [];
+  for (const [start, end] of segmentsOf(points).flatMap((segment) => freeParts(segment, drawn))) {
+    const last = lines.at(-1);
+    if (last && last.at(-1)[0] === start[0] && last.at(-1)[1] === start[1]) last.push(end);
+    else lines.push([start, end]);
   }
-  return points.slice(-2);
+  const tip = points.at(-1), end = lines.at(-1)?.at(-1);
+  return end && end[0] === tip[0] && end[1] === tip[1] ? lines : [...lines, points.slice(-2)];
 }
 
 function drawNets(wires) {
   const nets = new Map();
   return wires.map((wire) => {
-    const drawn = nets.get(netOf(wire)) ?? [];
-    const points = remainder(wire.points, drawn);
-    nets.set(netOf(wire), [...drawn, ...segmentsOf(points)]);
-    return drawWire(points);
+    const drawn = nets.get(netOf(wire)) ?? [], lines = remainder(wire.points, drawn);
+    nets.set(netOf(wire), [...drawn, ...lines.flatMap(segmentsOf)]);
+    return lines.slice(0, -1).map(polyline).join("") + drawWire(lines.at(-1));
   });
 }
 
