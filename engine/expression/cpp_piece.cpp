@@ -10,7 +10,7 @@ namespace stepwire {
 namespace {
 
 /// Those of language.hpp; all others are in <cmath>.
-constexpr std::array<std::string_view, 5> own_functions{"sign", "mod", "min", "max", "lognormal"};
+constexpr std::array<std::string_view, 6> own_functions{"sign", "mod", "min", "max", "uniform", "lognormal"};
 
 /// In parentheses where it binds weaker than its place asks for.
 std::string in(Binding least, const CppPiece& piece) {

@@ -36,10 +36,12 @@ std::string element_of_v(std::size_t i);
 /// A scalar formula over named numbers, the one language of parameters, figures, claims and blocks.
 /// Operators + - * / ^ ( ) < <= > >= == != && || ! and cond ? a : b; functions sin cos tan asin acos atan
 /// atan2 sinh cosh tanh exp log (natural) log10 log2 sqrt cbrt abs sign floor ceil round (halves away from 0)
-/// min max (of one or more) mod (sign of the divisor) hypot, lognormal(seed, stream, variation) (a number
-/// drawn from whole numbers, language.hpp); constants pi, e. ^ binds right and before a sign: -2^2 is -4. A number may carry a unit and is SI then: "x > -4 mm", "2*pi*3 kHz". What directly
-/// follows a number can only be its unit; names have an operator before them, so a variable may be called "m"
-/// or "N": "4 N * N" is 4 newtons times N. Names may contain dots and an index: "rig.x", "rig.x[2]".
+/// min max (of one or more) mod (sign of the divisor) hypot, uniform(seed, stream) and lognormal(seed,
+/// stream, variation) (numbers drawn from whole numbers, language.hpp); constants pi, e. ^ binds right and
+/// before a sign: -2^2 is -4. A number may carry a unit and is SI then: "x > -4 mm", "2*pi*3 kHz". What
+/// directly follows a number can only be its unit; names have an operator before them, so a variable may be
+/// called "m" or "N": "4 N * N" is 4 newtons times N. Names may contain dots and an index: "rig.x",
+/// "rig.x[2]".
 class Expression {
  public:
   /// Throws ExpressionError for a text that cannot be read; variables are whatever names it uses, except pi

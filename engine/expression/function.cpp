@@ -15,7 +15,7 @@ namespace {
 
 constexpr int any_number = std::numeric_limits<int>::max();
 
-constexpr std::array<std::pair<std::string_view, Arity>, 26> functions{{
+constexpr std::array<std::pair<std::string_view, Arity>, 27> functions{{
     {"sin", {}},
     {"cos", {}},
     {"tan", {}},
@@ -41,6 +41,7 @@ constexpr std::array<std::pair<std::string_view, Arity>, 26> functions{{
     {"hypot", {2, 2}},
     {"min", {1, any_number}},
     {"max", {1, any_number}},
+    {"uniform", {2, 2}},
     {"lognormal", {3, 3}},
 }};
 
@@ -78,7 +79,7 @@ void define_functions(mu::Parser& parser) {
       {"log10", std::log10},    {"sqrt", std::sqrt},   {"cbrt", std::cbrt}, {"abs", std::fabs},
       {"sign", language::sign}, {"floor", std::floor}, {"ceil", std::ceil}, {"round", std::round}};
   constexpr std::pair<const char*, Two> twos[] = {
-      {"atan2", std::atan2}, {"hypot", std::hypot}, {"mod", language::mod}};
+      {"atan2", std::atan2}, {"hypot", std::hypot}, {"mod", language::mod}, {"uniform", language::uniform}};
   for (const auto& [name, function] : ones) parser.DefineFun(name, function, false);
   for (const auto& [name, function] : twos) parser.DefineFun(name, function, false);
   parser.DefineFun("min", language::smallest, false);

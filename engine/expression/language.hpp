@@ -47,18 +47,22 @@ double max(const double (&values)[count]) {
   return largest(values, count);
 }
 
-/// What makes a value that holds for people in general that of one person: a number above 0 that depends on
-/// `seed`, which tells who it is, and `stream`, which tells which of its properties, alone. Over all seeds
-/// its logarithm is normal, its median 1, and its standard deviation `variation` times its mean. Seed and
-/// stream are whole numbers; of others the fraction is left out, and those that doubles do not count give
-/// nan.
-inline double lognormal(double seed, double stream, double variation) {
+/// What nobody set and is as likely anywhere, as where the zero of an encoder lies between two counts: a
+/// number between 0 and 1 that depends on `seed`, which tells whose it is, and `stream`, which tells which of
+/// its properties, alone. Seed and stream are whole numbers; of others the fraction is left out, and those
+/// that doubles do not count give nan.
+inline double uniform(double seed, double stream) {
   if (!(std::abs(seed) < 0x1.0p53 && std::abs(stream) < 0x1.0p53)) return std::nan("");
   // Samples of noise with the same seed are counted from 0 on; this one lies before them.
   constexpr double before_all = 0x1.0p62;
-  const double even =
-      even_sample(static_cast<std::int64_t>(seed), static_cast<std::ptrdiff_t>(stream), before_all);
-  return std::exp(std::sqrt(std::log1p(variation * variation)) * normal_quantile(even));
+  return even_sample(static_cast<std::int64_t>(seed), static_cast<std::ptrdiff_t>(stream), before_all);
+}
+
+/// What makes a value that holds for people in general that of one person: a number above 0 drawn by `seed`
+/// and `stream` as `uniform` draws them. Over all seeds its logarithm is normal, its median 1, and its
+/// standard deviation `variation` times its mean.
+inline double lognormal(double seed, double stream, double variation) {
+  return std::exp(std::sqrt(std::log1p(variation * variation)) * normal_quantile(uniform(seed, stream)));
 }
 
 }  // namespace stepwire::language

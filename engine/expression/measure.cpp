@@ -74,7 +74,7 @@ class MakeMeasure {
       for (std::size_t i = 1; i < values.size(); ++i) all = join(all, values[i], function, place);
       return function == "atan2" ? truth : all;
     }
-    if (function == "sign" || function == "lognormal") return truth;
+    if (is_one_of(function, {"sign", "uniform", "lognormal"})) return truth;
     if (function == "abs") return {first.measure, first.bare};
     if (function == "sqrt") return to_the(first, {{}, true, 0.5});
     if (function == "cbrt") return to_the(first, {{}, true, 1.0 / 3.0});

@@ -1,8 +1,10 @@
 #include "engine/generate/compiler.hpp"
 
 #include <cstdlib>
+#include <filesystem>
 
 #include "engine/generate/process.hpp"
+#include "engine/table/file.hpp"
 
 namespace stepwire {
 
@@ -13,6 +15,13 @@ namespace {
 constexpr const char* library_functions[] = {"sin",  "cos",   "tan",  "asin", "acos",  "atan", "atan2",
                                              "sinh", "cosh",  "tanh", "exp",  "expm1", "log",  "log1p",
                                              "log2", "log10", "pow",  "cbrt", "hypot", "fmod"};
+
+constexpr const char* standard_headers = "standard.hpp";
+
+/// What headers of blocks include of the standard library.
+constexpr const char* included[] = {"algorithm",  "array",  "cmath",   "complex", "cstdint", "filesystem",
+                                    "functional", "limits", "map",     "memory",  "numbers", "optional",
+                                    "span",       "string", "variant", "vector"};
 
 }  // namespace
 
@@ -35,19 +44,46 @@ std::vector<std::string> Compiler::flags() {
   return flags;
 }
 
-std::string Compiler::compile(const std::string& source, const std::string& library,
-                              const std::vector<std::string>& more, const std::stop_token& stop) const {
+bool Compiler::is_gcc() const {
+  return version_.find("clang") == std::string::npos;
+}
+
+std::vector<std::string> Compiler::command(const std::vector<std::string>& more) const {
   std::vector<std::string> command{path_};
   for (const std::string& flag : flags()) command.push_back(flag);
   command.insert(command.end(), more.begin(), more.end());
   // What these passes find in straight-line code is little, and the first one's time grows with its square.
-  if (version_.find("clang") == std::string::npos)
-    command.insert(command.end(), {"-fno-tree-pta", "-fno-tree-slp-vectorize"});
-  for (const char* argument : {"-shared", "-fPIC", "-w", "-I"}) command.push_back(argument);
-  command.insert(command.end(), {source_folder(), "-isystem", STEPWIRE_EIGEN, "-o", library, source});
+  if (is_gcc()) command.insert(command.end(), {"-fno-tree-pta", "-fno-tree-slp-vectorize"});
+  command.insert(command.end(), {"-fPIC", "-w"});
+  return command;
+}
+
+std::string Compiler::compile(const std::string& source, const std::string& library,
+                              const std::vector<std::string>& more, const std::stop_token& stop) const {
+  std::vector<std::string> command = this->command(more);
+  const std::string headers = std::string(STEPWIRE_PRECOMPILED) + "/" + standard_headers;
+  // GCC takes what is precompiled only if it fits these flags and this version; clang refuses another's.
+  if (is_gcc() && std::filesystem::exists(headers)) command.insert(command.end(), {"-include", headers});
+  command.insert(command.end(),
+                 {"-shared", "-I", source_folder(), "-isystem", STEPWIRE_EIGEN, "-o", library, source});
   const ProcessResult result = run_process(command, stop);
   if (result.status == 0) return "";
   return result.output.empty() ? "the compiler could not be run, or was stopped" : result.output;
+}
+
+std::string Compiler::precompile(const std::string& folder, const std::vector<std::string>& more) const {
+  if (!is_gcc()) return "";
+  const std::string header = folder + "/" + standard_headers;
+  std::string text, name = "flags";
+  for (const char* of_standard : included) text += std::string("#include <") + of_standard + ">\n";
+  for (const std::string& flag : more) name += flag;
+  std::filesystem::create_directories(header +
+                                      ".gch");  // GCC picks the one that fits from a folder of this name
+  write_file(header, text);
+  std::vector<std::string> command = this->command(more);
+  command.insert(command.end(), {"-x", "c++-header", header, "-o", header + ".gch/" + name});
+  const ProcessResult result = run_process(command);
+  return result.status == 0 ? "" : result.output;
 }
 
 std::string source_folder() {

@@ -27,7 +27,16 @@ class Compiler {
   std::string compile(const std::string& source, const std::string& library,
                       const std::vector<std::string>& more, const std::stop_token& stop) const;
 
+  /// Precompiles the standard headers that blocks include, for sources compiled with these further flags,
+  /// into a folder. What lies in that of this build is used by compile(). Reading those headers takes as long
+  /// as compiling what a diagram of usual size adds to them. Empty if that went well, else what the compiler
+  /// said.
+  std::string precompile(const std::string& folder, const std::vector<std::string>& more) const;
+
  private:
+  std::vector<std::string> command(const std::vector<std::string>& more) const;
+  bool is_gcc() const;
+
   std::string path_, version_;
 };
 

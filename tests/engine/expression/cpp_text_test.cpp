@@ -115,6 +115,8 @@ std::vector<std::string> texts() {
                                "mod(x, y)",
                                "sign(x)",
                                "round(x)",
+                               "uniform(x, y)",
+                               "uniform(12, 3)",
                                "lognormal(x, y, z)",
                                "lognormal(12, 3, 0.3)",
                                "x == x",

@@ -27,9 +27,33 @@ std::vector<double> drawn(double variation) {
 
 }  // namespace
 
-TEST_CASE("a lognormal number is that of its seed and stream") {
-  // Python 3.11: SplitMix64 as Steele, Lea and Flood print it, and statistics.NormalDist().inv_cdf:
+TEST_CASE("a uniform number is that of its seed and stream") {
+  // Python 3.11: SplitMix64 as Steele, Lea and Flood print it:
   //   u = ((bits(bits(seed, stream), 2**62) >> 12) + 0.5) * 2.0**-52
+  CHECK(value("uniform(1, 3)") == 0.3997576110937636);
+  CHECK(value("uniform(2, 3)") == 0.7691045507402116);
+  CHECK(value("uniform(1, 4)") == 0.8565706496578182);
+  CHECK(value("uniform(10, 18)") == 0.1031293762123674);
+}
+
+TEST_CASE("over seeds, uniform numbers are as often in each hundredth from 0 to 1") {
+  std::vector<int> hits(100);
+  for (int seed = 1; seed <= persons; ++seed) {
+    const double x = value("uniform(" + std::to_string(seed) + ", 3)");
+    REQUIRE((x > 0.0 && x < 1.0));
+    ++hits[static_cast<std::size_t>(100.0 * x)];
+  }
+  const double wanted = persons / 100.0;
+  double chi_squared = 0.0;
+  for (const int hit : hits) chi_squared += (hit - wanted) * (hit - wanted) / wanted;
+  // Quantiles of 0.1 and 99.9 % of the chi-squared distribution of 99 degrees of freedom, from
+  // Boost.Math 1.74:
+  CHECK(chi_squared < 148.23);
+  CHECK(chi_squared > 61.14);
+}
+
+TEST_CASE("a lognormal number is that of its seed and stream") {
+  // Likewise, with statistics.NormalDist().inv_cdf:
   //   math.exp(math.sqrt(math.log1p(v*v)) * NormalDist().inv_cdf(u))
   CHECK(value("lognormal(1, 3, 0.3)") == Approx(0.9281546937119995).epsilon(1e-14));
   CHECK(value("lognormal(2, 3, 0.3)") == Approx(1.2411413512222684).epsilon(1e-14));
@@ -72,12 +96,14 @@ TEST_CASE("without variation everybody is alike, and what no double counts is no
   CHECK(value("lognormal(7, 3, 0)") == 1.0);
   CHECK(std::isnan(value("lognormal(1/0, 3, 0.3)")));
   CHECK(std::isnan(value("lognormal(1e300, 3, 0.3)")));
+  CHECK(std::isnan(value("uniform(1/0, 3)")));
 }
 
-TEST_CASE("a lognormal number has no unit, so that it keeps that of what it is multiplied with") {
-  const Expression formula("4 Hz * lognormal(subject, 3, 0.3)");
-  const stepwire::Measure measure = formula.measure({{stepwire::Dimension{}, true}});
-  REQUIRE(measure.dimension);
-  CHECK(*measure.dimension == stepwire::parse_unit("Hz")->dimension);
-  CHECK(measure.sure);
+TEST_CASE("a number that is drawn has no unit, so that it keeps that of what it is multiplied with") {
+  for (const char* text : {"4 Hz * lognormal(subject, 3, 0.3)", "4 Hz * uniform(subject, 3)"}) {
+    const stepwire::Measure measure = Expression(text).measure({{stepwire::Dimension{}, true}});
+    REQUIRE(measure.dimension);
+    CHECK(*measure.dimension == stepwire::parse_unit("Hz")->dimension);
+    CHECK(measure.sure);
+  }
 }
