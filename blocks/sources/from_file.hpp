@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <filesystem>
 #include <limits>
 #include <string>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "blocks/sources/samples.hpp"
 #include "engine/block/block.hpp"
 #include "engine/block/tree.hpp"
+#include "engine/signal/file_path.hpp"
 
 namespace stepwire {
 
@@ -20,7 +20,7 @@ struct FromFile {
   enum class AfterEnd { refuse, hold, repeat };
   static constexpr double open = std::numeric_limits<double>::infinity();
 
-  std::filesystem::path file{};
+  FilePath file{};
   std::vector<std::string> column{}, unit{};
   Text time = Text::literal<"time">();
   double sample_time = 0.0, from = -open, to = open, start_ = -open;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <memory>
 
 #include "blocks/records/preparation.hpp"
 #include "engine/block/configure.hpp"
@@ -18,11 +20,11 @@ namespace {
 constexpr double longest = 1e12,
                  shortest = 1e-12;  // [s]; far beyond, places in the record would not be numbers
 
-Table read_file(const FromFile& asked, const Configure& is) {
+std::shared_ptr<const Table> read_file(const FromFile& asked, const Configure& is) {
   std::error_code none;
-  if (!std::filesystem::exists(asked.file, none))
+  if (!std::filesystem::exists(asked.file.view(), none))
     is.refuse<&FromFile::file>(fmt::format("there is no file {}", asked.file.string()));
-  if (!std::filesystem::is_regular_file(asked.file, none))
+  if (!std::filesystem::is_regular_file(asked.file.view(), none))
     is.refuse<&FromFile::file>(fmt::format("{} is no file that holds a table", asked.file.string()));
   try {
     return TableCache::of_process().read(asked.file.string());
@@ -170,8 +172,8 @@ Samples samples_of(const Record& record) {
 }  // namespace
 
 Samples read_samples(const FromFile& asked, Configure& is) {
-  const Table table = read_file(asked, is);
-  Record record = read_record(asked, is, table);
+  const std::shared_ptr<const Table> table = read_file(asked, is);
+  Record record = read_record(asked, is, *table);
   prepare_record(record, asked.prepare_.value(), [&](const std::string& message, const Value& where) {
     is.refuse<&FromFile::prepare_>(message, where);
   });

@@ -1,13 +1,13 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 #include "engine/block/spec.hpp"
 #include "engine/block/tree.hpp"
+#include "engine/signal/file_path.hpp"
 #include "engine/signal/per_element.hpp"
 #include "engine/signal/text.hpp"
 
@@ -16,7 +16,7 @@ namespace stepwire {
 /// How a parameter of C++ type T is written in a file, and moved between it and a Value.
 template <class T>
 struct ParameterAccess {
-  static_assert(std::is_enum_v<T>, "a parameter is a double, int64, bool, enum, Text, path, Numbers, ...");
+  static_assert(std::is_enum_v<T>, "a parameter is a double, int64, bool, enum, Text, FilePath, Numbers, ...");
   static constexpr ParameterKind kind = ParameterKind::word;
   static void set(T& member, const Value& value) { member = static_cast<T>(std::get<double>(value.content)); }
   static Value get(const T& member) { return {static_cast<double>(member)}; }
@@ -75,10 +75,10 @@ struct ParameterAccess<Matrix> {
 };
 
 template <>
-struct ParameterAccess<std::filesystem::path> {
+struct ParameterAccess<FilePath> {
   static constexpr ParameterKind kind = ParameterKind::file;
-  static void set(std::filesystem::path& member, const Value& value) { member = *value.text(); }
-  static Value get(const std::filesystem::path& member) { return {member.string()}; }
+  static void set(FilePath& member, const Value& value) { member = FilePath(*value.text()); }
+  static Value get(const FilePath& member) { return {member.string()}; }
 };
 
 template <>

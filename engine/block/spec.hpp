@@ -19,7 +19,7 @@ enum class ParameterKind {
   flag,         ///< bool
   word,         ///< an enum: one of `words`, in the order of its values
   text,         ///< std::string
-  file,         ///< std::filesystem::path, beside the diagram file or under the data folder
+  file,         ///< FilePath, beside the diagram file or under the data folder
   per_element,  ///< PerElement: one number for all elements or one for each
   vector,       ///< Numbers: a list of numbers of its own length
   matrix,       ///< Matrix: a list of rows

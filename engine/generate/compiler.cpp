@@ -19,9 +19,9 @@ constexpr const char* library_functions[] = {"sin",  "cos",   "tan",  "asin", "a
 constexpr const char* standard_headers = "standard.hpp";
 
 /// What headers of blocks include of the standard library.
-constexpr const char* included[] = {"algorithm",  "array",  "cmath",   "complex", "cstdint", "filesystem",
-                                    "functional", "limits", "map",     "memory",  "numbers", "optional",
-                                    "span",       "string", "variant", "vector"};
+constexpr const char* included[] = {"algorithm",  "array",  "cmath",  "complex", "cstdint",
+                                    "functional", "limits", "map",    "memory",  "numbers",
+                                    "optional",   "span",   "string", "variant", "vector"};
 
 }  // namespace
 

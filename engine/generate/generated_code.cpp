@@ -19,10 +19,10 @@ bool equal(const ProgramNumbers& one, const ProgramNumbers& other, std::size_t l
 /// all.
 Varying differences(const std::vector<const Plan*>& plans) {
   if (plans.size() == 1) return {};
-  const ProgramNumbers first = make_program(*plans.front()).parameters;
+  const ProgramNumbers first = numbers_of(*plans.front());
   Varying varying(first.singles(), false);
   for (const Plan* plan : plans) {
-    const ProgramNumbers own = make_program(*plan).parameters;
+    const ProgramNumbers own = numbers_of(*plan);
     if (own.singles() != first.singles() || own.lists.size() != first.lists.size()) return {};
     for (std::size_t i = 0; i < own.singles(); ++i)
       if (own.numbers[i] != first.numbers[i]) varying[i] = true;

@@ -51,13 +51,23 @@ std::string Literals::numbers(const double* values, Index size) {
   const std::string place = parameter(0.0);  // known when all single numbers are
   if (!place.empty()) return fmt::format("parameters + static_cast<Index>({})", place);
   const std::string name = in_name_++ == 0 ? name_ : fmt::format("{}_{}", name_, in_name_);
-  tables_ += fmt::format("constexpr double {}[] = {{", name);
-  for (Index i = 0; i < size; ++i) {
-    tables_ += i == 0 ? "" : i % 8 == 0 ? ",\n    " : ", ";
-    tables_ += number_text(values[i]);  // records have many numbers: no format where none is needed
-  }
-  tables_ += "};\n";
+  tables_.push_back({name, lists_.size() - 1});
   return "table::" + name;
+}
+
+std::string Literals::tables() const {
+  std::string text;
+  for (const Table& table : tables_) {
+    const ProgramNumbers::List& list = lists_[table.list];
+    text += fmt::format("constexpr double {}[] = {{", table.name);
+    for (std::size_t i = 0; i < list.size; ++i) {
+      text += i == 0 ? "" : i % 8 == 0 ? ",\n    " : ", ";
+      text += number_text(
+          in_lists_[list.first + i]);  // records have many numbers: no format where none is needed
+    }
+    text += "};\n";
+  }
+  return text;
 }
 
 ProgramNumbers Literals::all() const {

@@ -47,11 +47,16 @@ class Literals : public LiteralWriter {
     in_name_ = 0;
   }
   /// Definitions of all tables so far.
-  const std::string& tables() const { return tables_; }
+  std::string tables() const;
   /// Every number written; parameters[i] is the i-th.
   ProgramNumbers all() const;
 
  private:
+  struct Table {
+    std::string name;
+    std::size_t list;  ///< its index in lists_
+  };
+
   /// "parameters[i]" for the next number where it varies, else nothing.
   std::string parameter(double value);
   bool varies(std::size_t index) const { return varying_ && (*varying_)[index]; }
@@ -60,7 +65,8 @@ class Literals : public LiteralWriter {
   std::vector<double> singles_;
   std::vector<double> in_lists_;             ///< one list behind the other
   std::vector<ProgramNumbers::List> lists_;  ///< first counts in in_lists_
-  std::string name_, tables_;
+  std::vector<Table> tables_;
+  std::string name_;
   int in_name_ = 0;
 };
 

@@ -50,15 +50,16 @@ class Maker {
                plan.diagram.solver != "rosenbrock"),
         functions_(small_) {}
 
-  std::string text() {
+  /// Makes the functions, and with them writes every number.
+  void write() {
     if (!plan_.timed.empty()) add_timed();
     add_outputs();
     add_updates();
     if (plan_.layout.state_count > 0) add_slopes();
     add_advance();
     add_reset();
-    return name_text() + table_text() + functions_.text();
   }
+  std::string text() const { return name_text() + table_text() + functions_.text(); }
 
  private:
   static std::size_t calls(const std::vector<Batch>& batches) {
@@ -81,8 +82,9 @@ class Maker {
   }
 
   std::string table_text() const {
-    if (literals_.tables().empty()) return "";
-    return "/// Lists of numbers that blocks read.\nnamespace table {\n" + literals_.tables() +
+    const std::string tables = literals_.tables();
+    if (tables.empty()) return "";
+    return "/// Lists of numbers that blocks read.\nnamespace table {\n" + tables +
            "}  // namespace table\n\n";
   }
 
@@ -256,11 +258,20 @@ std::vector<std::string> headers_of(const Plan& plan) {
 
 }  // namespace
 
+ProgramNumbers numbers_of(const Plan& plan) {
+  require_headers(plan);
+  Literals literals;
+  Maker(plan, literals).write();
+  return literals.all();
+}
+
 GeneratedProgram make_program(const Plan& plan, const Varying* varying) {
   require_headers(plan);
   Literals literals = varying ? Literals(*varying) : Literals();
   GeneratedProgram program;
-  program.text = Maker(plan, literals).text();
+  Maker maker(plan, literals);
+  maker.write();
+  program.text = maker.text();
   program.headers = headers_of(plan);
   program.parameters = literals.all();
   return program;

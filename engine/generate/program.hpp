@@ -21,6 +21,10 @@ struct GeneratedProgram {
   ProgramNumbers parameters;
 };
 
+/// The numbers of a plan's program, without its text, which takes the longest where a plan has records.
+/// Throws as make_program does.
+ProgramNumbers numbers_of(const Plan& plan);
+
 /// Throws Error for blocks that no program can have, with their lines. `varying` says which numbers are
 /// parameters; without it none is.
 GeneratedProgram make_program(const Plan& plan, const Varying* varying = nullptr);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/diagram/external_input.hpp"
+#include "engine/solve/solver.hpp"
 
 namespace stepwire {
 
@@ -133,8 +134,9 @@ bool MovedPart::find_reads(const Plan& plan) {
       reads_.push_back({signal, plan.slot(signal).size, plan.blocks[from].rate});
     });
   }
+  const bool ticks_only = evaluates_ticks_only(plan.diagram.solver);
   for (const Read& read : reads_) {
-    if (read.rate.kind == Rate::Kind::continuous) return false;
+    if (read.rate.kind == Rate::Kind::continuous && !ticks_only) return false;
     for (Eigen::Index i = 0; i < read.size; ++i)
       offsets_.push_back(plan.slot(read.signal).offset + static_cast<std::size_t>(i));
   }

@@ -14,7 +14,8 @@ namespace stepwire {
 class MovedPart {
  public:
   /// From a plan and one at other values of all parameters; `columns` are those that are compared. Nothing
-  /// where the part reads a signal that changes between ticks, or where a condition ends the run.
+  /// where the part reads a signal that changes between ticks and the solver looks there, or where a
+  /// condition ends the run.
   static std::optional<MovedPart> find(const Plan& plan, const Plan& moved,
                                        const std::vector<std::string>& columns);
 

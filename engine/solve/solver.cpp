@@ -47,6 +47,11 @@ std::unique_ptr<Solver> make_solver(const std::string& name, std::size_t states)
   return std::make_unique<ExplicitSolver>(entry->tableau(), states);
 }
 
+bool evaluates_ticks_only(const std::string& name) {
+  const auto tableau = find_tableau(name);
+  return tableau && tableau->c.empty();
+}
+
 std::optional<Tableau> find_tableau(const std::string& name) {
   const Entry* entry = find_entry(name);
   return entry && entry->tableau ? std::optional(entry->tableau()) : std::nullopt;

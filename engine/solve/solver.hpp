@@ -52,6 +52,9 @@ const std::vector<SolverKind>& solver_kinds();
 /// The numbers of an explicit solver; nothing for one that is not explicit, or not known.
 std::optional<Tableau> find_tableau(const std::string& name);
 
+/// Does the solver look at the system at ticks alone, never between them?
+bool evaluates_ticks_only(const std::string& name);
+
 /// Null for a name that is not known.
 std::unique_ptr<Solver> make_solver(const std::string& name, std::size_t states);
 

@@ -34,33 +34,31 @@ TableCache::Stamp TableCache::stamp_of(const std::string& path) {
   return stamp;
 }
 
-Table TableCache::read(const std::string& path) {
+std::shared_ptr<const Table> TableCache::read(const std::string& path) {
   const Stamp stamp = stamp_of(path);
-  Table table;
-  if (find(path, stamp, table)) return table;
-  table = read_table(path);
+  if (auto known = find(path, stamp)) return known;
+  const auto table = std::make_shared<const Table>(read_table(path));
   const bool may_change_unseen =
       stamp.changed + coarsest_clock > std::filesystem::file_time_type::clock::now();
   if (!may_change_unseen && stamp_of(path) == stamp) keep({path, stamp, table});
   return table;
 }
 
-bool TableCache::find(const std::string& path, const Stamp& stamp, Table& table) {
+std::shared_ptr<const Table> TableCache::find(const std::string& path, const Stamp& stamp) {
   const std::lock_guard lock(mutex_);
   const auto entry =
       std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.path == path; });
-  if (entry == entries_.end()) return false;
+  if (entry == entries_.end()) return nullptr;
   if (entry->stamp != stamp) {
     drop(entry);
-    return false;
+    return nullptr;
   }
   entries_.splice(entries_.begin(), entries_, entry);
-  table = entry->table;
-  return true;
+  return entry->table;
 }
 
 void TableCache::keep(Entry entry) {
-  const std::size_t count = numbers_in(entry.table);
+  const std::size_t count = numbers_in(*entry.table);
   if (count > most_numbers_) return;
   const std::lock_guard lock(mutex_);
   const auto same =
@@ -72,7 +70,7 @@ void TableCache::keep(Entry entry) {
 }
 
 void TableCache::drop(std::list<Entry>::iterator entry) {
-  numbers_ -= numbers_in(entry->table);
+  numbers_ -= numbers_in(*entry->table);
   entries_.erase(entry);
 }
 

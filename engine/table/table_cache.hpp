@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <list>
+#include <memory>
 #include <mutex>
 #include <string>
 
@@ -20,7 +21,7 @@ class TableCache {
   /// The table in a .csv or .mat file, as read_table reads it and with its errors. What was read before is
   /// given as long as the file has the same size and time of change; a file that changed within the last two
   /// seconds is read anew, since clocks of file systems are coarse.
-  Table read(const std::string& path);
+  std::shared_ptr<const Table> read(const std::string& path);
   /// Of this process, for 64 MB of numbers.
   static TableCache& of_process();
 
@@ -35,11 +36,11 @@ class TableCache {
   struct Entry {
     std::string path;
     Stamp stamp;
-    Table table;
+    std::shared_ptr<const Table> table;
   };
 
   static Stamp stamp_of(const std::string& path);
-  bool find(const std::string& path, const Stamp& stamp, Table& table);
+  std::shared_ptr<const Table> find(const std::string& path, const Stamp& stamp);
   void keep(Entry entry);
   void drop(std::list<Entry>::iterator entry);
 

@@ -41,16 +41,19 @@ TEST_CASE("without noise the truth is found again") {
 }
 
 TEST_CASE(
-    "what no parameter moves is run once and played back where it changes at ticks alone, to the same "
+    "what no parameter moves is run once and played back where it is read at ticks alone, to the same "
     "result") {
   GeneratedCode code;
-  std::string sampled = lag(both);
+  std::string sampled = lag(both), stepped = lag(both);
   sampled.replace(sampled.find("frequency: 1 Hz}"), 16, "frequency: 1 Hz, every: 20 ms}");
+  stepped.replace(stepped.find("rk4"), 3, "euler");
   for (CodeSource* source : {static_cast<CodeSource*>(nullptr), static_cast<CodeSource*>(&code)}) {
-    const FitResult whole = fit_text(lag(both), source), part = fit_text(sampled, source);
-    CHECK_FALSE(whole.in_part);  // the sine is read between ticks
+    const FitResult whole = fit_text(lag(both), source), part = fit_text(sampled, source),
+                    euler = fit_text(stepped, source);
+    CHECK_FALSE(whole.in_part);  // the solver reads the sine between ticks
     CHECK(part.in_part);
-    for (const FitResult* result : {&whole, &part}) {
+    CHECK(euler.in_part);
+    for (const FitResult* result : {&whole, &part, &euler}) {
       CHECK(found(*result, "tau").value == Approx(0.2).epsilon(1e-7));
       CHECK(found(*result, "gain").value == Approx(3.0).epsilon(1e-7));
     }

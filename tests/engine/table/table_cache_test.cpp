@@ -23,7 +23,7 @@ std::string old_file(const Scratch& scratch, const std::string& name, const std:
 }
 
 double first_number(TableCache& cache, const std::string& path) {
-  return cache.read(path).columns.at(0).values.at(0);
+  return cache.read(path)->columns.at(0).values.at(0);
 }
 
 }  // namespace
@@ -74,8 +74,8 @@ TEST_CASE("of too many tables those asked for longest ago are dropped") {
   const auto time = fs::last_write_time(a);
   for (const std::string name : {"a.csv", "b.csv"}) scratch.file(name, "x\n8\n9\n");
   for (const auto& path : {a, b}) fs::last_write_time(path, time);
-  CHECK(first_number(cache, a) == 1.0);  // kept
-  CHECK(cache.read(large).rows() == 6);  // more than all that may be kept
+  CHECK(first_number(cache, a) == 1.0);   // kept
+  CHECK(cache.read(large)->rows() == 6);  // more than all that may be kept
   CHECK(cache.numbers() == 4);
 }
 
