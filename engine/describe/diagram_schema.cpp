@@ -15,10 +15,6 @@ namespace {
 constexpr const char* name_pattern = "^[A-Za-z_][A-Za-z0-9_]*$";
 constexpr const char* dotted_pattern = "^[A-Za-z_][A-Za-z0-9_]*([.][A-Za-z_][A-Za-z0-9_]*)*$";
 
-Json typed(const char* type) {
-  return Json::object().set("type", type);
-}
-
 /// A map with any names as keys.
 Json map_of(const Json& values, const std::string& doc, const char* pattern = name_pattern) {
   Json names = Json::object().set("pattern", pattern);

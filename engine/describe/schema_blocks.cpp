@@ -17,7 +17,7 @@ std::string definition_of(const BlockType& type) {
 Json preset_schema(const BlockType& type) {
   Json words = Json::list();
   for (const PresetSpec& preset : type.presets) words.push(constant(preset.name, preset.doc));
-  words.push(Json::object().set("type", "string").set("pattern", "\\$"));
+  words.push(typed("string").set("pattern", "\\$"));
   return Json::object()
       .set("anyOf", std::move(words))
       .set("description", "a named set of parameter values; keys beside it come on top");

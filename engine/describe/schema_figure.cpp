@@ -44,12 +44,12 @@ Json common_schema(const std::string& key) {
   if (key.ends_with("_range")) return pair_of(schema_ref("number"));
   if (key == "where") return schema_ref("expression");
   if (key == "rows") return one_word_of({"all", "final"});
-  if (key == "equal") return Json::object().set("type", "boolean");
+  if (key == "equal") return typed("boolean");
   if (key == "log") return one_or_list_of(one_word_of({"x", "y", "color"}));
   if (key == "legend" || key == "boundary" || key == "region") return one_or_list_of(schema_ref("text"));
-  if (key == "size") return pair_of(Json::object().set("type", "integer"));
+  if (key == "size") return pair_of(typed("integer"));
   if (key == "marks") return marks_schema();
-  if (key == "columns") return Json::object().set("type", "integer").set("minimum", 1).set("maximum", 6);
+  if (key == "columns") return typed("integer").set("minimum", 1).set("maximum", 6);
   if (key == "panels") return list_of(schema_ref("panel")).set("minItems", 1);
   return schema_ref("text");
 }

@@ -6,33 +6,22 @@ namespace stepwire {
 
 namespace {
 
-Json expression(const std::string& doc) {
-  return explained(schema_ref("expression"), doc);
-}
-
-Json number(const std::string& doc) {
-  return explained(schema_ref("expression"), doc);
-}
-
-Json whole(int least, const std::string& doc) {
-  return explained(Json::object().set("type", "integer").set("minimum", least), doc);
-}
-
 Json parameter() {
-  Json keys = Json::object().set("start", number("where the search begins; the file's value without it"));
+  Json keys =
+      Json::object().set("start", expression_schema("where the search begins; the file's value without it"));
   keys.set("bounds",
            explained(pair_of(schema_ref("expression")), "it is sought between these: [1 kg, 5 kg]"));
-  keys.set("scale", number("a change that counts; the size of the start without it"));
-  keys.set("each_record", explained(Json::object().set("type", "boolean"),
-                                    "true: each record has its own value, else they share one"));
+  keys.set("scale", expression_schema("a change that counts; the size of the start without it"));
+  keys.set("each_record",
+           explained(typed("boolean"), "true: each record has its own value, else they share one"));
   return closed_map(std::move(keys));
 }
 
 Json comparison() {
   Json keys = Json::object().set("model", explained(schema_ref("series"), "what the diagram computes"));
-  keys.set("measured", expression("what it is held against"));
-  keys.set("weight", expression("factor of the difference, 1 over what is expected of it: 1/(3 N)"));
-  keys.set("where", expression("only rows for which this is true are compared"));
+  keys.set("measured", expression_schema("what it is held against"));
+  keys.set("weight", expression_schema("factor of the difference, 1 over what is expected of it: 1/(3 N)"));
+  keys.set("where", expression_schema("only rows for which this is true are compared"));
   keys.set("offset", explained(one_word_of({"free"}), "the mean difference of each record is no error"));
   keys.set("against", one_or_list_of(schema_ref("series")));
   return closed_map(std::move(keys), {"model", "measured"});
@@ -41,37 +30,39 @@ Json comparison() {
 Json curve() {
   Json keys = Json::object().set(
       "y", explained(schema_ref("series"), "expression of fitted parameters and of the variable"));
-  Json over = Json::object().set("type", "object").set("minProperties", 1).set("maxProperties", 1);
+  Json over = typed("object").set("minProperties", 1).set("maxProperties", 1);
   keys.set("over", explained(over.set("additionalProperties", pair_of(schema_ref("expression"))),
                              "the variable and its range in bare numbers: {i: [0, 1]}"));
-  keys.set("data", expression("where the records have the variable; this range is shaded"));
-  keys.set("x_label", explained(Json::object().set("type", "string"), "text at the axis of the variable"));
+  keys.set("data", expression_schema("where the records have the variable; this range is shaded"));
+  keys.set("x_label", explained(typed("string"), "text at the axis of the variable"));
   return closed_map(std::move(keys), {"y", "over"});
 }
 
 Json global() {
-  Json keys = Json::object().set("population", whole(4, "how many points there are at a time"));
-  keys.set("generations", whole(1, "how often they are replaced"));
+  Json keys = Json::object().set("population", whole_schema(4, "how many points there are at a time"));
+  keys.set("generations", whole_schema(1, "how often they are replaced"));
   return explained(closed_map(std::move(keys)), "differential evolution within the bounds ahead of the rest");
 }
 
 }  // namespace
 
 Json fit_schema() {
-  Json parameters = Json::object().set("type", "object").set("additionalProperties", parameter());
+  Json parameters = typed("object").set("additionalProperties", parameter());
   Json keys = Json::object();
   keys.set("parameters", explained(parameters.set("minProperties", 1),
                                    "what is to be found, by the names that --set takes"));
   keys.set("compare",
            explained(list_of(comparison()).set("minItems", 1), "model and measurement, side by side"));
-  keys.set("hold_out", expression("of swept parameters: records that are predicted, not fitted"));
+  keys.set("hold_out", expression_schema("of swept parameters: records that are predicted, not fitted"));
   keys.set("loss", explained(one_word_of({"none", "huber", "cauchy"}),
                              "what large differences count: all, or less beyond the width"));
-  keys.set("width", number("of the loss, in weighted differences"));
-  keys.set("starts", whole(1, "searches; the first begins at the given start, the others within the bounds"));
-  keys.set("follow", whole(1, "how many of the searches go on after the first steps; a quarter without it"));
-  keys.set("seed", whole(0, "of what is random"));
-  keys.set("iterations", whole(1, "steps of one search, at most"));
+  keys.set("width", expression_schema("of the loss, in weighted differences"));
+  keys.set("starts",
+           whole_schema(1, "searches; the first begins at the given start, the others within the bounds"));
+  keys.set("follow",
+           whole_schema(1, "how many of the searches go on after the first steps; a quarter without it"));
+  keys.set("seed", whole_schema(0, "of what is random"));
+  keys.set("iterations", whole_schema(1, "steps of one search, at most"));
   keys.set("global", global());
   keys.set("curves", explained(list_of(curve()),
                                "what follows from the fitted parameters, drawn with its 95 % interval"));

@@ -17,8 +17,7 @@ Json color() {
   Json names = Json::list();
   for (const SceneColor& named : scene_colors()) names.push(constant(named.name, named.value));
   Json choice = Json::object().set("anyOf", std::move(names));
-  return any_of(
-      {std::move(choice), Json::object().set("type", "string").set("pattern", "^#[0-9A-Fa-f]{6}$")});
+  return any_of({std::move(choice), typed("string").set("pattern", "^#[0-9A-Fa-f]{6}$")});
 }
 
 /// A colour, or for several a condition each.

@@ -9,10 +9,6 @@ namespace stepwire {
 
 namespace {
 
-Json typed(const char* type) {
-  return Json::object().set("type", type);
-}
-
 Json patterned(const char* pattern) {
   return typed("string").set("pattern", pattern);
 }
@@ -92,6 +88,18 @@ bool is_simple(const ParameterSpec& spec, const std::string& text) {
 
 Json schema_ref(const std::string& definition) {
   return Json::object().set("$ref", "#/$defs/" + definition);
+}
+
+Json typed(const std::string& type) {
+  return Json::object().set("type", type);
+}
+
+Json expression_schema(const std::string& doc) {
+  return explained(schema_ref("expression"), doc);
+}
+
+Json whole_schema(int least, const std::string& doc) {
+  return explained(typed("integer").set("minimum", least), doc);
 }
 
 Json any_of(std::vector<Json> schemas) {

@@ -11,6 +11,15 @@ namespace stepwire {
 /// The definition of this name: {"$ref": "#/$defs/time"}.
 Json schema_ref(const std::string& definition);
 
+/// A value of this type of JSON: "string", "integer", "boolean", ...
+Json typed(const std::string& type);
+
+/// An expression, with what it is for.
+Json expression_schema(const std::string& doc);
+
+/// A whole number that is not below `least`, with what it is for.
+Json whole_schema(int least, const std::string& doc);
+
 /// A schema that one of several must fit.
 Json any_of(std::vector<Json> schemas);
 
