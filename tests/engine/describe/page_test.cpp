@@ -20,7 +20,7 @@ struct OneOfAll2D {
   Law law = Law::hard;
   std::int64_t order = 2;
   Text signs;
-  std::filesystem::path file;
+  FilePath file;
   Input<> u{};
   Inputs more{};
   Output<1> y{};
