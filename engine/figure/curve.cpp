@@ -37,47 +37,47 @@ double shown_width(const Panel& panel, const std::string& key) {
 }
 
 /// Rows as they are found, with what decides about their curve.
-struct Source {
+struct FoundRows {
   std::vector<std::vector<double>> columns;
   std::vector<double> by;
   std::vector<bool> drawn;
   std::vector<bool> first;  ///< of a run
 };
 
-Source read_source(const Panel& panel, const Recording& recording,
-                   const std::vector<const Series*>& channels) {
+FoundRows find_rows(const Panel& panel, const Recording& recording,
+                    const std::vector<const Series*>& channels) {
   const std::size_t rows = recording.table.rows();
-  Source source;
-  for (const Series* channel : channels) source.columns.push_back(drawn_values(*channel, recording));
+  FoundRows found;
+  for (const Series* channel : channels) found.columns.push_back(drawn_values(*channel, recording));
   const Series* by = panel.find("by");
-  source.by = by == nullptr ? std::vector<double>(rows, 0.0) : drawn_values(*by, recording);
-  for (const double value : source.by) source.drawn.push_back(std::isfinite(value));
+  found.by = by == nullptr ? std::vector<double>(rows, 0.0) : drawn_values(*by, recording);
+  for (const double value : found.by) found.drawn.push_back(std::isfinite(value));
   if (panel.where) {
     const auto where = evaluate(*panel.where, recording);
     for (std::size_t row = 0; row < rows; ++row)
-      source.drawn[row] = where[row] != 0.0 && !std::isnan(where[row]);
+      found.drawn[row] = where[row] != 0.0 && !std::isnan(where[row]);
   }
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const double least =
         is_logarithmic(panel, key_of(panel, channels[i])) ? 0.0 : -std::numeric_limits<double>::infinity();
     for (std::size_t row = 0; row < rows; ++row) {
-      const double value = source.columns[i][row];
-      source.drawn[row] = source.drawn[row] && std::isfinite(value) && value > least;
+      const double value = found.columns[i][row];
+      found.drawn[row] = found.drawn[row] && std::isfinite(value) && value > least;
     }
   }
-  source.first.assign(rows, false);
+  found.first.assign(rows, false);
   for (const std::size_t start : recording.starts)
-    if (start < rows) source.first[start] = true;
-  return source;
+    if (start < rows) found.first[start] = true;
+  return found;
 }
 
 /// Leaves only the last drawn row of each run.
-void keep_final_rows(Source& source) {
+void keep_final_rows(FoundRows& found) {
   bool taken = false;
-  for (std::size_t row = source.drawn.size(); row-- > 0;) {
-    const bool drawn = source.drawn[row] && !taken;
-    source.drawn[row] = drawn;
-    taken = (taken || drawn) && !source.first[row];
+  for (std::size_t row = found.drawn.size(); row-- > 0;) {
+    const bool drawn = found.drawn[row] && !taken;
+    found.drawn[row] = drawn;
+    taken = (taken || drawn) && !found.first[row];
   }
 }
 
@@ -85,41 +85,41 @@ std::size_t group_of(double value, const std::vector<double>& groups) {
   return static_cast<std::size_t>(std::lower_bound(groups.begin(), groups.end(), value) - groups.begin());
 }
 
-std::vector<double> find_groups(const Source& source) {
+std::vector<double> find_groups(const FoundRows& found) {
   std::vector<double> groups;
-  for (std::size_t row = 0; row < source.by.size(); ++row)
-    if (source.drawn[row]) groups.push_back(source.by[row]);
+  for (std::size_t row = 0; row < found.by.size(); ++row)
+    if (found.drawn[row]) groups.push_back(found.by[row]);
   std::sort(groups.begin(), groups.end());
   groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
   return groups;
 }
 
-void append(Curve& curve, const Source& source, std::size_t row) {
-  for (std::size_t i = 0; i < source.columns.size(); ++i) curve.columns[i].push_back(source.columns[i][row]);
+void append(Curve& curve, const FoundRows& found, std::size_t row) {
+  for (std::size_t i = 0; i < found.columns.size(); ++i) curve.columns[i].push_back(found.columns[i][row]);
 }
 
-Curve empty_curve(const Source& source, std::size_t group) {
-  return {std::vector<std::vector<double>>(source.columns.size()), group};
+Curve empty_curve(const FoundRows& found, std::size_t group) {
+  return {std::vector<std::vector<double>>(found.columns.size()), group};
 }
 
-std::vector<Curve> one_for_each_group(const Source& source, const std::vector<double>& groups) {
+std::vector<Curve> one_for_each_group(const FoundRows& found, const std::vector<double>& groups) {
   std::vector<Curve> curves;
-  for (std::size_t group = 0; group < groups.size(); ++group) curves.push_back(empty_curve(source, group));
-  for (std::size_t row = 0; row < source.drawn.size(); ++row)
-    if (source.drawn[row]) append(curves[group_of(source.by[row], groups)], source, row);
+  for (std::size_t group = 0; group < groups.size(); ++group) curves.push_back(empty_curve(found, group));
+  for (std::size_t row = 0; row < found.drawn.size(); ++row)
+    if (found.drawn[row]) append(curves[group_of(found.by[row], groups)], found, row);
   return curves;
 }
 
-std::vector<Curve> one_for_each_stretch(const Source& source, const std::vector<double>& groups) {
+std::vector<Curve> one_for_each_stretch(const FoundRows& found, const std::vector<double>& groups) {
   std::vector<Curve> curves;
   bool open = false;
-  for (std::size_t row = 0; row < source.drawn.size(); ++row) {
-    if (source.first[row] || (row > 0 && source.by[row] != source.by[row - 1])) open = false;
-    if (source.drawn[row]) {
-      if (!open) curves.push_back(empty_curve(source, group_of(source.by[row], groups)));
-      append(curves.back(), source, row);
+  for (std::size_t row = 0; row < found.drawn.size(); ++row) {
+    if (found.first[row] || (row > 0 && found.by[row] != found.by[row - 1])) open = false;
+    if (found.drawn[row]) {
+      if (!open) curves.push_back(empty_curve(found, group_of(found.by[row], groups)));
+      append(curves.back(), found, row);
     }
-    open = source.drawn[row];
+    open = found.drawn[row];
   }
   return curves;
 }
@@ -142,14 +142,14 @@ std::vector<std::string> labels_of(const Series& by, const std::vector<double>& 
 }
 
 Curves gather(const Panel& panel, const Recording& recording, const std::vector<const Series*>& channels) {
-  Source source = read_source(panel, recording, channels);
-  if (panel.final_rows) keep_final_rows(source);
+  FoundRows found = find_rows(panel, recording, channels);
+  if (panel.final_rows) keep_final_rows(found);
   Curves result;
   result.logarithmic = panel.log_x || panel.log_y;
   for (const Series* channel : channels) result.shown.push_back(shown_width(panel, key_of(panel, channel)));
-  result.groups = find_groups(source);
-  result.curves = panel.final_rows ? one_for_each_group(source, result.groups)
-                                   : one_for_each_stretch(source, result.groups);
+  result.groups = find_groups(found);
+  result.curves = panel.final_rows ? one_for_each_group(found, result.groups)
+                                   : one_for_each_stretch(found, result.groups);
   if (const Series* by = panel.find("by")) result.labels = labels_of(*by, result.groups, recording);
   return result;
 }

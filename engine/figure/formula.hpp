@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,6 +14,9 @@
 #include "engine/unit/unit.hpp"
 
 namespace stepwire {
+
+/// Where there is no value.
+inline constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// An expression over recorded columns, its names found.
 struct Formula {

@@ -24,11 +24,6 @@ set palette defined (0 '#3b46b3', 0.15 '#4681f7', 0.28 '#2fb2f4', 0.4 '#35dcb0',
   0.64 '#e3d939', 0.76 '#faa339', 0.87 '#ee5a1d', 1 '#b41203') maxcolors 96
 )";
 
-void replace_all(std::string& text, const std::string& from, const std::string& to) {
-  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
-    text.replace(at, from.size(), to);
-}
-
 }  // namespace
 
 std::string picture_style() {

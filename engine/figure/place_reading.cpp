@@ -10,13 +10,11 @@
 namespace stepwire {
 namespace {
 
-constexpr std::size_t most_coordinates = 3;
-constexpr Dimension metre{{1.0}};
-
 std::optional<Formula> read_length_of(const Node& node, const std::string& text, const Names& names,
                                       const std::string& subject, Faults& faults) {
   auto formula = read_formula(node, text, 0, names, subject, faults);
-  if (!formula || !formula->dimension || *formula->dimension == metre || *formula->dimension == Dimension{})
+  if (!formula || !formula->dimension || *formula->dimension == length_dimension ||
+      *formula->dimension == Dimension{})
     return formula;
   faults.add({{names.file, node.mark},
               subject,

@@ -8,6 +8,9 @@
 
 namespace stepwire {
 
+inline constexpr Dimension length_dimension{{1.0}};
+inline constexpr std::size_t most_coordinates = 3;  ///< of a place
+
 /// Reads an expression that is a length: metres, or a bare number, which are metres.
 std::optional<Formula> read_length(const Node& node, const Names& names, const std::string& subject,
                                    Faults& faults);

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 
 #include "engine/figure/grid.hpp"
 #include "engine/figure/plot_tools.hpp"
@@ -10,7 +9,6 @@ namespace stepwire {
 namespace {
 
 constexpr std::size_t cells = 500;
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// Cells of the strip: the mean of all that passes over them; nan where nothing passes.
 class Strip {

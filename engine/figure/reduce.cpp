@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "engine/statistics/rank.hpp"
 
 namespace stepwire {
 namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> selected(const std::vector<double>& values, const Rows& rows) {
   std::vector<double> result;

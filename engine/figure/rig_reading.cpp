@@ -13,8 +13,7 @@ namespace {
 
 using Keys = std::vector<std::string>;
 
-constexpr std::size_t any_number = 1000, most_coordinates = 3;
-constexpr Dimension length_dimension{{1.0}};
+constexpr std::size_t any_number = 1000;
 
 /// "anchors.1" of a block: a row of one of its parameters.
 std::optional<RigPoint> row_of(const DiagramBlock& block, const std::string& rest) {

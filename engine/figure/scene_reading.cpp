@@ -4,6 +4,7 @@
 
 #include "engine/draw/draw.hpp"
 #include "engine/figure/number.hpp"
+#include "engine/figure/place_reading.hpp"
 #include "engine/figure/scene.hpp"
 #include "engine/figure/scene_object_reading.hpp"
 #include "engine/figure/scene_states.hpp"
@@ -13,7 +14,7 @@ namespace {
 
 using Keys = std::vector<std::string>;
 
-constexpr Dimension metre{{1.0}}, second{{0.0, 0.0, 1.0}};
+constexpr Dimension time_dimension{{0.0, 0.0, 1.0}};
 
 /// Reads the section; faults are gathered.
 class SceneReader {
@@ -70,8 +71,8 @@ class SceneReader {
     const Node* node = view.find(axis);
     if (!node || !node->is_list() || node->items.size() != 2)
       return fault(node ? *node : view, subject, fmt::format("'{}' is two lengths: [-5 mm, 5 mm]", axis));
-    const auto low = number(node->items[0], subject, metre, "a length");
-    const auto high = number(node->items[1], subject, metre, "a length");
+    const auto low = number(node->items[0], subject, length_dimension, "a length");
+    const auto high = number(node->items[1], subject, length_dimension, "a length");
     if (!low || !high) return;
     if (!(*low < *high)) fault(*node, subject, "the first number of a range is below the second");
     range = {*low, *high};
@@ -118,7 +119,7 @@ class SceneReader {
   }
 
   std::optional<double> time(const Node& node, const std::string& subject) {
-    const auto value = number(node, subject, second, "a time");
+    const auto value = number(node, subject, time_dimension, "a time");
     const double stop = names_.diagram ? names_.diagram->diagram().stop : 0.0;
     if (value && (*value < 0.0 || (stop > 0.0 && *value > stop)))
       fault(node, subject, fmt::format("{} is not within the run, which lasts {} s", node.text, stop));

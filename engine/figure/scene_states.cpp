@@ -9,7 +9,7 @@ namespace {
 
 /// A column: what it is called, of which shape it tells, and of which colour; of visibility where that is
 /// empty.
-struct State {
+struct NamedState {
   std::string name;
   std::size_t shape = 0;
   std::string color;
@@ -26,8 +26,8 @@ std::vector<std::string> colors_of(const SceneObject& object) {
   return names.size() > 1 ? names : std::vector<std::string>{};
 }
 
-std::vector<State> states_of(const Scene& scene) {
-  std::vector<State> states;
+std::vector<NamedState> states_of(const Scene& scene) {
+  std::vector<NamedState> states;
   std::size_t first = 0;
   for (const SceneObject& object : scene.objects) {
     const std::size_t shapes = object.kind->name == "walls" ? object.walls.size() : 1;
@@ -45,7 +45,7 @@ std::vector<State> states_of(const Scene& scene) {
   return states;
 }
 
-double value_of(const State& state, const std::vector<SceneShape>& shapes) {
+double value_of(const NamedState& state, const std::vector<SceneShape>& shapes) {
   const SceneShape& shape = shapes[state.shape];
   return (state.color.empty() ? shape.shown : shape.color.name == state.color) ? 1.0 : 0.0;
 }
@@ -54,17 +54,18 @@ double value_of(const State& state, const std::vector<SceneShape>& shapes) {
 
 std::vector<RecordedName> scene_state_names(const Scene& scene) {
   std::vector<RecordedName> names;
-  for (const State& state : states_of(scene)) names.push_back({state.name, Dimension{}, scene.recording});
+  for (const NamedState& state : states_of(scene))
+    names.push_back({state.name, Dimension{}, scene.recording});
   return names;
 }
 
 void add_scene_states(const Scene& scene, std::vector<Recording>& recordings) {
   Recording& recording = recordings[scene.recording];
-  const std::vector<State> states = states_of(scene);
+  const std::vector<NamedState> states = states_of(scene);
   if (states.empty()) return;
   const SceneView view = view_of(scene, recording);
   std::vector<Column> columns;
-  for (const State& state : states) columns.push_back({state.name, "1", {}});
+  for (const NamedState& state : states) columns.push_back({state.name, "1", {}});
   for (std::size_t row = 0; row < recording.table.rows(); ++row) {
     const std::vector<SceneShape> shapes = view.shapes(row_of(recording, row));
     for (std::size_t i = 0; i < states.size(); ++i) columns[i].values.push_back(value_of(states[i], shapes));

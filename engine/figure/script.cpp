@@ -7,13 +7,10 @@
 #include <cmath>
 #include <iterator>
 
+#include "engine/figure/svg.hpp"
+
 namespace stepwire {
 namespace {
-
-void replace_all(std::string& text, const std::string& from, const std::string& to) {
-  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
-    text.replace(at, from.size(), to);
-}
 
 std::string range_name(const std::string& axis) {
   return axis == "color" ? "cb" : axis;

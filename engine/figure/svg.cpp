@@ -102,6 +102,11 @@ std::string markup_escaped(const std::string& text) {
   return result;
 }
 
+void replace_all(std::string& text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+    text.replace(at, from.size(), to);
+}
+
 std::string svg_number(double value) {
   constexpr double digits = 100.0;
   return fmt::format("{}", std::round(value * digits) / digits + 0.0);  // no -0

@@ -8,6 +8,8 @@ namespace stepwire {
 /// A text as it stands in SVG and HTML, in attributes as well: & < > " are replaced.
 std::string markup_escaped(const std::string& text);
 
+void replace_all(std::string& text, const std::string& from, const std::string& to);
+
 /// A number of an attribute: two decimals [px], no zeros at its end.
 std::string svg_number(double value);
 
