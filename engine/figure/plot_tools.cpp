@@ -43,10 +43,15 @@ std::size_t rows_for(const Script& script, std::size_t parts) {
   return static_cast<std::size_t>(picture_budget * script.share / static_cast<double>(parts));
 }
 
+/// The rows of a group that are drawn: each one where it has a point, else as many as its line needs.
+std::vector<Curve> drawn(const Panel& panel, const Curves& all, std::size_t group, std::size_t budget) {
+  return panel.final_rows ? cut(all, group, budget) : thinned(all, group, budget);
+}
+
 /// Many groups: the value of `by` is shown as a colour.
 void draw_by_color(const Panel& panel, const Curves& all, Script& script) {
   for (std::size_t group = 0; group < all.groups.size(); ++group) {
-    auto curves = thinned(all, group, rows_for(script, all.groups.size()));
+    auto curves = drawn(panel, all, group, rows_for(script, all.groups.size()));
     script.cover(curves);
     for (Curve& curve : curves) curve = with_group_value(std::move(curve), all);
     script.plot(script.data(curves) + " using 1:2:3 " + look(panel, 1) + " lc palette");
@@ -58,7 +63,7 @@ void draw_in_legend(const Panel& panel, const Series& y, const Curves& all, std:
                     Script& script) {
   for (std::size_t group = 0; group < all.groups.size(); ++group, ++entry) {
     const auto curves =
-        thinned(all, group, rows_for(script, panel.series.at("y").size() * all.groups.size()));
+        drawn(panel, all, group, rows_for(script, panel.series.at("y").size() * all.groups.size()));
     script.cover(curves);
     script.plot(fmt::format("{} using 1:2 {} lc rgb '{}'", script.data(curves), look(panel, entry),
                             curve_color(entry)),

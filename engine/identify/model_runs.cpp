@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <string_view>
 
 #include "engine/record/recorder.hpp"
 #include "engine/run/stopper.hpp"
@@ -13,6 +15,14 @@ namespace {
 
 constexpr std::int64_t ticks_between_looks = 1024;  // at the interrupt flag
 
+/// A swept value to be read: its number with up to five digits, and its unit.
+std::string brief(const std::string& value) {
+  const char* end = value.data() + value.size();
+  double number = 0.0;
+  const auto [rest, problem] = std::from_chars(value.data(), end, number);
+  return problem == std::errc{} ? fmt::format("{:.5g}{}", number, std::string_view(rest, end)) : value;
+}
+
 /// What a record is called: by the first swept parameter where they go together, else by all.
 std::string label_of(const Job& job, std::size_t point) {
   if (job.points.empty()) return "";
@@ -20,7 +30,7 @@ std::string label_of(const Job& job, std::size_t point) {
   std::string text;
   for (const Setting& setting : job.points[point].settings) {
     if (!text.empty() && together) break;
-    text += fmt::format("{}{}", text.empty() ? "" : ", ", setting.value);
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", brief(setting.value));
   }
   return text;
 }

@@ -171,8 +171,8 @@ TEST_CASE("Letting go of the dead-man switch takes the current from both dampers
 
 TEST_CASE("The ramp of the polar rig brings the current in by parts of its time, and leaves it alone after") {
   const std::string pin =
-      "diagram: ../diagrams/parts/polar-rig.yaml, instrumented: 0, points: [[212 mm, -15 mm], [240 mm, 15 "
-      "mm]]";
+      "diagram: ../diagrams/parts/polar-rig.yaml, instrumented: 0, tare_time: 0 s, "
+      "points: [[212 mm, -15 mm], [240 mm, 15 mm]]";
   const auto at_once = column(held(pin), "rig.linear"),
              slowly = column(held(pin + ", ramp: 0.8 s"), "rig.linear");
   CHECK(at_once[40] > 0.05);
@@ -181,4 +181,34 @@ TEST_CASE("The ramp of the polar rig brings the current in by parts of its time,
   for (std::size_t tick = 1; tick < 800; ++tick)
     REQUIRE(slowly[tick] <= most * static_cast<double>(tick + 1) / 800.0);
   CHECK(slowly[990] == Approx(at_once[990]).epsilon(0.02));
+}
+
+namespace {
+
+/// Measured force under a load of [6, -4] N from 0.1 s on, with gauges that show something without any.
+Table tared(const std::string& time) {
+  return run_text(R"(
+step: 1 ms
+stop: 0.3 s
+blocks:
+  load:    {block: Step, time: 0.1 s, before: [0 N, 0 N], after: [6 N, -4 N]}
+  sensors: {diagram: ../diagrams/parts/polar-sensors.yaml, length: 224 mm, angle: 0 rad, joint_force: load,
+            gauge_offset: [0.3 V, -0.2 V, 0.1 V, -0.4 V, 0.2 V, 0.5 V], force_noise: 0 N, tare_time: )" +
+                  time + "}\nrecord: [sensors.joint_force]\n");
+}
+
+}  // namespace
+
+TEST_CASE("A tare before the run takes out of the measured force what the gauges show without a load") {
+  // gauges at 0, 120 and 240 degrees, a level of the board of 1.22 mV
+  const double level = 20.0 * 20.0 / 16384.0;
+  for (const std::string& time : {"1 ms", "50 ms"}) {
+    const Table table = tared(time);
+    CHECK(std::abs(column(table, "sensors.joint_force.1")[90]) < 1e-9);
+    CHECK(last(table, "sensors.joint_force.1") == Approx(6.0).margin(level * 2.0));
+    CHECK(last(table, "sensors.joint_force.2") == Approx(-4.0).margin(level * 2.0));
+  }
+  const Table without = tared("0 s");
+  CHECK(std::hypot(last(without, "sensors.joint_force.1") - 6.0,
+                   last(without, "sensors.joint_force.2") + 4.0) > 1.0);
 }

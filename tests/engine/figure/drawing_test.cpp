@@ -78,6 +78,16 @@ TEST_CASE("every kind of plot is a well-formed picture with the units of its axe
   }
 }
 
+TEST_CASE("final rows keep their points where these lie on a straight line") {
+  if (gnuplot_is_missing()) return;
+  const std::string svg = drawn("{plot: lines, x: current, y: push.force, rows: final}");
+  std::size_t points = 0;
+  for (std::size_t at = 0;
+       (at = svg.find("<use xlink:href='#gpPt6' transform='translate", at)) != std::string::npos; ++at)
+    ++points;
+  CHECK(points == 3);
+}
+
 TEST_CASE("every kind of plot is drawn where no row is left, or a single one") {
   if (gnuplot_is_missing()) return;
   for (const std::string where : {"time < 0", "time == 0", "time == 0 && current < 0.15"})
