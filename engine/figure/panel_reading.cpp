@@ -44,6 +44,7 @@ class PanelReader {
     check_legend();
     if (const Node* marks = node_.find("marks")) check_marks(*marks, panel_, names_, faults_);
     find_recordings();
+    read_beside();
     return std::move(panel_);
   }
 
@@ -116,6 +117,7 @@ class PanelReader {
     if (key == "boundary") read_boundary(value);
     if (key == "region") read_region(value);
     if (key == "marks") read_marks(value, panel_, names_, faults_);
+    if (key == "note") read_note(value);
     if (key.ends_with("_range")) read_range(value, key);
   }
 
@@ -185,14 +187,23 @@ class PanelReader {
     }
   }
 
-  /// Boundaries are formulas of the plane, not of the record: only x and y are known in them.
+  /// Boundaries are formulas of the plane: x and y are its coordinates in them, and nothing recorded.
   void read_boundary(const Node& node) {
-    Names plane{
-        names_.file, {{"x", {}, {}}, {"y", {}, {}}}, names_.parameters, {}, "is no coordinate of the plane"};
+    Names plane{names_.file,
+                {{"x", {}, {}}, {"y", {}, {}}},
+                names_.parameters,
+                {},
+                "is no coordinate of the plane, nor recorded"};
+    for (const RecordedName& column : names_.columns)
+      if (column.name != "x" && column.name != "y") plane.columns.push_back(column);
     const std::vector<Node> one{node};
     for (const auto& item : node.is_list() ? node.items : one)
       if (auto formula = read_formula(item, plane, "figure.boundary", faults_))
         panel_.boundaries.push_back(std::move(*formula));
+  }
+
+  void read_note(const Node& node) {
+    if (auto series = read_series(node, names_, "figure.note", faults_)) note_ = std::move(series);
   }
 
   void read_region(const Node& node) {
@@ -225,14 +236,16 @@ class PanelReader {
     const auto found = panel_.series.find("y");
     if (found == panel_.series.end()) return;
     const Series& first = found->second.front();
-    for (const Series& series : found->second) {
-      // A sum with a bare number has no known unit; it is drawn as the others are.
-      if (series.unit_text.empty() || first.unit_text.empty() || series.unit_text == first.unit_text)
-        continue;
-      fault(series.formula.mark, "figure.y",
-            fmt::format("'{}' is drawn in {}, but '{}' in {}; one axis has one unit: give each a panel",
-                        first.formula.text, first.unit_text, series.formula.text, series.unit_text));
-    }
+    for (const auto& [key, list] : panel_.series)
+      for (const Series& series : list) {
+        // A sum with a bare number has no known unit; it is drawn as the others are.
+        if ((key != "y" && key != "reference") || series.unit_text.empty() || first.unit_text.empty() ||
+            series.unit_text == first.unit_text)
+          continue;
+        fault(series.formula.mark, "figure." + key,
+              fmt::format("'{}' is drawn in {}, but '{}' in {}; one axis has one unit: give each a panel",
+                          first.formula.text, first.unit_text, series.formula.text, series.unit_text));
+      }
   }
 
   /// Without `by` there is one curve for each y, however many runs there are.
@@ -250,7 +263,8 @@ class PanelReader {
     std::vector<const Formula*> shared;
     if (panel_.where) shared.push_back(&*panel_.where);
     for (const auto& [key, list] : panel_.series)
-      if (key != "y") shared.push_back(&list.front().formula);
+      for (const Series& series : list)
+        if (key != "y") shared.push_back(&series.formula);
     const auto y = panel_.series.find("y");
     if (y == panel_.series.end()) {
       panel_.recordings = {common_recording(shared, names_, node_, "figure", faults_)};
@@ -263,11 +277,23 @@ class PanelReader {
     }
   }
 
+  /// A note and boundaries read the first row that `where` selects, in any recording that has all they name.
+  void read_beside() {
+    const Formula* where = panel_.where ? &*panel_.where : nullptr;
+    for (Formula& boundary : panel_.boundaries)
+      boundary.recording = common_recording({where, &boundary}, names_, node_, "figure.boundary", faults_);
+    if (!note_) return;
+    note_->formula.recording =
+        common_recording({where, &note_->formula}, names_, node_, "figure.note", faults_);
+    panel_.series["note"] = {std::move(*note_)};
+  }
+
   const Node& node_;
   const Names& names_;
   bool alone_;
   Faults& faults_;
   Panel panel_;
+  std::optional<Series> note_;
 };
 
 }  // namespace
