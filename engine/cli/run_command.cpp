@@ -120,7 +120,6 @@ ExitCode study(Work& work, const RunCommand& command, const Registry& registry, 
   const Outcome outcome = carry_out_study(work, *experiments);
   if (outcome.result.interrupted) return ExitCode::interrupted;  // nothing is kept of half a study
   if (!folder.empty()) {
-    if (!work.job.points.empty()) write_replay(folder, work.job);
     write_outputs(folder, work, outcome);
     write_study(folder, work, *experiments, outcome);
   }

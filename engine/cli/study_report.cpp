@@ -1,7 +1,9 @@
 // What a study found, for people and for programs.
 #include <fmt/format.h>
 
+#include "engine/cli/recorded_study.hpp"
 #include "engine/cli/studying.hpp"
+#include "engine/replay/replay_folder.hpp"
 #include "engine/run/pooling.hpp"
 #include "engine/study/published.hpp"
 #include "engine/study/side_by_side.hpp"
@@ -86,7 +88,7 @@ std::string tables_of_points(const StudyRequest& request, const Experiments& exp
 }
 
 /// The errors of all trials; those of a sweep behind the swept values, as the recording of errors has them.
-void write_errors(const std::string& file, const Experiments& experiments, const Recording& recording) {
+std::string errors_csv(const Experiments& experiments, const Recording& recording) {
   PathErrors all = experiments.front().errors;
   for (std::size_t i = 1; i < experiments.size(); ++i)
     all.rows.insert(all.rows.end(), experiments[i].errors.rows.begin(), experiments[i].errors.rows.end());
@@ -98,7 +100,7 @@ void write_errors(const std::string& file, const Experiments& experiments, const
   for (const Words& one : recording.words)
     for (const std::string& text : one.texts)
       if (one.column != "subject" && one.column != "condition") words[one.column].push_back(unquoted(text));
-  write_csv(file, table, words);
+  return csv_text(table, words);
 }
 
 /// Adds what one experiment found.
@@ -116,12 +118,23 @@ Json add_experiment(Json json, const Experiment& experiment, const StudyRequest&
 
 void write_study(const std::string& folder, const Work& work, const Experiments& experiments,
                  const Outcome& outcome) {
+  if (work.study->trials.empty())
+    write_replay(folder, work.job);
+  else
+    write_recorded(folder, work);
   for (std::size_t i = 0; i < experiments.size(); ++i)
     write_file(folder + "/" + numbered("trials", i, ".csv"), trials_csv(experiments[i].trials));
-  const std::size_t records = work.job.plan.diagram.records.size();
-  write_errors(folder + "/errors.csv", experiments, outcome.result.recordings[records]);
+  write_file(folder + "/errors.csv", errors_text(work, experiments, outcome));
   write_file(folder + "/study.json", study_json(work, experiments).text() + "\n");
-  write_file(folder + "/tables.txt", all_tables(work.tables) + tables_of_points(*work.study, experiments));
+  write_file(folder + "/tables.txt", tables_text(work, experiments));
+}
+
+std::string errors_text(const Work& work, const Experiments& experiments, const Outcome& outcome) {
+  return errors_csv(experiments, outcome.result.recordings[work.job.plan.diagram.records.size()]);
+}
+
+std::string tables_text(const Work& work, const Experiments& experiments) {
+  return all_tables(work.tables) + tables_of_points(*work.study, experiments);
 }
 
 Json study_json(const Work& work, const Experiments& experiments) {

@@ -40,10 +40,14 @@ class Studies {
 /// judges the claims.
 Outcome carry_out_study(Work& work, const Experiments& experiments);
 
-/// Writes trials.csv (of a sweep one for each point: trials-2.csv, ...), errors.csv, study.json, tables.txt
-/// into a folder. Throws SurroundingsError.
+/// Writes what verify() needs, trials.csv (of a sweep one for each point: trials-2.csv, ...), errors.csv,
+/// study.json, tables.txt into a folder. Throws SurroundingsError.
 void write_study(const std::string& folder, const Work& work, const Experiments& experiments,
                  const Outcome& outcome);
+
+/// What errors.csv and tables.txt have.
+std::string errors_text(const Work& work, const Experiments& experiments, const Outcome& outcome);
+std::string tables_text(const Work& work, const Experiments& experiments);
 
 /// What the study found, for people.
 std::string study_text(const Work& work, const Experiments& experiments);

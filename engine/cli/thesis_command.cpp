@@ -147,7 +147,6 @@ class Maker {
     const auto experiments = studies_.experiments(registry_, work, {}, {});
     Outcome outcome = carry_out_study(work, *experiments);
     if (outcome.result.interrupted) return outcome;
-    write_replay(folder, work.job);
     write_study(folder, work, *experiments, outcome);
     return outcome;
   }

@@ -44,7 +44,9 @@ class PanelReader {
     check_legend();
     if (const Node* marks = node_.find("marks")) check_marks(*marks, panel_, names_, faults_);
     find_recordings();
-    read_beside();
+    // What reads a single row, perhaps of another recording.
+    if (const Node* boundary = node_.find("boundary")) read_boundaries(*boundary, panel_, names_, faults_);
+    if (const Node* note = node_.find("note")) read_note(*note, panel_, names_, faults_);
     return std::move(panel_);
   }
 
@@ -114,10 +116,8 @@ class PanelReader {
     if (key == "rows") panel_.final_rows = word(value, key, {"all", "final"}) == "final";
     if (key == "legend") read_legend(value);
     if (key == "log") read_log(value);
-    if (key == "boundary") read_boundary(value);
     if (key == "region") read_region(value);
     if (key == "marks") read_marks(value, panel_, names_, faults_);
-    if (key == "note") read_note(value);
     if (key.ends_with("_range")) read_range(value, key);
   }
 
@@ -185,25 +185,6 @@ class PanelReader {
       const std::string axis = word(item, "log", {"x", "y", "color"});
       (axis == "x" ? panel_.log_x : axis == "y" ? panel_.log_y : panel_.log_color) = true;
     }
-  }
-
-  /// Boundaries are formulas of the plane: x and y are its coordinates in them, and nothing recorded.
-  void read_boundary(const Node& node) {
-    Names plane{names_.file,
-                {{"x", {}, {}}, {"y", {}, {}}},
-                names_.parameters,
-                {},
-                "is no coordinate of the plane, nor recorded"};
-    for (const RecordedName& column : names_.columns)
-      if (column.name != "x" && column.name != "y") plane.columns.push_back(column);
-    const std::vector<Node> one{node};
-    for (const auto& item : node.is_list() ? node.items : one)
-      if (auto formula = read_formula(item, plane, "figure.boundary", faults_))
-        panel_.boundaries.push_back(std::move(*formula));
-  }
-
-  void read_note(const Node& node) {
-    if (auto series = read_series(node, names_, "figure.note", faults_)) note_ = std::move(series);
   }
 
   void read_region(const Node& node) {
@@ -277,23 +258,11 @@ class PanelReader {
     }
   }
 
-  /// A note and boundaries read the first row that `where` selects, in any recording that has all they name.
-  void read_beside() {
-    const Formula* where = panel_.where ? &*panel_.where : nullptr;
-    for (Formula& boundary : panel_.boundaries)
-      boundary.recording = common_recording({where, &boundary}, names_, node_, "figure.boundary", faults_);
-    if (!note_) return;
-    note_->formula.recording =
-        common_recording({where, &note_->formula}, names_, node_, "figure.note", faults_);
-    panel_.series["note"] = {std::move(*note_)};
-  }
-
   const Node& node_;
   const Names& names_;
   bool alone_;
   Faults& faults_;
   Panel panel_;
-  std::optional<Series> note_;
 };
 
 }  // namespace
