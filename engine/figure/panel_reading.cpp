@@ -217,16 +217,25 @@ class PanelReader {
     const auto found = panel_.series.find("y");
     if (found == panel_.series.end()) return;
     const Series& first = found->second.front();
-    for (const auto& [key, list] : panel_.series)
-      for (const Series& series : list) {
-        // A sum with a bare number has no known unit; it is drawn as the others are.
-        if ((key != "y" && key != "reference") || series.unit_text.empty() || first.unit_text.empty() ||
-            series.unit_text == first.unit_text)
-          continue;
-        fault(series.formula.mark, "figure." + key,
-              fmt::format("'{}' is drawn in {}, but '{}' in {}; one axis has one unit: give each a panel",
-                          first.formula.text, first.unit_text, series.formula.text, series.unit_text));
-      }
+    for (const Series& series : found->second) {
+      // A sum with a bare number has no known unit; it is drawn as the others are.
+      if (series.unit_text.empty() || first.unit_text.empty() || series.unit_text == first.unit_text)
+        continue;
+      two_units("y", series, first);
+    }
+    const auto references = panel_.series.find("reference");
+    if (references == panel_.series.end()) return;
+    for (Series& reference : references->second) {
+      const auto &ours = reference.formula.dimension, &axis = first.formula.dimension;
+      if (ours && axis && *ours != *axis) two_units("reference", reference, first);
+      reference.unit = first.unit;
+    }
+  }
+
+  void two_units(const std::string& key, const Series& series, const Series& first) {
+    fault(series.formula.mark, "figure." + key,
+          fmt::format("'{}' is drawn in {}, but '{}' in {}; one axis has one unit: give each a panel",
+                      first.formula.text, first.unit_text, series.formula.text, series.unit_text));
   }
 
   /// Without `by` there is one curve for each y, however many runs there are.

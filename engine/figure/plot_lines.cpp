@@ -38,6 +38,7 @@ void draw_references(const Panel& panel, std::span<const Recording> recordings, 
   for (std::size_t i = 0; found != panel.series.end() && i < found->second.size(); ++i) {
     const Curves all =
         gather(panel, recording_of(panel, recordings, i), {panel.find("x"), &found->second[i]});
+    if (all.curves.empty()) continue;
     script.cover(all.curves);
     script.plot(fmt::format("{} using 1:2 with lines dt 2 lw 1.4 lc rgb '{}'", script.data(all.curves),
                             curve_color(i)));
