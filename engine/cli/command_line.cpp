@@ -118,7 +118,9 @@ class CommandLine {
   void add_study() {
     CLI::App* verb = app_.add_subcommand(
         "study", "run the trials of a human-subject study by simulated operators, and analyse them");
-    verb->footer("Example:\n  stepwire study circle.yaml --subjects 20 --out out/circle");
+    verb->footer(
+        "A file with a sweep makes the whole study at each of its points.\n\n"
+        "Example:\n  stepwire study circle.yaml --subjects 20 --out out/circle");
     add_work_options(*verb, run_, settings_, stop_, large_);
     add_engine_option(*verb, run_.engine, "interpreted, compiled, or auto; all to the same bits");
     add_study_options(*verb, run_);

@@ -116,20 +116,19 @@ ExitCode study(Work& work, const RunCommand& command, const Registry& registry, 
   const StudyCall call{command.engine, command.study_threads, true};
   if (command.study_repeats > 0)
     return repeat_study(registry, work, command.options, call, command.study_repeats, folder);
-  const auto experiment = studies.experiment(registry, work, command.options, call);
-  const Outcome outcome = carry_out_study(work, *experiment);
+  const auto experiments = studies.experiments(registry, work, command.options, call);
+  const Outcome outcome = carry_out_study(work, *experiments);
   if (outcome.result.interrupted) return ExitCode::interrupted;  // nothing is kept of half a study
   if (!folder.empty()) {
-    if (!work.job.points.empty()) write_replay(folder, work.job);
     write_outputs(folder, work, outcome);
-    write_study(folder, work, *experiment);
+    write_study(folder, work, *experiments, outcome);
   }
   if (command.json) {
     Json result = run_json(work, outcome).set("claims", claims_json(work, outcome));
-    results.push(result.set("study", study_json(work, *experiment)));
+    results.push(result.set("study", study_json(work, *experiments)));
     return outcome.code;
   }
-  fmt::print("{}{}", study_text(work, *experiment), outcome_text(work, outcome));
+  fmt::print("{}{}", study_text(work, *experiments), outcome_text(work, outcome));
   if (!folder.empty()) fmt::print("  written to {}\n", folder);
   return outcome.code;
 }

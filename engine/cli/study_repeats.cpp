@@ -58,11 +58,11 @@ void perform_missing(const Registry& registry, const Work& work, const WorkOptio
     TrialSource source =
         trial_source(loader, work, options, compiles(work, call, seeds.size()) ? &code : nullptr);
     source.threads = 1;
-    TrialRuns runs(std::move(source), request, work.job.plan.diagram);
+    TrialRuns runs(std::move(source), request, work.job);
     for (std::size_t i = next++; i < seeds.size() && !interrupted(); i = next++) {
-      const Experiment experiment = perform(runs, request, work.job.plan.diagram, seeds[i]);
-      if (experiment.interrupted) return;
-      file.add(seeds[i], outcome(experiment, request));
+      const Experiments experiments = perform(runs, request, work.job, seeds[i]);
+      if (experiments.empty()) return;
+      file.add(seeds[i], outcome(experiments.front(), request));
       progress.show(static_cast<double>(++done) / static_cast<double>(seeds.size()));
     }
   });
@@ -75,6 +75,14 @@ ExitCode repeat_study(const Registry& registry, const Work& work, const WorkOpti
   const StudyRequest& request = *work.study;
   if (!request.trials.empty())
     throw Error(Fault{request.place, "study", "recorded trials cannot be repeated by the computer", {}});
+  if (const std::size_t studies = study_count(work.job); studies > 1)
+    throw Error(
+        Fault{request.place,
+              "study",
+              fmt::format("--repeat makes many experiments of one study, and the sweep of this file has "
+                          "{}; leave one of them with --set",
+                          studies),
+              {}});
   require_folder(folder);
   Repetition repetition(outcome_columns(request));
   ExperimentFile file(folder, work, repetition);

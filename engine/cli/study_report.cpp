@@ -1,7 +1,10 @@
 // What a study found, for people and for programs.
 #include <fmt/format.h>
 
+#include "engine/cli/recorded_study.hpp"
 #include "engine/cli/studying.hpp"
+#include "engine/replay/replay_folder.hpp"
+#include "engine/run/pooling.hpp"
 #include "engine/study/published.hpp"
 #include "engine/study/side_by_side.hpp"
 #include "engine/study/study_tables.hpp"
@@ -10,6 +13,12 @@
 namespace stepwire {
 
 namespace {
+
+Json settings_json(const std::vector<Setting>& settings) {
+  Json json = Json::object();
+  for (const Setting& setting : settings) json.set(setting.name, unquoted(setting.value));
+  return json;
+}
 
 Json trials_json(const Experiment& experiment) {
   Json list = Json::list();
@@ -26,10 +35,8 @@ Json trials_json(const Experiment& experiment) {
                      .set("duration", row.duration)
                      .set("points", row.points);
     if (!experiment.runs.empty()) {
-      Json settings = Json::object();
-      for (const Setting& setting : experiment.runs[i].point.settings)
-        settings.set(setting.name, setting.value);
-      trial.set("attempts", experiment.runs[i].attempts).set("sets", std::move(settings));
+      trial.set("attempts", experiment.runs[i].attempts)
+          .set("sets", settings_json(experiment.runs[i].point.settings));
     }
     list.push(std::move(trial));
   }
@@ -62,44 +69,102 @@ Json analysis_json(const TaskAnalysis& analysis, const StudyRequest& request) {
       .set("side_by_side", std::move(both));
 }
 
-std::string all_tables(const Work& work) {
+std::string all_tables(const std::vector<NamedTable>& tables) {
   std::string all;
-  for (const NamedTable& one : work.tables) all += (all.empty() ? "" : "\n") + text(*one.table);
+  for (const NamedTable& one : tables) all += (all.empty() ? "" : "\n") + text(*one.table);
   return all;
 }
 
-}  // namespace
-
-void write_study(const std::string& folder, const Work& work, const Experiment& experiment) {
-  write_file(folder + "/trials.csv", trials_csv(experiment.trials));
-  ColumnWords words;
-  const Table errors = error_table(experiment.errors, words);
-  write_csv(folder + "/errors.csv", errors, words);
-  write_file(folder + "/study.json", study_json(work, experiment).text() + "\n");
-  write_file(folder + "/tables.txt", all_tables(work));
+/// Of a sweep, the tables of each of its points behind those of the work.
+std::string tables_of_points(const StudyRequest& request, const Experiments& experiments) {
+  std::string all;
+  for (const Experiment& experiment : experiments) {
+    if (experiment.sets.empty()) continue;
+    std::vector<NamedTable> tables = empty_study_tables(false);
+    fill_study_tables(experiment, request, tables);
+    all += fmt::format("\n\nWith {}\n\n{}", settings_text(experiment.sets), all_tables(tables));
+  }
+  return all;
 }
 
-Json study_json(const Work& work, const Experiment& experiment) {
-  const StudyRequest& request = *work.study;
-  Json json = Json::object()
-                  .set("file", work.file)
-                  .set("task", request.task)
-                  .set("trials_of", request.trials.empty() ? "simulated operators" : request.trials)
-                  .set("rule", experiment.errors.rule)
-                  .set("remarks", Json::list_of(experiment.remarks))
-                  .set("trials", trials_json(experiment));
+/// The errors of all trials; those of a sweep behind the swept values, as the recording of errors has them.
+std::string errors_csv(const Experiments& experiments, const Recording& recording) {
+  PathErrors all = experiments.front().errors;
+  for (std::size_t i = 1; i < experiments.size(); ++i)
+    all.rows.insert(all.rows.end(), experiments[i].errors.rows.begin(), experiments[i].errors.rows.end());
+  ColumnWords words;
+  Table table = error_table(all, words);
+  const auto swept = recording.table.columns.begin() + 1;
+  table.columns.insert(table.columns.begin(), swept,
+                       swept + static_cast<std::ptrdiff_t>(experiments.front().sets.size()));
+  for (const Words& one : recording.words)
+    for (const std::string& text : one.texts)
+      if (one.column != "subject" && one.column != "condition") words[one.column].push_back(unquoted(text));
+  return csv_text(table, words);
+}
+
+/// Adds what one experiment found.
+Json add_experiment(Json json, const Experiment& experiment, const StudyRequest& request) {
+  json.set("rule", experiment.errors.rule)
+      .set("remarks", Json::list_of(experiment.remarks))
+      .set("trials", trials_json(experiment));
   if (!experiment.runs.empty())
     json.set("seed", experiment.seed).set("orders", orders_json(experiment, request));
   if (experiment.analysis) json.set("analysis", analysis_json(*experiment.analysis, request));
   return json;
 }
 
-std::string study_text(const Work& work, const Experiment& experiment) {
+}  // namespace
+
+void write_study(const std::string& folder, const Work& work, const Experiments& experiments,
+                 const Outcome& outcome) {
+  if (work.study->trials.empty())
+    write_replay(folder, work.job);
+  else
+    write_recorded(folder, work);
+  for (std::size_t i = 0; i < experiments.size(); ++i)
+    write_file(folder + "/" + numbered("trials", i, ".csv"), trials_csv(experiments[i].trials));
+  write_file(folder + "/errors.csv", errors_text(work, experiments, outcome));
+  write_file(folder + "/study.json", study_json(work, experiments).text() + "\n");
+  write_file(folder + "/tables.txt", tables_text(work, experiments));
+}
+
+std::string errors_text(const Work& work, const Experiments& experiments, const Outcome& outcome) {
+  return errors_csv(experiments, outcome.result.recordings[work.job.plan.diagram.records.size()]);
+}
+
+std::string tables_text(const Work& work, const Experiments& experiments) {
+  return all_tables(work.tables) + tables_of_points(*work.study, experiments);
+}
+
+Json study_json(const Work& work, const Experiments& experiments) {
   const StudyRequest& request = *work.study;
+  Json json = Json::object()
+                  .set("file", work.file)
+                  .set("task", request.task)
+                  .set("trials_of", request.trials.empty() ? "simulated operators" : request.trials);
+  if (experiments.front().sets.empty()) return add_experiment(std::move(json), experiments.front(), request);
+  Json points = Json::list();
+  for (std::size_t i = 0; i < experiments.size(); ++i)
+    points.push(add_experiment(Json::object()
+                                   .set("sets", settings_json(experiments[i].sets))
+                                   .set("trials_file", numbered("trials", i, ".csv")),
+                               experiments[i], request));
+  return json.set("points", std::move(points));
+}
+
+std::string study_text(const Work& work, const Experiments& experiments) {
+  const StudyRequest& request = *work.study;
+  std::size_t trials = 0;
+  for (const Experiment& experiment : experiments) trials += experiment.trials.size();
   std::string result =
-      fmt::format("study: task {}, {} subjects, {} trials ({})\n", request.task,
-                  request.subject_names().size(), experiment.trials.size(), whose_trials(request));
-  for (const std::string& remark : experiment.remarks) result += fmt::format("  note {}\n", remark);
+      fmt::format("study: task {}, {} subjects, {} trials ({}){}\n", request.task,
+                  request.subject_names().size(), trials, whose_trials(request),
+                  experiments.size() == 1 ? "" : fmt::format(", {} studies of a sweep", experiments.size()));
+  for (const Experiment& experiment : experiments)
+    for (const std::string& remark : experiment.remarks)
+      result += fmt::format("  note {}{}{}\n", remark, experiment.sets.empty() ? "" : "; with ",
+                            settings_text(experiment.sets));
   for (const NamedTable& one : work.tables)
     if (one.name == "means" || one.name == "significance") result += "\n" + text(*one.table);
   return result + "\n";

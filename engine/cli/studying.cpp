@@ -9,6 +9,7 @@
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/generate/generated_code.hpp"
+#include "engine/run/pooling.hpp"
 #include "engine/study/study_columns.hpp"
 #include "engine/study/study_tables.hpp"
 
@@ -16,30 +17,31 @@ namespace stepwire {
 
 namespace {
 
-Experiment make_experiment(const Registry& registry, const Work& work, const WorkOptions& options,
-                           const StudyCall& call) {
+Experiments make_experiments(const Registry& registry, const Work& work, const WorkOptions& options,
+                             const StudyCall& call) {
   const StudyRequest& request = *work.study;
-  const Diagram& diagram = work.job.plan.diagram;
-  if (!request.trials.empty()) return score_recorded(request, diagram);
+  if (!request.trials.empty()) return {score_recorded(request, work.job.plan.diagram)};
+  const std::size_t studies = study_count(work.job);
   Loader loader(registry, options.limits);
   GeneratedCode code;
-  TrialSource source = trial_source(loader, work, options, compiles(work, call, 1) ? &code : nullptr);
+  TrialSource source = trial_source(loader, work, options, compiles(work, call, studies) ? &code : nullptr);
   source.threads = call.threads;
-  TrialRuns runs(std::move(source), request, diagram);
-  if (!call.visible) return perform(runs, request, diagram, request.seed);
+  TrialRuns runs(std::move(source), request, work.job);
+  if (!call.visible) return perform(runs, request, work.job, request.seed);
   Progress progress("study " + std::filesystem::path(work.file).filename().string());
   std::atomic<std::size_t> done = 0;
-  const auto all = static_cast<double>(request.subjects.size() * request.conditions.size());
-  Experiment experiment = perform(runs, request, diagram, request.seed,
-                                  [&] { progress.show(static_cast<double>(++done) / all); });
+  const auto all = static_cast<double>(studies * request.subjects.size() * request.conditions.size());
+  Experiments experiments = perform(runs, request, work.job, request.seed,
+                                    [&] { progress.show(static_cast<double>(++done) / all); });
   const std::string problem = code.take_problem();
   if (!problem.empty()) fmt::print(stderr, "interpreted, since {}\n", problem);
-  return experiment;
+  return experiments;
 }
 
-/// What tells the trials apart, as the axes of a sweep.
-Sweep axes_of(const StudyRequest& request) {
-  Sweep sweep;
+/// What tells the trials apart, as the axes of a sweep: those of the file's own come first.
+Sweep axes_of(const Work& work) {
+  const StudyRequest& request = *work.study;
+  Sweep sweep = work.job.plan.diagram.sweep.value_or(Sweep{});
   sweep.axes.push_back({"subject", request.subject_names(), {}, {}});
   sweep.axes.push_back({"condition", request.condition_names(), {}, {}});
   return sweep;
@@ -76,6 +78,7 @@ std::string study_key(const Work& work, bool with_seed) {
     for (const Setting& setting : condition.settings)
       key += fmt::format(",{}={}", setting.name, setting.value);
   }
+  for (const SweepPoint& point : work.job.points) key += fmt::format(" ({})", settings_text(point.settings));
   if (request.circle)
     key += fmt::format(" {} {} {} {}", request.circle->of, request.circle->x, request.circle->y,
                        request.circle->radius);
@@ -85,8 +88,8 @@ std::string study_key(const Work& work, bool with_seed) {
   return key;
 }
 
-Studies::Shared Studies::experiment(const Registry& registry, const Work& work, const WorkOptions& options,
-                                    const StudyCall& call) {
+Studies::Shared Studies::experiments(const Registry& registry, const Work& work, const WorkOptions& options,
+                                     const StudyCall& call) {
   std::promise<Shared> promise;
   std::shared_future<Shared> future;
   bool is_new = false;
@@ -98,23 +101,29 @@ Studies::Shared Studies::experiment(const Registry& registry, const Work& work, 
     future = known->second;
   }
   if (is_new) try {
-      promise.set_value(std::make_shared<const Experiment>(make_experiment(registry, work, options, call)));
+      promise.set_value(std::make_shared<const Experiments>(make_experiments(registry, work, options, call)));
     } catch (...) {
       promise.set_exception(std::current_exception());
     }
   return future.get();
 }
 
-Outcome carry_out_study(Work& work, const Experiment& experiment) {
+Outcome carry_out_study(Work& work, const Experiments& experiments) {
   Outcome outcome;
   const auto start = std::chrono::steady_clock::now();
-  outcome.result.interrupted = experiment.interrupted;
-  outcome.result.ticks = experiment.ticks;
-  outcome.result.compiled_ticks = experiment.compiled_ticks;
-  if (!experiment.interrupted) {
-    fill_study_tables(experiment, *work.study, work.tables);
-    outcome.result.recordings = study_recordings(experiment, *work.study, work.job.plan);
-    work.job.plan.diagram.sweep = axes_of(*work.study);
+  outcome.result.interrupted = experiments.empty();
+  if (!experiments.empty()) {
+    if (work.job.points.empty())
+      fill_study_tables(experiments.front(), *work.study, work.tables);
+    else
+      fill_sweep_tables(experiments, *work.study, work.tables);
+    outcome.result.recordings = study_recordings(experiments, *work.study, work.job);
+    work.job.plan.diagram.sweep = axes_of(work);
+    work.job.points.clear();
+  }
+  for (const Experiment& experiment : experiments) {
+    outcome.result.ticks += experiment.ticks;
+    outcome.result.compiled_ticks += experiment.compiled_ticks;
     for (const TrialRun& run : experiment.runs) work.job.points.push_back(run.point);
   }
   judge_claims(work, outcome);

@@ -21,31 +21,37 @@ struct StudyCall {
 };
 
 /// The studies of one call. Files of one study, which differ in figures and claims only, share its
-/// experiment.
+/// experiments.
 class Studies {
  public:
-  using Shared = std::shared_ptr<const Experiment>;
+  using Shared = std::shared_ptr<const Experiments>;
 
-  /// The experiment of a file, performed now or before. From any thread; who asks for one that is being
-  /// performed waits for it. Throws Error.
-  Shared experiment(const Registry& registry, const Work& work, const WorkOptions& options,
-                    const StudyCall& call);
+  /// The experiments of a file, one for each point of its sweep, performed now or before. From any thread;
+  /// who asks for some that are being performed waits for them. Throws Error.
+  Shared experiments(const Registry& registry, const Work& work, const WorkOptions& options,
+                     const StudyCall& call);
 
  private:
   std::mutex mutex_;
   std::map<std::string, std::shared_future<Shared>> known_;
 };
 
-/// Puts an experiment into the place of a run: its trials as runs of the work, its tables, its recordings;
-/// and judges the claims.
-Outcome carry_out_study(Work& work, const Experiment& experiment);
+/// Puts the experiments into the place of a run: their trials as runs of the work, tables, recordings; and
+/// judges the claims.
+Outcome carry_out_study(Work& work, const Experiments& experiments);
 
-/// Writes trials.csv, errors.csv, study.json, tables.txt into a folder. Throws SurroundingsError.
-void write_study(const std::string& folder, const Work& work, const Experiment& experiment);
+/// Writes what verify() needs, trials.csv (of a sweep one for each point: trials-2.csv, ...), errors.csv,
+/// study.json, tables.txt into a folder. Throws SurroundingsError.
+void write_study(const std::string& folder, const Work& work, const Experiments& experiments,
+                 const Outcome& outcome);
+
+/// What errors.csv and tables.txt have.
+std::string errors_text(const Work& work, const Experiments& experiments, const Outcome& outcome);
+std::string tables_text(const Work& work, const Experiments& experiments);
 
 /// What the study found, for people.
-std::string study_text(const Work& work, const Experiment& experiment);
-Json study_json(const Work& work, const Experiment& experiment);
+std::string study_text(const Work& work, const Experiments& experiments);
+Json study_json(const Work& work, const Experiments& experiments);
 
 /// All that decides on the experiment of a work, as a text; with or without the seed, which decides who the
 /// people are.

@@ -144,11 +144,10 @@ class Maker {
   }
 
   Outcome study(Work& work, const std::string& folder) {
-    const auto experiment = studies_.experiment(registry_, work, {}, {});
-    Outcome outcome = carry_out_study(work, *experiment);
+    const auto experiments = studies_.experiments(registry_, work, {}, {});
+    Outcome outcome = carry_out_study(work, *experiments);
     if (outcome.result.interrupted) return outcome;
-    write_replay(folder, work.job);
-    write_study(folder, work, *experiment);
+    write_study(folder, work, *experiments, outcome);
     return outcome;
   }
 

@@ -2,6 +2,7 @@
 
 #include "engine/cli/commands.hpp"
 #include "engine/cli/interrupt.hpp"
+#include "engine/cli/recorded_study.hpp"
 #include "engine/cli/report.hpp"
 #include "engine/replay/verify.hpp"
 
@@ -9,7 +10,17 @@ namespace stepwire {
 
 namespace {
 
+/// Trials that were recorded cannot be replayed; they are analysed again.
+ExitCode verify_analysis(const std::string& folder, const Registry& registry) {
+  const std::string difference = verify_recorded(folder, registry);
+  fmt::print("{}\n", difference.empty()
+                         ? folder + ": errors and tables of the recorded trials: all bits agree"
+                         : difference);
+  return difference.empty() ? ExitCode::done : ExitCode::fails;
+}
+
 ExitCode verify_folder(const std::string& folder, const Registry& registry) {
+  if (has_recorded(folder, registry)) return verify_analysis(folder, registry);
   const Verification verification = verify(folder, registry, &interrupted());
   if (verification.interrupted) return ExitCode::interrupted;
   if (verification.difference.empty()) {

@@ -73,14 +73,12 @@ void add_study(Loader& loader, const WorkOptions& options, Work& work, Names& na
   const Node* section = loader.document(work.file).root.find("study");
   if (!section) return;
   const Diagram& diagram = work.job.plan.diagram;
-  if (diagram.sweep)
-    faults.add({{work.file, section->mark}, "study", "a file has a study or a sweep, not both", {}});
   if (diagram.fit.kind != Node::Kind::empty)
     faults.add({{work.file, section->mark}, "study", "a file has a study or a fit, not both", {}});
   work.study = read_study(*section, names, diagram, loader, options.study, faults);
   faults.throw_if_any();
   add_study_names(*work.study, names);
-  work.tables = names.tables = empty_study_tables();
+  work.tables = names.tables = empty_study_tables(!work.job.points.empty());
 }
 
 Verdict not_judged(const Claim& claim, const std::string& why) {

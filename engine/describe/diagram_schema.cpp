@@ -87,8 +87,9 @@ Json sweep_schema() {
                       closed_map(std::move(range), {"from", "to", "count"})});
   Json together = explained(typed("boolean"), "true: the parameters are paired, else they make a grid");
   Json sweep = typed("object").set("properties", Json::object().set("together", std::move(together)));
-  return explained(sweep.set("additionalProperties", std::move(axis)),
-                   "runs the file once per value: parameter: {from, to, count} or [values]");
+  return explained(
+      sweep.set("additionalProperties", std::move(axis)),
+      "runs the file, or its whole study, once per value: parameter: {from, to, count} or [values]");
 }
 
 void add_run_keys(Json& keys) {

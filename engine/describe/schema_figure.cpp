@@ -49,6 +49,7 @@ Json common_schema(const std::string& key) {
   if (key == "legend" || key == "boundary" || key == "region") return one_or_list_of(schema_ref("text"));
   if (key == "size") return pair_of(typed("integer"));
   if (key == "marks") return marks_schema();
+  if (key == "note") return schema_ref("series");
   if (key == "columns") return typed("integer").set("minimum", 1).set("maximum", 6);
   if (key == "panels") return list_of(schema_ref("panel")).set("minItems", 1);
   return schema_ref("text");

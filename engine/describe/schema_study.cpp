@@ -63,7 +63,9 @@ Json study_schema() {
   keys.set("trials",
            string_of("CSV file of recorded trials in place of runs: subject, task, condition, time, x, y"));
   return explained(closed_map(std::move(keys)),
-                   "runs the file once for each person and condition, and scores and analyses these trials");
+                   "runs the file once for each person and condition, and scores and analyses these trials; "
+                   "beside a sweep, all "
+                   "of that at each of its points");
 }
 
 }  // namespace stepwire

@@ -6,16 +6,48 @@
 #include "engine/figure/gnuplot.hpp"
 #include "engine/figure/grid.hpp"
 #include "engine/figure/mark_drawing.hpp"
+#include "engine/figure/number.hpp"
 #include "engine/figure/picture.hpp"
 #include "engine/figure/plot_kind.hpp"
 #include "engine/figure/region_drawing.hpp"
+#include "engine/figure/run_rows.hpp"
 #include "engine/figure/script.hpp"
 
 namespace stepwire {
 namespace {
 
+/// What the variables of a formula are in the first row that the panel selects, 0 for what is no column; none
+/// where no row is selected.
+std::optional<std::vector<double>> first_row(const Formula& formula, const Panel& panel,
+                                             std::span<const Recording> recordings) {
+  std::vector<double> values(formula.columns.size(), 0.0);
+  if (std::ranges::all_of(formula.columns, [](const auto& name) { return name == "x" || name == "y"; }))
+    return values;
+  const Recording& recording = recordings[formula.recording.value_or(0)];
+  const RunRows rows = rows_of_run(panel.where, recording);
+  if (rows.none()) return std::nullopt;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (const Column* column = recording.table.find(formula.columns[i]))
+      values[i] = column->values[rows.first];
+  return values;
+}
+
+/// Tells the value of the panel's note in its upper left corner.
+void draw_note(const Panel& panel, std::span<const Recording> recordings, Script& script) {
+  const Series* note = panel.find("note");
+  if (!note) return;
+  const auto values = first_row(note->formula, panel, recordings);
+  if (!values) return;
+  const double value = note->unit.from_si(note->formula.expression(*values));
+  const bool has_unit = !note->unit_text.empty() && note->unit_text != "1";
+  script.set(
+      fmt::format("set label {} at graph 0.03, graph 0.95 left front textcolor rgb '#111111' font ',13'",
+                  quoted(fmt::format("{} {}{}{}", note->label, short_number(value), has_unit ? " " : "",
+                                     has_unit ? note->unit_text : ""))));
+}
+
 /// Curves where the boundaries of the panel are zero, over the plane that is shown.
-void draw_boundaries(const Panel& panel, Script& script) {
+void draw_boundaries(const Panel& panel, std::span<const Recording> recordings, Script& script) {
   constexpr std::size_t cells = 240;
   const Series *across = panel.find("x"), *up = panel.find("y");
   if (script.x.empty() || script.y.empty()) return;
@@ -27,14 +59,17 @@ void draw_boundaries(const Panel& panel, Script& script) {
               cells,
               cells,
               std::vector<double>(cells * cells)};
-    std::vector<double> values(boundary.columns.size());
+    auto row_values = first_row(boundary, panel, recordings);
+    if (!row_values) continue;
+    std::vector<double>& values = *row_values;
     for (std::size_t row = 0; row < cells; ++row)
       for (std::size_t column = 0; column < cells; ++column) {
         const double x = grid.x + static_cast<double>(column) * grid.dx;
         const double y = grid.y + static_cast<double>(row) * grid.dy;
-        for (std::size_t i = 0; i < values.size(); ++i)
-          values[i] = boundary.columns[i] == "x" ? (across ? across->unit.to_si(x) : x)
-                                                 : (up != nullptr ? up->unit.to_si(y) : y);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+          if (boundary.columns[i] == "x") values[i] = across ? across->unit.to_si(x) : x;
+          if (boundary.columns[i] == "y") values[i] = up != nullptr ? up->unit.to_si(y) : y;
+        }
         grid.at(column, row) = boundary.expression(values);
       }
     const auto curves = contour(grid, 0.0);
@@ -78,7 +113,8 @@ DrawnPanel draw_panel(const Figure& figure, std::span<const Recording> recording
   cover_regions(panel, script);
   cover_marks(panel, script);
   panel.kind->draw(panel, recordings, script);
-  draw_boundaries(panel, script);
+  draw_boundaries(panel, recordings, script);
+  draw_note(panel, recordings, script);
   draw_regions(panel, script);
   const double height = wanted_height(script, width);
   draw_marks(panel, {width - room_across, height - room_up}, script);

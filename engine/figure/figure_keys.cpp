@@ -19,7 +19,12 @@ const std::vector<FigureKey>& panel_keys() {
       {"color_range", "values at both ends of the colour bar"},
       {"log", "axes with a logarithmic scale: x, y, color, or a list"},
       {"boundary",
-       "expression of x and y in SI units (or a list); a line is drawn where it is zero: x - 5 mm"},
+       "expression of x and y in SI units (or a list); a line is drawn where it is zero: x - 5 mm. What is "
+       "recorded stands for its value in the first row that 'where' selects"},
+      {"note",
+       "expression whose value in the first row that 'where' selects is told in a corner: {signal: "
+       "normalised, "
+       "label: error}"},
       {"region", "name of a Region (or a list): its boundary is drawn, and its inside shaded"},
       {"marks", "points with names, drawn on top: {A: [0 mm, 20 mm]}; a list of points numbers them"}};
   return keys;

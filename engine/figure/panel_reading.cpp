@@ -44,6 +44,9 @@ class PanelReader {
     check_legend();
     if (const Node* marks = node_.find("marks")) check_marks(*marks, panel_, names_, faults_);
     find_recordings();
+    // What reads a single row, perhaps of another recording.
+    if (const Node* boundary = node_.find("boundary")) read_boundaries(*boundary, panel_, names_, faults_);
+    if (const Node* note = node_.find("note")) read_note(*note, panel_, names_, faults_);
     return std::move(panel_);
   }
 
@@ -113,7 +116,6 @@ class PanelReader {
     if (key == "rows") panel_.final_rows = word(value, key, {"all", "final"}) == "final";
     if (key == "legend") read_legend(value);
     if (key == "log") read_log(value);
-    if (key == "boundary") read_boundary(value);
     if (key == "region") read_region(value);
     if (key == "marks") read_marks(value, panel_, names_, faults_);
     if (key.ends_with("_range")) read_range(value, key);
@@ -185,16 +187,6 @@ class PanelReader {
     }
   }
 
-  /// Boundaries are formulas of the plane, not of the record: only x and y are known in them.
-  void read_boundary(const Node& node) {
-    Names plane{
-        names_.file, {{"x", {}, {}}, {"y", {}, {}}}, names_.parameters, {}, "is no coordinate of the plane"};
-    const std::vector<Node> one{node};
-    for (const auto& item : node.is_list() ? node.items : one)
-      if (auto formula = read_formula(item, plane, "figure.boundary", faults_))
-        panel_.boundaries.push_back(std::move(*formula));
-  }
-
   void read_region(const Node& node) {
     const std::vector<Node> one{node};
     for (const auto& item : node.is_list() ? node.items : one) {
@@ -229,10 +221,21 @@ class PanelReader {
       // A sum with a bare number has no known unit; it is drawn as the others are.
       if (series.unit_text.empty() || first.unit_text.empty() || series.unit_text == first.unit_text)
         continue;
-      fault(series.formula.mark, "figure.y",
-            fmt::format("'{}' is drawn in {}, but '{}' in {}; one axis has one unit: give each a panel",
-                        first.formula.text, first.unit_text, series.formula.text, series.unit_text));
+      two_units("y", series, first);
     }
+    const auto references = panel_.series.find("reference");
+    if (references == panel_.series.end()) return;
+    for (Series& reference : references->second) {
+      const auto &ours = reference.formula.dimension, &axis = first.formula.dimension;
+      if (ours && axis && *ours != *axis) two_units("reference", reference, first);
+      reference.unit = first.unit;
+    }
+  }
+
+  void two_units(const std::string& key, const Series& series, const Series& first) {
+    fault(series.formula.mark, "figure." + key,
+          fmt::format("'{}' is drawn in {}, but '{}' in {}; one axis has one unit: give each a panel",
+                      first.formula.text, first.unit_text, series.formula.text, series.unit_text));
   }
 
   /// Without `by` there is one curve for each y, however many runs there are.
@@ -250,7 +253,8 @@ class PanelReader {
     std::vector<const Formula*> shared;
     if (panel_.where) shared.push_back(&*panel_.where);
     for (const auto& [key, list] : panel_.series)
-      if (key != "y") shared.push_back(&list.front().formula);
+      for (const Series& series : list)
+        if (key != "y") shared.push_back(&series.formula);
     const auto y = panel_.series.find("y");
     if (y == panel_.series.end()) {
       panel_.recordings = {common_recording(shared, names_, node_, "figure", faults_)};

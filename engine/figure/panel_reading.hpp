@@ -19,6 +19,12 @@ std::optional<Panel> read_panel(const Node& node, const Names& names, bool alone
 std::optional<double> read_axis_number(const Node& node, const Panel& panel, const std::string& axis,
                                        const Names& names, const std::string& subject, Faults& faults);
 
+/// Reads what follows a panel's `boundary`, formulas of its plane, or its `note`: beside the coordinates they
+/// name what was recorded, as it is in the first row that the panel's `where` selects. Each has the index of
+/// its recording.
+void read_boundaries(const Node& node, Panel& panel, const Names& names, Faults& faults);
+void read_note(const Node& node, Panel& panel, const Names& names, Faults& faults);
+
 /// Reads the value of `marks`: {NAME: [X, Y], ...}, or a list of points, which are named 1, 2, 3.
 void read_marks(const Node& node, Panel& panel, const Names& names, Faults& faults);
 

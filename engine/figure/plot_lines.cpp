@@ -11,6 +11,8 @@ const Channel by{"by", "one curve for each value of this, such as a swept parame
 
 const Channel low{"low", "lower edge of a shaded band, such as an interval around y"};
 const Channel high{"high", "upper edge of the band"};
+const Channel reference{"reference", "for each y a value to hold it against, drawn dashed in its colour",
+                        false, true};
 const Option shade{.key = "shade",
                    .doc = "ends of a range of x that is shaded, or of several: [0 s, 2 s]",
                    .axis = "x",
@@ -31,6 +33,18 @@ void draw_band(const Panel& panel, std::span<const Recording> recordings, Script
   }
 }
 
+void draw_references(const Panel& panel, std::span<const Recording> recordings, Script& script) {
+  const auto found = panel.series.find("reference");
+  for (std::size_t i = 0; found != panel.series.end() && i < found->second.size(); ++i) {
+    const Curves all =
+        gather(panel, recording_of(panel, recordings, i), {panel.find("x"), &found->second[i]});
+    if (all.curves.empty()) continue;
+    script.cover(all.curves);
+    script.plot(fmt::format("{} using 1:2 with lines dt 2 lw 1.4 lc rgb '{}'", script.data(all.curves),
+                            curve_color(i)));
+  }
+}
+
 void draw_shades(const Panel& panel, Script& script) {
   const auto found = panel.levels.find("shade");
   if (found == panel.levels.end()) return;
@@ -45,6 +59,7 @@ void draw_shades(const Panel& panel, Script& script) {
 void draw_lines(const Panel& panel, std::span<const Recording> recordings, Script& script) {
   draw_shades(panel, script);
   draw_curves(panel, recordings, script);
+  draw_references(panel, recordings, script);
   draw_band(panel, recordings, script);
   if (panel.equal) return script.plane(0.04);
   // The axis of time begins and ends with the record; the other one leaves the curves some room.
@@ -67,7 +82,11 @@ void draw_loop(const Panel& panel, std::span<const Recording> recordings, Script
 }  // namespace
 
 PlotKind lines_plot() {
-  return {"lines",   "one or several curves over x, as over time", {across, up, low, high, by}, {shade}, true,
+  return {"lines",
+          "one or several curves over x, as over time",
+          {across, up, low, high, by, reference},
+          {shade},
+          true,
           draw_lines};
 }
 

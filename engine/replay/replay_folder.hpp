@@ -14,6 +14,9 @@ void write_replay(const std::string& folder, const Plan& plan);
 
 /// Name of the flattened diagram in such a folder.
 inline constexpr const char* flattened_name = "diagram.yaml";
+/// For reading it: it is as large as all of its parts together, beyond what a person writes.
+inline constexpr DocumentLimits wide_limits{
+    .bytes = std::size_t{512} << 20, .depth = 64, .nodes = 64'000'000};
 /// That of one run of a sweep, counted from 0: "diagrams/0001.yaml", ...
 std::string flattened_name_of(std::size_t run);
 

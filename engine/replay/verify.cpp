@@ -14,9 +14,6 @@ namespace stepwire {
 
 namespace {
 
-/// Beyond what a person writes: a flattened diagram is as large as all of its parts together.
-constexpr DocumentLimits wide_limits{.bytes = std::size_t{512} << 20, .depth = 64, .nodes = 64'000'000};
-
 /// What run.json says of a run.
 struct RunNote {
   std::vector<std::string> swept;  ///< parameters of a sweep, in the order of their columns; empty for none

@@ -4,24 +4,13 @@
 #include <mutex>
 #include <thread>
 
-#include "engine/record/recorder.hpp"
 #include "engine/run/memory.hpp"
+#include "engine/run/pooling.hpp"
 #include "engine/run/run.hpp"
 
 namespace stepwire {
 
 namespace {
-
-/// Which value each axis takes at a point: the last axis runs fastest.
-std::vector<std::size_t> indices(const Sweep& sweep, std::size_t point) {
-  std::vector<std::size_t> result(sweep.axes.size(), point);
-  if (sweep.together) return result;
-  for (std::size_t axis = sweep.axes.size(); axis-- > 0;) {
-    result[axis] = point % sweep.axes[axis].values.size();
-    point /= sweep.axes[axis].values.size();
-  }
-  return result;
-}
 
 std::size_t point_count(const Sweep& sweep) {
   if (sweep.axes.empty()) return 0;
@@ -31,70 +20,9 @@ std::size_t point_count(const Sweep& sweep) {
   return count;
 }
 
-/// The swept parameter as it stands in a point's diagram, if it is one.
-const DiagramParameter* swept_parameter(const Diagram& diagram, const std::string& name) {
-  const auto found = std::find_if(diagram.parameters.begin(), diagram.parameters.end(),
-                                  [&](const DiagramParameter& parameter) { return parameter.name == name; });
-  return found == diagram.parameters.end() ? nullptr : &*found;
-}
-
-/// A swept value as a number: of a parameter as it was evaluated, of a block's key as it was written.
-std::optional<Quantity> swept_number(const Sweep::Axis& axis, std::size_t index, const Diagram& diagram) {
-  const DiagramParameter* parameter = swept_parameter(diagram, axis.parameter);
-  if (!parameter) return parse_quantity(axis.values[index]);
-  const double* number = std::get_if<double>(&parameter->value.content);
-  return number ? std::optional(Quantity{*number, parameter->dimension}) : std::nullopt;
-}
-
 /// " (in the run with speed=3)".
 std::string which_run(const SweepPoint& point) {
-  std::string text;
-  for (const Setting& setting : point.settings)
-    text += fmt::format("{}{}={}", text.empty() ? "" : ", ", setting.name, setting.value);
-  return fmt::format(" (in the run with {})", text);
-}
-
-/// Which axes have numbers only; where one value is a word, all values of the axis are.
-std::vector<bool> numeric_axes(const Job& job, const Sweep& sweep) {
-  std::vector<bool> numeric(sweep.axes.size(), true);
-  for (std::size_t point = 0; point < job.points.size(); ++point) {
-    const auto index = indices(sweep, point);
-    for (std::size_t axis = 0; axis < sweep.axes.size(); ++axis)
-      if (!swept_number(sweep.axes[axis], index[axis], job.points[point].plan.diagram)) numeric[axis] = false;
-  }
-  return numeric;
-}
-
-Column swept_column(const Sweep::Axis& axis, std::size_t index, const Diagram& diagram, bool numeric) {
-  const auto number = numeric ? swept_number(axis, index, diagram) : std::nullopt;
-  Column column{axis.parameter, "", {number ? number->value : static_cast<double>(index)}};
-  if (number && number->dimension) column.unit = si_name(*number->dimension);
-  return column;
-}
-
-/// Adds the swept parameters of one point to its recording, behind the time.
-void add_swept(Recording& recording, const Sweep& sweep, const SweepPoint& point,
-               const std::vector<std::size_t>& index, const std::vector<bool>& numeric) {
-  for (std::size_t axis = 0; axis < sweep.axes.size(); ++axis) {
-    Column column = swept_column(sweep.axes[axis], index[axis], point.plan.diagram, numeric[axis]);
-    column.values.assign(recording.table.rows(), column.values.front());
-    recording.table.columns.insert(recording.table.columns.begin() + 1 + static_cast<std::ptrdiff_t>(axis),
-                                   std::move(column));
-    if (!numeric[axis]) recording.words.push_back({sweep.axes[axis].parameter, sweep.axes[axis].values});
-  }
-}
-
-void append(Recording& all, Recording&& one) {
-  if (all.table.columns.empty()) {
-    all = std::move(one);
-    all.starts = {0};
-    return;
-  }
-  all.starts.push_back(all.table.rows());
-  for (std::size_t i = 0; i < all.table.columns.size(); ++i) {
-    auto& values = all.table.columns[i].values;
-    values.insert(values.end(), one.table.columns[i].values.begin(), one.table.columns[i].values.end());
-  }
+  return fmt::format(" (in the run with {})", settings_text(point.settings));
 }
 
 /// Hands out the points to threads one by one; a result stands at its point's place, whoever made it.
@@ -154,15 +82,14 @@ class Pool {
 };
 
 RunResult pool(const Job& job, std::vector<RunResult> results) {
-  const Sweep& sweep = *job.plan.diagram.sweep;
-  const std::vector<bool> numeric = numeric_axes(job, sweep);
+  const SweptColumns swept(job);
   RunResult all;
   all.recordings.resize(job.plan.diagram.records.size());
   for (std::size_t point = 0; point < results.size(); ++point) {
     RunResult& one = results[point];
     for (std::size_t r = 0; r < one.recordings.size(); ++r) {
-      add_swept(one.recordings[r], sweep, job.points[point], indices(sweep, point), numeric);
-      append(all.recordings[r], std::move(one.recordings[r]));
+      swept.add(one.recordings[r], point);
+      append_runs(all.recordings[r], std::move(one.recordings[r]));
     }
     for (RunFault& fault : one.faults) {
       fault.fault.message += which_run(job.points[point]);
@@ -194,7 +121,7 @@ void pin(Sweep& sweep, const std::vector<Setting>& settings) {
 
 std::vector<Setting> settings_of(const Sweep& sweep, std::size_t point, const std::string& file) {
   std::vector<Setting> settings;
-  const auto index = indices(sweep, point);
+  const auto index = indices_of(sweep, point);
   for (std::size_t axis = 0; axis < sweep.axes.size(); ++axis) {
     const Sweep::Axis& swept = sweep.axes[axis];
     settings.push_back({swept.parameter, swept.values[index[axis]], file, swept.marks[index[axis]]});
@@ -237,15 +164,7 @@ Job make_job(Loader& loader, const std::string& path, const std::vector<Setting>
 }
 
 std::vector<Column> swept_columns(const Job& job, std::size_t point) {
-  std::vector<Column> columns;
-  if (job.points.empty()) return columns;
-  const Sweep& sweep = *job.plan.diagram.sweep;
-  const std::vector<bool> numeric = numeric_axes(job, sweep);
-  const std::vector<std::size_t> index = indices(sweep, point);
-  for (std::size_t axis = 0; axis < sweep.axes.size(); ++axis)
-    columns.push_back(
-        swept_column(sweep.axes[axis], index[axis], job.points[point].plan.diagram, numeric[axis]));
-  return columns;
+  return SweptColumns(job).of(point);
 }
 
 RunResult run_job(const Job& job, const RunOptions& options) {

@@ -46,9 +46,10 @@ void remark(const TrialRun& run, const StudyRequest& request, Experiment& experi
 }
 
 /// Takes the runs that were done; false where the user interrupted.
-bool take(std::vector<TrialRun> runs, const StudyRequest& request, Experiment& experiment) {
+bool take(std::vector<TrialRun> runs, const StudyRequest& request, Experiments& experiments) {
   for (TrialRun& run : runs) {
     if (run.result.interrupted) return false;
+    Experiment& experiment = experiments[run.study];
     remark(run, request, experiment);
     experiment.ticks += run.result.ticks;
     experiment.compiled_ticks += run.result.compiled_ticks;
@@ -87,15 +88,16 @@ void score(const StudyRequest& request, const Diagram& diagram, Experiment& expe
 }
 
 /// Circles of all subjects who drew one.
-TrialRuns::Circles circles_of(const std::vector<TrialRun>& runs, const StudyRequest& request) {
+TrialRuns::Circles circles_of(const Experiments& experiments, const StudyRequest& request) {
   TrialRuns::Circles circles;
-  for (const TrialRun& run : runs) {
-    try {
-      circles[run.subject] = fit_circle(trial_of(run, request).points);
-    } catch (const StatisticsError& error) {
-      refuse(request, fmt::format("{}: {}", name_of(run, request), error.what()));
+  for (const Experiment& experiment : experiments)
+    for (const TrialRun& run : experiment.runs) {
+      try {
+        circles[{run.study, run.subject}] = fit_circle(trial_of(run, request).points);
+      } catch (const StatisticsError& error) {
+        refuse(request, fmt::format("{}: {}", name_of(run, request), error.what()));
+      }
     }
-  }
   return circles;
 }
 
@@ -104,32 +106,55 @@ std::size_t index_of(const StudyRequest& request, const std::string& condition) 
   return static_cast<std::size_t>(std::find(names.begin(), names.end(), condition) - names.begin());
 }
 
+/// The trials of all studies under some conditions, those of one subject side by side; where circles are
+/// drawn, of the subjects who have one.
+std::vector<TrialRun> trials_under(const std::vector<std::size_t>& conditions, const StudyRequest& request,
+                                   std::size_t studies, const TrialRuns::Circles* circles = nullptr) {
+  std::vector<TrialRun> trials;
+  for (std::size_t study = 0; study < studies; ++study)
+    for (const std::size_t subject : request.subjects)
+      for (const std::size_t condition : conditions)
+        if (!circles || circles->contains({study, subject}))
+          trials.push_back({.study = study, .subject = subject, .condition = condition});
+  return trials;
+}
+
+/// Runs all trials; false where the user interrupted.
+bool run_trials(TrialRuns& runs, const StudyRequest& request, std::uint64_t seed,
+                const std::function<void()>& told, Experiments& experiments) {
+  std::vector<std::size_t> conditions;
+  for (std::size_t i = 0; i < request.conditions.size(); ++i) conditions.push_back(i);
+  const auto run = [&](const std::vector<TrialRun>& trials, const TrialRuns::Circles& circles) {
+    return take(runs.run(seed, trials, circles, told), request, experiments);
+  };
+  if (!request.circle) return run(trials_under(conditions, request, experiments.size()), {});
+  const std::size_t first = index_of(request, request.circle->of);
+  if (!run(trials_under({first}, request, experiments.size()), {})) return false;
+  const TrialRuns::Circles circles = circles_of(experiments, request);
+  std::erase(conditions, first);
+  return run(trials_under(conditions, request, experiments.size(), &circles), circles);
+}
+
 }  // namespace
 
-Experiment perform(TrialRuns& runs, const StudyRequest& request, const Diagram& diagram, std::uint64_t seed,
-                   const std::function<void()>& told) {
-  Experiment experiment;
-  experiment.seed = seed;
-  experiment.interrupted = true;
-  std::vector<std::size_t> conditions, subjects = request.subjects;
-  for (std::size_t i = 0; i < request.conditions.size(); ++i) conditions.push_back(i);
-  TrialRuns::Circles circles;
-  if (request.circle) {
-    const std::size_t first = index_of(request, request.circle->of);
-    if (!take(runs.run(seed, subjects, {first}, {}, told), request, experiment)) return experiment;
-    circles = circles_of(experiment.runs, request);
-    std::erase(conditions, first);
-    std::erase_if(subjects, [&](std::size_t subject) { return !circles.contains(subject); });
+Experiments perform(TrialRuns& runs, const StudyRequest& request, const Job& job, std::uint64_t seed,
+                    const std::function<void()>& told) {
+  Experiments experiments(study_count(job));
+  if (!run_trials(runs, request, seed, told, experiments)) return {};
+  for (std::size_t study = 0; study < experiments.size(); ++study) {
+    Experiment& experiment = experiments[study];
+    experiment.seed = seed;
+    if (!job.points.empty()) experiment.sets = job.points[study].settings;
+    std::ranges::stable_sort(experiment.runs, {},
+                             [](const TrialRun& run) { return std::pair(run.subject, run.condition); });
+    for (const TrialRun& run : experiment.runs) experiment.trials.push_back(trial_of(run, request));
+    if (experiment.trials.empty()) {
+      refuse(request,
+             fmt::format("no trial was done within the time that 'stop' leaves{}", with_swept(job, study)));
+    }
+    score(request, diagram_of(job, study), experiment);
   }
-  if (!take(runs.run(seed, subjects, conditions, circles, told), request, experiment)) return experiment;
-  std::stable_sort(experiment.runs.begin(), experiment.runs.end(), [](const TrialRun& a, const TrialRun& b) {
-    return std::pair(a.subject, a.condition) < std::pair(b.subject, b.condition);
-  });
-  for (const TrialRun& run : experiment.runs) experiment.trials.push_back(trial_of(run, request));
-  if (experiment.trials.empty()) refuse(request, "no trial was done within the time that 'stop' leaves");
-  experiment.interrupted = false;
-  score(request, diagram, experiment);
-  return experiment;
+  return experiments;
 }
 
 Experiment score_recorded(const StudyRequest& request, const Diagram& diagram) {

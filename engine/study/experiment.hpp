@@ -13,6 +13,7 @@ namespace stepwire {
 /// One human-subject experiment: all trials of all subjects, simulated or recorded, and what they say.
 struct Experiment {
   std::uint64_t seed = 0;
+  std::vector<Setting> sets;   ///< values of the point of the file's sweep; empty without one
   std::vector<TrialRun> runs;  ///< of the trials, in their order; empty where they were recorded
   std::vector<Trial> trials;   ///< by subject, conditions in the order of the request
   PathErrors errors;           ///< one row for each trial, in their order
@@ -20,14 +21,16 @@ struct Experiment {
   std::string not_analysed;          ///< why there is none
   std::vector<std::string> remarks;  ///< trials that were repeated, left out, or took too long
   std::int64_t ticks = 0, compiled_ticks = 0;
-  bool interrupted = false;  ///< then nothing of it is of use
 };
 
-/// Performs it: the condition to which a circle is fitted first, where there is one, then the others. A trial
-/// that is not done in any attempt is left out, and with a first one all trials of that subject. Throws
-/// Error.
-Experiment perform(TrialRuns& runs, const StudyRequest& request, const Diagram& diagram, std::uint64_t seed,
-                   const std::function<void()>& told = {});
+/// One for each point of a file's sweep, with the same people and noises; one without a sweep.
+using Experiments = std::vector<Experiment>;
+
+/// Performs those that a job asks for: the condition to which a circle is fitted first, where there is one,
+/// then the others. A trial that is not done in any attempt is left out, and with a first one all trials of
+/// that subject. None where the user interrupted. Throws Error.
+Experiments perform(TrialRuns& runs, const StudyRequest& request, const Job& job, std::uint64_t seed,
+                    const std::function<void()>& told = {});
 
 /// Scores trials that were recorded. Throws Error.
 Experiment score_recorded(const StudyRequest& request, const Diagram& diagram);

@@ -195,6 +195,14 @@ Recording error_recording(const PathErrors& errors) {
                              numbers(errors, "length", "m", &PathError::length),
                              numbers(errors, "duration", "s", &PathError::duration)};
   recording.words = {{"subject", subject.levels}, {"condition", condition.levels}};
+  if (errors.circles.empty()) return recording;
+  for (const char* name : circle_columns) recording.table.columns.push_back({name, "m", {}});
+  for (const PathError& row : errors.rows) {
+    const Circle& circle = errors.circles.at(row.subject);
+    const std::array values{circle.centre.x(), circle.centre.y(), circle.radius};
+    for (std::size_t i = 0; i < values.size(); ++i)
+      recording.table.columns[recording.table.columns.size() - values.size() + i].values.push_back(values[i]);
+  }
   return recording;
 }
 

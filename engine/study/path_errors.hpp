@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -68,7 +69,11 @@ PathErrors return_errors(const std::vector<Trial>& trials, const WayBack& way_ba
 /// duration [s], points. `words` takes the names of subjects and conditions.
 Table error_table(const PathErrors& errors, ColumnWords& words);
 
-/// The same in SI as figures and claims read it: one row for each trial, `time` counting the trials.
+/// Of task 1: the circle that a trial is held against.
+inline constexpr std::array circle_columns{"circle.x", "circle.y", "circle.radius"};
+
+/// The same in SI as figures and claims read it: one row for each trial, `time` counting the trials; in task
+/// 1 with the circle.
 Recording error_recording(const PathErrors& errors);
 
 /// What feedback a condition gives.

@@ -66,14 +66,21 @@ std::string verdict(const Agreement& agreement) {
 
 }  // namespace
 
+std::vector<Agreement> judge_orders(const std::vector<std::vector<std::string>>& order,
+                                    const std::vector<NamedValue>& ours) {
+  std::vector<Agreement> agreements;
+  for (const auto& names : order)
+    if (const auto listed = present(names, ours); listed.size() > 1)
+      agreements.push_back(judge_order(listed));
+  return agreements;
+}
+
 SideBySide compare_errors(const PublishedValues& published, const std::vector<NamedValue>& ours,
                           const std::vector<std::vector<std::string>>& order) {
   SideBySide both{"Errors: the thesis (" + published.source + ") and ours", "normalised error", {}, {}};
   for (const NamedValue& value : published.values)
     both.values.push_back({value.name, value.value, value_of(ours, value.name)});
-  for (const auto& names : order)
-    if (const auto listed = present(names, ours); listed.size() > 1)
-      both.agreements.push_back(judge_order(listed));
+  both.agreements = judge_orders(order, ours);
   judge_ratios(both);
   return both;
 }

@@ -29,8 +29,12 @@ struct SideBySide {
   std::vector<Agreement> agreements;
 };
 
-/// Errors of conditions: the order that the text states of them (each list, as far as we have its
-/// conditions), and whether every ratio to the largest published one agrees within a factor of two.
+/// The orders that the text states of the conditions' errors: each list, as far as we have its conditions.
+std::vector<Agreement> judge_orders(const std::vector<std::vector<std::string>>& order,
+                                    const std::vector<NamedValue>& ours);
+
+/// Errors of conditions: the orders that the text states of them, and whether every ratio to the largest
+/// published one agrees within a factor of two.
 SideBySide compare_errors(const PublishedValues& published, const std::vector<NamedValue>& ours,
                           const std::vector<std::vector<std::string>>& order);
 

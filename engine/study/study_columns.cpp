@@ -7,6 +7,8 @@
 #include <limits>
 
 #include "engine/record/recorder.hpp"
+#include "engine/run/pooling.hpp"
+#include "engine/study/published.hpp"
 
 namespace stepwire {
 
@@ -65,19 +67,6 @@ std::size_t place_in(const std::vector<std::string>& all, const std::string& nam
   return static_cast<std::size_t>(std::find(all.begin(), all.end(), name) - all.begin());
 }
 
-void append(Recording& all, Recording one) {
-  if (all.table.columns.empty()) {
-    all = std::move(one);
-    all.starts = {0};
-    return;
-  }
-  all.starts.push_back(all.table.rows());
-  for (std::size_t i = 0; i < all.table.columns.size(); ++i) {
-    const auto& values = one.table.columns[i].values;
-    all.table.columns[i].values.insert(all.table.columns[i].values.end(), values.begin(), values.end());
-  }
-}
-
 /// Words of the request's own order, in place of those in the order of the rows.
 void number_words(const StudyRequest& request, const Experiment& experiment, Recording& recording) {
   const std::vector<std::string> subjects = request.subject_names(), conditions = request.condition_names();
@@ -102,17 +91,51 @@ Recording pooled(const Experiment& experiment, const StudyRequest& request, cons
     const std::size_t rows = one.table.rows();
     fill({"subject", "", {}}, rows, static_cast<double>(place_in(subjects, trial.subject)), one, 1);
     fill({"condition", "", {}}, rows, static_cast<double>(place_in(conditions, trial.condition)), one, 2);
-    append(all, std::move(one));
+    append_runs(all, std::move(one));
   }
   all.words = {{"subject", subjects}, {"condition", conditions}};
   return all;
 }
 
+/// The errors, with the words of the request; each trial is a run of one row, whose mean is no mean over
+/// time.
+Recording errors_of(const Experiment& experiment, const StudyRequest& request) {
+  Recording recording = error_recording(experiment.errors);
+  number_words(request, experiment, recording);
+  recording.starts.clear();
+  for (std::size_t row = 0; row < experiment.errors.rows.size(); ++row) recording.starts.push_back(row);
+  return recording;
+}
+
+/// Means over the trials of each condition, by names such as "deviation.HV".
+std::vector<NamedValue> mean_deviations(const Experiment& experiment, const StudyRequest& request) {
+  std::vector<NamedValue> values;
+  for (const std::string& condition : request.condition_names()) {
+    double sum = 0.0, count = 0.0;
+    for (const PathError& row : experiment.errors.rows)
+      if (row.condition == condition) sum += row.deviation, ++count;
+    values.push_back({"deviation." + condition, count > 0.0 ? sum / count : nan()});
+  }
+  return values;
+}
+
+std::vector<NamedValue> published_means(const StudyRequest& request) {
+  std::vector<NamedValue> values;
+  for (const std::string& condition : request.condition_names())
+    values.push_back({"thesis." + condition, value_of(published_task(request.task).means.values, condition)});
+  return values;
+}
+
 Recording outcome_recording(const Experiment& experiment, const StudyRequest& request) {
   Recording recording;
   recording.table.columns.push_back({"time", "s", {0.0}});
-  for (const NamedValue& value : outcome(experiment, request))
-    recording.table.columns.push_back({value.name, "", {value.value}});
+  const auto add = [&](const std::vector<NamedValue>& values, const std::string& unit) {
+    for (const NamedValue& value : values)
+      recording.table.columns.push_back({value.name, unit, {value.value}});
+  };
+  add(outcome(experiment, request), "");
+  add(mean_deviations(experiment, request), experiment.errors.deviation_unit);
+  add(published_means(request), "");
   return recording;
 }
 
@@ -151,7 +174,12 @@ void add_study_names(const StudyRequest& request, Names& names) {
   add("deviation", circle ? "m" : "rad", records);
   add("length", "m", records);
   add("duration", "s", records);
+  if (circle)
+    for (const char* column : circle_columns) add(column, "m", records);
   for (const std::string& column : outcome_columns(request)) add(column, "1", records + 1);
+  for (const std::string& condition : request.condition_names())
+    add("deviation." + condition, circle ? "m" : "rad", records + 1);
+  for (const std::string& condition : request.condition_names()) add("thesis." + condition, "1", records + 1);
 }
 
 std::vector<NamedValue> outcome(const Experiment& experiment, const StudyRequest& request) {
@@ -170,17 +198,21 @@ std::vector<NamedValue> outcome(const Experiment& experiment, const StudyRequest
   return values;
 }
 
-std::vector<Recording> study_recordings(const Experiment& experiment, const StudyRequest& request,
-                                        const Plan& plan) {
-  std::vector<Recording> recordings;
-  for (std::size_t r = 0; r < plan.diagram.records.size(); ++r)
-    recordings.push_back(pooled(experiment, request, plan, r));
-  recordings.push_back(error_recording(experiment.errors));
-  number_words(request, experiment, recordings.back());
-  recordings.back().starts.clear();  // each trial is a run of one row, whose mean is no mean over time
-  for (std::size_t row = 0; row < experiment.errors.rows.size(); ++row)
-    recordings.back().starts.push_back(row);
-  recordings.push_back(outcome_recording(experiment, request));
+std::vector<Recording> study_recordings(const Experiments& experiments, const StudyRequest& request,
+                                        const Job& job) {
+  const std::size_t records = job.plan.diagram.records.size();
+  const SweptColumns swept(job);
+  std::vector<Recording> recordings(records + 2);
+  for (std::size_t study = 0; study < experiments.size(); ++study) {
+    const Experiment& experiment = experiments[study];
+    const auto add = [&](std::size_t r, Recording one) {
+      swept.add(one, study);
+      append_runs(recordings[r], std::move(one));
+    };
+    for (std::size_t r = 0; r < records; ++r) add(r, pooled(experiment, request, job.plan, r));
+    add(records, errors_of(experiment, request));
+    add(records + 1, outcome_recording(experiment, request));
+  }
   return recordings;
 }
 

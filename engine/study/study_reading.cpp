@@ -281,6 +281,7 @@ StudyRequest read_study(const Node& node, const Names& names, const Diagram& dia
                         const StudyWords& words, Faults& faults) {
   const std::size_t before = faults.size();
   StudyRequest request = Reader(node, names, diagram, loader, faults).read(words);
+  check_sweep(request, diagram, faults);
   if (!request.trials.empty() && faults.size() == before) read_recorded(request, faults);
   return request;
 }

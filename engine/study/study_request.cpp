@@ -33,6 +33,26 @@ void read_recorded(StudyRequest& request, Faults& faults) {
                    [&](const Trial& a, const Trial& b) { return key(a) < key(b); });
 }
 
+void check_sweep(const StudyRequest& request, const Diagram& diagram, Faults& faults) {
+  if (!diagram.sweep || diagram.sweep->axes.empty()) return;
+  if (!request.trials.empty())
+    faults.add({request.place,
+                "study",
+                fmt::format("the trials of {} were recorded as they are, and 'sweep' would change nothing; "
+                            "analyse them with a file without it",
+                            request.trials),
+                {}});
+  std::vector<std::string> own{request.subject_parameter, request.seed_parameter};
+  for (const StudyCondition& condition : request.conditions)
+    for (const Setting& setting : condition.settings) own.push_back(setting.name);
+  for (const Sweep::Axis& axis : diagram.sweep->axes)
+    if (std::find(own.begin(), own.end(), axis.parameter) != own.end())
+      faults.add({diagram.place(axis.origin),
+                  "sweep." + axis.parameter,
+                  "the study sets this for each trial; a study is swept over what all of its trials share",
+                  {}});
+}
+
 std::vector<std::string> StudyRequest::subject_names() const {
   std::vector<std::string> result;
   for (const Trial& trial : recorded)

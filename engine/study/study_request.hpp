@@ -66,6 +66,9 @@ struct StudyWords {
 StudyRequest read_study(const Node& node, const Names& names, const Diagram& diagram, Loader& loader,
                         const StudyWords& words, Faults& faults);
 
+/// What the study sets for each trial cannot be swept as well, and recorded trials have no swept values.
+void check_sweep(const StudyRequest& request, const Diagram& diagram, Faults& faults);
+
 /// Reads the file of recorded trials: those of the request's task, sorted. Trials of conditions that the
 /// study does not have go to `faults`. Throws TableError and SurroundingsError.
 void read_recorded(StudyRequest& request, Faults& faults);

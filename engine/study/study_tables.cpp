@@ -64,7 +64,8 @@ TextTable table_of(const std::string& name, const Experiment& experiment, const 
 
 }  // namespace
 
-std::vector<NamedTable> empty_study_tables() {
+std::vector<NamedTable> empty_study_tables(bool swept) {
+  if (swept) return {{"means"}, {"significance"}};
   std::vector<NamedTable> tables;
   for (const char* name :
        {"errors", "subjects", "anova", "anova_with_subject", "repeated_measures", "means", "significance"})

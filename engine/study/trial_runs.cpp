@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/run/parallel.hpp"
+#include "engine/run/pooling.hpp"
 
 namespace stepwire {
 
@@ -13,7 +14,29 @@ namespace {
 constexpr std::uint64_t most = 1'000'000'000;
 enum Purpose : std::uint64_t { person = 1, noise = 2 };
 
+const DiagramParameter& parameter_of(const Diagram& diagram, const std::string& name) {
+  return *std::ranges::find(diagram.parameters, name, &DiagramParameter::name);
+}
+
+/// A number in SI as a setting of a parameter.
+std::string text_of(const DiagramParameter& parameter, double value) {
+  const bool has_unit = parameter.dimension && *parameter.dimension != Dimension{};
+  return fmt::format("{}{}", value, has_unit ? " " + si_name(*parameter.dimension) : "");
+}
+
 }  // namespace
+
+std::size_t study_count(const Job& job) {
+  return std::max<std::size_t>(1, job.points.size());
+}
+
+const Diagram& diagram_of(const Job& job, std::size_t study) {
+  return job.points.empty() ? job.plan.diagram : job.points[study].plan.diagram;
+}
+
+std::string with_swept(const Job& job, std::size_t study) {
+  return job.points.empty() ? "" : " with " + settings_text(job.points[study].settings);
+}
 
 std::string name_of(const TrialRun& trial, const StudyRequest& request) {
   return fmt::format("subject {}, condition {}", trial.subject,
@@ -50,56 +73,57 @@ class TrialRuns::SharedCode : public CodeSource {
   const std::vector<Plan>& probes_;
 };
 
-TrialRuns::TrialRuns(TrialSource source, const StudyRequest& request, const Diagram& diagram)
-    : source_(std::move(source)), request_(request), diagram_(diagram) {
+TrialRuns::TrialRuns(TrialSource source, const StudyRequest& request, const Job& job)
+    : source_(std::move(source)), request_(request), job_(job) {
   if (source_.code) make_probes();
 }
 
-/// Other people, noises and circles under each condition, twice.
+/// Other people, noises and circles under each condition of each study, of the first one twice.
 void TrialRuns::make_probes() {
-  const auto number = [&](const std::string& name) {
-    for (const DiagramParameter& parameter : diagram_.parameters)
-      if (parameter.name == name) return std::get<double>(parameter.value.content);
-    return 0.0;
-  };
-  for (std::size_t i = 0; i < 2 * request_.conditions.size(); ++i) {
-    TrialRun probe{.subject = i + 1, .condition = i / 2};
-    Circles circles;
-    const double aside = 1e-5 * static_cast<double>(i + 1);
-    if (request_.circle)
-      circles[probe.subject] = {{number(request_.circle->x) + aside, number(request_.circle->y) + aside},
-                                number(request_.circle->radius) + aside};
-    try {
-      plan(most + i, probe, circles);
-      probes_.push_back(std::move(probe.point.plan));
-    } catch (const Error&) {  // a diagram may refuse what no trial will ask of it
-    }
+  const std::size_t conditions = request_.conditions.size();
+  for (std::size_t i = 0; i < conditions * (1 + study_count(job_)); ++i) {
+    const std::size_t round = i / conditions;
+    add_probe(most + i, {.study = round == 0 ? 0 : round - 1, .subject = i + 1, .condition = i % conditions});
   }
 }
 
-std::string TrialRuns::text_of(const std::string& name, double value) const {
-  const auto& all = diagram_.parameters;
-  const auto parameter =
-      std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
-  const bool has_unit = parameter->dimension && *parameter->dimension != Dimension{};
-  return fmt::format("{}{}", value, has_unit ? " " + si_name(*parameter->dimension) : "");
+void TrialRuns::add_probe(std::uint64_t seed, TrialRun probe) {
+  Circles circles;
+  const auto number = [&](const std::string& name) {
+    return std::get<double>(parameter_of(job_.plan.diagram, name).value.content);
+  };
+  const double aside = 1e-5 * static_cast<double>(probe.subject);
+  if (request_.circle)
+    circles[{probe.study, probe.subject}] = {
+        {number(request_.circle->x) + aside, number(request_.circle->y) + aside},
+        number(request_.circle->radius) + aside};
+  try {
+    plan(seed, probe, circles);
+    probes_.push_back(std::move(probe.point.plan));
+  } catch (const Error&) {  // a diagram may refuse what no trial will ask of it
+  }
 }
 
 std::vector<Setting> TrialRuns::settings_of(std::uint64_t seed, const TrialRun& trial,
                                             const Circles& circles) const {
   const StudyCondition& condition = request_.conditions[trial.condition];
-  std::vector<Setting> settings = condition.settings;
+  std::vector<Setting> settings;
+  if (!job_.points.empty()) settings = job_.points[trial.study].settings;
+  settings.insert(settings.end(), condition.settings.begin(), condition.settings.end());
   const auto set = [&](const std::string& parameter, const std::string& value) {
     settings.push_back({parameter, value, request_.place.file, request_.place.mark});
   };
   set(request_.subject_parameter, std::to_string(drawn_number({person, seed, trial.subject})));
   set(request_.seed_parameter,
       std::to_string(drawn_number({noise, seed, trial.subject, trial.condition, trial.attempts})));
-  const auto circle = circles.find(trial.subject);
+  const auto circle = circles.find({trial.study, trial.subject});
   if (!request_.circle || circle == circles.end()) return settings;
-  set(request_.circle->x, text_of(request_.circle->x, circle->second.centre.x()));
-  set(request_.circle->y, text_of(request_.circle->y, circle->second.centre.y()));
-  set(request_.circle->radius, text_of(request_.circle->radius, circle->second.radius));
+  const auto set_length = [&](const std::string& name, double value) {
+    set(name, text_of(parameter_of(job_.plan.diagram, name), value));
+  };
+  set_length(request_.circle->x, circle->second.centre.x());
+  set_length(request_.circle->y, circle->second.centre.y());
+  set_length(request_.circle->radius, circle->second.radius);
   return settings;
 }
 
@@ -112,7 +136,8 @@ void TrialRuns::plan(std::uint64_t seed, TrialRun& trial, const Circles& circles
   } catch (const Error& error) {
     std::vector<Fault> faults = error.faults();
     for (Fault& fault : faults)
-      fault.message += fmt::format(" (in the trial of {})", name_of(trial, request_));
+      fault.message +=
+          fmt::format(" (in the trial of {}{})", name_of(trial, request_), with_swept(job_, trial.study));
     throw Error(std::move(faults));
   }
 }
@@ -151,13 +176,8 @@ void TrialRuns::run_all(std::vector<TrialRun*>& trials, const std::function<void
   });
 }
 
-std::vector<TrialRun> TrialRuns::run(std::uint64_t seed, const std::vector<std::size_t>& subjects,
-                                     const std::vector<std::size_t>& conditions, const Circles& circles,
+std::vector<TrialRun> TrialRuns::run(std::uint64_t seed, std::vector<TrialRun> trials, const Circles& circles,
                                      const std::function<void()>& told) {
-  std::vector<TrialRun> trials;
-  for (const std::size_t subject : subjects)
-    for (const std::size_t condition : conditions)
-      trials.push_back({.subject = subject, .condition = condition});
   std::vector<TrialRun*> open;
   for (TrialRun& trial : trials) open.push_back(&trial);
   for (std::size_t attempt = 1; !open.empty() && attempt <= request_.attempts; ++attempt) {

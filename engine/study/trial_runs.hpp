@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/run/run.hpp"
@@ -24,6 +25,7 @@ struct TrialSource {
 
 /// One trial of an experiment as it was run.
 struct TrialRun {
+  std::size_t study = 0;      ///< which point of the file's sweep; 0 without one
   std::size_t subject = 0;    ///< number of the person
   std::size_t condition = 0;  ///< index of the request's
   std::size_t attempts = 1;
@@ -38,6 +40,13 @@ struct TrialRun {
 /// "subject 3, condition HV".
 std::string name_of(const TrialRun& trial, const StudyRequest& request);
 
+/// The studies that a file asks for: one for each point of its sweep, or the one without.
+std::size_t study_count(const Job& job);
+/// The diagram of one of them, with the values of its point.
+const Diagram& diagram_of(const Job& job, std::size_t study);
+/// What sets it apart: " with half_width=1 mm, offset=5 N"; empty where there is no sweep.
+std::string with_swept(const Job& job, std::size_t study);
+
 /// Whole numbers below 1e9 that follow from others, each as if drawn: who the subject is, the noise of a
 /// trial, the order of the conditions.
 std::uint64_t drawn_number(std::initializer_list<std::uint64_t> from);
@@ -45,32 +54,31 @@ std::uint64_t drawn_number(std::initializer_list<std::uint64_t> from);
 /// Runs trials of a file in parallel. One compilation serves them all: they differ in numbers only.
 class TrialRuns {
  public:
-  /// The circles that the first trials of task 1 give, by subject.
-  using Circles = std::map<std::size_t, Circle>;
+  /// The circles that the first trials of task 1 give, by study and subject.
+  using Circles = std::map<std::pair<std::size_t, std::size_t>, Circle>;
 
-  TrialRuns(TrialSource source, const StudyRequest& request, const Diagram& diagram);
+  /// `job` has the points of the sweep; it and the request must outlive the runs.
+  TrialRuns(TrialSource source, const StudyRequest& request, const Job& job);
 
-  /// One trial of each of these subjects under each of these conditions, those of one subject side by side.
-  /// What is not done within the file's `stop`, or breaks off, is run again with another noise. `told` is
-  /// called for each run that has ended, from any thread. The same bits at any number of threads. Throws
-  /// Error where the diagram refuses what is set.
-  std::vector<TrialRun> run(std::uint64_t seed, const std::vector<std::size_t>& subjects,
-                            const std::vector<std::size_t>& conditions, const Circles& circles,
+  /// Runs trials of which study, subject and condition are given. What is not done within the file's `stop`,
+  /// or breaks off, is run again with another noise. `told` is called for each run that has ended, from any
+  /// thread. The same bits at any number of threads. Throws Error where the diagram refuses what is set.
+  std::vector<TrialRun> run(std::uint64_t seed, std::vector<TrialRun> trials, const Circles& circles,
                             const std::function<void()>& told = {});
 
  private:
   class SharedCode;
 
   std::vector<Setting> settings_of(std::uint64_t seed, const TrialRun& trial, const Circles& circles) const;
-  std::string text_of(const std::string& parameter, double value) const;
   void plan(std::uint64_t seed, TrialRun& trial, const Circles& circles);
   void run_all(std::vector<TrialRun*>& trials, const std::function<void()>& told);
   void note_end(const Simulation& run, TrialRun& trial) const;
   void make_probes();
+  void add_probe(std::uint64_t seed, TrialRun probe);
 
   TrialSource source_;
   const StudyRequest& request_;
-  const Diagram& diagram_;
+  const Job& job_;
   std::vector<Plan> probes_;  ///< in which all differs that differs between trials
 };
 

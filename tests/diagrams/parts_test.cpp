@@ -72,6 +72,33 @@ record: [damper.least_gain, damper.current, damper.work, damper.dissipated, damp
   CHECK(last("work") == Approx(last("dissipated") + last("stored") - last("switching_work")).epsilon(1e-7));
 }
 
+TEST_CASE(
+    "The off-state of a damper is a share of the friction that it has without current, with any current") {
+  const Table table = run_text(R"(
+step: 0.1 ms
+stop: 2 s
+solver: rk4
+blocks:
+  rate:    {block: Constant, value: 10 mm/s}
+  turning: {block: Constant, value: 1 rad/s}
+  current: {block: Step, time: 1 s, after: 0.2 A}
+  once:    {diagram: ../diagrams/parts/lagged-damper.yaml, rate: rate, current: current}
+  thrice:  {diagram: ../diagrams/parts/lagged-damper.yaml, rate: rate, current: current, off_state: 3}
+  slow:    {diagram: ../diagrams/parts/lagged-rotary-damper.yaml, rate: turning, current: current}
+  tight:   {diagram: ../diagrams/parts/lagged-rotary-damper.yaml, rate: turning, current: current, off_state: 3}
+record: [once.resistance, thrice.resistance, slow.resistance, tight.resistance]
+)");
+  // alpha(0) A/(beta + gamma), equations 4 to 6 and 8 to 10 of the thesis
+  const double force = 0.29 * 36.2095 / (10.6140 - 7.0773);
+  const double torque = 5.23 * 2.7789 / (5.1269 + 1.5960) * 4.4482216152605 * 0.0254;
+  for (const std::size_t row : {9999u, 19999u}) {
+    CHECK(column(table, "thrice.resistance")[row] - column(table, "once.resistance")[row] ==
+          Approx(2.0 * force).epsilon(1e-6));
+    CHECK(column(table, "tight.resistance")[row] - column(table, "slow.resistance")[row] ==
+          Approx(2.0 * torque).epsilon(1e-6));
+  }
+}
+
 TEST_CASE("A damper that is taken out neither moves nor resists") {
   const Table table = run_text(R"(
 step: 1 ms

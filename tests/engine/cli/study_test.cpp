@@ -1,29 +1,10 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
-#include "tests/engine/cli/program.hpp"
+#include "tests/engine/cli/small_study.hpp"
 
 using Catch::Contains;
 using Catch::StartsWith;
-
-namespace {
-
-std::string small_study() {
-  return content_of(std::string(STEPWIRE_SOURCE_DIR) + "/diagrams/examples/88-small-study.yaml");
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, from.size(), to);
-}
-
-nlohmann::json json_file(const Scratch& folder, const std::string& name) {
-  return nlohmann::json::parse(content_of(folder.path(name)));
-}
-
-}  // namespace
 
 TEST_CASE("a study gives the same bits at any number of threads, compiled or not") {
   const Scratch folder;

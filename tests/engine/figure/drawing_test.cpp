@@ -50,6 +50,7 @@ bool is_well_formed(const std::string& svg) {
 }
 
 const std::vector<std::string> every_kind{
+    "{plot: lines, x: time, y: [rig.x in mm, rig.v*1 s in mm], reference: [1 mm, rig.x in mm]}",
     "{plot: lines, x: time, y: [rig.x in mm, {signal: 2*rig.x in mm, label: twice}]}",
     "{plot: lines, x: time, y: rig.x in mm, by: current}",
     "{plot: lines, x: current, y: push.force, rows: final, log: [x, y]}",
@@ -161,4 +162,28 @@ TEST_CASE("a missing gnuplot is a fault of the surroundings that names the packa
   CHECK_THROWS_AS(run_gnuplot(""), SurroundingsError);
   CHECK_THROWS_WITH(run_gnuplot(""), "gnuplot is not installed; on Debian it is the package gnuplot-nox");
   ::setenv("PATH", path.c_str(), 1);
+}
+
+TEST_CASE("a boundary takes what is recorded from the first row that is selected") {
+  if (gnuplot_is_missing()) return;
+  const std::string plot =
+      "{plot: path, x: time, y: rig.x, color: rig.v, where: current > 0.15 A, boundary: ";
+  CHECK(drawn(plot + "x - 0.1*current/0.2 A}") == drawn(plot + "x - 0.1}"));
+  CHECK(drawn(plot + "x - 0.1*current/0.3 A}") != drawn(plot + "x - 0.1}"));
+}
+
+TEST_CASE("a note tells a value of the first row that is selected, in its unit") {
+  if (gnuplot_is_missing()) return;
+  const std::string svg = drawn(
+      "{plot: lines, x: time, y: rig.x, where: current > 0.15 A, note: {signal: current in mA, label: at}}");
+  CHECK(svg.find("at 200 mA") != std::string::npos);
+}
+
+TEST_CASE("a reference is dashed, and has the unit of its axis") {
+  if (gnuplot_is_missing()) return;
+  const std::string plot = "{plot: lines, x: time, y: rig.x in mm";
+  CHECK(drawn(plot + ", reference: 1 mm}").find("stroke-dasharray") != std::string::npos);
+  CHECK(drawn(plot + "}").find("stroke-dasharray") == std::string::npos);
+  CHECK(figures_of(plot + ", reference: push.force}").faults.find("one axis has one unit") !=
+        std::string::npos);
 }

@@ -72,7 +72,8 @@ TEST_CASE("what a figure asks wrongly is told with its place") {
   CHECK(faults_of("{plot: lines, x: time, y: rig.x, x_range: [5 N, 6 s]}") ==
         "d.yaml:1:44: figure.x_range: 5 N is in N, but 'time' is in s\n");
   CHECK(faults_of("{plot: map, x: time, y: time, color: time, boundary: z}") ==
-        "d.yaml:1:54: figure.boundary: 'z' is no coordinate of the plane; there are: x, y\n");
+        "d.yaml:1:54: figure.boundary: 'z' is no coordinate of the plane, nor recorded; there are: x, y, "
+        "time, current, rig.x, rig.v, push.force, slow\n");
   CHECK_THAT(faults_of("{plot: lines, x: time, y: rig.x, colour: 3}"),
              Catch::StartsWith(
                  "d.yaml:1:34: figure: a plot 'lines' has no 'colour'; it has: plot, x, y, low, high, by, "));
