@@ -55,8 +55,7 @@ void perform_missing(const Registry& registry, const Work& work, const WorkOptio
   in_parallel(workers, workers, [&](std::size_t) {
     Loader loader(registry, options.limits);
     GeneratedCode code;
-    TrialSource source =
-        trial_source(loader, work, options, compiles(work, call, seeds.size()) ? &code : nullptr);
+    TrialSource source = trial_source(loader, work, options, engine_of(work, call, seeds.size()), code);
     source.threads = 1;
     TrialRuns runs(std::move(source), request, work.job);
     for (std::size_t i = next++; i < seeds.size() && !interrupted(); i = next++) {

@@ -24,7 +24,7 @@ Experiments make_experiments(const Registry& registry, const Work& work, const W
   const std::size_t studies = study_count(work.job);
   Loader loader(registry, options.limits);
   GeneratedCode code;
-  TrialSource source = trial_source(loader, work, options, compiles(work, call, studies) ? &code : nullptr);
+  TrialSource source = trial_source(loader, work, options, engine_of(work, call, studies), code);
   source.threads = call.threads;
   TrialRuns runs(std::move(source), request, work.job);
   if (!call.visible) return perform(runs, request, work.job, request.seed);
@@ -49,20 +49,24 @@ Sweep axes_of(const Work& work) {
 
 }  // namespace
 
-bool compiles(const Work& work, const StudyCall& call, std::size_t experiments) {
-  if (call.engine != Engine::automatic) return call.engine == Engine::compiled;
-  // What an interpreted block takes per tick, the part of `stop` that a trial lasts, and what may pass [s].
-  constexpr double per_block = 2e-8, part = 0.25, patience = 20.0;
+Engine engine_of(const Work& work, const StudyCall& call, std::size_t experiments) {
+  if (call.engine != Engine::automatic) return call.engine;
+  // What an interpreted block takes per tick, and the part of `stop` that a trial lasts.
+  constexpr double per_block = 2e-8, part = 0.25;
+  // [s]: from when a compilation is worth a core of its own, and from when it is worth waiting for.
+  constexpr double beside = 4.0, ahead = 20.0;
   const Plan& plan = work.job.plan;
   const auto trials =
       static_cast<double>(work.study->subjects.size() * work.study->conditions.size() * experiments);
   const double ticks = static_cast<double>(plan.steps) * part * trials;
   const double cores = std::max(1u, std::thread::hardware_concurrency());
-  return per_block * static_cast<double>(plan.diagram.blocks.size()) * ticks / cores > patience;
+  const double seconds = per_block * static_cast<double>(plan.diagram.blocks.size()) * ticks / cores;
+  return seconds > ahead ? Engine::compiled : seconds > beside ? Engine::automatic : Engine::interpreted;
 }
 
-TrialSource trial_source(Loader& loader, const Work& work, const WorkOptions& options, CodeSource* code) {
-  TrialSource source{loader, work.file, options.settings, code, 0, &interrupted()};
+TrialSource trial_source(Loader& loader, const Work& work, const WorkOptions& options, Engine engine,
+                         CodeSource& code) {
+  TrialSource source{loader, work.file, options.settings, engine, &code, 0, &interrupted()};
   if (options.stop) source.settings.push_back({"stop", *options.stop, "--stop " + *options.stop});
   return source;
 }

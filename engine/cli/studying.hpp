@@ -57,12 +57,13 @@ Json study_json(const Work& work, const Experiments& experiments);
 /// people are.
 std::string study_key(const Work& work, bool with_seed = true);
 
-/// Are the trials of so many experiments compiled: as the call says, or where they take so long that a
-/// compilation ahead of them is worth its time?
-bool compiles(const Work& work, const StudyCall& call, std::size_t experiments);
+/// How the trials of so many experiments are computed: as the call says, else by how long they would take
+/// interpreted. The longest wait for a compilation, shorter ones have it beside them, others have none.
+Engine engine_of(const Work& work, const StudyCall& call, std::size_t experiments);
 
-/// The runs of a work as trials.
-TrialSource trial_source(Loader& loader, const Work& work, const WorkOptions& options, CodeSource* code);
+/// The runs of a work as trials; `code` is for what is compiled.
+TrialSource trial_source(Loader& loader, const Work& work, const WorkOptions& options, Engine engine,
+                         CodeSource& code);
 
 /// Performs experiments with `count` seeds from the file's one on, as far as the folder does not have them
 /// yet in experiments.csv; draws their distribution in experiments.svg. What is done is kept when it is

@@ -54,40 +54,25 @@ std::uint64_t drawn_number(std::initializer_list<std::uint64_t> from) {
   return hash % most;
 }
 
-/// Compiles what it is asked for together with the probes, so that the text is the same each time.
-class TrialRuns::SharedCode : public CodeSource {
- public:
-  SharedCode(CodeSource& source, const std::vector<Plan>& probes) : source_(source), probes_(probes) {}
-
-  std::vector<CompiledPlan> compile(const std::vector<const Plan*>& plans,
-                                    const std::stop_token& stop) override {
-    std::vector<const Plan*> all = plans;
-    for (const Plan& probe : probes_) all.push_back(&probe);
-    std::vector<CompiledPlan> code = source_.compile(all, stop);
-    if (code.size() == all.size()) code.resize(plans.size());
-    return code;
-  }
-
- private:
-  CodeSource& source_;
-  const std::vector<Plan>& probes_;
-};
-
 TrialRuns::TrialRuns(TrialSource source, const StudyRequest& request, const Job& job)
     : source_(std::move(source)), request_(request), job_(job) {
-  if (source_.code) make_probes();
+  if (source_.engine != Engine::interpreted)
+    code_ = std::make_unique<TrialCode>(*source_.code, probes(), source_.engine == Engine::automatic);
 }
 
 /// Other people, noises and circles under each condition of each study, of the first one twice.
-void TrialRuns::make_probes() {
+std::vector<Plan> TrialRuns::probes() {
+  std::vector<Plan> probes;
   const std::size_t conditions = request_.conditions.size();
   for (std::size_t i = 0; i < conditions * (1 + study_count(job_)); ++i) {
     const std::size_t round = i / conditions;
-    add_probe(most + i, {.study = round == 0 ? 0 : round - 1, .subject = i + 1, .condition = i % conditions});
+    add_probe(most + i, {.study = round == 0 ? 0 : round - 1, .subject = i + 1, .condition = i % conditions},
+              probes);
   }
+  return probes;
 }
 
-void TrialRuns::add_probe(std::uint64_t seed, TrialRun probe) {
+void TrialRuns::add_probe(std::uint64_t seed, TrialRun probe, std::vector<Plan>& probes) {
   Circles circles;
   const auto number = [&](const std::string& name) {
     return std::get<double>(parameter_of(job_.plan.diagram, name).value.content);
@@ -99,7 +84,7 @@ void TrialRuns::add_probe(std::uint64_t seed, TrialRun probe) {
         number(request_.circle->radius) + aside};
   try {
     plan(seed, probe, circles);
-    probes_.push_back(std::move(probe.point.plan));
+    probes.push_back(std::move(probe.point.plan));
   } catch (const Error&) {  // a diagram may refuse what no trial will ask of it
   }
 }
@@ -155,9 +140,7 @@ void TrialRuns::note_end(const Simulation& run, TrialRun& trial) const {
 void TrialRuns::run_all(std::vector<TrialRun*>& trials, const std::function<void()>& told) {
   std::vector<const Plan*> plans;
   for (const TrialRun* trial : trials) plans.push_back(&trial->point.plan);
-  std::optional<SharedCode> code;
-  if (source_.code) code.emplace(*source_.code, probes_);
-  Changeover changeover(code ? Engine::compiled : Engine::interpreted, code ? &*code : nullptr, plans);
+  Changeover changeover(source_.engine, code_.get(), plans);
   in_parallel(trials.size(), source_.threads, [&](std::size_t i) {
     TrialRun& trial = *trials[i];
     RunOptions options;

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "engine/run/run.hpp"
 #include "engine/statistics/circle.hpp"
 #include "engine/study/study_request.hpp"
+#include "engine/study/trial_code.hpp"
 
 namespace stepwire {
 
@@ -17,9 +19,10 @@ namespace stepwire {
 struct TrialSource {
   Loader& loader;
   std::string file;
-  std::vector<Setting> settings;                 ///< of the call
-  CodeSource* code = nullptr;                    ///< null: interpreted
-  unsigned threads = 0;                          ///< 0: all cores
+  std::vector<Setting> settings;        ///< of the call
+  Engine engine = Engine::interpreted;  ///< automatic: what is compiled beside the first runs serves the rest
+  CodeSource* code = nullptr;           ///< of what is not interpreted
+  unsigned threads = 0;                 ///< 0: all cores
   const std::atomic<bool>* interrupt = nullptr;  ///< once true, nothing more is begun
 };
 
@@ -67,19 +70,17 @@ class TrialRuns {
                             const std::function<void()>& told = {});
 
  private:
-  class SharedCode;
-
   std::vector<Setting> settings_of(std::uint64_t seed, const TrialRun& trial, const Circles& circles) const;
   void plan(std::uint64_t seed, TrialRun& trial, const Circles& circles);
   void run_all(std::vector<TrialRun*>& trials, const std::function<void()>& told);
   void note_end(const Simulation& run, TrialRun& trial) const;
-  void make_probes();
-  void add_probe(std::uint64_t seed, TrialRun probe);
+  std::vector<Plan> probes();
+  void add_probe(std::uint64_t seed, TrialRun probe, std::vector<Plan>& probes);
 
   TrialSource source_;
   const StudyRequest& request_;
   const Job& job_;
-  std::vector<Plan> probes_;  ///< in which all differs that differs between trials
+  std::unique_ptr<TrialCode> code_;  ///< null: interpreted
 };
 
 }  // namespace stepwire
