@@ -80,7 +80,7 @@ stop: 2 s
 solver: rk4
 blocks:
   rate:    {block: Constant, value: 10 mm/s}
-  turning: {block: Constant, value: 1 rad/s}
+  turning: {block: Constant, value: 10 rad/s}
   current: {block: Step, time: 1 s, after: 0.2 A}
   once:    {diagram: ../diagrams/parts/lagged-damper.yaml, rate: rate, current: current}
   thrice:  {diagram: ../diagrams/parts/lagged-damper.yaml, rate: rate, current: current, off_state: 3}
