@@ -139,7 +139,9 @@ class Maker {
     write_replay(folder, work.job);
     RunOptions options;
     options.interrupt = &interrupted();
-    options.threads = 1;  // the figures themselves are made in parallel
+    // The figures themselves are made in parallel, until no more of them wait than there are cores.
+    const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
+    options.threads = next_ + cores < files_.size() ? 1 : 0;
     return carry_out(work, options);
   }
 
