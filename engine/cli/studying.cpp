@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <thread>
 
 #include "engine/cli/interrupt.hpp"
@@ -26,13 +27,14 @@ Experiments make_experiments(const Registry& registry, const Work& work, const W
   GeneratedCode code;
   TrialSource source = trial_source(loader, work, options, engine_of(work, call, studies), code);
   source.threads = call.threads;
-  TrialRuns runs(std::move(source), request, work.job);
-  if (!call.visible) return perform(runs, request, work.job, request.seed);
+  std::optional<TrialRuns> runs(std::in_place, std::move(source), request, work.job);
+  if (!call.visible) return perform(*runs, request, work.job, request.seed);
   Progress progress("study " + std::filesystem::path(work.file).filename().string());
   std::atomic<std::size_t> done = 0;
   const auto all = static_cast<double>(studies * request.subjects.size() * request.conditions.size());
-  Experiments experiments = perform(runs, request, work.job, request.seed,
+  Experiments experiments = perform(*runs, request, work.job, request.seed,
                                     [&] { progress.show(static_cast<double>(++done) / all); });
+  runs.reset();  // so that nothing is compiled any more, which may have a problem to tell
   const std::string problem = code.take_problem();
   if (!problem.empty()) fmt::print(stderr, "interpreted, since {}\n", problem);
   return experiments;
