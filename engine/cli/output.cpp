@@ -69,11 +69,12 @@ void write_scene(const std::string& folder, const Work& work, const Outcome& out
 
 Json claims_json(const Work& work, const Outcome& outcome) {
   Json list = Json::list();
-  const auto& figure = work.job.plan.diagram.thesis_figure;
+  const auto& figure = work.job.plan.diagram.thesis.figure;
   for (const Verdict& verdict : outcome.verdicts) {
     Json claim = Json::object();
     claim.set("file", work.file).set("figure", figure ? Json(*figure) : Json()).set("that", verdict.that);
     claim.set("check", verdict.check).set("value", verdict.value).set("holds", verdict.holds);
+    if (verdict.kind == Claim::Kind::invariant) claim.set("invariant", true);
     if (!verdict.disagrees.empty()) claim.set("disagrees", verdict.disagrees);
     if (!verdict.note.empty()) claim.set("note", verdict.note);
     list.push(std::move(claim));

@@ -12,6 +12,20 @@
 
 namespace stepwire {
 
+namespace {
+
+std::string verdict_line(const Verdict& verdict) {
+  return fmt::format(
+      "  {} {}: {} ({}){}{}\n",
+      verdict.holds     ? "ok  "
+      : verdict.fails() ? "FAIL"
+                        : "note",
+      verdict.that, verdict.shown, verdict.check, verdict.note.empty() ? "" : "; " + verdict.note,
+      verdict.disagrees.empty() ? "" : fmt::format("; {}: {}", verdict.word(), verdict.disagrees));
+}
+
+}  // namespace
+
 std::string outcome_text(const Work& work, const Outcome& outcome) {
   const Diagram& diagram = work.job.plan.diagram;
   const std::size_t runs = std::max<std::size_t>(1, work.job.points.size());
@@ -19,14 +33,15 @@ std::string outcome_text(const Work& work, const Outcome& outcome) {
       fmt::format("{}\n  {}: {} blocks, {}{} ticks, {:.3g} s\n",
                   diagram.title.empty() ? work.file : diagram.title, work.file, diagram.blocks.size(),
                   runs > 1 ? fmt::format("{} runs, ", runs) : "", outcome.result.ticks, outcome.seconds);
-  for (const Verdict& verdict : outcome.verdicts)
-    text += fmt::format(
-        "  {} {}: {} ({}){}{}\n",
-        verdict.holds     ? "ok  "
-        : verdict.fails() ? "FAIL"
-                          : "note",
-        verdict.that, verdict.shown, verdict.check, verdict.note.empty() ? "" : "; " + verdict.note,
-        verdict.disagrees.empty() ? "" : fmt::format("; {}: {}", verdict.word(), verdict.disagrees));
+  std::size_t held = 0;
+  for (const Verdict& verdict : outcome.verdicts) {
+    if (verdict.kind == Claim::Kind::invariant && verdict.holds)
+      ++held;
+    else
+      text += verdict_line(verdict);
+  }
+  if (held > 0)
+    text += fmt::format("  ok   held throughout: {} {}\n", held, held == 1 ? "invariant" : "invariants");
   for (const RaisedNotice& notice : outcome.result.notices)
     text += fmt::format("  note {}: {} (first at {:.6g} s)\n", notice.block, notice.text, notice.time);
   return text;

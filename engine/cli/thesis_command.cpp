@@ -44,9 +44,9 @@ std::vector<fs::path> figure_files(const ThesisCommand& command) {
 
 std::string label_of(const Diagram& diagram) {
   std::string label;
-  if (diagram.thesis_figure) label = fmt::format("Figure {}", *diagram.thesis_figure);
-  if (diagram.thesis_table)
-    label += fmt::format("{}Table {}", label.empty() ? "" : " and ", *diagram.thesis_table);
+  if (diagram.thesis.figure) label = fmt::format("Figure {}", *diagram.thesis.figure);
+  if (diagram.thesis.table)
+    label += fmt::format("{}Table {}", label.empty() ? "" : " and ", *diagram.thesis.table);
   return label;
 }
 
@@ -66,9 +66,9 @@ std::pair<int, int> place_of(const GalleryEntry& entry) {
 void describe(const Work& work, GalleryEntry& entry) {
   const Diagram& diagram = work.job.plan.diagram;
   entry.label = label_of(diagram);
-  entry.figure = diagram.thesis_figure;
-  entry.table = diagram.thesis_table;
-  entry.section = diagram.thesis_section;
+  entry.figure = diagram.thesis.figure;
+  entry.table = diagram.thesis.table;
+  entry.section = diagram.thesis.section;
   entry.title = diagram.title;
   entry.caption = diagram.caption;
   for (const DiagramParameter& parameter : diagram.parameters)

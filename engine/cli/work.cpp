@@ -10,6 +10,7 @@
 
 #include "engine/diagram/flatten.hpp"
 #include "engine/draw/draw.hpp"
+#include "engine/figure/drawn.hpp"
 #include "engine/figure/scene_states.hpp"
 #include "engine/record/recorder.hpp"
 #include "engine/study/study_columns.hpp"
@@ -83,6 +84,7 @@ void add_study(Loader& loader, const WorkOptions& options, Work& work, Names& na
 
 Verdict not_judged(const Claim& claim, const std::string& why) {
   Verdict verdict;
+  verdict.kind = claim.kind;
   verdict.that = claim.that;
   verdict.check = claim.check;
   verdict.value = std::numeric_limits<double>::quiet_NaN();
@@ -100,6 +102,17 @@ std::shared_ptr<const Scene> read_scene_of(const Diagram& diagram, Names& names,
   if (faults.size() == before)
     std::ranges::copy(scene_state_names(*scene), std::back_inserter(names.columns));
   return scene;
+}
+
+/// Claims and invariants may name what the figures draw.
+void read_all_claims(const Diagram& diagram, Work& work, Names& names, Faults& faults) {
+  names.drawn = drawn_quantities(work.figures);
+  const auto read = [&](const Node& section, Claim::Kind kind) {
+    if (section.kind == Node::Kind::empty) return;
+    std::ranges::move(read_claims(section, kind, names, faults), std::back_inserter(work.claims));
+  };
+  read(diagram.claims, Claim::Kind::statement);
+  read(diagram.invariants, Claim::Kind::invariant);
 }
 
 }  // namespace
@@ -128,7 +141,7 @@ Work prepare(Loader& loader, const std::string& file, const WorkOptions& options
   if (work.study)
     for (Figure& figure : work.figures)
       if (!figure.title.empty()) figure.title += fmt::format(" ({})", whose_trials(*work.study));
-  if (diagram.claims.kind != Node::Kind::empty) work.claims = read_claims(diagram.claims, names, faults);
+  read_all_claims(diagram, work, names, faults);
   if (diagram.fit.kind != Node::Kind::empty) work.fit = read_fit(diagram.fit, names, diagram, faults);
   faults.throw_if_any();
   work.hash = diagram_hash(diagram);

@@ -37,7 +37,10 @@ Json solver_schema() {
 Json thesis_schema() {
   Json keys = Json::object().set("figure", explained(typed("integer"), "number of the figure"));
   keys.set("table", explained(typed("integer"), "number of the table"))
-      .set("section", text("section in which it stands"));
+      .set("section", text("section in which it stands"))
+      .set("caption", text("caption of the figure, as the thesis prints it"))
+      .set("says", text("what its text says of the figure, word for word"))
+      .set("departures", explained(list_of(schema_ref("text")), "what is done otherwise here, a sentence each"));
   return explained(closed_map(std::move(keys)), "what of the thesis this file shows");
 }
 
@@ -104,6 +107,9 @@ void add_run_keys(Json& keys) {
   keys.set("figure", explained(one_or_list_of(schema_ref("figure")), "pictures of what was recorded"));
   keys.set("scene", scene_schema());
   keys.set("claims", explained(list_of(schema_ref("claim")), "statements that the run is held to"));
+  keys.set("invariants",
+           explained(list_of(schema_ref("claim")),
+                     "limits, energy and safety: what holds throughout any run; counted apart from claims"));
   keys.set("fit", fit_schema());
   keys.set("study", study_schema());
 }

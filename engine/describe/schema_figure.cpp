@@ -49,6 +49,7 @@ Json common_schema(const std::string& key) {
   if (key == "legend" || key == "boundary" || key == "region") return one_or_list_of(schema_ref("text"));
   if (key == "size") return pair_of(typed("integer"));
   if (key == "marks") return marks_schema();
+  if (key == "own") return typed("boolean");
   if (key == "note") return schema_ref("series");
   if (key == "columns") return typed("integer").set("minimum", 1).set("maximum", 6);
   if (key == "panels") return list_of(schema_ref("panel")).set("minItems", 1);
@@ -67,6 +68,7 @@ Json plot_schema(const PlotKind& kind, bool alone) {
   std::vector<std::string> required{"plot"};
   if (kind.read) {  // a picture for itself
     for (const char* key : {"title", "caption"}) properties.set(key, schema_ref("text"));
+    properties.set("own", typed("boolean"));
   } else {
     add_keys(properties, panel_keys(), [&](const std::string& key) { return kind.takes(key); });
     if (alone) add_keys(properties, picture_keys(), [](const std::string& key) { return key != "panels"; });

@@ -147,6 +147,15 @@ struct StopCondition {
   Origin origin;
 };
 
+/// What of the thesis a diagram shows.
+struct ThesisReference {
+  std::optional<int> figure, table;
+  std::string section;
+  std::string caption;                  ///< of the figure, as the thesis prints it
+  std::string says;                     ///< what its text says of the figure, word for word
+  std::vector<std::string> departures;  ///< what is done otherwise here, a sentence each
+};
+
 /// A checked diagram: names resolved, parts opened, parameters in their blocks.
 struct Diagram {
   std::string file, title, caption;
@@ -155,8 +164,7 @@ struct Diagram {
   Origin step_origin, stop_origin;
   std::string solver;  ///< empty if the file names none
   Origin solver_origin;
-  std::optional<int> thesis_figure, thesis_table;
-  std::string thesis_section;
+  ThesisReference thesis;
 
   std::vector<ScopeInfo> scopes;
   std::vector<DiagramBlock> blocks;
@@ -170,7 +178,7 @@ struct Diagram {
   std::vector<std::vector<std::optional<Dimension>>> state_dimensions;  ///< [block][state], where known
   std::optional<Sweep> sweep;
   std::optional<StopCondition> stop_when;
-  Node figure, claims;  ///< as written, read by the figure room; empty where absent
+  Node figure, claims, invariants;  ///< as written, read by the figure room; empty where absent
   Node scene;           ///< as written, read by the figure room; empty where absent
   Node fit;             ///< as written, read by the identify room; empty where absent
 

@@ -11,10 +11,10 @@ namespace stepwire {
 
 namespace {
 
-const std::vector<std::string> head_keys = {"stepwire", "title",  "caption",    "thesis", "step",
-                                            "stop",     "solver", "parameters", "inputs", "outputs",
-                                            "units",    "blocks", "stop_when",  "record", "sweep",
-                                            "figure",   "scene",  "claims",     "fit",    "study"};
+const std::vector<std::string> head_keys = {
+    "stepwire",   "title",  "caption", "thesis", "step",       "stop",      "solver",
+    "parameters", "inputs", "outputs", "units",  "blocks",     "stop_when", "record",
+    "sweep",      "figure", "scene",   "claims", "invariants", "fit",       "study"};
 
 constexpr double most_steps = 9e15;  // whole numbers beyond are not exact in a double
 
@@ -65,12 +65,27 @@ void read_version(const Scope& scope, Report& report) {
                fmt::format("format '{}' is not known; this program reads format 1", version->text));
 }
 
+std::vector<std::string> read_departures(const Node& thesis, const Scope& scope, Report& report) {
+  std::vector<std::string> departures;
+  const Node* node = thesis.find("departures");
+  if (!node) return departures;
+  if (!node->is_list()) {
+    report.add(scope.at(node->mark), "thesis.departures",
+               "is a list of sentences: [the limit is 0.35 A, not 1 A]");
+    return departures;
+  }
+  for (const Node& item : node->items)
+    departures.push_back(read_text(item, "thesis.departures", scope, report));
+  return departures;
+}
+
 void read_thesis(const Scope& scope, Report& report) {
   const Node* thesis = scope.document->root.find("thesis");
   if (!thesis) return;
   if (!thesis->is_map())
     return report.add(scope.at(thesis->mark), "thesis", "must be a map such as {figure: 15, section: 2.5.1}");
-  refuse_unknown_keys(*thesis, {"figure", "table", "section"}, "thesis", scope, report);
+  refuse_unknown_keys(*thesis, {"figure", "table", "section", "caption", "says", "departures"}, "thesis",
+                      scope, report);
   const auto number = [&](const char* key) -> std::optional<int> {
     const Node* node = thesis->find(key);
     if (!node) return std::nullopt;
@@ -82,11 +97,12 @@ void read_thesis(const Scope& scope, Report& report) {
                fmt::format("'{}' is not a whole number", node->text));
     return std::nullopt;
   };
-  Diagram& diagram = report.diagram();
-  diagram.thesis_figure = number("figure");
-  diagram.thesis_table = number("table");
-  if (const Node* section = thesis->find("section"))
-    diagram.thesis_section = read_text(*section, "thesis.section", scope, report);
+  const auto text = [&](const char* key) {
+    const Node* node = thesis->find(key);
+    return node ? read_text(*node, fmt::format("thesis.{}", key), scope, report) : "";
+  };
+  report.diagram().thesis = {number("figure"), number("table"), text("section"),
+                             text("caption"),  text("says"),    read_departures(*thesis, scope, report)};
 }
 
 constexpr std::size_t most_runs = 100'000;  // of a sweep; each is planned before the first one starts
@@ -220,6 +236,7 @@ void read_head_of_file(const Scope& scope, Report& report) {
   if (const Node* figure = scope.document->root.find("figure")) diagram.figure = *figure;
   if (const Node* scene = scope.document->root.find("scene")) diagram.scene = *scene;
   if (const Node* claims = scope.document->root.find("claims")) diagram.claims = *claims;
+  if (const Node* invariants = scope.document->root.find("invariants")) diagram.invariants = *invariants;
   if (const Node* fit = scope.document->root.find("fit")) diagram.fit = *fit;
 }
 

@@ -31,7 +31,7 @@ bool mentions(const Node& node, const std::string& name) {
 
 /// Figures, scenes, claims, fits and studies read parameters only after the diagram is built.
 bool is_drawn_or_claimed(const Node& root, const std::string& name) {
-  for (const char* key : {"figure", "scene", "claims", "fit", "study"})
+  for (const char* key : {"figure", "scene", "claims", "invariants", "fit", "study"})
     if (const Node* node = root.find(key); node && mentions(*node, name)) return true;
   const Node* sweep = root.find("sweep");
   return sweep && sweep->find(name);

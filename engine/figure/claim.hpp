@@ -32,6 +32,11 @@ struct Comparison {
 
 /// A statement about a run that is checked on what it recorded.
 struct Claim {
+  enum class Kind {
+    statement,  ///< what the source says of this diagram
+    invariant   ///< what must hold throughout any run of the rig: limits, energy, safety
+  };
+  Kind kind = Kind::statement;
   std::string that;
   std::string check;  ///< the condition as text: "max abs(limit) <= 0 A where rig.x > -4 mm"
   Reduction reduction = Reduction::final;
@@ -49,6 +54,7 @@ struct Claim {
 
 /// What became of a claim.
 struct Verdict {
+  Claim::Kind kind = Claim::Kind::statement;
   std::string that;
   std::string check;
   double value = 0.0;  ///< reduced, in SI (percent for fit); nan where there is none
@@ -65,8 +71,9 @@ struct Verdict {
   std::string word() const;
 };
 
-/// Reads the value under the key `claims`: a list of claims. Everything that is wrong goes to `faults`.
-std::vector<Claim> read_claims(const Node& node, const Names& names, Faults& faults);
+/// Reads the value under the key `claims` or `invariants`: a list of claims. Everything that is wrong goes to
+/// `faults`.
+std::vector<Claim> read_claims(const Node& node, Claim::Kind kind, const Names& names, Faults& faults);
 
 /// Judges a claim on what was recorded.
 Verdict judge(const Claim& claim, std::span<const Recording> recordings);

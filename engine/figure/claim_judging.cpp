@@ -103,8 +103,8 @@ std::string shown_text(const Claim& claim, double value, std::size_t runs) {
 }  // namespace
 
 Verdict judge(const Claim& claim, std::span<const Recording> recordings) {
-  Verdict verdict{claim.that,      claim.check, std::numeric_limits<double>::quiet_NaN(), "none", false,
-                  claim.disagrees, ""};
+  Verdict verdict{claim.kind, claim.that, claim.check,     std::numeric_limits<double>::quiet_NaN(),
+                  "none",     false,      claim.disagrees, ""};
   try {
     if (claim.recording >= recordings.size()) throw Unjudged("nothing was recorded");
     const Rows rows = rows_of(claim, recordings[claim.recording]);

@@ -17,26 +17,31 @@ const Keys claim_keys{"that",   "where",    "final",    "max",     "min",       
                       "within", "at_most",  "at_least", "between", "disagrees", "each_run", "offset"};
 const Keys comparison_keys{"equals", "at_most", "at_least", "between"};
 
+std::string section_of(Claim::Kind kind) {
+  return kind == Claim::Kind::invariant ? "invariants" : "claims";
+}
+
 /// Reads one claim; faults are gathered, so that what it returns after a fault is of no use.
 class Reader {
  public:
-  Reader(const Node& node, const Names& names, Faults& faults)
-      : node_(node), names_(names), faults_(faults) {}
+  Reader(const Node& node, Claim::Kind kind, const Names& names, Faults& faults)
+      : node_(node), names_(names), faults_(faults), section_(section_of(kind)), subject_(section_) {
+    claim_.kind = kind;
+  }
 
   Claim read() {
     claim_.place = {names_.file, node_.mark};
     for (const auto& entry : node_.entries) {
       if (std::find(claim_keys.begin(), claim_keys.end(), entry.key) != claim_keys.end()) continue;
-      add_unknown_key(entry, claim_keys, "a claim", names_, "claims", faults_);
+      add_unknown_key(entry, claim_keys, "a claim", names_, section_, faults_);
       has_unknown_key_ = true;
     }
     if (const Node* that = node_.find("that"))
-      claim_.that = read_text(*that, names_, "claims.that", faults_);
+      claim_.that = read_text(*that, names_, section_ + ".that", faults_);
     else
-      fault(node_.mark, "claims", "a claim says in 'that' what it states");
-    if (const Node* why = node_.find("disagrees"))
-      claim_.disagrees = read_text(*why, names_, "claims.disagrees", faults_);
-    if (const Node* where = node_.find("where")) claim_.where = formula(*where, "claims.where");
+      fault(node_.mark, section_, "a claim says in 'that' what it states");
+    read_disagreement();
+    if (const Node* where = node_.find("where")) claim_.where = formula(*where, section_ + ".where");
     read_reduction();
     read_options();
     read_comparison();
@@ -53,26 +58,35 @@ class Reader {
     return read_formula(node, names_, subject, faults_);
   }
 
+  void read_disagreement() {
+    const Node* why = node_.find("disagrees");
+    if (why == nullptr) return;
+    if (claim_.kind == Claim::Kind::invariant)
+      return fault(why->mark, section_ + ".disagrees",
+                   "an invariant always holds; what a source says stands under 'claims'");
+    claim_.disagrees = read_text(*why, names_, section_ + ".disagrees", faults_);
+  }
+
   /// The one entry of the claim whose key is in `keys`; a fault where there is none or a second.
   const Entry* only_one(const Keys& keys, const std::string& what) {
     const Entry* found = nullptr;
     for (const auto& entry : node_.entries) {
       if (std::find(keys.begin(), keys.end(), entry.key) == keys.end()) continue;
       if (found != nullptr)
-        fault(entry.mark, "claims",
+        fault(entry.mark, section_,
               fmt::format("both '{}' and '{}'; a claim has one {}", found->key, entry.key, what));
       else
         found = &entry;
     }
     if (found == nullptr && !has_unknown_key_)  // which may be what is missing, misspelt
-      fault(node_.mark, "claims", fmt::format("a claim needs one {}: {}", what, fmt::join(keys, ", ")));
+      fault(node_.mark, section_, fmt::format("a claim needs one {}: {}", what, fmt::join(keys, ", ")));
     return found;
   }
 
   void read_reduction() {
     const Entry* entry = only_one(reduction_names(), "reduction");
     if (entry == nullptr) return;
-    subject_ = "claims." + entry->key;
+    subject_ = section_ + "." + entry->key;
     claim_.reduction = reduction_named(entry->key);
     switch (claim_.reduction) {
       case Reduction::at:
@@ -93,13 +107,13 @@ class Reader {
     claim_.each_run = claim_.reduction == Reduction::final || claim_.reduction == Reduction::at;
     if (const Node* each = node_.find("each_run")) {
       if (each->text != "true" && each->text != "false")
-        fault(each->mark, "claims.each_run", fmt::format("'{}' is neither true nor false", each->text));
+        fault(each->mark, section_ + ".each_run", fmt::format("'{}' is neither true nor false", each->text));
       claim_.each_run = claim_.each_run || each->text == "true";
     }
     const Node* offset = node_.find("offset");
     if (offset == nullptr) return;
     if (offset->text != "free" || claim_.reduction != Reduction::fit)
-      fault(offset->mark, "claims.offset",
+      fault(offset->mark, section_ + ".offset",
             "is 'offset: free', beside 'fit' only: the mean difference is not counted as an error");
     claim_.free_offset = true;
   }
@@ -150,7 +164,7 @@ class Reader {
   }
 
   std::optional<double> number(const Node& node, const std::string& key) {
-    const std::string subject = "claims." + key;
+    const std::string subject = section_ + "." + key;
     auto read = read_number(node, names_, subject, faults_);
     if (!read) return std::nullopt;
     if (claim_.reduction == Reduction::fit && read->unit == "%") return 100.0 * read->value;
@@ -175,10 +189,10 @@ class Reader {
 
   void read_between(const Node& node) {
     if (!node.is_list() || node.items.size() != 2)
-      return fault(node.mark, "claims.between", "between takes two numbers: [3.1 N, 3.3 N]");
+      return fault(node.mark, section_ + ".between", "between takes two numbers: [3.1 N, 3.3 N]");
     const auto low = number(node.items[0], "between"), high = number(node.items[1], "between");
     if (low && high && *low > *high)
-      fault(node.mark, "claims.between",
+      fault(node.mark, section_ + ".between",
             fmt::format("{} is above {}; the smaller number comes first", node.items[0].text,
                         node.items[1].text));
     claim_.comparison.low = low.value_or(0.0);
@@ -192,19 +206,19 @@ class Reader {
     if (node == nullptr) return;
     Comparison& comparison = claim_.comparison;
     if (comparison.kind != Comparison::Kind::equals)
-      return fault(node->mark, "claims.within", "'within' goes with 'equals' only");
-    const auto read = read_number(*node, names_, "claims.within", faults_);
+      return fault(node->mark, section_ + ".within", "'within' goes with 'equals' only");
+    const auto read = read_number(*node, names_, section_ + ".within", faults_);
     if (!read) return;
     const bool relative = read->unit == "%";
     if (!relative)
-      check_dimension(*read, reduced_dimension(claim_), "the claim's value", *node, names_, "claims.within",
-                      faults_);
+      check_dimension(*read, reduced_dimension(claim_), "the claim's value", *node, names_,
+                      section_ + ".within", faults_);
     comparison.within = relative ? read->value * std::abs(comparison.low) : read->value;
     comparison.text += " within " + node->text;
     if (relative && comparison.low == 0.0)
-      fault(node->mark, "claims.within",
+      fault(node->mark, section_ + ".within",
             fmt::format("{} of 0 is 0; give a tolerance with the unit of the value", node->text));
-    if (comparison.within < 0.0) fault(node->mark, "claims.within", "a tolerance is not negative");
+    if (comparison.within < 0.0) fault(node->mark, section_ + ".within", "a tolerance is not negative");
   }
 
   void finish() {
@@ -219,25 +233,24 @@ class Reader {
   const Names& names_;
   Faults& faults_;
   Claim claim_;
-  std::string subject_ = "claims", time_text_;
+  std::string section_, subject_, time_text_;
   bool has_unknown_key_ = false;
 };
 
 }  // namespace
 
-std::vector<Claim> read_claims(const Node& node, const Names& names, Faults& faults) {
+std::vector<Claim> read_claims(const Node& node, Claim::Kind kind, const Names& names, Faults& faults) {
   std::vector<Claim> claims;
+  const std::string section = section_of(kind), example = "{that: ..., final: ..., equals: ...}";
   if (!node.is_list()) {
-    faults.add(
-        {{names.file, node.mark}, "claims", "claims are a list: - {that: ..., final: ..., equals: ...}", {}});
+    faults.add({{names.file, node.mark}, section, fmt::format("{} are a list: - {}", section, example), {}});
     return claims;
   }
   for (const auto& item : node.items) {
     if (item.is_map())
-      claims.push_back(Reader(item, names, faults).read());
+      claims.push_back(Reader(item, kind, names, faults).read());
     else
-      faults.add(
-          {{names.file, item.mark}, "claims", "a claim is a map: {that: ..., final: ..., equals: ...}", {}});
+      faults.add({{names.file, item.mark}, section, fmt::format("a claim is a map: {}", example), {}});
   }
   return claims;
 }

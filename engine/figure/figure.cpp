@@ -27,6 +27,13 @@ int read_count(const Node& node, int low, int high, const std::string& subject, 
   return low;
 }
 
+bool read_bool(const Node& node, const std::string& subject, const Names& names, Faults& faults) {
+  if (node.text != "true" && node.text != "false")
+    faults.add(
+        {{names.file, node.mark}, subject, fmt::format("'{}' is neither true nor false", node.text), {}});
+  return node.text == "true";
+}
+
 void read_size(const Node& node, Figure& figure, const Names& names, Faults& faults) {
   if (!node.is_list() || node.items.size() != 2) {
     faults.add(
@@ -63,6 +70,7 @@ Figure read_figure(const Node& node, const Names& names, Faults& faults) {
   if (const Node* title = node.find("title")) figure.title = read_text(*title, names, "figure.title", faults);
   if (const Node* caption = node.find("caption"))
     figure.caption = read_text(*caption, names, "figure.caption", faults);
+  if (const Node* own = node.find("own")) figure.own = read_bool(*own, "figure.own", names, faults);
   if (const Node* size = node.find("size")) read_size(*size, figure, names, faults);
   if (const Node* columns = node.find("columns"))
     figure.columns = read_count(*columns, 1, 6, "figure.columns", names, faults);

@@ -67,6 +67,7 @@ struct Panel {
 struct Figure {
   std::string title;
   std::string caption;
+  bool own = false;  ///< the source has no such picture
   std::vector<Panel> panels;
   int columns = 1;
   int width = 0, height = 0;  ///< pixels; 0: as it suits the panels

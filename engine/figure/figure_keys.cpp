@@ -33,6 +33,7 @@ const std::vector<FigureKey>& panel_keys() {
 const std::vector<FigureKey>& picture_keys() {
   static const std::vector<FigureKey> keys{{"title", "text above the picture"},
                                            {"caption", "text below the picture on the gallery page"},
+                                           {"own", "true: the source has no such picture; the gallery says so"},
                                            {"size", "width and height in pixels: [640, 420]"},
                                            {"panels", "list of panels in one picture"},
                                            {"columns", "how many panels stand side by side"}};

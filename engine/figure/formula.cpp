@@ -15,8 +15,16 @@ bool is_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// A text in which each $name and each "word" is replaced by its number, and for each character where it came
-/// from.
+/// The name that starts at a position, dots included.
+std::string name_at(std::string_view text, std::size_t position) {
+  std::size_t end = position;
+  while (end < text.size() && (is_word(text[end]) || text[end] == '.')) ++end;
+  if (end == position || std::isdigit(static_cast<unsigned char>(text[position])) != 0) return {};
+  return std::string(text.substr(position, end - position));
+}
+
+/// A text in which each $name and each "word" is replaced by its number and each name of something drawn by
+/// its expression, and for each character where it came from.
 struct Substituted {
   std::string text;
   std::vector<std::size_t> origin;
@@ -41,6 +49,8 @@ std::string unknown_parameter(const std::string& name, const Names& names) {
 std::string unknown_column(const std::string& name, const Names& names) {
   std::vector<std::string> all;
   for (const auto& column : names.columns) all.push_back(column.name);
+  if (name.starts_with("figure."))
+    for (const auto& drawn : names.drawn) all.push_back(drawn.name);
   if (!names.unknown.empty())
     return fmt::format("'{}' {}{}", name, names.unknown, nearest_or_all(name, all, "there are"));
   const bool is_vector = names.find(name + ".1") != nullptr;
@@ -93,9 +103,27 @@ std::size_t append_word(std::string_view text, std::size_t begin, const Names& n
   return end + 1;
 }
 
+Substituted substitute(std::string_view text, const Names& names);
+
+/// Replaces the name of something drawn that starts at `begin` by its expression; returns the position behind
+/// it, or `begin` where there is none.
+std::size_t append_drawn(std::string_view text, std::size_t begin, const Names& names, Substituted& result) {
+  if (names.drawn.empty() || (begin > 0 && (is_word(text[begin - 1]) || text[begin - 1] == '.')))
+    return begin;
+  const std::string name = name_at(text, begin);
+  const auto found = std::ranges::find(names.drawn, name, &NamedFormula::name);
+  if (found == names.drawn.end()) return begin;
+  result.append("(" + substitute(found->text, names).text + ")", begin);
+  return begin + name.size();
+}
+
 Substituted substitute(std::string_view text, const Names& names) {
   Substituted result;
   for (std::size_t i = 0; i < text.size();) {
+    if (const std::size_t behind = append_drawn(text, i, names, result); behind > i) {
+      i = behind;
+      continue;
+    }
     if (text[i] == '"' || text[i] == '\'') {
       i = append_word(text, i, names, result);
       continue;
@@ -115,14 +143,6 @@ Substituted substitute(std::string_view text, const Names& names) {
     i = end;
   }
   return result;
-}
-
-/// The name that starts at a position, dots included.
-std::string name_at(std::string_view text, std::size_t position) {
-  std::size_t end = position;
-  while (end < text.size() && (is_word(text[end]) || text[end] == '.')) ++end;
-  if (end == position || std::isdigit(static_cast<unsigned char>(text[position])) != 0) return {};
-  return std::string(text.substr(position, end - position));
 }
 
 /// Where a name that is in a text stands first, not as a part of another.

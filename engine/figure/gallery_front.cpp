@@ -12,13 +12,17 @@ namespace {
 
 /// How many claims there are, and how they ended.
 struct Tally {
-  std::size_t all = 0, hold = 0, known = 0, fail = 0, surprise = 0, errors = 0;
+  std::size_t all = 0, hold = 0, known = 0, fail = 0, surprise = 0, errors = 0, invariants = 0;
 
   void count(const GalleryEntry& entry) {
     errors += entry.error.empty() ? 0 : 1;
     for (const Verdict& verdict : entry.verdicts) count(verdict);
   }
   void count(const Verdict& verdict) {
+    if (verdict.kind == Claim::Kind::invariant) {
+      ++(verdict.holds ? invariants : fail);
+      return;
+    }
     ++all;
     if (verdict.surprises())
       ++surprise;
@@ -48,6 +52,7 @@ std::string short_name(const GalleryEntry& entry) {
 std::string summary(const Gallery& gallery) {
   const Tally tally = tally_of(gallery);
   std::string line = fmt::format("{} of {} claims hold", tally.hold, tally.all);
+  if (tally.invariants > 0) line += fmt::format(", {} invariants held throughout", tally.invariants);
   if (tally.known > 0) line += fmt::format(", {} known not to hold", tally.known);
   if (tally.fail > 0) line += fmt::format(", {} {} not hold", tally.fail, tally.fail == 1 ? "does" : "do");
   if (tally.surprise > 0)

@@ -45,6 +45,12 @@ struct NamedTable {
   std::shared_ptr<TextTable> table = std::make_shared<TextTable>();
 };
 
+/// A name that stands for an expression.
+struct NamedFormula {
+  std::string name;
+  std::string text;  ///< as the file has it
+};
+
 /// All that the figures and claims of one diagram file may name.
 struct Names {
   std::string file;  ///< for the places of faults
@@ -55,6 +61,7 @@ struct Names {
   const DiagramView* diagram = nullptr;  ///< the diagram itself; null where it cannot be drawn
   std::vector<NamedOutline> outlines{};
   std::vector<NamedTable> tables{};
+  std::vector<NamedFormula> drawn{};     ///< what the figures draw; claims may name it
   std::shared_ptr<const Scene> scene{};  ///< what the file shows; null where it has none
 
   const RecordedName* find(std::string_view name) const;

@@ -80,7 +80,7 @@ class PanelReader {
                 panel_.kind->name));
       return std::nullopt;
     }
-    Keys known{"plot", "title", "caption"};
+    Keys known{"plot", "title", "caption", "own"};
     for (const Option& option : panel_.kind->options) known.push_back(option.key);
     for (const auto& entry : node_.entries)
       if (std::find(known.begin(), known.end(), entry.key) == known.end())

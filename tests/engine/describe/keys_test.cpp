@@ -73,7 +73,7 @@ TEST_CASE("the schema has the keys of parameters, ports, thesis and record that 
 TEST_CASE("the schema has the keys of claims that their reader has") {
   Faults faults;
   const Document claims = parse_document("[{that: x, final: time, equals: 1, bogus_key: 1}]", "test.yaml");
-  read_claims(claims.root, {"test.yaml", {{"time", {}, {}}}}, faults);
+  read_claims(claims.root, Claim::Kind::statement, {"test.yaml", {{"time", {}, {}}}}, faults);
   REQUIRE(faults.size() == 1);
   CHECK(listed_in(faults.list().front().message, "it has: ") ==
         keys_of_map(schema().at("$defs").at("claim")));

@@ -89,7 +89,7 @@ struct ReadClaims {
 inline ReadClaims claims_of(const std::string& text) {
   const Document document = parse_document(text, "d.yaml");
   Faults faults;
-  auto claims = read_claims(document.root, sample_names(), faults);
+  auto claims = read_claims(document.root, Claim::Kind::statement, sample_names(), faults);
   return {std::move(claims), all_text(faults)};
 }
 

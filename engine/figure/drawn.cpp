@@ -1,0 +1,41 @@
+#include "engine/figure/drawn.hpp"
+
+#include <fmt/format.h>
+
+namespace stepwire {
+namespace {
+
+/// The name with a number behind it, and also without where that is 1.
+std::vector<std::string> numbered_names(const std::vector<std::string>& names, std::size_t number) {
+  std::vector<std::string> result;
+  for (const std::string& name : names) result.push_back(fmt::format("{}.{}", name, number));
+  if (number == 1) result.insert(result.end(), names.begin(), names.end());
+  return result;
+}
+
+void add_quantities(const Panel& panel, const std::vector<std::string>& places,
+                    std::vector<NamedFormula>& drawn) {
+  for (const std::string& place : places) {
+    if (panel.where) drawn.push_back({place + ".where", panel.where->text});
+    for (const auto& [key, list] : panel.series)
+      for (std::size_t i = 0; i < list.size(); ++i)
+        for (const std::string& name : numbered_names({fmt::format("{}.{}", place, key)}, i + 1))
+          drawn.push_back({name, list[i].formula.text});
+  }
+}
+
+}  // namespace
+
+std::vector<NamedFormula> drawn_quantities(const std::vector<Figure>& figures) {
+  std::vector<NamedFormula> drawn;
+  for (std::size_t picture = 0; picture < figures.size(); ++picture)
+    for (std::size_t panel = 0; panel < figures[picture].panels.size(); ++panel) {
+      // a panel's number stands only behind that of its picture
+      std::vector<std::string> places = numbered_names({fmt::format("figure.{}", picture + 1)}, panel + 1);
+      if (picture == 0 && panel == 0) places.emplace_back("figure");
+      add_quantities(figures[picture].panels[panel], places, drawn);
+    }
+  return drawn;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/figure/figure.hpp"
+#include "engine/figure/names.hpp"
+
+namespace stepwire {
+
+/// What the pictures of a file draw, under the names that its claims may use:
+/// "figure.PICTURE.PANEL.CHANNEL.NUMBER", and "where" in place of a channel and number for the condition
+/// under which a row is drawn. Each number counts from 1. The number of a channel, the panel and then also
+/// the picture may be left out where they are 1: "figure.color", "figure.2.y.3".
+std::vector<NamedFormula> drawn_quantities(const std::vector<Figure>& figures);
+
+}  // namespace stepwire

@@ -1,0 +1,295 @@
+// Changes the figures of the thesis as their files here say, and looks which claims fail by it.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "blocks/register.hpp"
+#include "engine/cli/fitting.hpp"
+#include "engine/cli/studying.hpp"
+#include "engine/cli/work.hpp"
+#include "engine/document/document.hpp"
+#include "engine/document/error.hpp"
+#include "engine/generate/generated_code.hpp"
+#include "engine/table/file.hpp"
+#include "engine/table/surroundings.hpp"
+
+using namespace stepwire;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Change {
+  std::string what;
+  std::string in;  // beside the figure's file; empty: that file itself
+  std::vector<std::pair<std::string, std::string>> replaced;
+  std::vector<Setting> settings;
+  std::vector<std::string> fails;  // first words of claims
+};
+
+struct Broken {
+  std::vector<Change> changes;
+  std::vector<std::pair<std::string, std::string>> unmoved;
+};
+
+std::vector<std::pair<std::string, std::string>> pairs_of(const Node* node) {
+  std::vector<std::pair<std::string, std::string>> pairs;
+  if (node)
+    for (const Entry& entry : node->entries) pairs.emplace_back(entry.key, entry.value.text);
+  return pairs;
+}
+
+Change read_change(const Node& node) {
+  Change change;
+  for (const Entry& entry : node.entries)
+    if (!std::set<std::string>{"change", "in", "replace", "set", "fails"}.contains(entry.key))
+      throw std::runtime_error(
+          fmt::format("line {}: '{}' is no key of a change", entry.mark.line, entry.key));
+  change.what = node.find("change") ? node.find("change")->text : "";
+  if (const Node* in = node.find("in")) change.in = in->text;
+  change.replaced = pairs_of(node.find("replace"));
+  for (const auto& [name, value] : pairs_of(node.find("set"))) change.settings.push_back({name, value});
+  if (const Node* fails = node.find("fails"))
+    for (const Node& item : fails->items) change.fails.push_back(item.text);
+  if (change.what.empty() || change.fails.empty() || (change.replaced.empty() && change.settings.empty()))
+    throw std::runtime_error(
+        fmt::format("line {}: a change has 'change', 'fails', and 'replace' or 'set'", node.mark.line));
+  return change;
+}
+
+Broken read_broken(const std::string& file) {
+  const Document document = parse_document(read_file(file), file);
+  Broken broken;
+  if (const Node* changes = document.root.find("changes"))
+    for (const Node& item : changes->items) broken.changes.push_back(read_change(item));
+  broken.unmoved = pairs_of(document.root.find("unmoved"));
+  return broken;
+}
+
+/// A copy of the diagrams in which texts may be replaced.
+class Copy {
+ public:
+  Copy() : folder_(fs::temp_directory_path() / fmt::format("stepwire-broken-{}", ::getpid())) {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    for (const char* folder : {"thesis", "parts"})
+      fs::copy(fs::path(STEPWIRE_SOURCE_DIR) / "diagrams" / folder, folder_ / folder,
+               fs::copy_options::recursive);
+  }
+  ~Copy() { fs::remove_all(folder_); }
+  Copy(const Copy&) = delete;
+  Copy& operator=(const Copy&) = delete;
+
+  std::string file(const std::string& name) const { return folder_ / "thesis" / name; }
+
+  /// Replaces texts, each of which occurs once, and returns what the file had before.
+  std::string replace(const std::string& file, const Change& change) const {
+    const std::string before = read_file(file);
+    std::string text = before;
+    for (const auto& [old, other] : change.replaced) {
+      const std::size_t at = text.find(old);
+      if (at == std::string::npos) throw std::runtime_error(fmt::format("'{}' is not in {}", old, file));
+      if (text.find(old, at + 1) != std::string::npos)
+        throw std::runtime_error(fmt::format("'{}' is in {} more than once", old, file));
+      text.replace(at, old.size(), other);
+    }
+    write_file(file, text);
+    return before;
+  }
+
+ private:
+  fs::path folder_;
+};
+
+/// Runs, fits and makes studies as the gallery does.
+class Runner {
+ public:
+  std::vector<Verdict> verdicts(const std::string& file, const std::vector<Setting>& settings) {
+    WorkOptions options;
+    options.settings = settings;
+    Work work = prepare(registry_, file, options);
+    has_study_or_fit_ = work.study || work.fit;
+    if (work.study) {
+      const auto experiments = studies_.experiments(registry_, work, options, {});
+      return carry_out_study(work, *experiments).verdicts;
+    }
+    if (work.fit) {
+      const FitResult fit =
+          fit_quietly(registry_, work, options, {}, worth_compiling(work) ? &code_ : nullptr);
+      work = prepare(registry_, file, with_fitted(options, fit));
+    }
+    parameters_ = work.job.plan.diagram.parameters;
+    swept_.clear();
+    if (work.job.plan.diagram.sweep)
+      for (const Sweep::Axis& axis : work.job.plan.diagram.sweep->axes) swept_.insert(axis.parameter);
+    RunOptions run;
+    run.engine = Engine::automatic;
+    run.code = &code_;
+    const Outcome outcome = carry_out(work, run);
+    if (!outcome.result.faults.empty()) throw Error(outcome.result.faults.front().fault);
+    return outcome.verdicts;
+  }
+
+  bool has_study_or_fit() const { return has_study_or_fit_; }
+  const std::vector<DiagramParameter>& parameters() const { return parameters_; }
+  bool sweeps(const std::string& parameter) const { return swept_.contains(parameter); }
+
+ private:
+  const Registry registry_ = all_blocks();
+  GeneratedCode code_;
+  Studies studies_;
+  bool has_study_or_fit_ = false;
+  std::vector<DiagramParameter> parameters_;
+  std::set<std::string> swept_;
+};
+
+bool is_statement(const Verdict& verdict) {
+  return verdict.kind == Claim::Kind::statement;
+}
+
+/// Twice the value of a parameter as a setting; empty where that is the same, or no number.
+std::string doubled(const DiagramParameter& parameter) {
+  const std::string& text = parameter.text;
+  if (const double* number = std::get_if<double>(&parameter.value.content))
+    return *number == 0.0 ? "" : fmt::format("= 2*({})", text.starts_with("=") ? text.substr(1) : text);
+  const bool formula =
+      text.find_first_of("+-*/(") != std::string::npos && text.find('[') == std::string::npos;
+  return formula && !parameter.text.starts_with("\"") ? fmt::format("2*({})", text) : "";
+}
+
+/// One figure with its changes; prints what is not as it should be.
+class Check {
+ public:
+  Check(Runner& runner, const std::string& file) : runner_(runner), broken_(read_broken(file)) {
+    const std::string stem = fs::path(file).stem().string() + "-";
+    for (const auto& entry : fs::directory_iterator(fs::path(STEPWIRE_SOURCE_DIR) / "diagrams" / "thesis"))
+      if (entry.path().extension() == ".yaml" && entry.path().filename().string().starts_with(stem))
+        name_ = entry.path().filename().string();
+    if (name_.empty())
+      throw std::runtime_error(fmt::format("no diagram file of the thesis begins with {}", stem));
+  }
+
+  /// The number of faults found.
+  int run() {
+    as_it_is();
+    for (const Change& change : broken_.changes) {
+      try {
+        try_change(change);
+      } catch (const std::exception& error) {
+        fault(fmt::format("{}: {}", change.what, error.what()));
+      }
+    }
+    for (const std::string& claim : unbroken_) fault(fmt::format("no change breaks the claim '{}'", claim));
+    if (!runner_.has_study_or_fit()) double_parameters();
+    fmt::print("{}: {} claims, {} changes, {} parameters doubled, {} of them without effect: {}\n", name_,
+               claims_, broken_.changes.size(), doubled_, broken_.unmoved.size(),
+               faults_ == 0 ? "ok" : fmt::format("{} faults", faults_));
+    return faults_;
+  }
+
+ private:
+  void fault(const std::string& text) {
+    ++faults_;
+    fmt::print("{}: {}\n", name_, text);
+    std::fflush(stdout);
+  }
+
+  void as_it_is() {
+    for (const Verdict& verdict : runner_.verdicts(copy_.file(name_), {})) {
+      if (verdict.fails()) fault(fmt::format("fails as it is: {} ({})", verdict.that, verdict.shown));
+      if (!is_statement(verdict)) continue;
+      ++claims_;
+      if (verdict.disagrees.empty()) unbroken_.insert(verdict.that);
+    }
+    parameters_ = runner_.parameters();
+    std::erase_if(parameters_, [&](const DiagramParameter& one) {
+      return runner_.sweeps(one.name) || one.name.find('.') != std::string::npos;  // that of a part
+    });
+  }
+
+  void try_change(const Change& change) {
+    const std::string changed =
+        change.in.empty() ? copy_.file(name_) : fs::path(copy_.file(change.in)).lexically_normal().string();
+    const std::string before = copy_.replace(changed, change);
+    std::vector<Verdict> verdicts;
+    try {
+      verdicts = runner_.verdicts(copy_.file(name_), change.settings);
+    } catch (...) {
+      write_file(changed, before);
+      throw;
+    }
+    write_file(changed, before);
+    for (const std::string& words : change.fails) expect_failure(change, words, verdicts);
+  }
+
+  void expect_failure(const Change& change, const std::string& words, const std::vector<Verdict>& verdicts) {
+    const auto named = [&](const Verdict& verdict) {
+      return is_statement(verdict) && verdict.that.starts_with(words);
+    };
+    const auto count = std::ranges::count_if(verdicts, named);
+    if (count != 1) return fault(fmt::format("{}: {} claims begin with '{}'", change.what, count, words));
+    const Verdict& verdict = *std::ranges::find_if(verdicts, named);
+    if (verdict.holds)
+      fault(fmt::format("{}: holds all the same: {}: {} ({})", change.what, verdict.that, verdict.shown,
+                        verdict.check));
+    unbroken_.erase(verdict.that);
+  }
+
+  void double_parameters() {
+    const auto parameters = parameters_;
+    for (const DiagramParameter& parameter : parameters) {
+      const std::string value = doubled(parameter);
+      if (value.empty()) continue;
+      ++doubled_;
+      const bool listed = std::ranges::any_of(broken_.unmoved, [&](const auto& one) {
+        return one.first == parameter.name && !one.second.empty();
+      });
+      const bool breaks = breaks_a_claim({parameter.name, value});
+      if (!breaks && !listed) fault(fmt::format("doubling '{}' breaks no claim", parameter.name));
+      if (breaks && listed)
+        fault(fmt::format("doubling '{}' breaks a claim; take it out of 'unmoved'", parameter.name));
+    }
+    for (const auto& [name, why] : broken_.unmoved)
+      if (std::ranges::none_of(parameters, [&](const DiagramParameter& one) { return one.name == name; }))
+        fault(fmt::format("unmoved: there is no parameter '{}' that can be doubled", name));
+  }
+
+  /// Or is the value refused, or the run ended by it?
+  bool breaks_a_claim(const Setting& setting) {
+    try {
+      return std::ranges::any_of(runner_.verdicts(copy_.file(name_), {setting}), &Verdict::fails);
+    } catch (const Error&) {
+      return true;
+    }
+  }
+
+  Runner& runner_;
+  Broken broken_;
+  std::string name_;
+  Copy copy_;
+  std::vector<DiagramParameter> parameters_;
+  std::set<std::string> unbroken_;
+  std::size_t claims_ = 0, doubled_ = 0;
+  int faults_ = 0;
+};
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  Runner runner;
+  int faults = 0;
+  for (int i = 1; i < count; ++i) {
+    try {
+      faults += Check(runner, arguments[i]).run();
+    } catch (const std::exception& error) {
+      fmt::print("{}: {}\n", arguments[i], error.what());
+      ++faults;
+    }
+  }
+  return faults == 0 ? 0 : 1;
+}
