@@ -104,9 +104,10 @@ std::shared_ptr<const Scene> read_scene_of(const Diagram& diagram, Names& names,
   return scene;
 }
 
-/// Claims and invariants may name what the figures draw.
+/// Claims and invariants may name what the figures draw and the scene shows.
 void read_all_claims(const Diagram& diagram, Work& work, Names& names, Faults& faults) {
   names.drawn = drawn_quantities(work.figures);
+  if (work.scene) std::ranges::move(shown_quantities(*work.scene), std::back_inserter(names.drawn));
   const auto read = [&](const Node& section, Claim::Kind kind) {
     if (section.kind == Node::Kind::empty) return;
     std::ranges::move(read_claims(section, kind, names, faults), std::back_inserter(work.claims));

@@ -24,6 +24,14 @@ void add_quantities(const Panel& panel, const std::vector<std::string>& places,
   }
 }
 
+void add_places(const SceneObject& object, const Scene& scene, std::vector<NamedFormula>& shown) {
+  for (std::size_t point = 0; point < object.points.size(); ++point)
+    for (const std::string& name : numbered_names({"scene." + object.name}, point + 1))
+      for (const std::size_t axis : {0u, 1u})
+        shown.push_back(
+            {name + (axis == 0 ? ".x" : ".y"), scene.formulas[object.points[point][axis]].text});
+}
+
 }  // namespace
 
 std::vector<NamedFormula> drawn_quantities(const std::vector<Figure>& figures) {
@@ -36,6 +44,16 @@ std::vector<NamedFormula> drawn_quantities(const std::vector<Figure>& figures) {
       add_quantities(figures[picture].panels[panel], places, drawn);
     }
   return drawn;
+}
+
+std::vector<NamedFormula> shown_quantities(const Scene& scene) {
+  std::vector<NamedFormula> shown;
+  for (const SceneObject& object : scene.objects) {
+    add_places(object, scene, shown);
+    if (object.radius)
+      shown.push_back({fmt::format("scene.{}.radius", object.name), scene.formulas[*object.radius].text});
+  }
+  return shown;
 }
 
 }  // namespace stepwire

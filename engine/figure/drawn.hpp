@@ -4,6 +4,7 @@
 
 #include "engine/figure/figure.hpp"
 #include "engine/figure/names.hpp"
+#include "engine/figure/scene.hpp"
 
 namespace stepwire {
 
@@ -12,5 +13,9 @@ namespace stepwire {
 /// under which a row is drawn. Each number counts from 1. The number of a channel, the panel and then also
 /// the picture may be left out where they are 1: "figure.color", "figure.2.y.3".
 std::vector<NamedFormula> drawn_quantities(const std::vector<Figure>& figures);
+
+/// Where the objects of a scene are, under the names that claims may use: "scene.ball.x", "scene.guide.2.y" of
+/// the second of several points, and "scene.circle.radius".
+std::vector<NamedFormula> shown_quantities(const Scene& scene);
 
 }  // namespace stepwire

@@ -49,7 +49,7 @@ std::string unknown_parameter(const std::string& name, const Names& names) {
 std::string unknown_column(const std::string& name, const Names& names) {
   std::vector<std::string> all;
   for (const auto& column : names.columns) all.push_back(column.name);
-  if (name.starts_with("figure."))
+  if (name.starts_with("figure.") || name.starts_with("scene."))
     for (const auto& drawn : names.drawn) all.push_back(drawn.name);
   if (!names.unknown.empty())
     return fmt::format("'{}' {}{}", name, names.unknown, nearest_or_all(name, all, "there are"));

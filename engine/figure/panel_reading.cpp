@@ -87,6 +87,9 @@ class PanelReader {
         add_unknown_key(entry, known, fmt::format("a plot '{}'", panel_.kind->name), names_, "figure",
                         faults_);
     panel_.picture = panel_.kind->read(node_, names_, faults_);
+    Faults told;  // by the plot already
+    if (const Node* where = node_.find("where"))
+      panel_.where = read_formula(*where, names_, "figure.where", told);
     return std::move(panel_);
   }
 

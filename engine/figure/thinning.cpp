@@ -83,11 +83,17 @@ void keep_shape(const Curve& curve, const std::vector<double>& widths, std::size
   }
 }
 
-/// A piece has one colour, so that it ends where the colour has become another one.
+/// A piece has one colour, so that it ends where the colour is about to become another one: a jump is a short
+/// piece of its own.
 void keep_colors(const std::vector<double>& color, double step, std::vector<bool>& kept) {
   double last = color.front();
+  const auto changes = [&](std::size_t row) { return std::abs(color[row] - last) > step; };
   for (std::size_t row = 1; row < color.size(); ++row) {
-    if (std::abs(color[row] - last) > step) kept[row] = true;
+    if (changes(row)) {
+      kept[row - 1] = true;
+      last = color[row - 1];
+    }
+    if (changes(row)) kept[row] = true;
     if (kept[row]) last = color[row];
   }
 }

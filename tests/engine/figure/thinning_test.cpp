@@ -73,6 +73,18 @@ TEST_CASE("a straight path whose colour changes is cut where the colour does") {
   CHECK(simple.columns[0][1] > 500.0);
 }
 
+TEST_CASE("a straight path whose colour jumps has its old colour up to the jump") {
+  Curve jump{{{}, {}, {}}, 0};
+  for (int i = 0; i <= 1000; ++i) {
+    jump.columns[0].push_back(i);
+    jump.columns[1].push_back(0.0);
+    jump.columns[2].push_back(i < 500 ? 3.4 : 5.2);
+  }
+  const Curve simple = simplify(jump, {1000.0, 1.0, 1.8}, 2.5e-4, true);
+  CHECK(simple.columns[0] == std::vector<double>{0.0, 499.0, 500.0, 1000.0});
+  CHECK(simple.columns[2] == std::vector<double>{3.4, 3.4, 5.2, 5.2});
+}
+
 TEST_CASE("a curve is as fine as the part of its axis that is shown needs") {
   Curve curve = sine(5000);
   curve.columns[1].back() = 1000.0;
