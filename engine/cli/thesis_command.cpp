@@ -1,10 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <filesystem>
-#include <limits>
 #include <thread>
 #include <utility>
 
@@ -15,6 +13,7 @@
 #include "engine/cli/progress.hpp"
 #include "engine/cli/report.hpp"
 #include "engine/cli/studying.hpp"
+#include "engine/cli/thesis_entry.hpp"
 #include "engine/figure/gallery.hpp"
 #include "engine/generate/generated_code.hpp"
 #include "engine/replay/replay_folder.hpp"
@@ -40,39 +39,6 @@ std::vector<fs::path> figure_files(const ThesisCommand& command) {
   if (error) throw SurroundingsError(fmt::format("{}: {}", command.diagrams, error.message()));
   std::sort(files.begin(), files.end());
   return files;
-}
-
-std::string label_of(const Diagram& diagram) {
-  std::string label;
-  if (diagram.thesis.figure) label = fmt::format("Figure {}", *diagram.thesis.figure);
-  if (diagram.thesis.table)
-    label += fmt::format("{}Table {}", label.empty() ? "" : " and ", *diagram.thesis.table);
-  return label;
-}
-
-/// Tables of the thesis, and the figure behind which each stands in the text.
-constexpr std::array<std::pair<int, int>, 6> table_places{
-    {{1, 4}, {2, 26}, {3, 42}, {4, 43}, {5, 45}, {6, 46}}};
-
-/// Where something stands in the thesis: behind which figure, and tables behind the figure itself; what is
-/// neither figure nor table comes last.
-std::pair<int, int> place_of(const GalleryEntry& entry) {
-  if (entry.figure) return {*entry.figure, 0};
-  for (const auto& [table, figure] : table_places)
-    if (entry.table == table) return {figure, table};
-  return {std::numeric_limits<int>::max(), entry.table.value_or(0)};
-}
-
-void describe(const Work& work, GalleryEntry& entry) {
-  const Diagram& diagram = work.job.plan.diagram;
-  entry.label = label_of(diagram);
-  entry.figure = diagram.thesis.figure;
-  entry.table = diagram.thesis.table;
-  entry.section = diagram.thesis.section;
-  entry.title = diagram.title;
-  entry.caption = diagram.caption;
-  for (const DiagramParameter& parameter : diagram.parameters)
-    if (parameter.assumed) entry.assumptions.push_back({parameter.name, parameter.text, parameter.doc});
 }
 
 /// Makes the figures, several at a time; each entry stands at its file's place.
@@ -117,23 +83,29 @@ class Maker {
     const std::string stem = file.stem().string(), folder = (fs::path(command_.out) / stem).string();
     entry.title = stem;
     entry.folder = stem;
-    entry.diagram = fs::proximate(file, command_.out).generic_string();
+    entry.sources = {source_of(file.string(), root())};
     entry.error = "could not be run; the terminal says why";
     return guarded([&] {
       Work work = prepare(registry_, file.string(), {});
       std::vector<std::string> fitted;
       if (work.fit) fitted = fit_first(work, folder);
-      describe(work, entry);
+      describe_entry(work, entry);
+      entry.sources = sources_of(work, root());
       const Outcome outcome = work.study ? study(work, folder) : run(work, folder);
       print_faults(outcome.result);
       entry.verdicts = outcome.verdicts;
-      for (const std::string& picture : write_outputs(folder, work, outcome))
-        entry.pictures.push_back(stem + "/" + picture);
-      for (const std::string& picture : fitted) entry.pictures.push_back(stem + "/" + picture);
+      std::vector<std::string> pictures = write_outputs(folder, work, outcome);
+      pictures.insert(pictures.end(), fitted.begin(), fitted.end());
+      add_pictures(work, pictures, command_.out, entry);
+      print_pictures(command_.out, entry);
+      add_downloads(command_.out, entry);
       entry.error = outcome.result.faults.empty() ? "" : outcome.result.faults.front().fault.message;
       return outcome.code;
     });
   }
+
+  /// What diagram files and their parts lie in.
+  std::string root() const { return fs::path(command_.diagrams).parent_path().string(); }
 
   Outcome run(const Work& work, const std::string& folder) const {
     write_replay(folder, work.job);
@@ -182,6 +154,19 @@ void summarise(const std::vector<GalleryEntry>& entries) {
                    verdict.check);
 }
 
+constexpr const char* introduction =
+    "Every picture was computed by the diagram file on its page. Claims are what the thesis says of a "
+    "figure, "
+    "checked on the recorded signals; invariants are what must hold throughout: limits, energy, safety.";
+
+/// Where the front page is.
+std::string write_gallery(const std::string& out, std::vector<GalleryEntry> entries) {
+  for (const auto& [place, text] :
+       gallery_files({"The thesis, figure by figure", introduction, std::move(entries)}))
+    write_file((fs::path(out) / place).string(), text);
+  return (fs::path(out) / "index.html").string();
+}
+
 }  // namespace
 
 ExitCode run_thesis(const ThesisCommand& command, const Registry& registry) {
@@ -197,16 +182,8 @@ ExitCode run_thesis(const ThesisCommand& command, const Registry& registry) {
     maker.run();
     const std::vector<GalleryEntry> entries = maker.entries();
     summarise(entries);
-    const std::string page = (fs::path(command.out) / "index.html").string();
-    write_file(
-        page,
-        gallery_page(
-            {"The thesis, figure by figure",
-             "Every picture was computed by the diagram file beside it. What the thesis says of a figure "
-             "stands under it as "
-             "claims, checked on the recorded signals. What the text does not give is listed as assumed.",
-             entries}));
-    fmt::print("{} diagram files; see {}\n", files.size(), page);
+    const std::string page = write_gallery(command.out, entries);
+    fmt::print("{} diagram files; see {}\n{}\n", files.size(), page, gallery_verdict(entries));
     return interrupted() ? ExitCode::interrupted : maker.code();
   });
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,19 +17,46 @@ struct Assumption {
   std::string doc;
 };
 
-/// One diagram file on the gallery page. Paths are relative to the page.
+/// A picture as SVG, in the folder of its entry.
+struct GalleryPicture {
+  std::string file;
+  std::string title, caption;
+  std::string alt;                   ///< what it shows, in words
+  double width = 0.0, height = 0.0;  ///< at which it was drawn [px]
+  bool own = false;                  ///< the source has no such picture
+  bool dark = false;                 ///< it brings colours for dark pages
+};
+
+/// A file that a reader may take along, in the folder of its entry.
+struct GalleryDownload {
+  std::string file;
+  std::uintmax_t bytes = 0;
+};
+
+/// A diagram file, and where its copy lies in the gallery: "diagrams/parts/hand.yaml".
+struct GallerySource {
+  std::string path;
+  std::string text;
+};
+
+/// What is shown of one diagram file, on a page of its own.
 struct GalleryEntry {
+  std::string folder;                ///< of its page, pictures and data, in the gallery
   std::string label;                 ///< "Figure 15"
   std::optional<int> figure, table;  ///< numbers in the source, by which entries are ordered
   std::string section;  ///< of the source: "2.5.1"; its chapter is what stands before the first dot
   std::string title;
   std::string caption;
-  std::vector<std::string> pictures;
+  std::string source_caption;           ///< of the figure, as the source prints it
+  std::string source_says;              ///< what its text says of the figure
+  std::vector<std::string> departures;  ///< what is done otherwise than in the source, a sentence each
+  std::vector<GalleryPicture> pictures;
   std::vector<Verdict> verdicts;
   std::vector<Assumption> assumptions;
-  std::string diagram;  ///< link to the diagram file
-  std::string folder;   ///< with what the run wrote
-  std::string error;    ///< why it could not be run; empty where it could
+  std::vector<GallerySource> sources;  ///< its diagram file, then the parts that it uses
+  std::vector<GalleryDownload> downloads;
+  std::string note;   ///< what a reader should know of the downloads
+  std::string error;  ///< why it could not be run; empty where it could
 };
 
 struct Gallery {
@@ -36,8 +65,11 @@ struct Gallery {
   std::vector<GalleryEntry> entries;
 };
 
-/// A self-contained static HTML page: what is reproduced, what disagrees with the source and what is assumed,
-/// and a card for each entry.
-std::string gallery_page(const Gallery& gallery);
+/// All texts of the gallery by their place in its folder: a front page, a page for each entry, copies of the
+/// diagram files and a page for each of them. They need nothing from elsewhere.
+std::map<std::string, std::string> gallery_files(const Gallery& gallery);
+
+/// "229 of 239 claims hold, 10 known not to hold, 108 invariants held throughout."
+std::string gallery_verdict(const std::vector<GalleryEntry>& entries);
 
 }  // namespace stepwire

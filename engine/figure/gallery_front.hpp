@@ -6,13 +6,8 @@
 
 namespace stepwire {
 
-/// What stands before the cards: how many claims hold; what is reproduced, what disagrees with the source,
-/// and what is assumed, each with links to the cards.
+/// The front page: how many claims hold and which end otherwise than expected; what disagrees with the
+/// source, what is done otherwise and what is assumed; a thumbnail of each entry, by chapter.
 std::string gallery_front(const Gallery& gallery);
-
-/// The id of the card of an entry.
-std::string gallery_anchor(std::size_t index);
-/// Label and title of an entry as HTML.
-std::string gallery_title(const GalleryEntry& entry);
 
 }  // namespace stepwire

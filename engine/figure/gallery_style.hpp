@@ -2,66 +2,141 @@
 
 namespace stepwire {
 
-/// Style sheet of the gallery page: system fonts, light and dark, as many columns as fit.
-inline constexpr const char* gallery_style = R"css(
-:root {
-  --page: #f6f7f8; --card: #ffffff; --text: #1c2227; --soft: #56616b; --line: #dde2e6; --link: #0b61a4;
-  --good: #1a7a3c; --known: #8a5a00; --bad: #b3261e;
+/// Style sheet of the gallery: fonts of the system, light and dark, from 320 px on.
+inline constexpr const char* gallery_style = R"css(:root {
+  color-scheme: light dark;
+  --page: #f7f7f5; --card: #ffffff; --text: #1d2226; --soft: #59636b; --line: #dfe2e4; --link: #0b5c9c;
+  --good: #1a7038; --known: #835400; --bad: #b3261e; --quote: #8aa4b8;
+  --key: #0b5c9c; --comment: #5f6b58; --string: #1f6f43; --number: #9a4a00; --name: #7a3fa0; --type: #9c2a55;
+  --sans: system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif;
+  --serif: Charter, "Bitstream Charter", "Iowan Old Style", Georgia, "DejaVu Serif", serif;
+  --mono: ui-monospace, "SF Mono", Menlo, Consolas, "DejaVu Sans Mono", monospace;
 }
 @media (prefers-color-scheme: dark) {
   :root {
-    --page: #14181b; --card: #1e2327; --text: #e6eaed; --soft: #a3afb8; --line: #343c42; --link: #7cc0f5;
-    --good: #6fd08c; --known: #e8b75a; --bad: #ff8a80;
+    --page: #15181b; --card: #1d2124; --text: #e4e8ea; --soft: #a2adb5; --line: #353c42; --link: #82c2f3;
+    --good: #74d191; --known: #e6b866; --bad: #ff9188; --quote: #58718a;
+    --key: #82c2f3; --comment: #97a391; --string: #8ad0a4; --number: #f0b37e; --name: #cda6ec; --type: #f29bbb;
   }
+  img.plain, .plain img { filter: invert(.88) hue-rotate(180deg); }
 }
 * { box-sizing: border-box; }
-body {
-  margin: 0; background: var(--page); color: var(--text);
-  font: 16px/1.5 system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif;
+html { scroll-padding-top: 4rem; }
+body { margin: 0; background: var(--page); color: var(--text); font: 1rem/1.55 var(--sans); overflow-wrap: anywhere; }
+main { max-width: calc(1400px + 3rem); margin: 0 auto; padding: 1.5rem 1.5rem 4rem; outline: none; }
+a { color: var(--link); text-underline-offset: .15em; }
+a:focus-visible, summary:focus-visible, button:focus-visible, input:focus-visible, pre:focus-visible, .frame:focus-visible {
+  outline: 3px solid var(--link); outline-offset: 2px; border-radius: 4px;
 }
-header, main { max-width: 1500px; margin: 0 auto; padding: 1.5rem; }
-header { padding-bottom: 0; }
-header > p:not(.summary) { max-width: 48rem; color: var(--soft); }
-h1 { font-size: 1.9rem; line-height: 1.2; margin: 0 0 .5rem; }
-h2 { font-size: 1.15rem; line-height: 1.35; margin: 0 0 .75rem; }
-h2 .label { color: var(--soft); font-weight: 500; margin-right: .35rem; }
-h3 { font-size: .8rem; text-transform: uppercase; letter-spacing: .06em; color: var(--soft); margin: 1rem 0 .25rem; }
-a { color: var(--link); }
-main { display: grid; gap: 1.5rem; grid-template-columns: repeat(auto-fill, minmax(min(30rem, 100%), 1fr)); align-items: start; }
-article { background: var(--card); border: 1px solid var(--line); border-radius: 10px; padding: 1.25rem; min-width: 0; }
-article:target { outline: 3px solid var(--link); }
-img { display: block; width: 100%; height: auto; background: #fff; border-radius: 6px; margin-bottom: .75rem; }
-section { margin: 1.5rem 0 0; }
-section h2 { margin-bottom: .25rem; }
-section li em { display: inline-block; margin-top: .15rem; }
-.index { list-style: none; margin: 0; padding: 0; columns: 22rem; column-gap: 2rem; }
-.index li { padding: .2rem 0; break-inside: avoid; }
-.index .name { font-weight: 600; margin-right: .25rem; }
-.index .verdict { font-weight: 500; font-size: .85em; white-space: nowrap; margin-left: .25rem; }
-.disagrees { margin: .25rem 0; padding-left: 1.1rem; max-width: 70rem; }
-.disagrees li { padding: .25rem 0; }
-section details { margin-top: .25rem; overflow-x: auto; }
-.summary { display: inline-block; font-weight: 600; border-left: 4px solid; padding: .35rem .9rem; background: var(--card); margin: .5rem 0; }
-.summary.good, .good .verdict { color: var(--good); }
-.summary.bad, .bad .verdict { color: var(--bad); }
-.known .verdict { color: var(--known); }
-.claims { list-style: none; margin: 0; padding: 0; }
-.claims li { padding: .5rem 0; border-top: 1px solid var(--line); overflow-wrap: anywhere; }
-.verdict { font-weight: 600; margin-right: .35rem; }
-.good .verdict::before { content: "✓ "; }
-.bad .verdict::before { content: "✗ "; }
-.known .verdict::before { content: "≠ "; }
-code { font: .85em ui-monospace, "SF Mono", Menlo, Consolas, "DejaVu Sans Mono", monospace; color: var(--soft); }
-.value { font-weight: 600; white-space: nowrap; }
-.value::before { content: "→ "; color: var(--soft); font-weight: 400; }
-em { color: var(--soft); font-size: .92em; }
-details { margin-top: 1rem; }
-summary { cursor: pointer; color: var(--soft); }
-table { border-collapse: collapse; width: 100%; font-size: .9em; margin-top: .5rem; }
-th, td { text-align: left; padding: .3rem .6rem .3rem 0; border-top: 1px solid var(--line); vertical-align: top; }
-.error { white-space: pre-wrap; overflow-wrap: anywhere; color: var(--bad); font-size: .85em; }
-.links { margin: 1rem 0 0; font-size: .92em; }
-@media print { body { background: #fff; } article { break-inside: avoid; } }
+h1 { font-size: clamp(1.5rem, 1.1rem + 1.6vw, 2.1rem); line-height: 1.2; margin: 0 0 .6rem; font-weight: 650; text-wrap: balance; }
+h1 .label { color: var(--soft); font-weight: 450; margin-right: .3em; }
+h2 { font-size: 1.2rem; line-height: 1.3; margin: 0 0 .6rem; font-weight: 650; }
+h3 { font-size: 1rem; margin: 0 0 .6rem; color: var(--soft); font-weight: 600; }
+p { margin: 0 0 .75rem; }
+section { margin-top: 2.75rem; }
+code { font: .86em/1.5 var(--mono); }
+em { color: var(--soft); }
+.soft, .count { color: var(--soft); }
+.lead { max-width: 46rem; color: var(--soft); }
+.skip { position: absolute; left: -100rem; }
+.skip:focus { left: 1rem; top: 1rem; z-index: 3; background: var(--card); padding: .5rem 1rem; }
+.summary { display: inline-block; font-weight: 600; border-left: 4px solid; padding: .4rem .9rem; background: var(--card); margin: .25rem 0 0; border-radius: 0 6px 6px 0; }
+.good.summary, .good .verdict { color: var(--good); }
+.known.summary, .known .verdict { color: var(--known); }
+.bad.summary, .bad .verdict, .error { color: var(--bad); }
+.good > .verdict::before, .good a > .verdict::before { content: "✓ " / ""; }
+.known > .verdict::before, .known a > .verdict::before { content: "≠ " / ""; }
+.bad > .verdict::before, .bad a > .verdict::before { content: "✗ " / ""; }
+.error { white-space: pre-wrap; }
+table { border-collapse: collapse; width: 100%; font-size: .92rem; }
+th, td { text-align: left; padding: .4rem .8rem .4rem 0; border-top: 1px solid var(--line); vertical-align: top; }
+thead th { border-top: 0; color: var(--soft); font-weight: 600; }
+summary { cursor: pointer; }
+details[open] > summary { margin-bottom: .6rem; }
+
+.findings { display: grid; gap: 1rem; grid-template-columns: repeat(auto-fit, minmax(min(20rem, 100%), 1fr)); margin-top: 1.75rem; align-items: start; }
+.finding { background: var(--card); border: 1px solid var(--line); border-radius: 10px; padding: .9rem 1.1rem; min-width: 0; }
+.finding[open] { grid-column: 1 / -1; }
+.finding h2 { display: inline; font-size: 1.02rem; }
+.finding .count { font-size: .92rem; white-space: nowrap; }
+.by-entry { margin: 0; max-width: 62rem; }
+.by-entry dt { margin-top: 1rem; font-weight: 600; }
+.by-entry dd { margin: 0; }
+.by-entry ul, #unexpected ul { margin: .25rem 0 0; padding-left: 1.2rem; }
+.by-entry li { margin-bottom: .4rem; }
+#unexpected { border-left: 4px solid var(--bad); padding-left: 1rem; margin-top: 1.5rem; }
+
+.chapter { margin-top: 1.5rem; }
+.chapter[hidden], .card[hidden] { display: none; }
+.cards { list-style: none; margin: 0; padding: 0; display: grid; gap: 1rem; grid-template-columns: repeat(auto-fill, minmax(min(15rem, 100%), 1fr)); }
+.card a { display: block; height: 100%; padding: .8rem .9rem .9rem; background: var(--card); border: 1px solid var(--line); border-radius: 10px; color: inherit; text-decoration: none; }
+.card a:hover { border-color: var(--link); }
+.card a:hover .title { text-decoration: underline; }
+.thumb { display: block; aspect-ratio: 4 / 3; margin-bottom: .6rem; }
+.thumb img { display: block; width: 100%; height: 100%; object-fit: contain; border-radius: 4px; }
+.card .label { font-weight: 650; }
+.card .verdict { display: block; font-size: .88rem; font-weight: 600; margin-top: .2rem; }
+.search { display: flex; flex-wrap: wrap; gap: .6rem; align-items: center; margin: 0 0 1rem; }
+.search input { font: inherit; color: inherit; background: var(--card); border: 1px solid var(--soft); border-radius: 8px; padding: .45rem .75rem; width: min(24rem, 100%); }
+.search button, .tools button { font: inherit; font-size: .92rem; color: var(--text); background: var(--card); border: 1px solid var(--soft); border-radius: 999px; padding: .3rem .85rem; cursor: pointer; }
+.search button[aria-pressed="true"] { background: var(--link); border-color: var(--link); color: var(--page); }
+
+.bar { position: sticky; top: 0; z-index: 2; display: grid; grid-template-columns: 1fr auto 1fr; gap: .5rem; align-items: center; padding: .55rem 1.5rem; background: var(--page); border-bottom: 1px solid var(--line); }
+.bar a { text-decoration: none; padding: .2rem 0; }
+.bar a:hover { text-decoration: underline; }
+.bar .next { text-align: right; }
+.source .bar, main .bar { position: static; padding: 1rem 0 0; margin-top: 3rem; border: 0; border-top: 1px solid var(--line); }
+.source .bar { margin: 0 auto; padding: .55rem 1.5rem; border-top: 0; }
+.place { color: var(--soft); margin: 0 0 .25rem; font-size: .95rem; }
+.place-of-picture { margin-top: 1.5rem; }
+.picture { margin: 0; }
+.frame { position: relative; background: var(--card); border: 1px solid var(--line); border-radius: 10px; padding: .75rem; overflow: hidden; }
+.frame img { display: block; max-width: 100%; height: auto; margin: 0 auto; }
+.enlarge { position: absolute; inset: 0; cursor: zoom-in; border-radius: 10px; }
+.enlarge span { position: absolute; right: .6rem; bottom: .5rem; font-size: .85rem; padding: .15rem .6rem; background: var(--card); border-radius: 6px; border: 1px solid var(--line); opacity: 0; }
+.enlarge:hover span, .enlarge:focus-visible span { opacity: 1; }
+.reduce { display: none; margin: .5rem 0; width: fit-content; }
+.picture:target .frame { overflow: auto; max-height: calc(100vh - 9rem); cursor: grab; overscroll-behavior: contain; }
+.picture:target .frame.held { cursor: grabbing; user-select: none; }
+.picture:target img { width: max(var(--wide), 200%); max-width: none; }
+.picture:target .enlarge { display: none; }
+.picture:target .reduce { display: block; }
+figcaption { margin: .6rem 0 0; max-width: 62rem; color: var(--soft); }
+figcaption strong { color: var(--text); font-weight: 600; }
+.beside { display: grid; gap: 1rem 3rem; grid-template-columns: repeat(auto-fit, minmax(min(26rem, 100%), 1fr)); }
+.beside section { margin-top: 2rem; max-width: 44rem; }
+.beside + section { margin-top: 2rem; }
+blockquote { margin: 0; padding-left: 1rem; border-left: 3px solid var(--quote); font-family: var(--serif); font-size: 1.06rem; }
+blockquote .caption { font-style: italic; }
+.departure::before { content: "Otherwise: "; color: var(--known); font-weight: 600; }
+.claims { list-style: none; margin: 0; padding: 0; max-width: 62rem; }
+.claims li { padding: .55rem 0; border-top: 1px solid var(--line); }
+.claims li > code, .claims li > em { display: block; color: var(--soft); }
+.claims .verdict { font-weight: 600; margin-right: .35rem; }
+.claims .value { font-weight: 600; }
+.claims .value::before { content: "→ " / ""; color: var(--soft); font-weight: 400; }
+.downloads { display: grid; grid-template-columns: max-content 1fr; gap: .4rem 1.5rem; margin: 0; }
+.downloads dt { color: var(--soft); }
+.downloads dd { margin: 0; min-width: 0; }
+.yaml { background: var(--card); border: 1px solid var(--line); border-radius: 10px; padding: 1rem; margin: 0; overflow-x: auto; tab-size: 2; overflow-wrap: normal; }
+.yaml .key { color: var(--key); } .yaml .comment { color: var(--comment); } .yaml .string { color: var(--string); }
+.yaml .number { color: var(--number); } .yaml .name { color: var(--name); } .yaml .type { color: var(--type); font-weight: 600; }
+@media (max-width: 700px) {
+  main { padding: 1rem 1rem 3rem; }
+  .bar { padding: .5rem 1rem; font-size: .95rem; }
+  .frame { padding: .35rem; }
+  .downloads { display: block; } .downloads dd { margin-bottom: .6rem; }
+  .yaml { white-space: pre-wrap; overflow-wrap: anywhere; padding: .75rem; }
+  .cards { grid-template-columns: repeat(auto-fill, minmax(min(10.5rem, 100%), 1fr)); gap: .7rem; }
+  .assumed thead { display: none; }
+  .assumed tr { display: block; border-top: 1px solid var(--line); padding: .4rem 0; }
+  .assumed td { display: block; border: 0; padding: 0; }
+}
+@media print {
+  body { background: #fff; }
+  .bar, .search, .tools, .enlarge, .reduce { display: none !important; }
+  .place-of-picture, .card, .claims li { break-inside: avoid; }
+}
 )css";
 
 }  // namespace stepwire

@@ -1,0 +1,129 @@
+#include "engine/figure/gallery_picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "engine/figure/plot_kind.hpp"
+#include "engine/table/json.hpp"
+
+namespace stepwire {
+namespace {
+
+constexpr double page_width = 1400.0, page_height = 820.0;  // of a screen [px]
+constexpr double most_scale = 1.5;                          // beyond it the letters of a picture shout
+
+/// "force [N], current [A]", each once.
+std::string labels_of(const Panel& panel, const std::string& key) {
+  std::vector<std::string> labels;
+  const auto found = panel.series.find(key);
+  if (found == panel.series.end()) return {};
+  for (const Series& series : found->second)
+    if (std::ranges::find(labels, series.axis_label()) == labels.end()) labels.push_back(series.axis_label());
+  return fmt::format("{}", fmt::join(labels, ", "));
+}
+
+std::string axes_of(const Panel& panel) {
+  const std::string x = labels_of(panel, "x"), y = labels_of(panel, "y"), z = labels_of(panel, "z"),
+                    color = labels_of(panel, "color");
+  if (!z.empty()) return fmt::format("{} over {} and {}", z, x, y);
+  if (!color.empty()) return fmt::format("{} over {} and {}", color, x, y);
+  if (y.empty() || x.empty()) return y + x;
+  return fmt::format("{} over {}", y, x);
+}
+
+/// What has no axes.
+std::string kind_in_words(const std::string& kind) {
+  static const std::map<std::string, std::string> words{{"diagram", "the diagram as blocks and wires"},
+                                                        {"rig", "the mechanism, to scale"},
+                                                        {"scene", "what is on the screen"},
+                                                        {"table", "a table of results"}};
+  const auto found = words.find(kind);
+  return found == words.end() ? kind : found->second;
+}
+
+std::string described(const Panel& panel) {
+  const auto title = panel.words.find("title");
+  const std::string axes = axes_of(panel);
+  std::string text = title == panel.words.end() ? "" : title->second;
+  if (!axes.empty()) text += (text.empty() ? "" : ", ") + axes;
+  return text.empty() ? kind_in_words(panel.kind->name) : text;
+}
+
+/// The number of an attribute of the first element called svg; 0 where there is none.
+double attribute_of(const std::string& svg, const std::string& name) {
+  const std::size_t start = std::min(svg.find("<svg"), svg.size());
+  const std::string element = svg.substr(start, svg.find('>', start) - start);
+  const std::size_t at = element.find(" " + name + "=\"");
+  return at == std::string::npos ? 0.0 : std::strtod(element.c_str() + at + name.size() + 3, nullptr);
+}
+
+/// As large as a page and a screen let it be, but not smaller than it was drawn.
+double scale_of(const GalleryPicture& picture) {
+  const double widest = page_width / std::max(1.0, picture.width);
+  const double fitting = std::min({widest, page_height / std::max(1.0, picture.height), most_scale});
+  return std::max(fitting, std::min(1.0, widest));
+}
+
+std::size_t pixels(double value) {
+  return static_cast<std::size_t>(std::lround(value));
+}
+
+Html image_of(const GalleryPicture& picture) {
+  const double scale = scale_of(picture);
+  return html("<img{} src=\"{}\" width=\"{}\" height=\"{}\" alt=\"{}\" style=\"--wide: {}px\">",
+              html(picture.dark ? "" : " class=\"plain\""), Address{picture.file},
+              pixels(scale * picture.width), pixels(scale * picture.height), picture.alt,
+              pixels(std::max(2.0 * scale, 1.0) * picture.width));
+}
+
+/// Its enlargement is another state of the same place, which its address names, so that it needs no script.
+Html figure_of(const GalleryPicture& picture, std::size_t number) {
+  Html words;
+  if (!picture.title.empty()) words += html("<strong>{}</strong> ", picture.title);
+  words += html("{}", picture.caption);
+  if (!picture.caption.empty() || !picture.title.empty())
+    words = html("<figcaption>{}</figcaption>\n", words);
+  return html(R"(<div class="place-of-picture" id="picture-{0}">
+<figure class="picture" id="large-{0}">
+<div class="frame">{1}<a class="enlarge" href="#large-{0}"><span>Enlarge picture {0}</span></a></div>
+<a class="reduce" href="#picture-{0}">Back to the width of the page</a>
+{2}</figure>
+</div>
+)",
+              number, image_of(picture), words);
+}
+
+}  // namespace
+
+std::string described(const Figure& figure) {
+  std::vector<std::string> panels;
+  for (const Panel& panel : figure.panels) panels.push_back(described(panel));
+  const std::string text = fmt::format("{}", fmt::join(panels, "; "));
+  return figure.title.empty() ? text : figure.title + ": " + text;
+}
+
+void measure_picture(GalleryPicture& picture, const std::string& svg) {
+  picture.width = attribute_of(svg, "width");
+  picture.height = attribute_of(svg, "height");
+  picture.dark = svg.find("prefers-color-scheme") != std::string::npos;
+}
+
+std::string picture_script(const std::map<std::string, std::string>& pictures) {
+  Json texts = Json::object();
+  for (const auto& [name, svg] : pictures) texts.set(name, svg);
+  return "stepwirePictures(" + texts.text(-1) + ");\n";
+}
+
+Html pictures_of(const GalleryEntry& entry, bool own) {
+  Html pictures;
+  for (std::size_t i = 0; i < entry.pictures.size(); ++i)
+    if (entry.pictures[i].own == own) pictures += figure_of(entry.pictures[i], i + 1);
+  if (!own || pictures.empty()) return pictures;
+  return html(
+      "<section id=\"own\">\n<h2>Of our own</h2>\n<p class=\"soft\">The thesis has no such "
+      "picture.</p>\n{}</section>\n",
+      pictures);
+}
+
+}  // namespace stepwire

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "engine/figure/figure.hpp"
+#include "engine/figure/gallery.hpp"
+#include "engine/figure/gallery_html.hpp"
+
+namespace stepwire {
+
+/// What a figure shows, in words: "force [N] over position [mm]; the block diagram".
+std::string described(const Figure& figure);
+
+/// Its size, and whether it has colours for dark pages, as its SVG text has them.
+void measure_picture(GalleryPicture& picture, const std::string& svg);
+
+/// Texts of pictures by their names, as a script: a page that was opened as a file may read them in no other
+/// way.
+std::string picture_script(const std::map<std::string, std::string>& pictures);
+
+/// The pictures of an entry that the source has, or in a section of their own those that it has not.
+Html pictures_of(const GalleryEntry& entry, bool own);
+
+}  // namespace stepwire
