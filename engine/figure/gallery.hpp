@@ -24,7 +24,7 @@ struct GalleryPicture {
   std::string alt;                   ///< what it shows, in words
   double width = 0.0, height = 0.0;  ///< at which it was drawn [px]
   bool own = false;                  ///< the source has no such picture
-  bool dark = false;                 ///< it brings colours for dark pages
+  bool dark = false;                 ///< it suits dark pages
 };
 
 /// A file that a reader may take along, in the folder of its entry.

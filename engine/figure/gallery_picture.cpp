@@ -74,7 +74,7 @@ Html image_of(const GalleryPicture& picture) {
   return html("<img{} src=\"{}\" width=\"{}\" height=\"{}\" alt=\"{}\" style=\"--wide: {}px\">",
               html(picture.dark ? "" : " class=\"plain\""), Address{picture.file},
               pixels(scale * picture.width), pixels(scale * picture.height), picture.alt,
-              pixels(std::max(2.0 * scale, 1.0) * picture.width));
+              pixels(scale * picture.width));
 }
 
 /// Its enlargement is another state of the same place, which its address names, so that it needs no script.
@@ -86,8 +86,8 @@ Html figure_of(const GalleryPicture& picture, std::size_t number) {
     words = html("<figcaption>{}</figcaption>\n", words);
   return html(R"(<div class="place-of-picture" id="picture-{0}">
 <figure class="picture" id="large-{0}">
-<div class="frame">{1}<a class="enlarge" href="#large-{0}"><span>Enlarge picture {0}</span></a></div>
 <a class="reduce" href="#picture-{0}">Back to the width of the page</a>
+<div class="frame">{1}<a class="enlarge" href="#large-{0}"><span>Enlarge picture {0}</span></a></div>
 {2}</figure>
 </div>
 )",
@@ -106,7 +106,8 @@ std::string described(const Figure& figure) {
 void measure_picture(GalleryPicture& picture, const std::string& svg) {
   picture.width = attribute_of(svg, "width");
   picture.height = attribute_of(svg, "height");
-  picture.dark = svg.find("prefers-color-scheme") != std::string::npos;
+  const bool white = svg.find("fill=\"#fff") != std::string::npos;
+  picture.dark = !white || svg.find("prefers-color-scheme") != std::string::npos;
 }
 
 std::string picture_script(const std::map<std::string, std::string>& pictures) {

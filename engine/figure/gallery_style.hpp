@@ -44,9 +44,9 @@ em { color: var(--soft); }
 .good.summary, .good .verdict { color: var(--good); }
 .known.summary, .known .verdict { color: var(--known); }
 .bad.summary, .bad .verdict, .error { color: var(--bad); }
-.good > .verdict::before, .good a > .verdict::before { content: "✓ " / ""; }
-.known > .verdict::before, .known a > .verdict::before { content: "≠ " / ""; }
-.bad > .verdict::before, .bad a > .verdict::before { content: "✗ " / ""; }
+.good > .verdict::before, .good a > .verdict::before { content: "✓ "; content: "✓ " / ""; }
+.known > .verdict::before, .known a > .verdict::before { content: "≠ "; content: "≠ " / ""; }
+.bad > .verdict::before, .bad a > .verdict::before { content: "✗ "; content: "✗ " / ""; }
 .error { white-space: pre-wrap; }
 table { border-collapse: collapse; width: 100%; font-size: .92rem; }
 th, td { text-align: left; padding: .4rem .8rem .4rem 0; border-top: 1px solid var(--line); vertical-align: top; }
@@ -95,10 +95,10 @@ details[open] > summary { margin-bottom: .6rem; }
 .enlarge { position: absolute; inset: 0; cursor: zoom-in; border-radius: 10px; }
 .enlarge span { position: absolute; right: .6rem; bottom: .5rem; font-size: .85rem; padding: .15rem .6rem; background: var(--card); border-radius: 6px; border: 1px solid var(--line); opacity: 0; }
 .enlarge:hover span, .enlarge:focus-visible span { opacity: 1; }
-.reduce { display: none; margin: .5rem 0; width: fit-content; }
-.picture:target .frame { overflow: auto; max-height: calc(100vh - 9rem); cursor: grab; overscroll-behavior: contain; }
+.reduce { display: none; margin: 0 0 .5rem; width: fit-content; }
+.picture:target .frame { overflow: auto; max-height: calc(100vh - 8rem); cursor: grab; overscroll-behavior: contain; }
 .picture:target .frame.held { cursor: grabbing; user-select: none; }
-.picture:target img { width: max(var(--wide), 200%); max-width: none; }
+.picture:target img { width: max(var(--wide), min(200%, 2 * var(--wide))); max-width: none; }
 .picture:target .enlarge { display: none; }
 .picture:target .reduce { display: block; }
 figcaption { margin: .6rem 0 0; max-width: 62rem; color: var(--soft); }
@@ -114,7 +114,7 @@ blockquote .caption { font-style: italic; }
 .claims li > code, .claims li > em { display: block; color: var(--soft); }
 .claims .verdict { font-weight: 600; margin-right: .35rem; }
 .claims .value { font-weight: 600; }
-.claims .value::before { content: "→ " / ""; color: var(--soft); font-weight: 400; }
+.claims .value::before { content: "→ "; content: "→ " / ""; color: var(--soft); font-weight: 400; }
 .downloads { display: grid; grid-template-columns: max-content 1fr; gap: .4rem 1.5rem; margin: 0; }
 .downloads dt { color: var(--soft); }
 .downloads dd { margin: 0; min-width: 0; }
