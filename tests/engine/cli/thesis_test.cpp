@@ -19,7 +19,7 @@ std::vector<fs::path> pages_under(const std::string& folder) {
 
 std::vector<std::string> links_of(const fs::path& page) {
   const std::string text = content_of(page.string());
-  const std::regex link("(?:href|src)=\"([^\"#:]+)");
+  const std::regex link("(?:href|src)=\"([^\"#:]+)[\"#]");
   std::vector<std::string> links;
   for (std::sregex_iterator match(text.begin(), text.end(), link), none; match != none; ++match)
     links.push_back((*match)[1]);
