@@ -75,35 +75,39 @@ struct BoucWenLaw {
       double change = std::max(least, part * std::abs(way.z));
       // Not far across zero, where the law has a kink.
       if (way.z < 0.0) change = std::max(std::min(change, -way.z), 0.1 * least);
-      const double h = std::min(left, reach(way.z, change));
-      const Travelled step = rosenbrock(way.z, h);
+      const Tangent tangent = tangent_at(way.z);
+      const double h = std::min(left, reach(tangent, change));
+      const Travelled step = rosenbrock(way.z, tangent, h);
       way = {step.z, way.lost + step.lost};
       left -= h;
     }
     return way;
   }
 
-  /// dz/dx for dx > 0, and how it falls with z, which it never grows with.
-  double slope(double z) const {
-    return A - (z < 0.0 ? beta - gamma : beta + gamma) * power(z) * (z < 0.0 ? -1.0 : 1.0);
-  }
-  double fall(double z) const {
-    return (z < 0.0 ? beta - gamma : beta + gamma) * n * std::pow(std::abs(z), n - 1.0);
+  /// The law near some z for dx > 0: dz/dx, and how it falls with z, which it never grows with.
+  struct Tangent {
+    double slope, fall;
+  };
+
+  Tangent tangent_at(double z) const {
+    // the only power, since it is nearly all that a step costs
+    const double k = (z < 0.0 ? beta - gamma : beta + gamma) * std::pow(std::abs(z), n - 1.0);
+    return {A - k * z, k * n};
   }
 
   /// Travel after which z has changed by so much, the law being taken for linear; infinite where it never
   /// does.
-  double reach(double z, double change) const {
-    const double s = std::abs(slope(z)), j = fall(z);
+  static double reach(const Tangent& tangent, double change) {
+    const double s = std::abs(tangent.slope), j = tangent.fall;
     if (change * j >= s) return std::numeric_limits<double>::infinity();
     return j > 0.0 ? -std::log1p(-change * j / s) / j : change / s;
   }
 
-  Travelled rosenbrock(double z, double h) const {
-    const double s = slope(z), j = fall(z), y = j * h, decay = mean_of_decay(y),
+  Travelled rosenbrock(double z, const Tangent& tangent, double h) const {
+    const double s = tangent.slope, j = tangent.fall, y = j * h, decay = mean_of_decay(y),
                  rise = mean_of_rise(y, decay);
     const double linear = z + s * h * decay;
-    const double bend = slope(linear) - s + j * (linear - z);
+    const double bend = tangent_at(linear).slope - s + j * (linear - z);
     const double correction = 2.0 * h * third(y, rise) * bend, end = linear + correction;
     const double mean = z + s * h * rise + 0.25 * correction;  // which grows with the cube of the way
     return {end, std::max(0.0, A * h * mean - 0.5 * (end - z) * (end + z))};

@@ -14,6 +14,7 @@ class GeneratedCode : public CodeSource {
  public:
   std::vector<CompiledPlan> compile(const std::vector<const Plan*>& plans,
                                     const std::stop_token& stop) override;
+  std::vector<double> numbers(const Plan& plan) const override { return numbers_of(plan).numbers; }
 
   /// Why there was no code the first time that there was none; empty once told.
   std::string take_problem() { return std::exchange(problem_, ""); }

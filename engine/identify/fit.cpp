@@ -30,7 +30,7 @@ class Fit {
     refuse_idle_parameters();
     search();
     describe_records();
-    result_.compiled = runs_.compiled();
+    result_.compiled = runs_.compiled() || runs_.planned();
     result_.in_part = runs_.in_part();
     result_.interrupted = interrupted();
     describe_numbers();

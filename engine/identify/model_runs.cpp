@@ -90,7 +90,10 @@ ModelRuns::ModelRuns(ModelSource source, const Job& job, const FitRequest& reque
   const Planner planner = [this](std::size_t record, const Values& values) {
     return plan_run(record, values);
   };
-  if (source_.code) codes_ = share_code(at_start_, request.parameters, planner, *source_.code);
+  if (!source_.code) return;
+  SharedCode code = share_code(at_start_, request.parameters, planner, *source_.code);
+  codes_ = std::move(code.records);
+  planned_ = std::move(code.planned);
 }
 
 /// Plans once with all parameters changed, to see what they move, and runs all records at the start.
@@ -144,12 +147,9 @@ std::vector<Recording> ModelRuns::run(std::size_t record, const Values& values, 
     std::optional<Plan> own;  // refused values are as bad as a run that blows up
     if (codes_.empty()) own = plan_run(record, values);
     Simulation simulation(own ? *own : at_start_[record]);
-    std::optional<CompiledPlan> code;
-    if (!codes_.empty()) {
-      code = codes_[record].code(values);
-      simulation.restore({0, codes_[record].workspace(values)});
-      simulation.use(*code);
-    }
+    if (!own) simulation.restore({0, codes_[record].workspace(values)});
+    const std::optional<CompiledPlan> code = code_of(record, values, own);
+    if (code) simulation.use(*code);
     if (!part_) return take(record, simulation, fault);
     const std::vector<double>& tape = tapes_[record];
     return complete(record, take(record, simulation, fault, [&] { part_->play(tape, simulation); }));
@@ -157,6 +157,12 @@ std::vector<Recording> ModelRuns::run(std::size_t record, const Values& values, 
     if (fault) *fault = error.what();
     return {};
   }
+}
+
+std::optional<CompiledPlan> ModelRuns::code_of(std::size_t record, const Values& values,
+                                               const std::optional<Plan>& own) const {
+  if (!own) return codes_[record].code(values);
+  return planned_ ? planned_->with(source_.code->numbers(*own)) : std::nullopt;
 }
 
 std::vector<Recording> ModelRuns::complete(std::size_t record, std::vector<Recording> moved) const {

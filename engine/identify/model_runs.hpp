@@ -25,9 +25,9 @@ struct ModelSource {
 };
 
 /// The runs of a file's records with any values of the fitted parameters. One compilation serves all of them
-/// where the numbers of the plan are affine functions of the values; elsewhere each run is planned anew,
-/// which is slower and gives the same. Where it can be told apart, only the part of the diagram that the
-/// parameters move is run, and what it reads of the rest is played back.
+/// where the numbers of the plan are affine functions of the values; elsewhere each run is planned anew and
+/// takes its numbers from there, which is slower and gives the same. Where it can be told apart, only the
+/// part of the diagram that the parameters move is run, and what it reads of the rest is played back.
 class ModelRuns {
  public:
   /// Throws Error where the diagram refuses the start values.
@@ -44,6 +44,8 @@ class ModelRuns {
   bool in_part() const { return part_.has_value(); }
   /// From now on plans each run anew.
   void plan_anew() { codes_.clear(); }
+  /// Does one compilation serve all runs, each of which is planned?
+  bool planned() const { return planned_.has_value(); }
 
   /// All that a run records, with the swept parameters; nothing where it ends with a fault, which is told in
   /// `fault`. From any thread.
@@ -58,6 +60,9 @@ class ModelRuns {
   Plan plan(std::size_t record, const Values& values) const { return make_plan(load(record, values)); }
   /// Of what is run for each value: the part, or all of it.
   Plan plan_run(std::size_t record, const Values& values) const;
+  /// Code for one run; `own` is its plan where it has one.
+  std::optional<CompiledPlan> code_of(std::size_t record, const Values& values,
+                                      const std::optional<Plan>& own) const;
   void find_part();
   bool play_in(std::size_t record);
   /// Runs to the end and takes all that is recorded; nothing after a fault.
@@ -76,6 +81,7 @@ class ModelRuns {
   std::vector<std::vector<double>> tapes_;     ///< [record]: what the part reads, tick by tick
   std::vector<std::vector<Recording>> still_;  ///< [record]: what is compared and does not move
   std::vector<RecordCode> codes_;              ///< for each record; empty: planned anew
+  std::optional<PlannedCode> planned_;         ///< for what is planned anew; none: interpreted
   mutable std::mutex loading_;
 };
 

@@ -1,6 +1,8 @@
 #include "engine/identify/shared_code.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 
 #include "engine/run/simulation.hpp"
 
@@ -9,6 +11,10 @@ namespace stepwire {
 namespace {
 
 constexpr double probe_step = 0.01;  // of the scale
+
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
 
 /// One plan, and at what values.
 struct Point {
@@ -29,6 +35,13 @@ class Probing {
         source_(source),
         probed_by_(at_start.size(), 0) {}
 
+  SharedCode code() {
+    std::vector<RecordCode> records = codes();
+    if (!records.empty() || compiled_.empty()) return {std::move(records), std::nullopt};
+    return {{}, PlannedCode(compiled_)};
+  }
+
+ private:
   std::vector<RecordCode> codes() {
     add_probes(0);
     for (std::size_t record = 0; record < at_start_.size(); ++record) add_check(record);
@@ -44,7 +57,6 @@ class Probing {
     return disagreeing(codes).empty() ? std::move(codes) : std::vector<RecordCode>{};
   }
 
- private:
   /// A plan with one parameter changed, into the direction that its bounds and the diagram allow.
   void add_probes(std::size_t record) {
     for (std::size_t j = 0; j < parameters_.size(); ++j) {
@@ -101,9 +113,13 @@ class Probing {
     for (const auto* points : {&probes_, &checks_})
       for (const Point& point : *points) plans.push_back(&point.plan);
     compiled_ = source_.compile(plans, {});
-    if (compiled_.size() != plans.size()) return {};
-    for (const CompiledPlan& one : compiled_)
-      if (one.functions.evaluate != compiled_.front().functions.evaluate) return {};
+    const auto other = [&](const CompiledPlan& one) {
+      return one.functions.evaluate != compiled_.front().functions.evaluate;
+    };
+    if (compiled_.size() != plans.size() || std::ranges::any_of(compiled_, other)) {
+      compiled_.clear();
+      return {};
+    }
     starts_.clear();
     for (const Plan* plan : plans) starts_.push_back(Simulation(*plan).workspace().values);
     std::vector<RecordCode> codes;
@@ -157,10 +173,25 @@ bool RecordCode::agrees(const Values& values, const CompiledPlan& code,
   return parameters_.agrees(values, code.parameters) && workspace_.agrees(values, workspace);
 }
 
-std::vector<RecordCode> share_code(const std::vector<Plan>& at_start,
-                                   const std::vector<FitParameter>& parameters, const Planner& plan,
-                                   CodeSource& source) {
-  return Probing(at_start, parameters, plan, source).codes();
+PlannedCode::PlannedCode(const std::vector<CompiledPlan>& compiled)
+    : functions_(compiled.front().functions),
+      numbers_(compiled.front().parameters),
+      varies_(numbers_.size(), 0) {
+  for (const CompiledPlan& other : compiled)
+    for (std::size_t i = 0; i < std::min(numbers_.size(), other.parameters.size()); ++i)
+      if (!same_bits(numbers_[i], other.parameters[i])) varies_[i] = 1;
+}
+
+std::optional<CompiledPlan> PlannedCode::with(std::vector<double> numbers) const {
+  if (numbers.size() != numbers_.size()) return std::nullopt;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (!varies_[i] && !same_bits(numbers[i], numbers_[i])) return std::nullopt;
+  return CompiledPlan{functions_, std::move(numbers)};
+}
+
+SharedCode share_code(const std::vector<Plan>& at_start, const std::vector<FitParameter>& parameters,
+                      const Planner& plan, CodeSource& source) {
+  return Probing(at_start, parameters, plan, source).code();
 }
 
 }  // namespace stepwire

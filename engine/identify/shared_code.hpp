@@ -25,13 +25,34 @@ class RecordCode {
   AffineNumbers parameters_, workspace_;
 };
 
+/// Code for plans of any numbers, as long as they differ in nothing but what differed among those that were
+/// compiled.
+class PlannedCode {
+ public:
+  explicit PlannedCode(const std::vector<CompiledPlan>& compiled);
+
+  /// With the numbers of a plan; nothing where it differs in more.
+  std::optional<CompiledPlan> with(std::vector<double> numbers) const;
+
+ private:
+  StepFunctions functions_;
+  std::vector<double> numbers_;
+  std::vector<char> varies_;
+};
+
+/// What one compilation gives for all records.
+struct SharedCode {
+  std::vector<RecordCode> records;  ///< one for each record, where the numbers of plans are affine functions
+  std::optional<PlannedCode>
+      planned;  ///< where they are not, so that each run needs a plan, but no compilation
+};
+
 /// Plans one record with values of the parameters. Throws Error where the diagram refuses them.
 using Planner = std::function<Plan(std::size_t record, const Values& values)>;
 
-/// Makes code for all records with one compilation; nothing where no compiler is there or where the numbers
-/// of the plans are no affine functions of the parameters at some point that is tried.
-std::vector<RecordCode> share_code(const std::vector<Plan>& at_start,
-                                   const std::vector<FitParameter>& parameters, const Planner& plan,
-                                   CodeSource& source);
+/// Makes code for all records with one compilation; neither of both where no compiler is there or the plans
+/// differ in more than numbers.
+SharedCode share_code(const std::vector<Plan>& at_start, const std::vector<FitParameter>& parameters,
+                      const Planner& plan, CodeSource& source);
 
 }  // namespace stepwire

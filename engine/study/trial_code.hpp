@@ -21,6 +21,7 @@ class TrialCode : public CodeSource {
   /// Waits for what is compiled ahead; nothing where it is stopped before.
   std::vector<CompiledPlan> compile(const std::vector<const Plan*>& plans,
                                     const std::stop_token& stop) override;
+  std::vector<double> numbers(const Plan& plan) const override { return source_.numbers(plan); }
 
  private:
   std::vector<const Plan*> with_probes(std::vector<const Plan*> plans) const;

@@ -113,3 +113,18 @@ TEST_CASE("compiled runs give what interpreted ones give, at any number of threa
   CHECK(found(again, "slope").value == found(compiled, "slope").value);
   CHECK(found(again, "bias").standard_error == found(compiled, "bias").standard_error);
 }
+
+TEST_CASE(
+    "a number that follows a parameter in no straight line costs a plan for each run, but no compilation") {
+  GeneratedCode code;
+  std::string text = straight_line(both);
+  const std::string gain = "gain: $slope";
+  REQUIRE(text.find(gain) != std::string::npos);
+  text.replace(text.find(gain), gain.size(), "gain: = exp(slope) - 1");
+  const FitResult compiled = fit_text(text, &code), interpreted = fit_text(text);
+  CHECK(compiled.compiled);
+  CHECK(!interpreted.compiled);
+  CHECK(found(compiled, "slope").value == Approx(std::log(1.0 + slope)).epsilon(1e-8));
+  CHECK(found(compiled, "slope").value == found(interpreted, "slope").value);
+  CHECK(found(compiled, "bias").standard_error == found(interpreted, "bias").standard_error);
+}
