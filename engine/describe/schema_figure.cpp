@@ -25,6 +25,9 @@ Json channel_schema(const Channel& channel) {
 
 Json option_schema(const Option& option) {
   if (option.form == Option::Form::names) return explained(one_or_list_of(schema_ref("text")), option.doc);
+  if (option.form == Option::Form::texts) return explained(map_of(schema_ref("text")), option.doc);
+  if (option.form == Option::Form::lists)
+    return explained(map_of(one_or_list_of(schema_ref("text"))), option.doc);
   if (option.form == Option::Form::tree) return Json::object().set("description", option.doc);
   if (!option.words.empty()) return explained(one_word_of(option.words), option.doc);
   const Json number = schema_ref("number");
@@ -34,9 +37,7 @@ Json option_schema(const Option& option) {
 /// Points of the plane by their names, or a list of them.
 Json marks_schema() {
   const Json point = pair_of(schema_ref("number"));
-  Json named =
-      Json::object().set("type", "object").set("minProperties", 1).set("additionalProperties", point);
-  return any_of({std::move(named), list_of(point)});
+  return any_of({map_of(point), list_of(point)});
 }
 
 /// What a key of every panel or picture holds.

@@ -114,6 +114,10 @@ Json list_of(Json items) {
   return typed("array").set("items", std::move(items));
 }
 
+Json map_of(const Json& values) {
+  return Json::object().set("type", "object").set("minProperties", 1).set("additionalProperties", values);
+}
+
 Json one_or_list_of(const Json& item) {
   return any_of({item, list_of(item).set("minItems", 1)});
 }

@@ -28,6 +28,8 @@ Json one_word_of(const std::vector<std::string>& words);
 
 /// A list of what fits `items`.
 Json list_of(Json items);
+/// A map of any names, at least one, to such values.
+Json map_of(const Json& values);
 
 /// What fits `item`, or a list of it.
 Json one_or_list_of(const Json& item);

@@ -103,6 +103,14 @@ async function reenterSums(task, elk, laid) {
 /** What it costs a reader that a block in a way back is drawn as if it led forward. */
 const forwardCost = 4;
 
+/** How large a picture becomes, by one layout. */
+export async function sizeOfLayout(nodes, wires, elk) {
+  const task = {nodes, wires, ...flowOf(nodes, wires, true)};
+  await settlePorts(task, elk);
+  const {width, height} = await layOut(task, elk, styles[0]);
+  return {width, height};
+}
+
 /** Lays out with ways back from right to left; where these find no good place, also without, and takes the better. */
 export async function layOutLoops(nodes, wires, elk) {
   const attempt = async (flip) => {

@@ -89,6 +89,16 @@ void keep_picture(const std::string& path, const std::string& picture) {
   }
 }
 
+void add_names(const Sheet& sheet, const std::string& above, bool signals, std::vector<std::string>& names) {
+  for (const SheetChild& child : sheet.children) {
+    const std::string name = above + child.name;
+    names.push_back(name);
+    if (signals)
+      for (const std::string& output : child.outputs) names.push_back(name + "." + output);
+    if (child.part) add_names(*child.part, name + ".", signals, names);
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> DiagramView::parts() const {
@@ -105,6 +115,25 @@ Json DiagramView::graph(const GraphOptions& options) const {
   const Node* title = loader_.document(file).root.find("title");
   Json graph = graph_of(diagram_, *sheet_of(diagram_, loader_, scope_), options);
   return graph.set("title", title ? title->text : "");
+}
+
+std::vector<std::string> DiagramView::blocks(bool signals) const {
+  std::vector<std::string> names;
+  const auto sheet = sheet_of(diagram_, loader_, scope_);
+  add_names(*sheet, "", signals, names);
+  if (signals) names.insert(names.end(), sheet->outputs.begin(), sheet->outputs.end());
+  return names;
+}
+
+std::vector<std::string> DiagramView::children() const {
+  std::vector<std::string> names;
+  const auto sheet = sheet_of(diagram_, loader_, scope_);
+  for (const SheetChild& child : sheet->children) names.push_back(child.name);
+  return names;
+}
+
+std::vector<std::string> DiagramView::signals(const GraphOptions& options) const {
+  return drawn_signals(diagram_, *sheet_of(diagram_, loader_, scope_), options);
 }
 
 DrawnFile::DrawnFile(Loader& loader, const std::string& path)

@@ -18,6 +18,12 @@ class DiagramView {
   /// Names of all parts that can be opened: "rig", "rig.mount".
   std::vector<std::string> parts() const;
   Json graph(const GraphOptions& options) const;
+  /// Names of all blocks and parts of the file and of its parts; with their outputs where `signals`.
+  std::vector<std::string> blocks(bool signals) const;
+  /// The blocks and parts of the file itself.
+  std::vector<std::string> children() const;
+  /// The signals that a drawing with these options has: those that labels can be on.
+  std::vector<std::string> signals(const GraphOptions& options) const;
 
  private:
   const Diagram& diagram_;

@@ -41,6 +41,7 @@ function backWires(nodes, {out, into}) {
 }
 
 const longestReturn = 4;
+const columnGap = 40;
 
 /**
  * The blocks between where a signal is taken and where it is fed back: each has one wire in and one out. Where nothing
@@ -51,15 +52,31 @@ function wayBack(wire, byId, {out, into}) {
   const isWired = (id, port) => out.get(id).some((one) => one.from.port === port.port);
   const takers = (id) => out.get(id).length + recorded(id).filter((port) => !isWired(id, port)).length;
   for (let id = wire.from.node; ; id = into.get(id)[0].from.node) {
-    const {outline, graph} = byId.get(id);
+    const {outline} = byId.get(id);
     if (takers(id) > 1) return way;
-    const simple = into.get(id).length === 1 && (outline === "box" || outline === "triangle") && !graph;
+    const simple = into.get(id).length === 1 && (outline === "box" || outline === "triangle");
     if (!simple || id === wire.to.node || way.length === longestReturn) break;
     way.push(id);
   }
   const isPlant = (id) => byId.get(id).state || recorded(id).length > 0;
   const end = way.findIndex(isPlant);
   return end >= 0 ? way.slice(0, end) : isPlant(wire.to.node) ? way : [];
+}
+
+/** How far from the left each node begins where all wires but those back lead to the right, side by side. */
+export function startsOf(nodes, wires) {
+  const starts = new Map(nodes.map(({id}) => [id, 0])), widths = new Map(nodes.map(({id, width}) => [id, width]));
+  const back = backWires(nodes, indexWires(nodes, wires)), forward = wires.filter((wire) => !back.has(wire));
+  for (let moved = true; moved;) {
+    moved = false;
+    for (const {from, to} of forward) {
+      const start = starts.get(from.node) + widths.get(from.node) + columnGap;
+      if (start <= starts.get(to.node)) continue;
+      starts.set(to.node, start);
+      moved = true;
+    }
+  }
+  return starts;
 }
 
 /**

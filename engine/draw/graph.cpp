@@ -1,9 +1,8 @@
 #include "engine/draw/graph.hpp"
 
-#include <algorithm>
 #include <filesystem>
-#include <set>
 
+#include "engine/draw/selection.hpp"
 #include "engine/draw/symbol_text.hpp"
 
 namespace stepwire {
@@ -34,21 +33,33 @@ std::string signs_of(const DiagramBlock& block) {
 class GraphWriter {
  public:
   GraphWriter(const Diagram& diagram, const Sheet& sheet, const GraphOptions& options)
-      : diagram_(diagram), options_(options), above_(scope_prefix(sheet).size()) {
-    for (const RecordRequest& request : diagram.records)
-      for (const RecordedSignal& recorded : request.signals) add_recorded(recorded.signal);
-    for (const DiagramOutput& output : diagram.outputs) add_recorded(output.signal);
+      : diagram_(diagram), options_(options), selection_(diagram, sheet, options) {}
+
+  /// The whole, with the groups of its blocks.
+  Json whole(const Sheet& sheet) {
+    for (const std::string& input : sheet.inputs) signals_.push_back(input);
+    Json drawn = graph(sheet, sheet.inputs, selection_.own_outputs(sheet), 0);
+    if (options_.groups.empty()) return drawn;
+    Json groups = Json::list();
+    for (const NodeGroup& group : options_.groups)
+      groups.push(Json::object().set("name", group.name).set("members", Json::list_of(group.members)));
+    return drawn.set("groups", std::move(groups));
   }
 
+  /// The signals that have a place in what was drawn.
+  const std::vector<std::string>& signals() const { return signals_; }
+
+ private:
   /// `outputs` are those of the file itself that are drawn.
   Json graph(const Sheet& sheet, const std::vector<std::string>& inputs, const std::vector<int>& outputs,
-             int depth) const {
-    const Shown shown = shown_outputs(sheet, outputs);
+             int depth) {
+    const auto shown = selection_.shown(sheet, outputs);
     Json own_inputs = Json::list(), own_outputs = Json::list(), nodes = Json::list(), wires = Json::list();
-    for (const std::string& input : inputs) own_inputs.push(port(input, input));
+    for (const std::string& input : inputs) own_inputs.push(marked(port(input, input), sheet, input));
     for (std::size_t i = 0; i < sheet.children.size(); ++i) {
-      nodes.push(node(sheet, i, shown[i], depth));
-      add_wires(sheet, sheet.children[i], wires);
+      if (shown[i].hidden) continue;
+      nodes.push(node(sheet, i, shown[i].outputs, depth));
+      add_wires(sheet, sheet.children[i], depth, wires);
     }
     for (const int output : outputs) {
       const auto index = static_cast<std::size_t>(output);
@@ -63,45 +74,12 @@ class GraphWriter {
         .set("wires", std::move(wires));
   }
 
- private:
-  /// For each child the outputs that are drawn.
-  using Shown = std::vector<std::vector<int>>;
-
-  void add_recorded(const SignalRef& signal) { recorded_.insert({signal.block, signal.output}); }
-
-  bool is_recorded(const Sheet& sheet, const SheetSource& source) const {
-    const auto signal = sheet.signal(source);
-    return signal && recorded_.contains({signal->block, signal->output});
+  /// A port of the file itself, with the text on its wire; inside of a part that stands outside.
+  Json marked(Json port, const Sheet& sheet, const std::string& name) const {
+    const auto label = sheet.parent ? options_.labels.end() : options_.labels.find(name);
+    if (label != options_.labels.end()) port.set("mark", label->second);
+    return port;
   }
-
-  Shown shown_outputs(const Sheet& sheet, const std::vector<int>& own) const {
-    std::set<std::pair<int, int>> used;
-    for (const SheetChild& child : sheet.children)
-      for (const SheetInput& input : child.inputs)
-        for (const SheetFeed& feed : input.feeds)
-          if (feed.source) used.insert({feed.source->child, feed.source->port});
-    for (const int output : own)
-      if (const auto& source = sheet.output_sources[static_cast<std::size_t>(output)])
-        used.insert({source->child, source->port});
-    Shown shown;
-    for (int child = 0; child < static_cast<int>(sheet.children.size()); ++child) {
-      const int count = static_cast<int>(sheet.children[static_cast<std::size_t>(child)].outputs.size());
-      std::vector<int> some, all;
-      for (int i = 0; i < count; ++i) {
-        all.push_back(i);
-        if (used.contains({child, i}) || is_recorded(sheet, {child, i})) some.push_back(i);
-      }
-      shown.push_back(some.empty() ? std::move(all) : std::move(some));
-    }
-    return shown;
-  }
-
-  const std::string& scope_prefix(const Sheet& sheet) const {
-    return diagram_.scopes[static_cast<std::size_t>(sheet.scope)].prefix;
-  }
-
-  /// What names of a file's blocks begin with, seen from the file that is drawn.
-  std::string prefix(const Sheet& sheet) const { return scope_prefix(sheet).substr(above_); }
 
   static Json port(const std::string& name, const std::string& label) {
     Json port = Json::object().set("port", name);
@@ -123,14 +101,23 @@ class GraphWriter {
     return declared > 1 && !(names.size() == 1 && (names.front() == "u" || names.front() == "y"));
   }
 
-  Json node(const Sheet& sheet, std::size_t index, const std::vector<int>& shown, int depth) const {
+  Json node(const Sheet& sheet, std::size_t index, const std::vector<int>& shown, int depth) {
     const SheetChild& child = sheet.children[index];
-    const std::string id = prefix(sheet) + child.name;
-    Json node = Json::object().set("id", id).set("name", child.name);
+    const std::string id = selection_.name_in(sheet, child.name);
+    const auto other = options_.names.find(id);
+    Json node = Json::object().set("id", id);
+    node.set("name", other == options_.names.end() ? child.name : other->second);
     if (child.part)
-      add_part(node, child, id, shown, depth);
+      add_part(node, sheet, child, id, shown, depth);
     else
       add_block(node, child);
+    node.set("inputs", inputs_of(sheet, child, depth));
+    return node.set("outputs", outputs_of(sheet, index, id, shown));
+  }
+
+  Json outputs_of(const Sheet& sheet, std::size_t index, const std::string& id,
+                  const std::vector<int>& shown) {
+    const SheetChild& child = sheet.children[index];
     std::vector<std::string> names;
     for (const int output : shown) names.push_back(child.outputs[static_cast<std::size_t>(output)]);
     const bool labelled = child.part || are_telling(names, block_of(child).type().outputs.size());
@@ -138,25 +125,34 @@ class GraphWriter {
     for (const int output : shown) {
       const std::string& name = child.outputs[static_cast<std::size_t>(output)];
       Json drawn = port(name, labelled ? name : "");
-      if (is_recorded(sheet, {static_cast<int>(index), output})) drawn.set("recorded", true);
+      if (selection_.is_recorded(sheet, {static_cast<int>(index), output})) drawn.set("recorded", true);
+      if (const std::string* label = label_of(id, name, child.outputs.size())) drawn.set("mark", *label);
+      signals_.push_back(id + "." + name);
+      if (child.outputs.size() == 1) signals_.push_back(id);
       outputs.push(std::move(drawn));
     }
-    return node.set("inputs", inputs_of(child)).set("outputs", std::move(outputs));
+    return outputs;
   }
 
-  Json inputs_of(const SheetChild& child) const {
+  /// The text on the wire of a block's output, which has the block's name where it is the only one; or null.
+  const std::string* label_of(const std::string& id, const std::string& output, std::size_t outputs) const {
+    auto found = options_.labels.find(id + "." + output);
+    if (found == options_.labels.end() && outputs == 1) found = options_.labels.find(id);
+    return found == options_.labels.end() ? nullptr : &found->second;
+  }
+
+  Json inputs_of(const Sheet& sheet, const SheetChild& child, int depth) const {
     std::vector<std::string> names;
     for (const SheetInput& input : child.inputs) names.push_back(input.name);
     const bool labelled = child.part || are_telling(names, block_of(child).type().inputs.size());
     const std::string signs = child.part ? "" : signs_of(block_of(child));
     const bool has_signs = !child.part && !block_of(child).type().symbol.signs.empty();
     Json inputs = Json::list();
-    for (const SheetInput& input : child.inputs)
-      for (std::size_t i = 0; i < input.feeds.size(); ++i) {
-        Json drawn = port(input_name(input, i), labelled ? input.name : "");
-        if (has_signs) drawn.set("sign", std::string(1, i < signs.size() ? signs[i] : '+'));
-        inputs.push(std::move(drawn));
-      }
+    for (const auto& [input, i] : selection_.feeds(sheet, child, depth)) {
+      Json drawn = port(input_name(*input, i), labelled ? input->name : "");
+      if (has_signs) drawn.set("sign", std::string(1, i < signs.size() ? signs[i] : '+'));
+      inputs.push(std::move(drawn));
+    }
     return inputs;
   }
 
@@ -176,27 +172,21 @@ class GraphWriter {
     if (block.type().has_continuous_state()) node.set("state", true);
   }
 
-  bool is_open(const std::string& id, int depth) const {
-    return depth < options_.depth ||
-           std::any_of(options_.open.begin(), options_.open.end(),
-                       [&](const auto& open) { return open == id || open.starts_with(id + "."); });
-  }
-
-  void add_part(Json& node, const SheetChild& child, const std::string& id, const std::vector<int>& shown,
-                int depth) const {
+  void add_part(Json& node, const Sheet& sheet, const SheetChild& child, const std::string& id,
+                const std::vector<int>& shown, int depth) {
     const std::string& file = diagram_.scopes[static_cast<std::size_t>(child.part->scope)].file;
     node.set("type", std::filesystem::path(file).stem().string()).set("part", true).set("outline", "box");
     node.set("lines", Json::list());
-    if (!is_open(id, depth)) return;
+    if (!selection_.is_open(id, depth)) return;
     std::vector<std::string> inputs;
-    for (const SheetInput& input : child.inputs) inputs.push_back(input.name);
+    for (const auto& feed : selection_.feeds(sheet, child, depth)) inputs.push_back(feed.input->name);
     node.set("graph", graph(*child.part, inputs, shown, depth + 1));
   }
 
-  void add_wires(const Sheet& sheet, const SheetChild& child, Json& wires) const {
-    for (const SheetInput& input : child.inputs)
-      for (std::size_t i = 0; i < input.feeds.size(); ++i)
-        wires.push(wire(sheet, input.feeds[i], end(prefix(sheet) + child.name, input_name(input, i))));
+  void add_wires(const Sheet& sheet, const SheetChild& child, int depth, Json& wires) const {
+    for (const auto& [input, i] : selection_.feeds(sheet, child, depth))
+      wires.push(
+          wire(sheet, input->feeds[i], end(selection_.name_in(sheet, child.name), input_name(*input, i))));
   }
 
   Json wire(const Sheet& sheet, const SheetFeed& feed, Json to) const {
@@ -208,7 +198,7 @@ class GraphWriter {
       wire.set("from", end("", sheet.inputs[port]));
     } else {
       const SheetChild& child = sheet.children[static_cast<std::size_t>(feed.source->child)];
-      wire.set("from", end(prefix(sheet) + child.name, child.outputs[port]));
+      wire.set("from", end(selection_.name_in(sheet, child.name), child.outputs[port]));
     }
     wire.set("to", std::move(to));
     const std::string unit = options_.units ? unit_of(sheet, *feed.source) : "";
@@ -227,16 +217,21 @@ class GraphWriter {
 
   const Diagram& diagram_;
   const GraphOptions& options_;
-  std::size_t above_;  ///< letters that lie above the file that is drawn
-  std::set<std::pair<int, int>> recorded_;
+  Selection selection_;
+  std::vector<std::string> signals_;
 };
 
 }  // namespace
 
 Json graph_of(const Diagram& diagram, const Sheet& sheet, const GraphOptions& options) {
-  std::vector<int> outputs;
-  for (std::size_t i = 0; i < sheet.outputs.size(); ++i) outputs.push_back(static_cast<int>(i));
-  return GraphWriter(diagram, sheet, options).graph(sheet, sheet.inputs, outputs, 0);
+  return GraphWriter(diagram, sheet, options).whole(sheet);
+}
+
+std::vector<std::string> drawn_signals(const Diagram& diagram, const Sheet& sheet,
+                                       const GraphOptions& options) {
+  GraphWriter writer(diagram, sheet, options);
+  writer.whole(sheet);
+  return writer.signals();
 }
 
 }  // namespace stepwire

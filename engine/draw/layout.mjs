@@ -3,8 +3,8 @@
 import {clearance, leadBelow} from "./below.mjs";
 import {slide} from "./slide.mjs";
 import {smooth} from "./smooth.mjs";
-import {openLength, portPitch, sizes} from "./symbol.mjs";
-import {widthOf} from "./text.mjs";
+import {markGap, openLength, portPitch, sizes} from "./symbol.mjs";
+import {widthOf, widthOfPieces} from "./text.mjs";
 import {straightened} from "./wires.mjs";
 
 const options = {
@@ -35,12 +35,13 @@ export const portsOf = (node) => [
 ];
 
 /** Stands for the arrow at a signal that is recorded and fed to nothing: elk heeds no label without text. */
-const arrow = "→";
+const arrow = "→", noted = "x";
 
-/** What stands beside a port: the unit of its signal, or the arrow of a signal that is recorded and fed to nothing. */
-function besidePort({unit, isOpen}) {
-  const width = Math.max(unit ? widthOf(unit, sizes.unit) : 0, isOpen ? openLength : 0);
-  return width > 0 ? [{text: unit ?? arrow, width, height: sizes.unit}] : [];
+/** What stands beside a port: what its signal is called and its unit, or the arrow of a signal that is fed to nothing. */
+function besidePort({mark, unit, isOpen}) {
+  const text = [mark ? widthOfPieces(mark, sizes.mark) : 0, unit ? widthOf(unit, sizes.unit) : 0].filter((width) => width > 0);
+  const width = Math.max(text.reduce((sum, one) => sum + one + markGap, 0), isOpen ? openLength : 0);
+  return width > 0 ? [{text: text.length > 0 ? noted : arrow, width, height: mark ? sizes.mark : sizes.unit}] : [];
 }
 
 function elkNode(node) {
@@ -84,10 +85,10 @@ function elkNodes(nodes) {
 /** Ports lie at whole places on their nodes, so that what met before it was moved to whole pixels still meets. */
 const whole = (value) => Math.floor(value + 0.5 + 1e-6);
 
-/** How far from the port at which a signal begins its unit stands. */
-function unitsOf(laid) {
-  const hasUnit = ({labels = []}) => labels.length > 0 && labels[0].text !== arrow;
-  return new Map(laid.children.flatMap((child) => child.ports.filter(hasUnit).map(({id, labels: [{x, y}]}) => [id, [x, y]])));
+/** How far from the port at which a signal begins its name and its unit stand. */
+function notesOf(laid) {
+  const hasNote = ({labels = []}) => labels.length > 0 && labels[0].text === noted;
+  return new Map(laid.children.flatMap((child) => child.ports.filter(hasNote).map(({id, labels: [{x, y, width}]}) => [id, [x, y, width]])));
 }
 
 /** Where each node lies; words at their ports, left or right at the edge. */
@@ -143,5 +144,5 @@ export async function layOut({nodes, wires, reversed}, elk, style, apart = new S
   for (const [wire, points] of lines) lines.set(wire, straightened(points));
   slide(nodes, wires, places, lines);
   smooth(nodes, wires, places, lines);
-  return {...bounds, places, units: unitsOf(laid), wires: wires.map((wire) => ({...wire, points: lines.get(wire)}))};
+  return {...bounds, places, notes: notesOf(laid), wires: wires.map((wire) => ({...wire, points: lines.get(wire)}))};
 }

@@ -1,12 +1,13 @@
 // What is laid out beside the blocks of a graph: constants, and the ports of the file itself.
 
+import {grouped} from "./groups.mjs";
 import {drawnOutline} from "./symbol.mjs";
 
 /** A port of the file itself: an oval, or inside of a frame a word. */
 function ownPort(port, kind, isRoot) {
-  const here = [{port: port.port}];
+  const here = [{port: port.port, mark: port.mark}];
   return {
-    id: `:${kind}:${port.port}`, name: "", outline: isRoot ? "oval" : "text", lines: [port.label], own: kind,
+    id: `:${kind}:${port.port}`, name: "", outline: isRoot && !port.isCut ? "oval" : "text", lines: [port.label ?? ""], own: kind,
     inputs: kind === "output" ? here : [], outputs: kind === "input" ? here : [],
   };
 }
@@ -19,7 +20,8 @@ function constantNode(wire, index, nodes) {
 }
 
 /** All nodes and wires that are laid out for a graph; the graph itself stays as it is. */
-export function nodesAndWires(graph, isRoot) {
+export function nodesAndWires(whole, isRoot) {
+  const graph = grouped(whole);
   const copy = (ports) => ports.map((port) => ({...port}));
   const inner = graph.nodes.map((node) => drawnOutline({...node, inputs: copy(node.inputs), outputs: copy(node.outputs)}));
   const nodes = [

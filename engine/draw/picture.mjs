@@ -1,12 +1,21 @@
 // The picture of a graph: blocks and wires with places, in pixels.
 
-import {layOutLoops} from "./best.mjs";
+import {layOutLoops, sizeOfLayout} from "./best.mjs";
+import {grouped} from "./groups.mjs";
 import {outputId} from "./layout.mjs";
+import {mirrored} from "./mirror.mjs";
 import {nodesAndWires} from "./nodes.mjs";
+import {rowsOf, secondRow, stacked} from "./rows.mjs";
 import {openLength, sizeOf, sizes} from "./symbol.mjs";
 import {widthOf} from "./text.mjs";
+import {straightened} from "./wires.mjs";
 
 const frame = {head: 22, margin: 12};
+/** On a page of 1400 pixels names of ports are 9 high in a picture of this width. */
+const widest = (1400 * sizes.port) / 9;
+/** Two rows are drawn where they are that much less wide than one. */
+const worthwhile = 0.85;
+const band = {width: 1000, ratio: 3.5};
 
 /** What is recorded and fed to nothing ends in an arrow; no wire turns that close to a block. */
 function openEnds(nodes) {
@@ -17,47 +26,123 @@ function openEnds(nodes) {
 }
 
 /** The picture of what is in a part; parts that differ in their own name only are laid out once. */
-async function pictureOf(node, elk, known) {
+async function pictureOf(node, elk, known, room) {
   const own = `"${node.id}.`, any = '"\u0001', general = (drawn) => JSON.stringify(drawn).replaceAll(own, any);
-  const key = general(node.graph);
-  if (!known.has(key)) known.set(key, general(await arrange(node.graph, elk, false, known)));
+  const key = `${room.frame} ${general(node.graph)}`;
+  if (!known.has(key)) known.set(key, general(await arrangeIn(node.graph, elk, false, known, room)));
   return JSON.parse(known.get(key).replaceAll(any, own));
 }
 
 /** An opened part is a frame around its own picture, whose ports lie where its words for them are. */
-async function openPart(node, elk, known) {
-  const picture = await pictureOf(node, elk, known);
-  const at = (kind) => picture.blocks.filter((block) => block.own === kind).map((block) => block.y + block.height / 2);
+async function openPart(node, elk, known, room) {
+  const picture = await pictureOf(node, elk, known, room);
+  const at = (kind) => picture.blocks.filter((block) => block.own === kind && !block.within).map((block) => block.y + block.height / 2);
   const down = (ys) => ys.map((y) => y + frame.head);
   node.width = Math.max(picture.width, Math.ceil(widthOf(node.name, sizes.name)) + 2 * frame.margin);
   node.height = picture.height + frame.head;
-  node.inner = {picture, WEST: down(at("input")), EAST: down(at("output"))};
+  node.inner = {picture, inputs: down(at("input")), outputs: down(at("output"))};
+}
+
+/** Wires of a group go on to its edge. */
+function reachEdge(wires, width) {
+  const edge = (x) => (x < width / 2 ? 0 : width);
+  for (const {from, to, points} of wires) {
+    if (from.node.startsWith(":input:")) points[0][0] = edge(points[0][0]);
+    if (to?.node.startsWith(":output:")) points.at(-1)[0] = edge(points.at(-1)[0]);
+  }
+}
+
+/** The picture in a frame as it lies there. */
+function innerPicture({inner, flipped, isGroup, width}) {
+  const picture = flipped ? mirrored({...inner.picture, width}) : inner.picture;
+  if (isGroup) reachEdge(picture.wires.filter((wire) => !wire.within), width);
+  return picture;
+}
+
+/** Two pieces of a wire that meet at the edge of a frame as one. */
+const joined = (first, second) => ({
+  from: first.from, to: second.to, within: [...(first.within ?? []), ...(second.within ?? [])],
+  points: straightened([...first.points, ...second.points]),
+});
+
+/** Wires that cross the edge of a group: each piece within goes on outside. */
+function joinAtEdge(group, outer, inner) {
+  const ends = (end, kind, wire) => wire[end]?.node === `:${kind}:${wire[end].port}` && wire.within.length === 1;
+  const entering = (wire) => ends("from", "input", wire), leaving = (wire) => ends("to", "output", wire);
+  const at = (port) => (end) => end?.node === group.id && end.port === port;
+  return [
+    ...outer.filter(({from, to}) => from.node !== group.id && to?.node !== group.id),
+    ...inner.filter((wire) => !entering(wire) && !leaving(wire)),
+    ...inner.filter(entering).map((wire) => joined(outer.find(({to}) => at(wire.from.port)(to)), wire)),
+    ...inner.filter(leaving).flatMap((wire) => outer.filter(({from}) => at(wire.to.port)(from)).map((one) => joined(wire, one))),
+  ];
 }
 
 /** Moves what lies in a frame to where the frame is. */
 function embed(block, picture) {
-  const {picture: inner} = block.inner, dx = block.x, dy = block.y + frame.head;
+  const inner = innerPicture(block), dx = block.x, dy = block.y + frame.head;
   const move = ([x, y]) => [x + dx, y + dy], within = (one) => [block.id, ...(one.within ?? [])];
-  picture.blocks.push(...inner.blocks.map((one) => ({...one, within: within(one), x: one.x + dx, y: one.y + dy})));
-  picture.wires.push(...inner.wires.map((wire) => ({...wire, within: within(wire), points: wire.points.map(move)})));
+  const blocks = inner.blocks.filter((one) => !(block.isGroup && one.own && !one.within));
+  const wires = inner.wires.map((wire) => ({...wire, within: within(wire), points: wire.points.map(move)}));
+  picture.blocks.push(...blocks.map((one) => ({...one, within: within(one), x: one.x + dx, y: one.y + dy})));
+  picture.wires = block.isGroup ? joinAtEdge(block, picture.wires, wires) : [...picture.wires, ...wires];
 }
 
-/**
- * The picture of a graph: {width, height, blocks, wires}. A block is a node with x, y, width, height and ports that
- * have a side and a place on it; a wire has the corners that it goes through. What lies in frames names them in `within`.
- */
-export async function arrange(graph, elk, isRoot = true, known = new Map()) {
+/** The nodes of a graph with their sizes; opened parts have their picture. */
+async function sizedNodes(graph, isRoot, elk, known, room) {
   const {nodes, wires} = nodesAndWires(graph, isRoot);
   for (const node of nodes) {
-    if (node.graph) await openPart(node, elk, known);
+    if (node.graph) await openPart(node, elk, known, room);
     else Object.assign(node, sizeOf(node));
   }
+  return {nodes, wires};
+}
+
+/** The picture of what has its sizes, in one row. */
+async function inOneRow({nodes, wires}, elk) {
   const laid = await layOutLoops(nodes, wires, elk);
   const blocks = nodes.map((node) => Object.assign(node, laid.places.get(node.id)));
   for (const node of nodes)
-    for (const port of node.outputs) port.unitAt = laid.units.get(outputId({node: node.id, port: port.port}));
+    for (const port of node.outputs) port.noteAt = laid.notes.get(outputId({node: node.id, port: port.port}));
   const ends = openEnds(nodes), right = Math.max(...ends.map(({points}) => points[1][0] + 8));
   const picture = {width: Math.max(laid.width, right), height: laid.height, blocks, wires: [...laid.wires, ...ends]};
   for (const block of [...blocks]) if (block.inner) embed(block, picture);
   return picture;
+}
+
+/** The picture of a graph in two rows; nothing where it cannot be divided. */
+async function inTwoRows(graph, {nodes, wires}, elk, isRoot, known, room) {
+  const second = secondRow(nodes, wires), rows = [];
+  if (second.size === 0) return undefined;
+  for (const row of rowsOf(graph, second)) rows.push(await inOneRow(await sizedNodes(row, isRoot, elk, known, room), elk));
+  return stacked(rows);
+}
+
+/** Is a picture wider than it may be, or a band that leaves most of a page empty? */
+const isTooWide = ({width, height}, room) => width > room || (width > band.width && width > band.ratio * height);
+
+/**
+ * The picture of a graph: {width, height, blocks, wires}. A block is a node with x, y, width, height and ports that
+ * have a side and a place on it; a wire has the corners that it goes through. What lies in frames names them in `within`.
+ * Frames that become wider than `room.frame` are drawn in two rows, and so is the whole beyond `room.whole`.
+ */
+async function arrangeIn(graph, elk, isRoot, known, room) {
+  const whole = grouped(graph), sized = () => sizedNodes(whole, isRoot, elk, known, room), task = await sized();
+  const size = await sizeOfLayout(task.nodes, task.wires, elk);
+  if (isRoot ? isTooWide(size, room.whole) : size.width > room.frame) {
+    const two = await inTwoRows(whole, task, elk, isRoot, known, room);
+    if (two && two.width < worthwhile * size.width) return two;
+  }
+  return inOneRow(await sized(), elk);
+}
+
+/** The same, narrow enough to be read on a page if that can be had; `known` keeps pictures of parts for further calls. */
+export async function arrange(graph, elk, known = new Map()) {
+  let best;
+  for (const frame of [Infinity, 1000, 600]) {
+    const picture = await arrangeIn(graph, elk, true, known, {whole: widest, frame});
+    if (!best || picture.width < best.width) best = picture;
+    if (best.width <= widest) break;
+  }
+  return best;
 }

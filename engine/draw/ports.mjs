@@ -16,13 +16,13 @@ function placeOnCircle(node) {
 
 /** Gives each port of a node its side and place: inputs on one side in their order, outputs on the other. */
 export function placePorts(node) {
-  const along = (ports, side) => {
-    const at = node.inner ? node.inner[side] : spread(ports.length, node.height);
+  const along = (ports, side, inner) => {
+    const at = inner ?? spread(ports.length, node.height);
     ports.forEach((port, i) => Object.assign(port, {side, x: side === "WEST" ? 0 : node.width, y: at[i]}));
   };
   if (node.outline === "circle") placeOnCircle(node);
-  else along(node.inputs, inputSide(node));
-  along(node.outputs, outputSide(node));
+  else along(node.inputs, inputSide(node), node.inner?.inputs);
+  along(node.outputs, outputSide(node), node.inner?.outputs);
 }
 
 function enterSum(node, wires, reversed, heights) {

@@ -1,7 +1,8 @@
 // Writes a picture as SVG.
 
-import {arrowHead, dot, faint, group, ink, n, page, path, polyline, text} from "./pen.mjs";
-import {sizes, textSize} from "./symbol.mjs";
+import {arrowHead, dot, faint, group, ink, n, page, path, polyline, quantity, text} from "./pen.mjs";
+import {markGap, sizes, textSize} from "./symbol.mjs";
+import {widthOfPieces} from "./text.mjs";
 import {forks, netOf, segmentsOf} from "./wires.mjs";
 
 /** A curve from the square -1..1 with y upwards into the place around a centre. */
@@ -76,10 +77,14 @@ function portTexts(block) {
   }).join("");
 }
 
-function units(block) {
-  return block.outputs.filter((port) => port.unitAt).map((port) => {
-    const [dx, dy] = port.unitAt, style = {size: sizes.unit, anchor: "start", fill: "#666"};
-    return text(block.x + port.x + dx + 2, block.y + port.y + dy + sizes.unit / 2, port.unit, style);
+/** What signals are called where they begin, and their units. */
+function notes(block) {
+  return block.outputs.filter((port) => port.noteAt).map((port) => {
+    const [dx, dy] = port.noteAt, x = block.x + port.x + dx + markGap / 2, top = block.y + port.y + dy;
+    const height = port.mark ? sizes.mark : sizes.unit, style = {size: sizes.unit, anchor: "start", fill: "#666"};
+    const unitX = x + (port.mark ? widthOfPieces(port.mark, sizes.mark) + markGap : 0);
+    return (port.mark ? quantity(x, top + height / 2, port.mark, {size: sizes.mark}) : "") +
+      (port.unit ? text(unitX, top + height / 2, port.unit, style) : "");
   }).join("");
 }
 
@@ -133,7 +138,7 @@ function drawNets(wires) {
   return wires.map((wire) => {
     const drawn = nets.get(netOf(wire)) ?? [], lines = remainder(wire.points, drawn);
     nets.set(netOf(wire), [...drawn, ...lines.flatMap(segmentsOf)]);
-    return lines.slice(0, -1).map(polyline).join("") + drawWire(lines.at(-1));
+    return lines.slice(0, -1).map((points) => polyline(points)).join("") + drawWire(lines.at(-1));
   });
 }
 
@@ -159,8 +164,8 @@ export function svgOf(picture, title = "") {
     group(`fill="none" ${line}`, blocks.map(inside)),
     group(`fill="${ink}"`, [
       ...frames.map(frameName),
-      ...frames.map(units),
-      ...blocks.map((block) => lines(block) + portTexts(block) + units(block) + name(block)),
+      ...frames.map(notes),
+      ...blocks.map((block) => lines(block) + portTexts(block) + notes(block) + name(block)),
     ]),
   ]);
 }

@@ -2,8 +2,10 @@
 
 import {widthOf} from "./text.mjs";
 
-export const sizes = {text: 13, name: 12, port: 10.5, sign: 13, unit: 9.5};
+export const sizes = {text: 13, name: 12, port: 10.5, sign: 13, unit: 9.5, mark: 14};
 export const portPitch = 24;
+/** Between the name of a signal and its unit, and around them. */
+export const markGap = 3;
 /** How long the arrow at a signal is that is recorded and fed to nothing. */
 export const openLength = 15;
 const lineHeight = 16;

@@ -19,6 +19,26 @@ export function widthOf(text, size) {
   return (sum * size) / 1000;
 }
 
+/** Pieces of a text in which what follows "_" stands lower: letters and figures, or what is in braces: F_d, x_{max}. */
+export function piecesOf(text) {
+  return [...text.matchAll(/_\{([^}]*)\}|_([\p{L}\p{N}]+)|[^_]+|_/gu)]
+    .map(([all, braced, word]) => ({text: braced ?? word ?? all, low: (braced ?? word) !== undefined}));
+}
+
+/** Lowered letters are smaller, and stand lower by so much of the size. */
+export const lowered = {size: 0.78, by: 0.28};
+
+/** Width of such a text in pixels. */
+export const widthOfPieces = (text, size) =>
+  piecesOf(text).reduce((sum, piece) => sum + widthOf(piece.text, piece.low ? lowered.size * size : size), 0);
+
+/** Is this the name of a quantity, F_e or x, and no word? */
+export const isQuantity = (name) => /^\p{L}{1,2}(_(\{[^}]*\}|[\p{L}\p{N}]+))?$/u.test(name);
+
+/** Size of names in a mechanism; those of quantities are larger. */
+export const nameSize = (name) => (isQuantity(name) ? 15 : 12);
+export const widthOfName = (name) => (isQuantity(name) ? widthOfPieces : widthOf)(name, nameSize(name));
+
 /** A text as it may stand in XML; what XML does not allow at all becomes a blank. */
 export function escaped(text) {
   const names = {"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;"};

@@ -26,8 +26,10 @@ struct Option {
   std::string axis{};  ///< the channel in whose unit its numbers are drawn; empty: plain numbers
   bool list = false;   ///< a number or a list of them
   std::vector<std::string> words{};  ///< the words that are allowed, for an option that is a word
-  enum class Form { plain, names, tree } form = Form::plain;  ///< names and trees are read by the plot itself
-  bool pairs = false;                                         ///< of a list: its numbers come in twos
+  /// All but plain ones are read by the plot itself: names, a map of texts, a map of lists of names, or what
+  /// only its doc describes.
+  enum class Form { plain, names, texts, lists, tree } form = Form::plain;
+  bool pairs = false;  ///< of a list: its numbers come in twos
 };
 
 /// One kind of plot: what it reads and how it is drawn. A new kind is one file with one such value, and a

@@ -135,7 +135,7 @@ for (const file of files)
     test(`${file.slice(root.length + 1)} is drawn well ${depth ? "with its parts opened" : "as it is"}`, async (context) => {
       const graph = graphOf(file, depth);
       if (!graph) return context.skip("its data are not here");
-      const picture = await arrange(graph, elk, true, known);
+      const picture = await arrange(graph, elk, known);
       checkBlocks(picture);
       checkWires(picture);
       checkEnds(picture);
@@ -148,6 +148,85 @@ for (const file of files)
       if (depth === 0 && file.includes("/thesis/"))
         assert.equal(svgOf(picture), svgOf(await arrange(graph, elk)), "drawn twice it differs");
     });
+
+const block = (id, inputs = ["u"], outputs = ["y"]) => ({
+  id, name: id, outline: "box", lines: [id], inputs: inputs.map((port) => ({port})), outputs: outputs.map((port) => ({port})),
+});
+const wire = (from, to) => ({from: {node: from, port: "y"}, to: {node: to, port: "u"}});
+/** Blocks one behind the other, the last one feeding the first where `loop`. */
+function chain(count, loop) {
+  const ids = Array.from({length: count}, (_, i) => `block ${i}`);
+  const wires = ids.slice(1).map((id, i) => wire(ids[i], id));
+  return {inputs: [], outputs: [], nodes: ids.map((id) => block(id)), wires: loop ? [...wires, wire(ids.at(-1), ids[0])] : wires};
+}
+const check = (picture) => [checkBlocks, checkWires, checkEnds, checkWhole, checkApart].forEach((one) => one(picture));
+
+for (const loop of [true, false])
+  test(`a ${loop ? "loop" : "chain"} that is too long for one row is drawn in two, the second from right to left`, async () => {
+    const graph = chain(16, loop), picture = await arrange(graph, elk);
+    check(picture);
+    assert.equal(picture.wires.filter((one) => one.to).length, graph.wires.length);
+    assert.ok((1400 / picture.width) * 10.5 >= 9, "its smallest text is not 9 px high at 1400 px");
+    assert.ok(picture.width < 3.5 * picture.height || picture.width < 1000);
+    const at = (i) => picture.blocks.find(({id}) => id === `block ${i}`);
+    assert.ok(at(1).x > at(0).x && at(15).x < at(14).x && at(15).y > at(0).y + 40);
+  });
+
+test("a short chain stays in one row", async () => {
+  const {blocks} = await arrange(chain(4, false), elk);
+  assert.ok(blocks.every(({x}, i) => i === 0 || x > blocks[i - 1].x));
+});
+
+test("a group is a frame around its blocks that wires pass through", async () => {
+  const graph = {...chain(5, true), groups: [{name: "both", members: ["block 1", "block 2"]}]};
+  const picture = await arrange(graph, elk), frame = picture.blocks.find(({name}) => name === "both");
+  check(picture);
+  for (const {id, x, y, width, height} of picture.blocks.filter((one) => one.id.startsWith("block")))
+    assert.equal(x > frame.x && y > frame.y && x + width < frame.x + frame.width && y + height < frame.y + frame.height,
+      ["block 1", "block 2"].includes(id), id);
+  const heads = [...svgOf(picture).matchAll(/fill="#1a1a1a" stroke="none"/g)].length;
+  assert.equal(heads, graph.wires.length, "one arrow for each wire of the file, none at the frame");
+});
+
+test("wires lead from a group in one row to a group in the other", async () => {
+  const ids = (from, to) => Array.from({length: to - from}, (_, i) => `block ${from + i}`);
+  const graph = {...chain(16, true), groups: [{name: "first", members: ids(2, 6)}, {name: "second", members: ids(10, 14)}]};
+  const picture = await arrange(graph, elk), at = (name) => picture.blocks.find((one) => one.name === name);
+  check(picture);
+  assert.equal(picture.wires.filter((one) => one.to).length, graph.wires.length);
+  assert.ok(at("second").y > at("first").y + at("first").height);
+});
+
+test("texts on wires stand at their beginning, with what follows _ lower, on nothing else", async () => {
+  const graph = chain(6, true);
+  graph.nodes[2].outputs[0].mark = "F_d";
+  graph.nodes[5].outputs[0].mark = "x_{max}";
+  const picture = await arrange(graph, elk), svg = svgOf(picture);
+  assert.match(svg, /font-style="italic"[^>]*>F<tspan font-size="[\d.]+" dy="[\d.]+">d<\/tspan><\/text>/);
+  assert.match(svg, />x<tspan[^>]*>max<\/tspan>/);
+  for (const {id, x, y, outputs: [port]} of picture.blocks.filter(({outputs}) => outputs[0]?.mark)) {
+    const [dx, dy, width] = port.noteAt, area = {left: x + port.x + dx, top: y + port.y + dy, right: x + port.x + dx + width, bottom: y + port.y + dy + 14};
+    for (const other of picture.blocks) assert.ok(!overlap(shrunk(area, 1), box(other)), `the text of ${id} covers ${other.id}`);
+    for (const segment of picture.wires.flatMap(({points}) => segments(points)))
+      assert.ok(!touches(segment, shrunk(area, 1)), `a wire runs through the text of ${id}`);
+  }
+});
+
+test("a frame that is drawn from right to left keeps its ports and what is in it", async () => {
+  const inner = {inputs: [{port: "u", label: "u"}], outputs: [{port: "y", label: "y"}],
+    nodes: [block("part.a"), block("part.b")],
+    wires: [{from: {node: "", port: "u"}, to: {node: "part.a", port: "u"}}, wire("part.a", "part.b"),
+      {from: {node: "part.b", port: "y"}, to: {node: "", port: "y"}}]};
+  const sum = {...block("sum", ["u.1", "u.2"]), outline: "circle", inputs: [{port: "u.1", sign: "+"}, {port: "u.2", sign: "-"}]};
+  const graph = {inputs: [], outputs: [], nodes: [block("step", []), sum, {...block("plant"), state: true, outputs: [{port: "y", recorded: true}]},
+    {...block("part"), part: true, graph: inner}],
+    wires: [{from: {node: "step", port: "y"}, to: {node: "sum", port: "u.1"}}, wire("sum", "plant"), wire("plant", "part"),
+      {from: {node: "part", port: "y"}, to: {node: "sum", port: "u.2"}}]};
+  const picture = await arrange(graph, elk), at = (id) => picture.blocks.find((one) => one.id === id);
+  check(picture);
+  assert.ok(at("part").flipped, "it stands in the way back");
+  assert.ok(at("part.a").x > at("part.b").x, "the signal goes to the left in it");
+});
 
 test("names are escaped", async () => {
   const port = {port: "y", label: "<y> & \"z\""};
