@@ -1,6 +1,6 @@
 // Finds places for names where they cover nothing.
 
-import {widthOf} from "./text.mjs";
+import {widthOfName} from "./text.mjs";
 
 const height = 12, gap = 3, between = 8;
 
@@ -26,13 +26,13 @@ const anchorOf = (dx) => (dx > 0.3 ? "start" : dx < -0.3 ? "end" : "middle");
 function besideLink([[ax, ay], [bx, by]], centre) {
   const length = Math.hypot(bx - ax, by - ay) || 1, across = [-(by - ay) / length, (bx - ax) / length];
   const found = [];
-  for (const distance of [17, 25, 35, 47])
-    for (const share of [0.5, 0.38, 0.62, 0.26, 0.74])
+  for (const distance of [17, 25, 35, 47, 62, 80, 110])
+    for (const share of [0.5, 0.38, 0.62, 0.26, 0.74, 0.14, 0.86])
       for (const side of [1, -1]) {
-        const [dx, dy] = across.map((one) => side * one);
-        const at = [ax + share * (bx - ax) + distance * dx, ay + share * (by - ay) + distance * dy];
+        const [dx, dy] = across.map((one) => side * one), foot = [ax + share * (bx - ax), ay + share * (by - ay)];
+        const at = [foot[0] + distance * dx, foot[1] + distance * dy];
         const outward = (at[0] - centre[0]) * dx + (at[1] - centre[1]) * dy > 0;
-        found.push({at, anchor: anchorOf(dx), rank: distance + (outward ? 0 : 8)});
+        found.push({at, anchor: anchorOf(dx), foot, rank: distance + (outward ? 0 : 8)});
       }
   return found.sort((a, b) => a.rank - b.rank);
 }
@@ -40,7 +40,7 @@ function besideLink([[ax, ay], [bx, by]], centre) {
 function aroundBox({left, right, top, bottom}) {
   const [cx, cy] = [(left + right) / 2, (top + bottom) / 2];
   const found = [];
-  for (const distance of [9, 18, 30, 44])
+  for (const distance of [9, 18, 30, 44, 64])
     for (const [dx, dy] of [[1, 0], [0, 1], [-1, 0], [0, -1], [1, 1], [-1, 1], [1, -1], [-1, -1]]) {
       const x = dx > 0 ? right + distance : dx < 0 ? left - distance : cx;
       const y = dy > 0 ? bottom + distance : dy < 0 ? top - distance : cy;
@@ -55,26 +55,61 @@ const hull = (points, by) => ({
 });
 
 /** A line from a name to what it is for, where that is not close by. */
-function leaderTo([x, y], {left, right, top, bottom}) {
+function leaderTo([x, y], {left, right, top, bottom}, radius = 10, least = 22) {
   const from = [Math.min(Math.max(x, left), right), Math.min(Math.max(y, top), bottom)];
-  const distance = Math.hypot(from[0] - x, from[1] - y), radius = 10;
-  if (distance < 22) return undefined;
+  const distance = Math.hypot(from[0] - x, from[1] - y);
+  if (distance < least) return undefined;
   return [from, [x + (radius * (from[0] - x)) / distance, y + (radius * (from[1] - y)) / distance]];
 }
 
+const middleOf = ({left, right, top, bottom}) => [(left + right) / 2, (top + bottom) / 2];
+
+/** How far a box is from a line, by its middle and by its ends. */
+function farFrom(box, [[ax, ay], [bx, by]]) {
+  const [, cy] = middleOf(box), square = (bx - ax) ** 2 + (by - ay) ** 2 || 1;
+  return Math.min(...[box.left, (box.left + box.right) / 2, box.right].map((x) => {
+    const share = Math.min(1, Math.max(0, ((x - ax) * (bx - ax) + (cy - ay) * (by - ay)) / square));
+    return Math.hypot(x - ax - share * (bx - ax), cy - ay - share * (by - ay));
+  }));
+}
+
+/** Would a reader take the name of a link for that of another one, which is nearer? */
+const isNearerToAnother = (box, own, others) => others.some((other) => farFrom(box, other) < 1.25 * farFrom(box, own));
+
+/** A line from the name of a link to it, where it is not close by. */
+const leaderToLink = (foot, box, half = 9) => leaderTo(foot, box, half, half + 25);
+
+/** The line from a name to what it is for, if it needs one. */
+function leaderOf({at, isLink, isBody, isNear, half, edges}, {foot}, box) {
+  if (edges || isNear) return undefined;
+  if (isLink) return leaderToLink(foot, box, half);
+  if (isBody) return leaderTo(middleOf(hull(at, 0)), box);
+  return at.length === 1 ? leaderTo(at[0], box) : undefined;
+}
+
+/** Places for a name, the best first: beside a link or an edge, or around what is named. */
+function placesFor({at, isLink, edges}, centre) {
+  if (edges) return edges.flatMap((edge) => besideLink(edge, centre)).sort((a, b) => a.rank - b.rank);
+  return isLink ? besideLink(at, centre) : aroundBox(hull(at, at.length > 1 ? 0 : 8));
+}
+
 /**
- * Places for the names of things: each {name, at: [point], isLink}. `obstacles` are {segment, half} and boxes. Returns
- * {name, at, anchor, leader} for each.
+ * Places for the names of things: each {name, at: [point], isLink}, or {name, edges};
+ * what is not a link may be a body (isBody) or have its name close by in any case (isNear). `obstacles` are {segment, half} and boxes. Returns
+ * {name, at, anchor, leader, isFree} for each; `isFree` is false where it covers something.
  */
 export function placeNames(things, obstacles, centre, page) {
-  const taken = [], inside = ({left, right, top, bottom}) => left >= 4 && top >= 4 && right <= page.width - 4 && bottom <= page.height - 4;
+  const taken = [], inside = ({left, right, top, bottom}) => left >= 10 && top >= 4 && right <= page.width - 10 && bottom <= page.height - 4;
   const free = (box) => inside(box) && !taken.some((other) => overlaps(grown(box, between), other)) && !obstacles.some((one) =>
     one.segment ? meets(one.segment, grown(box, one.half + gap)) : overlaps(box, one));
-  return things.map(({name, at, isLink}) => {
-    const candidates = isLink ? besideLink(at, centre) : aroundBox(hull(at, at.length > 1 ? 0 : 8)), width = widthOf(name, height);
-    const best = candidates.find((one) => free(boxOf(one.at, one.anchor, width))) ?? candidates[0];
-    const box = boxOf(best.at, best.anchor, width);
+  return things.map((thing) => {
+    const {name, at, isLink} = thing, others = things.filter((one) => one.isLink && one !== thing).map((one) => one.at);
+    const candidates = placesFor(thing, centre), width = widthOfName(name);
+    const suits = (box) => free(box) && !(isLink && isNearerToAnother(box, at, others));
+    const found = candidates.find((one) => suits(boxOf(one.at, one.anchor, width)));
+    const best = found ?? candidates[0], box = boxOf(best.at, best.anchor, width);
     taken.push(box);
-    return {name, ...best, leader: at.length === 1 ? leaderTo(at[0], grown(box, 2)) : undefined};
+    const leader = leaderOf(thing, best, grown(box, 2));
+    return {name, at: best.at, anchor: best.anchor, leader, isFree: found !== undefined};
   });
 }

@@ -1,17 +1,9 @@
 // The symbols of mechanisms. Distances along a link are to scale, widths are those of symbols.
 
-import {arrowHead, circle, faint, ink, polygon, polyline} from "./pen.mjs";
+import {arrowHead, circle, faint, frameOf, ink, polygon, polyline} from "./pen.mjs";
+import * as schematic from "./schematic.mjs";
 
-const body = "#e6ecf3", dark = "#c3cfdd", joint = 4;
-
-/** The frame of a link: from its first end along it (u) and across (v), in pixels. */
-function frameOf([a, b]) {
-  const length = Math.hypot(b[0] - a[0], b[1] - a[1]) || 1e-9;
-  const [ux, uy] = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
-  const at = (u, v) => [a[0] + u * ux - v * uy, a[1] + u * uy + v * ux];
-  const box = (from, to, half, more) => polygon([at(from, -half), at(to, -half), at(to, half), at(from, half)], more);
-  return {length, at, box, line: (...points) => polyline(points.map(([u, v]) => at(u, v)), ` fill="none"`)};
-}
+const body = "#e6ecf3", dark = "#c3cfdd", joint = 4, neck = 3;
 
 /** How long the housing of a link is, in pixels: as the file says, or a good half. */
 const housing = ({body: given}, length, scale) => Math.min(given ? 1000 * given * scale : 0.58 * length, 0.9 * length);
@@ -21,8 +13,8 @@ const ends = (element) => element.at.map((point) => circle(point, joint)).join("
 
 /** Cylinder with its piston, and the rod. */
 function damper(element, {scale}) {
-  const {length, box, line} = frameOf(element.at), to = housing(element, length, scale), piston = 0.62 * to;
-  return line([0, 0], [14, 0]) + box(14, to, 8, fill(body)) + box(piston, length - joint, 2) +
+  const {length, box} = frameOf(element.at), to = housing(element, length, scale), piston = 0.62 * to;
+  return box(0, 14, neck) + box(14, to, 8, fill(body)) + box(piston, length - joint, 2) +
     box(piston - 5, piston + 1, 8, fill(dark)) + ends(element);
 }
 
@@ -30,13 +22,13 @@ function damper(element, {scale}) {
 function motor(element, {scale}) {
   const {length, box, line} = frameOf(element.at), to = housing(element, length, scale), windings = [];
   for (let u = 22; u < to - 8; u += 10) windings.push(line([u, -9], [u + 5, 9]));
-  return line([0, 0], [12, 0]) + box(to, length - joint, 2.5) + box(12, to, 9, fill(body)) + windings.join("") + ends(element);
+  return box(0, 12, neck) + box(to, length - joint, 2.5) + box(12, to, 9, fill(body)) + windings.join("") + ends(element);
 }
 
 function spring(element) {
   const {length, line} = frameOf(element.at), turns = 8, from = 0.2 * length, step = (0.6 * length) / turns;
   const zigzag = Array.from({length: turns}, (_, i) => [from + (i + 0.5) * step, i % 2 ? -7 : 7]);
-  return line([0, 0], [from, 0], ...zigzag, [length - from, 0], [length, 0]) + ends(element);
+  return line([0, 0], [from, 0], ...zigzag, [length - from, 0], [length, 0]);
 }
 
 function rod(element) {
@@ -56,9 +48,10 @@ const besides = {potentiometer: 17, lvdt: 24};
 /** Beside a link: a drum at one end, and the string to the other. */
 function potentiometer(element, page, centre) {
   const {length, at, line} = frameOf(element.at), v = besides.potentiometer * outerSide(element.at, centre);
-  const string = `<g stroke-dasharray="5 3" stroke-width="1">${line([26, v], [length - 8, v])}</g>`;
-  const tie = `<g stroke-width="1">${line([length - 8, v], [length - 8, 0])}${line([10, v], [10, 0])}</g>`;
-  return string + tie + polygon([at(2, v - 7), at(24, v - 7), at(24, v + 7), at(2, v + 7)], fill(body)) + circle(at(13, v), 4);
+  const string = `<g stroke-dasharray="5 3" stroke-width="1">${line([24, v], [length, v])}</g>`;
+  const arm = (u) => polygon([at(u - 2, 0), at(u + 2, 0), at(u + 2, v), at(u - 2, v)]);
+  return string + arm(0) + arm(length) + circle(at(length, v), 2.5) +
+    polygon([at(-4, v - 7), at(22, v - 7), at(22, v + 7), at(-4, v + 7)], fill(body)) + circle(at(9, v), 4);
 }
 
 /** Beside a link: a coil, and its core on a rod. */
@@ -77,6 +70,12 @@ function loadCell(element) {
   return line([Math.max(0, start), 0], [length, 0]) + box(from, to, 8, fill(dark)) + line([from, -8], [to, 8]) + line([from, 8], [to, -8]);
 }
 
+/** The corners of what stands in the link, not of the link. */
+export function bodyOfLoadCell({at}) {
+  const {length, at: place} = frameOf(at);
+  return [place(length - 26, -8), place(length - 10, -8), place(length - 10, 8), place(length - 26, 8)];
+}
+
 function arrow(element) {
   const [from, to] = element.at, length = Math.hypot(to[0] - from[0], to[1] - from[1]) || 1e-9;
   const {base, head} = arrowHead(to, [(to[0] - from[0]) / length, (to[1] - from[1]) / length]);
@@ -84,10 +83,19 @@ function arrow(element) {
 }
 
 /** Symbols between two points. */
-export const linear = {damper, motor, spring, rod, potentiometer, lvdt, load_cell: loadCell, arrow};
+export const linear = {damper, motor, spring, rod, potentiometer, lvdt, load_cell: loadCell, arrow, ...schematic.between};
+
+/** A joint that turns about one axis. */
+const hinge = (point) => circle(point, joint);
+
+/** A joint that turns about two: a cross in a ring. */
+function cross([x, y]) {
+  const r = 8, d = r * Math.SQRT1_2;
+  return circle([x, y], r) + polyline([[x - d, y - d], [x + d, y + d]]) + polyline([[x - d, y + d], [x + d, y - d]]);
+}
 
 /** A joint at the ground: it stands on the side from which no link comes. */
-function ground(element, page, links) {
+const standing = (symbol) => (element, page, links) => {
   return element.at.map(([x, y]) => {
     const away = [0, 0];
     for (const [a, b] of links)
@@ -101,9 +109,9 @@ function ground(element, page, links) {
     const [dx, dy] = level ? [Math.sign(away[0]), 0] : [0, Math.sign(away[1]) || 1];
     const at = (u, v) => [x + u * dx - v * dy, y + u * dy + v * dx];
     const hatch = [-14, -7, 0, 7, 14].map((v) => polyline([at(15, v), at(21, v - 6)], ` stroke-width="0.9"`));
-    return polygon([[x, y], at(15, -9), at(15, 9)]) + polyline([at(15, -17), at(15, 17)]) + hatch.join("") + circle([x, y], joint);
+    return polygon([[x, y], at(15, -9), at(15, 9)]) + polyline([at(15, -17), at(15, 17)]) + hatch.join("") + symbol([x, y]);
   }).join("");
-}
+};
 
 const onEach = (symbol) => (element) => element.at.map(symbol).join("");
 
@@ -124,20 +132,23 @@ function shaker([x, y]) {
 
 /** Symbols at one point or at several. */
 export const atPoint = {
-  ground,
+  ground: standing(hinge),
+  universal: standing(cross),
   pin: onEach((point) => circle(point, joint)),
   end_effector: onEach((point) => circle(point, 8) + circle(point, 3, fill(ink))),
   carriage: onEach(carriage),
   shaker: onEach(shaker),
   rotary_damper: onEach((point) => circle(point, 17, fill(body)) + circle(point, 12, fill(dark)) + circle(point, joint)),
+  ...schematic.at,
 };
 
 const dashed = ` stroke="${faint}" stroke-dasharray="5 4"`;
 
 /** What lies behind the rig, by its lines. */
 export const areas = {
-  workspace: (lines) => lines.map((line) => polyline(line, dashed)).join(""),
-  path: (lines) => lines.map((line) => polyline(line, ` stroke="#0072b2" stroke-width="1.1"`)).join(""),
+  workspace: (element, lines) => lines.map((line) => polyline(line, dashed)).join(""),
+  ...schematic.behind,
+  path: (element, lines) => lines.map((line) => polyline(line, ` stroke="#0072b2" stroke-width="1.1"`)).join(""),
 };
 
 const around = (left, right, top, bottom) => ([x, y]) => [{left: x - left, right: x + right, top: y - top, bottom: y + bottom}];
@@ -146,12 +157,15 @@ const beside = (kind, half) => ({at}, centre) => {
   return [{segment: [place(0, v), place(length, v)], half}];
 };
 
+/** How far symbols reach beside the line between their points, where that is farther than dampers do. */
+export const halves = {dashpot: 13, bouc_wen: 30};
+
 /** What symbols take up beside the line between their points. */
 export const extents = {
   potentiometer: beside("potentiometer", 8), lvdt: beside("lvdt", 7),
-  ground: around(20, 20, 22, 22), pin: around(5, 5, 5, 5), end_effector: around(9, 9, 9, 9),
+  ground: around(20, 20, 22, 22), universal: around(20, 20, 22, 22), slide: around(36, 36, 36, 36), torque: around(30, 30, 30, 30), pin: around(5, 5, 5, 5), end_effector: around(9, 9, 9, 9),
   carriage: around(62, 62, 17, 30), shaker: around(60, 2, 27, 27), rotary_damper: around(18, 18, 18, 18),
 };
 
 /** Symbols that are themselves as large as a name. */
-export const wide = {carriage, shaker};
+export const wide = {carriage, shaker, slide: schematic.at.slide, torque: schematic.at.torque};

@@ -54,6 +54,7 @@ Json element_json(const RigElement& element, const Recording& recording, const R
   if (!element.name.empty()) json.set("name", element.name);
   if (element.body) json.set("body", *element.body);
   if (element.offset != 0.0) json.set("offset", element.offset);
+  if (!element.direction.empty()) json.set("direction", Json::list_of(element.direction));
   return json;
 }
 
@@ -72,10 +73,11 @@ std::string draw_mechanism(const Rig& rig, const std::string& file, std::span<co
   Json elements = Json::list();
   for (const RigElement& element : rig.elements)
     elements.push(element_json(element, recording, rows, dimensions));
-  return draw_picture(Json::object()
-                          .set("title", rig.title)
-                          .set("dimensions", dimensions)
-                          .set("elements", std::move(elements)));
+  Json drawn = Json::object().set("title", rig.title).set("dimensions", dimensions);
+  drawn.set("axes", Json::list_of(rig.axes));
+  if (rig.z_up) drawn.set("up", "z");
+  if (rig.schematic) drawn.set("schematic", true);
+  return draw_picture(drawn.set("elements", std::move(elements)));
 }
 
 Picture read_mechanism(const Node& node, const Names& names, Faults& faults) {
@@ -88,7 +90,9 @@ Picture read_mechanism(const Node& node, const Names& names, Faults& faults) {
 
 std::string elements_doc() {
   std::string doc =
-      "list of {KIND: points, name: .., body: length of a housing, offset: of a dimension}; kinds:";
+      "list of {KIND: points, name: .., body: length of a housing, offset: of a dimension, direction: of a "
+      "force, an angle or shares along the axes}; in a name such as F_e what follows '_' stands lower; "
+      "kinds:";
   for (const RigKind& kind : rig_kinds()) doc += (doc.ends_with(':') ? " " : ", ") + kind.name;
   return doc;
 }
@@ -107,6 +111,14 @@ PlotKind rig_plot() {
                    {},
                    Option::Form::tree},
                   {"elements", elements_doc(), "", false, {}, Option::Form::tree},
+                  {"axes",
+                   "names of the axes that are drawn, [x, z] of a view from the side",
+                   "",
+                   false,
+                   {},
+                   Option::Form::names},
+                  {"up", "the axis that points upwards in space (y)", "", false, {"y", "z"}},
+                  {"schematic", "without axes and scale", "", false, {"false", "true"}},
                   {"where",
                    "the first row for which this is true is drawn; without it the first of all",
                    "",

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "engine/draw/draw.hpp"
@@ -12,8 +13,6 @@ namespace stepwire {
 namespace {
 
 using Keys = std::vector<std::string>;
-
-constexpr std::size_t any_number = 1000;
 
 /// "anchors.1" of a block: a row of one of its parameters.
 std::optional<RigPoint> row_of(const DiagramBlock& block, const std::string& rest) {
@@ -45,6 +44,7 @@ class RigReader {
             "a plot 'rig' needs 'elements', a list such as [{damper: [anchor, pin]}, {ground: anchor}]");
     else
       for (const Node& element : elements->items) read_element(element);
+    read_view();
     if (const Node* where = node_.find("where"))
       rig_.where = read_formula(*where, names_, "figure.where", faults_);
     rig_.recording = common_recording(formulas(), names_, node_, "figure", faults_);
@@ -54,6 +54,28 @@ class RigReader {
  private:
   void fault(const Mark& mark, const std::string& key, std::string message) {
     faults_.add({{names_.file, mark}, "figure." + key, std::move(message), {}});
+  }
+
+  void read_view() {
+    rig_.z_up = word("up", {"y", "z"}) == "z";
+    rig_.schematic = word("schematic", {"false", "true"}) == "true";
+    const Node* axes = node_.find("axes");
+    if (!axes) return;
+    Keys names;
+    for (const Node& name : axes->items) names.push_back(name.text);
+    if (names.size() < 2 || names.size() > most_coordinates)
+      return fault(axes->mark, "axes", "axes are the names of two or three directions: [x, z]");
+    rig_.axes = std::move(names);
+  }
+
+  /// One of some words, the first where the file has none.
+  std::string word(const std::string& key, const Keys& words) {
+    const Node* node = node_.find(key);
+    if (!node) return words.front();
+    if (std::find(words.begin(), words.end(), node->text) == words.end())
+      fault(node->mark, key,
+            fmt::format("'{}' is not allowed; it is one of {}", node->text, fmt::join(words, ", ")));
+    return node->text;
   }
 
   void read_points(const Node& node) {
@@ -123,10 +145,36 @@ class RigReader {
         element.body = length(entry.value, "body");
       else if (entry.key == "offset")
         element.offset = length(entry.value, "offset").value_or(0.0);
+      else if (entry.key == "direction" && kind.directed)
+        element.direction = direction(entry.value);
       else
-        add_unknown_key(entry, {kind.name, "name", "body", "offset"}, "an element", names_, "figure.elements",
-                        faults_);
+        add_unknown_key(entry, keys_of(kind), "an element", names_, "figure.elements", faults_);
     }
+  }
+
+  static Keys keys_of(const RigKind& kind) {
+    Keys keys{kind.name, "name", "body", "offset"};
+    if (kind.directed) keys.push_back("direction");
+    return keys;
+  }
+
+  /// An angle from x towards y, or shares along the axes.
+  std::vector<double> direction(const Node& node) {
+    std::vector<double> along;
+    for (const Node& item : node.items)
+      if (const auto share = read_number(item, names_, "figure.direction", faults_))
+        along.push_back(share->value);
+    if (!node.is_list()) {
+      const auto angle = read_number(node, names_, "figure.direction", faults_);
+      if (!angle) return {};
+      check_dimension(*angle, Dimension{}, "an angle", node, names_, "figure.direction", faults_);
+      return {std::cos(angle->value), std::sin(angle->value)};
+    }
+    const bool any = std::any_of(along.begin(), along.end(), [](double share) { return share != 0.0; });
+    if (!any || along.size() < 2 || along.size() > most_coordinates)
+      fault(node.mark, "direction",
+            "a direction is an angle such as 60 deg, or shares along the axes: [0, 0, 1]");
+    return along;
   }
 
   std::optional<double> length(const Node& node, const std::string& key) {
@@ -154,30 +202,6 @@ class RigReader {
 };
 
 }  // namespace
-
-const std::vector<RigKind>& rig_kinds() {
-  static const std::vector<RigKind> kinds{
-      {"damper", "it takes two: where its housing is held, and the end of its rod"},
-      {"motor", "a linear motor takes two: where its housing is held, and the end of its rod"},
-      {"spring", "it takes two ends"},
-      {"rod", "it takes two ends"},
-      {"potentiometer",
-       "a string potentiometer beside a link takes two: where it is held, and the end of its string"},
-      {"lvdt", "beside a link, it takes two: where it is held, and the end of its core"},
-      {"load_cell", "it takes the two ends of the link at whose second end it is"},
-      {"arrow", "it takes two: its beginning and its tip"},
-      {"dimension", "it takes the two points whose distance it shows"},
-      {"ground", "it takes the joints that are at the ground", 1, any_number},
-      {"pin", "it takes the joints that are drawn", 1, any_number},
-      {"end_effector", "it takes one point", 1, 1},
-      {"carriage", "it takes the point at which its damper ends", 1, 1},
-      {"shaker", "it takes the point that it moves along x", 1, 1},
-      {"rotary_damper", "it takes its centre", 1, 1},
-      {"workspace", "it takes two opposite corners, or the corners of a polygon", 2, any_number},
-      {"path", "it takes one point, whose way is drawn", 1, 1},
-  };
-  return kinds;
-}
 
 Rig read_rig(const Node& node, const Names& names, Faults& faults) {
   return RigReader(node, names, faults).read();

@@ -84,8 +84,9 @@ test("a dimension says the true distance, also of what is seen aslant", () => {
 
 test("every kind of element is drawn, the same bytes each time, and its name escaped", () => {
   const ends = [[0, 0], [0.2, 0.1]];
-  for (const kind of ["damper", "motor", "spring", "rod", "potentiometer", "lvdt", "load_cell", "arrow", "dimension", "ground", "pin",
-    "end_effector", "carriage", "shaker", "rotary_damper", "workspace", "path"]) {
+  for (const kind of ["damper", "motor", "spring", "rod", "dashpot", "bouc_wen", "potentiometer", "lvdt", "load_cell", "arrow", "force", "motion",
+    "torque", "axis", "dimension", "ground", "universal", "pin", "end_effector", "carriage", "shaker", "slide", "rotary_damper", "box", "wall", "base",
+    "workspace", "path"]) {
     const one = {kind, points: ends, name: "<&>"}, empty = {title: "", dimensions: 2, elements: [{kind: "path", points: ends}]};
     const drawn = drawRig({title: "", dimensions: 2, elements: [one]});
     assert.equal(drawn, drawRig({title: "", dimensions: 2, elements: [one]}));
@@ -101,4 +102,64 @@ test("the lines to what a dimension measures begin beside the joints there", () 
   const starts = [...drawn.matchAll(/<path d="M([\d.]+) ([\d.]+)L[^"]*" stroke="#9a9a9a"\/>/g)].map(([, x, y]) => [Number(x), Number(y)]);
   assert.equal(starts.length, 2);
   starts.forEach((start, i) => assert.ok(distance(start, placed[0].at[i]) > 21, "it runs through the hatching"));
+});
+
+const names = (rig) => Object.fromEntries(arrangeRig(rig).names.map((one) => [one.name, one]));
+const far = ([x, y], [[ax, ay], [bx, by]]) => {
+  const share = Math.min(1, Math.max(0, ((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / ((bx - ax) ** 2 + (by - ay) ** 2)));
+  return Math.hypot(x - ax - share * (bx - ax), y - ay - share * (by - ay));
+};
+
+test("between two links close to each other each name is nearer to its own", () => {
+  const elements = [
+    {kind: "base", points: [[-0.2, 0.4], [0.2, 0.4], [0, -0.04]], name: "base"},
+    {kind: "damper", points: [[-0.1584, 0.3584], [0, 0.18]], name: "left MR damper", body: 0.13},
+    {kind: "damper", points: [[0.1584, 0.3584], [0, 0.18]], name: "right MR damper", body: 0.13},
+    {kind: "motor", points: [[0, 0], [0, 0.18]], name: "linear motor", body: 0.11},
+    {kind: "potentiometer", points: [[-0.1584, 0.3584], [0, 0.18]], name: "string potentiometer"},
+    {kind: "potentiometer", points: [[0.1584, 0.3584], [0, 0.18]], name: "other potentiometer"},
+    {kind: "ground", points: [[-0.1584, 0.3584], [0.1584, 0.3584], [0, 0]]},
+    {kind: "force", points: [[0, 0.18]], direction: [0.5, -0.87], name: "F_e"},
+  ];
+  const {names: placed, placed: bodies} = arrangeRig({title: "", dimensions: 2, elements});
+  assert.ok(placed.every(({isFree}) => isFree));
+  const link = (name) => bodies.find((one) => one.name === name).at;
+  for (const [own, other] of [["left MR damper", "right MR damper"], ["right MR damper", "left MR damper"]]) {
+    const {left, right, top, bottom} = boxOf(placed.find(({name}) => name === own)), middle = [(left + right) / 2, (top + bottom) / 2];
+    assert.ok(far(middle, link(own)) < far(middle, link(other)), own);
+  }
+});
+
+test("a force points where it is said to, from its point, and lies on the page with its name", () => {
+  for (const degrees of [0, 60, 90, 200, 300]) {
+    const direction = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
+    const rig = {title: "", dimensions: 2, elements: [{kind: "pin", points: [[0, 0]]}, {kind: "rod", points: [[0, 0], [0.1, 0]]}, {kind: "force", points: [[0, 0]], direction, name: "F_e"}]};
+    const [, x0, y0, x1, y1] = drawRig(rig).match(/M([\d.]+) ([\d.]+)L([\d.]+) ([\d.]+)" stroke="#b03020"/).map(Number), {paper, placed} = arrangeRig(rig);
+    assert.ok(Math.abs(Math.atan2(y0 - y1, x1 - x0) - Math.atan2(direction[1], direction[0])) < 0.01, `${degrees} degrees`);
+    assert.ok(distance([x0, y0], placed[0].at[0]) < 15);
+    assert.ok(x1 > 0 && y1 > 0 && x1 < paper.width && y1 < paper.height);
+    const {left, right, top, bottom} = boxOf(names(rig)["F_e"]);
+    assert.ok(left > 0 && top > 0 && right < paper.width && bottom < paper.height);
+  }
+});
+
+test("z may point upwards, and axes have the names that they are given", () => {
+  const rig = {...space, up: "z", axes: ["x", "y", "r"]}, {paper} = arrangeRig(rig);
+  const [from, to] = [paper.place([0, 0, 0]), paper.place([0, 0, 0.1])];
+  assert.ok(to[1] < from[1] - 10 && Math.abs(to[0] - from[0]) < 1e-9);
+  assert.match(drawRig(rig), />r<\/text>/);
+  assert.ok(!/mm<\/text>/.test(drawRig({...plane, schematic: true, elements: plane.elements.slice(0, 7)})), "a schematic has no scale");
+});
+
+test("a universal joint does not look like a pin joint", () => {
+  const rig = (kind) => drawRig({title: "", dimensions: 2, elements: [{kind, points: [[0, 0]]}, {kind: "rod", points: [[0, 0], [0.1, 0]]}]});
+  const lines = (svg) => svg.match(/<path/g).length;
+  assert.equal(lines(rig("universal")), lines(rig("ground")) + 2);
+});
+
+test("a name stands in its box where it fits, else beside it", () => {
+  const rig = (name) => ({title: "", dimensions: 2, elements: [{kind: "box", points: [[0, 0], [0.05, 0.1]], name}, {kind: "wall", points: [[-0.2, 0], [0.2, 0]]}]});
+  assert.equal(arrangeRig(rig("m")).names.length, 0);
+  assert.match(drawRig(rig("m")), />m<\/text>/);
+  assert.equal(arrangeRig(rig("the whole of the moving mass of it")).names.length, 1);
 });
