@@ -69,9 +69,9 @@ std::vector<std::size_t> telling(const FitResult& result, std::size_t comparison
   return {all.front(), all[all.size() / 2], all.back()};
 }
 
-/// Measured and modelled over time, the residual, and both over whatever the file names, for one record.
+/// Record and model over time, the residual, and both over whatever the file names, for one record.
 void add_panels(const FitComparison& comparison, const FittedRecord& record, const ComparedRows& rows,
-                Asked& asked) {
+                const std::string& word, Asked& asked) {
   const std::string si = si_of(comparison.model.formula.dimension), unit = comparison.model.unit_text;
   std::vector<Column> columns{
       {"time", "s", rows.time}, {"measured", si, rows.measured}, {"model", si, rows.model}};
@@ -80,8 +80,8 @@ void add_panels(const FitComparison& comparison, const FittedRecord& record, con
         {fmt::format("against{}", i), si_of(comparison.against[i].formula.dimension), rows.against[i]});
   const std::string number = asked.add(std::move(columns));
   const std::string both =
-      fmt::format("y: [measured{0}{1}, model{0}{1}], legend: [measured, model], y_label: {2}", number,
-                  drawn_in(unit), text_of(comparison.model.label));
+      fmt::format("y: [measured{0}{1}, model{0}{1}], legend: [{2}, model], y_label: {3}", number,
+                  drawn_in(unit), text_of(word), text_of(comparison.model.label));
   // A stretch in which single periods are seen.
   const double begin = rows.time.front(),
                end = std::min(rows.time.back(), begin + 0.3 * (rows.time.back() - begin));
@@ -107,9 +107,10 @@ std::string records_picture(const FitRequest& request, const FitResult& result, 
   Asked asked;
   asked.text = fmt::format("columns: {}\npanels:\n", columns);
   for (const std::size_t record : shown)
-    add_panels(comparison, result.records[record], result.records[record].comparisons[which], asked);
+    add_panels(comparison, result.records[record], result.records[record].comparisons[which], request.records,
+               asked);
   return picture(asked, shown.size() < result.records.size() ? "Worst, middle and best described record"
-                                                             : "Measured and model");
+                                                             : "Record and model");
 }
 
 std::string curves_picture(const FitResult& result) {

@@ -66,6 +66,8 @@ Json fit_schema() {
   keys.set("global", global());
   keys.set("curves", explained(list_of(curve()),
                                "what follows from the fitted parameters, drawn with its 95 % interval"));
+  keys.set("records",
+           explained(schema_ref("text"), "what pictures call the records: measured, simulated (record)"));
   return explained(
       closed_map(std::move(keys), {"parameters", "compare"}),
       "finds parameters so that the model agrees with records: the runs of the sweep, or the one run");

@@ -94,8 +94,25 @@ double value_of(const Claim& claim, const Rows& rows) {
   return reduce(claim.reduction, rows);
 }
 
-std::string shown_text(const Claim& claim, double value, std::size_t runs) {
-  std::string text = value_text(claim, value);
+/// How large the recorded quantities of the reduced one's kind are.
+double magnitude_of(const Claim& claim, const Recording& recording) {
+  const auto dimension = reduced_dimension(claim);
+  double largest = 0.0;
+  if (!dimension) return largest;
+  for (const Formula& formula : claim.values)
+    for (const std::string& name : formula.columns) {
+      const Column* column = recording.table.find(name);
+      const auto unit = column ? parse_unit(column->unit) : std::nullopt;
+      if (!unit || unit->dimension != *dimension) continue;
+      for (const double value : column->values)
+        if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+    }
+  return largest;
+}
+
+std::string shown_text(const Claim& claim, double value, const Recording& recording) {
+  std::string text = value_text(claim, value, magnitude_of(claim, recording));
+  const std::size_t runs = recording.starts.size();
   if (claim.each_run && runs > 1) text += fmt::format(", the worst of {} runs", runs);
   return text;
 }
@@ -109,7 +126,7 @@ Verdict judge(const Claim& claim, std::span<const Recording> recordings) {
     if (claim.recording >= recordings.size()) throw Unjudged("nothing was recorded");
     const Rows rows = rows_of(claim, recordings[claim.recording]);
     verdict.value = value_of(claim, rows);
-    verdict.shown = shown_text(claim, verdict.value, rows.starts.size());
+    verdict.shown = shown_text(claim, verdict.value, recordings[claim.recording]);
     verdict.holds = claim.comparison.margin(verdict.value) >= 0.0;
     if (std::isnan(verdict.value)) verdict.note = "the value is not a number";
   } catch (const Unjudged& reason) {

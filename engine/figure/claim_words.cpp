@@ -27,12 +27,27 @@ std::string reduction_text(const Claim& claim, const std::string& time) {
   }
 }
 
-std::string unit_of(const Claim& claim) {
+/// The unit of small values where the author gives none.
+std::string handy(const std::string& si, double value) {
+  if (std::abs(value) >= 1.0) return si;
+  if (si == "m" || si == "m/s" || si == "J") return "m" + si;
+  return si;
+}
+
+std::string unit_of(const Claim& claim, double value) {
   if (claim.reduction == Reduction::fit) return "%";
   if (!claim.comparison.unit.empty()) return claim.comparison.unit;
   const auto dimension = reduced_dimension(claim);
   if (!dimension || *dimension == Dimension{}) return "";
-  return si_name(*dimension);
+  return handy(si_name(*dimension), value);
+}
+
+/// 0 where the value is no more than the rounding of what it was made of, if that is on the same side.
+double resolved(const Comparison& comparison, double value, double magnitude) {
+  constexpr double resolution = 1e-12;
+  const double scale = std::max({magnitude, std::abs(comparison.low), std::abs(comparison.high)});
+  const bool alike = (comparison.margin(0.0) >= 0.0) == (comparison.margin(value) >= 0.0);
+  return alike && std::abs(value) <= resolution * scale ? 0.0 : value;
 }
 
 }  // namespace
@@ -68,8 +83,9 @@ std::string check_text(const Claim& claim, const std::string& time) {
   return text;
 }
 
-std::string value_text(const Claim& claim, double value) {
-  const std::string name = unit_of(claim);
+std::string value_text(const Claim& claim, double exact, double magnitude) {
+  const double value = resolved(claim.comparison, exact, magnitude);
+  const std::string name = unit_of(claim, value);
   const Unit unit = claim.reduction == Reduction::fit ? Unit{} : parse_unit(name).value_or(Unit{});
   const bool holds = claim.comparison.margin(value) >= 0.0;
   std::string text;

@@ -21,7 +21,8 @@ std::optional<Dimension> reduced_dimension(const Claim& claim);
 std::string check_text(const Claim& claim, const std::string& time);
 
 /// A reduced value with its unit: in the author's unit where the claim has one, with so many digits that the
-/// number shown is on the same side of the condition.
-std::string value_text(const Claim& claim, double value);
+/// number shown is on the same side of the condition. What is below the resolution of numbers of that
+/// magnitude, and of the condition, is 0.
+std::string value_text(const Claim& claim, double value, double magnitude = 0.0);
 
 }  // namespace stepwire

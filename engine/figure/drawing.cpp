@@ -12,6 +12,8 @@
 #include "engine/figure/region_drawing.hpp"
 #include "engine/figure/run_rows.hpp"
 #include "engine/figure/script.hpp"
+#include "engine/figure/text_width.hpp"
+#include "engine/figure/ticks.hpp"
 
 namespace stepwire {
 namespace {
@@ -87,6 +89,7 @@ std::string legend_place(std::size_t titles) {
 }
 
 struct DrawnPanel {
+  Script script;
   std::string commands;
   double height = 0.0;  ///< pixels
   std::size_t titles = 0;
@@ -94,6 +97,8 @@ struct DrawnPanel {
 
 /// Pixels for labels and a colour bar beside the axes, and for labels below and above them.
 constexpr double room_across = 150.0, room_up = 80.0;
+/// A title is centred above the axes, which are not in the middle of the panel.
+constexpr double title_aside = 70.0;
 
 double wanted_height(const Script& script, double width) {
   if (script.height > 0.0) return script.height;
@@ -109,7 +114,7 @@ DrawnPanel draw_panel(const Figure& figure, std::span<const Recording> recording
   Script script(panel, fmt::format("p{}d", index));
   script.share = 1.0 / static_cast<double>(figure.panels.size());
   const auto title = panel.words.find("title");
-  if (title != panel.words.end()) script.set("set title " + quoted(title->second));
+  if (title != panel.words.end()) script.set("set title " + fitted_title(title->second, width - title_aside));
   cover_regions(panel, script);
   cover_marks(panel, script);
   panel.kind->draw(panel, recordings, script);
@@ -118,7 +123,9 @@ DrawnPanel draw_panel(const Figure& figure, std::span<const Recording> recording
   draw_regions(panel, script);
   const double height = wanted_height(script, width);
   draw_marks(panel, {width - room_across, height - room_up}, script);
-  return {legend_place(script.titles()) + script.text(), height, script.titles()};
+  std::string commands = legend_place(script.titles()) + script.text();
+  const std::size_t titles = script.titles();
+  return {std::move(script), std::move(commands), height, titles};
 }
 
 /// Rows of panels, each as high as its highest panel.
@@ -184,9 +191,12 @@ Drawing draw(const Figure& figure, std::span<const Recording> recordings) {
   for (std::size_t i = 0; i < panels.size(); ++i) {
     script += picture_style() + margins(figure, panels) + place_panel(figure, layout, i);
     if (i == 0 && !figure.title.empty())
-      script +=
-          fmt::format("set label {} at screen 0.5, screen {:.6f} center font ',15' textcolor rgb '#111111'\n",
-                      quoted(figure.title), 1.0 - 18.0 / layout.height);
+      script += fmt::format(
+          "set label {} at screen 0.5, screen {:.6f} center font ',{:.3g}' textcolor rgb '#111111'\n",
+          quoted(figure.title), 1.0 - 18.0 / layout.height,
+          fitted_size(figure.title, 15.0, layout.width - 20.0));
+    const double height = layout.heights[i / static_cast<std::size_t>(figure.columns)];
+    script += ticks_apart(panels[i].script, axes_size(panels[i].script, panel_width, height));
     script += panels[i].commands;
   }
   const GnuplotAnswer answer = run_gnuplot(script + "unset multiplot\n");

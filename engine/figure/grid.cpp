@@ -140,7 +140,43 @@ void fill_gaps(const Curve& points, double gap, Grid& grid) {
   }
 }
 
+/// An axis of a window: its cells, no larger than the grid's, and for each the one of the grid in which its
+/// middle lies, or none.
+struct WindowAxis {
+  Axis axis;
+  std::vector<std::optional<std::size_t>> from;
+
+  WindowAxis(double first, double step, std::size_t count, const Extent& window) {
+    constexpr double fine = 200.0;
+    const double width = window.high - window.low;
+    const double cells = std::ceil(std::max(width / step, fine));
+    axis = {window.low + 0.5 * width / cells, width / cells, static_cast<std::size_t>(cells)};
+    for (std::size_t i = 0; i < axis.count; ++i) {
+      const double cell = std::round((axis.first + static_cast<double>(i) * axis.step - first) / step);
+      const bool inside = cell >= 0.0 && cell < static_cast<double>(count);
+      from.push_back(inside ? std::optional(static_cast<std::size_t>(cell)) : std::nullopt);
+    }
+  }
+};
+
+/// Do cells reach beyond a window?
+bool reaches_beyond(double first, double step, std::size_t count, const Extent& window) {
+  const double low = first - 0.5 * step, high = low + static_cast<double>(count) * step, slack = 1e-6 * step;
+  return low < window.low - slack || high > window.high + slack;
+}
+
 }  // namespace
+
+Grid within(const Grid& grid, const Extent& across, const Extent& up) {
+  if (!reaches_beyond(grid.x, grid.dx, grid.columns, across) &&
+      !reaches_beyond(grid.y, grid.dy, grid.rows, up))
+    return grid;
+  const WindowAxis x(grid.x, grid.dx, grid.columns, across), y(grid.y, grid.dy, grid.rows, up);
+  Grid seen{x.axis.first, y.axis.first, x.axis.step, y.axis.step, x.axis.count, y.axis.count, {}};
+  for (const auto& row : y.from)
+    for (const auto& column : x.from) seen.values.push_back(row && column ? grid.at(*column, *row) : nothing);
+  return seen;
+}
 
 Grid make_grid(const Curve& points, std::size_t cells, double gap) {
   const auto x = lattice(points.columns[0]), y = lattice(points.columns[1]);

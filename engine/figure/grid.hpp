@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/figure/curve.hpp"
+#include "engine/figure/script.hpp"
 
 namespace stepwire {
 
@@ -22,6 +23,9 @@ struct Grid {
 /// `cells` cells along each side, and between points that are no farther than `gap` apart the value is linear
 /// over their Delaunay triangles. What lies outside of the measured points stays nan.
 Grid make_grid(const Curve& points, std::size_t cells, double gap);
+
+/// The grid in a window of the plane, whose edges are those of cells; itself where it does not reach beyond.
+Grid within(const Grid& grid, const Extent& across, const Extent& up);
 
 /// Curves along which the grid, linear between centres, has this value.
 std::vector<Curve> contour(const Grid& grid, double level);

@@ -65,7 +65,8 @@ std::string draw(const MatrixChart& chart) {
                     (known ? ":3 with boxxyerror fc palette" : " with boxxyerror fc rgb '#cccccc'"));
     if (known && chart.names.size() <= most_with_numbers)
       items.push_back(
-          "$known using 1:2:(sprintf('%.2f', $3)):(abs($3) > 0.75 ? 0xffffff : 0x222222) "
+          "$known using 1:2:(abs($3) < 0.005 ? '0.00' : sprintf('%.2f', $3)):(abs($3) > 0.75 ? 0xffffff : "
+          "0x222222) "
           "with labels font ',10' textcolor rgb variable");
   }
   script += fmt::format("plot {}\n", fmt::join(items, ", \\\n  "));

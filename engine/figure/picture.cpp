@@ -24,6 +24,13 @@ set palette defined (0 '#3b46b3', 0.15 '#4681f7', 0.28 '#2fb2f4', 0.4 '#35dcb0',
   0.64 '#e3d939', 0.76 '#faa339', 0.87 '#ee5a1d', 1 '#b41203') maxcolors 96
 )";
 
+/// Without the titles that gnuplot gives its plots, which a browser shows as hints: "gnuplot_plot_1".
+void remove_hints(std::string& svg) {
+  const std::string begin = "<title>gnuplot_plot_", end = "</title>";
+  for (std::size_t at = 0; (at = svg.find(begin, at)) != std::string::npos;)
+    svg.erase(at, svg.find(end, at) + end.size() - at);
+}
+
 }  // namespace
 
 std::string picture_style() {
@@ -42,7 +49,8 @@ std::string finished_picture(std::string svg, const std::string& title) {
   replace_all(svg, "stroke=\"none\" fill=\"rgb(16,16,16)\"",
               "stroke=\"#ffffff\" stroke-width=\"3\" style=\"paint-order:stroke\" fill=\"#101010\"");
   replace_all(svg, "<image ", "<image style='image-rendering:pixelated' ");
-  replace_all(svg, "<title>Gnuplot</title>", "<title>" + markup_escaped(title) + "</title>");
+  remove_hints(svg);
+  replace_all(svg, "<title>Gnuplot</title>", "<title>" + markup_escaped(title) + "</title>" + dark_style);
   return svg;
 }
 

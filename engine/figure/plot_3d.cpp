@@ -32,7 +32,9 @@ void draw_space(const Panel& panel, std::span<const Recording> recordings, Scrip
   script.set(fmt::format("set view {},{},1,1\nset xyplane 0\nset border 4095 lc rgb '#bdbdbd' lw 0.6",
                          number_or(panel, "elevation", 62.0), number_or(panel, "azimuth", 35.0)));
   script.set("set xlabel rotate parallel\nset ylabel rotate parallel\nset zlabel rotate parallel");
-  script.set("set grid x y z vertical\nset tics scale 0.4");
+  // Where x and y meet at the front, the last label of one would touch the first of the other.
+  script.set(
+      "set grid x y z vertical\nset tics scale 0.4\nset xtics offset -0.7,-0.3\nset ytics offset 0.9,-0.3");
   if (panel.equal) script.set("set view equal xyz");
   if (curves.empty()) return;
   script.plot(fmt::format("{} using 1:2:3{} with {} {}", script.data(curves), color != nullptr ? ":4" : "",

@@ -48,9 +48,10 @@ void draw_map(const Panel& panel, std::span<const Recording> recordings, Script&
   const Extent across = extent_of(points.columns[0]);
   const auto cells =
       static_cast<std::size_t>(std::clamp(std::floor(number_or(panel, "cells", 160.0)), 1.0, 1000.0));
-  const Grid grid = make_grid(points, cells, number_or(panel, "gap", 0.1 * (across.high - across.low)));
+  Grid grid = make_grid(points, cells, number_or(panel, "gap", 0.1 * (across.high - across.low)));
   cover_cells(grid, script);
   script.plane(0.0);
+  grid = within(grid, script.x, script.y);
   script.color_bar(color, extent_of(grid.values));
   script.plot(script.data({points_of(grid)}) + " using 1:2:3 with image");
   draw_levels(panel, grid, script);

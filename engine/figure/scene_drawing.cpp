@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/figure/curve.hpp"
+#include "engine/figure/text_width.hpp"
 #include "engine/figure/thinning.hpp"
 
 namespace stepwire {
@@ -13,7 +14,8 @@ namespace {
 
 using Point = std::array<double, 2>;
 
-constexpr double gap = 14.0, words_height = 26.0, title_height = 34.0, margin = 10.0;  // [px]
+constexpr double gap = 14.0, words_height = 26.0, title_height = 34.0, margin = 10.0,
+                 edge = 4.0;  // [px]
 
 const char* font = "Helvetica, Arial, sans-serif";
 
@@ -22,14 +24,15 @@ SvgElement rectangle(double x, double y, double width, double height) {
   return element.set("x", x).set("y", y).set("width", width).set("height", height);
 }
 
-SvgElement words_at(double x, double y, double size, const std::string& words, const std::string& color) {
+SvgElement words_at(double x, double y, double size, double room, const std::string& words,
+                    const std::string& color) {
   SvgElement element{"text"};
   element.set("x", x)
       .set("y", y)
       .set("font-family", font)
-      .set("font-size", size)
+      .set("font-size", fitted_size(words, size, room))
       .set("text-anchor", "middle");
-  element.set("fill", color);
+  element.set("class", "words").set("fill", color);
   element.text = words;
   return element;
 }
@@ -156,8 +159,14 @@ class FramePen {
 
   void draw_text(const SceneShape& shape) {
     const Point& at = shape.points.front();
+    // Whatever fonts there are, a sentence is not cut off: it is as small as it must be, and keeps off the
+    // edges.
+    const double size = fitted_size(shape.object->text, scale_ * shape.size, scene_width - 2.0 * edge);
+    const double half = 0.5 * size * text_width(shape.object->text), height = scene_height(scene_);
     SvgElement text{"text"};
-    text.move("x", x(at)).move("y", y(at)).set("font-family", font).move("font-size", scale_ * shape.size);
+    text.move("x", std::max(edge + half, std::min(x(at), scene_width - edge - half)));
+    text.move("y", std::max(edge + size, std::min(y(at), height - edge - 0.25 * size)));
+    text.set("font-family", font).move("font-size", size);
     text.set("text-anchor", "middle").set("fill", shape.color.value);
     text.text = shape.object->text;
     add(std::move(text), shape);
@@ -211,7 +220,10 @@ SvgElement scene_sheet(const Scene& scene, double width, double height, const st
   sheet.set("viewBox", fmt::format("0 0 {} {}", svg_number(width), svg_number(height)));
   SvgElement name{"title"};
   name.text = title;
-  sheet.add(std::move(name)).add(scene_definitions(scene));
+  // What a scene shows has its own colours; on a dark screen the page around it is dark.
+  SvgElement style{"style"};
+  style.text = "@media screen and (prefers-color-scheme: dark){.page{fill:#191919}.words{fill:#dddddd}}";
+  sheet.add(std::move(name)).add(std::move(style)).add(scene_definitions(scene));
   return sheet;
 }
 
@@ -225,8 +237,8 @@ std::string scene_still(const Scene& scene, const std::vector<std::vector<SceneS
   const double width = 2 * margin + static_cast<double>(columns) * (scene_width + gap) - gap;
   const double height = top + static_cast<double>(rows) * (cell + gap) - gap + margin;
   SvgElement sheet = scene_sheet(scene, width, height, title);
-  sheet.add(rectangle(0.0, 0.0, width, height).set("fill", "#ffffff"));
-  if (!title.empty()) sheet.add(words_at(0.5 * width, 23.0, 15.0, title, "#111111"));
+  sheet.add(rectangle(0.0, 0.0, width, height).set("class", "page").set("fill", "#ffffff"));
+  if (!title.empty()) sheet.add(words_at(0.5 * width, 23.0, 15.0, width - 2.0 * edge, title, "#111111"));
   for (std::size_t i = 0; i < instants.size(); ++i) {
     const double left = margin + static_cast<double>(i % columns) * (scene_width + gap);
     const double upper = top + static_cast<double>(i / columns) * (cell + gap);
@@ -235,8 +247,8 @@ std::string scene_still(const Scene& scene, const std::vector<std::vector<SceneS
     frame.attributes[1].value = svg_number(upper);
     sheet.add(std::move(frame));
     if (!words[i].empty())
-      sheet.add(
-          words_at(left + 0.5 * scene_width, upper + scene_height(scene) + 18.0, 13.0, words[i], "#333333"));
+      sheet.add(words_at(left + 0.5 * scene_width, upper + scene_height(scene) + 18.0, 13.0, scene_width,
+                         words[i], "#333333"));
   }
   return svg_text(sheet);
 }

@@ -81,7 +81,8 @@ void Script::range(const std::string& axis, const Extent& extent) {
     if (shown.low <= 0.0) return set(fmt::format("set {}range [*:*]", range_name(axis)));
   }
   set(fmt::format("set {}range [{:.9g}:{:.9g}]", range_name(axis), shown.low, shown.high));
-  if (is_log(panel_, axis)) name_more_than_decades(axis, shown);
+  if (is_log(panel_, axis)) return name_more_than_decades(axis, shown);
+  shown_[range_name(axis)] = shown;
 }
 
 /// On a logarithmic axis of less than two decades 2 and 5 have labels too: gnuplot names powers of ten only.

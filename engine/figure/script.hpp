@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,8 @@ class Script {
   /// Curves in the plane that are drawn so far, where marks will have to keep off them; else none.
   const std::vector<Curve>& drawn() const { return drawn_; }
   const Panel& panel() const { return panel_; }
+  /// What the axes show, by their names in gnuplot; logarithmic ones aside.
+  const std::map<std::string, Extent>& shown() const { return shown_; }
   std::size_t titles() const { return titles_; }
   std::string text() const;
 
@@ -66,6 +69,7 @@ class Script {
   std::string name_, commands_;
   std::vector<std::string> items_;
   std::vector<Curve> drawn_;
+  std::map<std::string, Extent> shown_;
   std::size_t blocks_ = 0, titles_ = 0;
 };
 

@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
+
 #include "engine/figure/number.hpp"
 #include "engine/figure/panel_reading.hpp"
 
@@ -26,6 +29,22 @@ bool read_unit(const Node& node, std::string_view text, std::size_t offset, Seri
   return true;
 }
 
+/// "force of left damper" for the bare name left_damper.force; other formulas as they are.
+std::string words_of(const Formula& formula) {
+  const std::string& text = formula.text;
+  const bool bare = formula.columns.size() == 1 && formula.columns.front() == text;
+  if (!bare) return text;
+  // A number at the end tells which of several it is.
+  std::size_t last = text.find_last_of('.');
+  while (last != std::string::npos && last > 0 && std::isdigit(static_cast<unsigned char>(text[last + 1])))
+    last = text.find_last_of('.', last - 1);
+  std::string words =
+      last == std::string::npos ? text : text.substr(last + 1) + " of " + text.substr(0, last);
+  std::ranges::replace_if(
+      words, [](char c) { return c == '.' || c == '_'; }, ' ');
+  return words;
+}
+
 std::optional<Series> read_signal(const Node& node, const Names& names, const std::string& subject,
                                   Faults& faults) {
   const std::size_t in = node.is_scalar() ? node.text.rfind(" in ") : std::string::npos;
@@ -33,7 +52,7 @@ std::optional<Series> read_signal(const Node& node, const Names& names, const st
                                          : read_formula(node, std::string_view(node.text).substr(0, in), 0,
                                                         names, subject, faults);
   if (!formula) return std::nullopt;
-  Series series{*formula, Unit{}, "", formula->text};
+  Series series{*formula, Unit{}, "", words_of(*formula)};
   if (in == std::string::npos) {
     if (formula->dimension) series.unit_text = si_name(*formula->dimension);
     return series;

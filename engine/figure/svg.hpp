@@ -10,6 +10,12 @@ std::string markup_escaped(const std::string& text);
 
 void replace_all(std::string& text, const std::string& from, const std::string& to);
 
+/// On a dark screen a picture is dark: lightness is turned round and hues stay. Colours and their bar are
+/// turned alike. Paper, and programs that know no such rule, have it as it is.
+constexpr const char* dark_style =
+    "<style>@media screen and (prefers-color-scheme: dark){:root{filter:invert(.9) "
+    "hue-rotate(180deg)}}</style>";
+
 /// A number of an attribute: two decimals [px], no zeros at its end.
 std::string svg_number(double value);
 

@@ -103,9 +103,10 @@ class TableDrawing {
     return fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 "
         "{0:.0f} "
-        "{1:.0f}\" font-family=\"Helvetica, Arial, sans-serif\">\n<title>{2}</title>\n<rect width=\"100%\" "
+        "{1:.0f}\" font-family=\"Helvetica, Arial, sans-serif\">\n<title>{2}</title>{4}\n<rect "
+        "width=\"100%\" "
         "height=\"100%\" fill=\"#ffffff\"/>\n{3}</svg>\n",
-        width_, y_, markup_escaped(table_.title), body_);
+        width_, y_, markup_escaped(table_.title), body_, dark_style);
   }
 
  private:

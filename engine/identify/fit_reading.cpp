@@ -13,8 +13,8 @@ namespace {
 
 using Keys = std::vector<std::string>;
 
-const Keys fit_keys{"parameters", "compare", "hold_out",   "loss",   "width", "starts",
-                    "follow",     "seed",    "iterations", "global", "curves"};
+const Keys fit_keys{"parameters", "compare", "hold_out",   "loss",   "width",  "starts",
+                    "follow",     "seed",    "iterations", "global", "curves", "records"};
 const Keys parameter_keys{"start", "bounds", "scale", "each_record"};
 const Keys comparison_keys{"model", "measured", "weight", "where", "offset", "against"};
 const Keys global_keys{"population", "generations"};
@@ -38,6 +38,8 @@ class Reader {
     request_.iterations = whole(node_, "iterations", 1, 100'000, request_.iterations, "fit.iterations");
     if (const Node* global = node_.find("global")) read_global(*global);
     if (const Node* curves = node_.find("curves")) read_curves(*curves);
+    if (const Node* word = node_.find("records"))
+      request_.records = read_text(*word, names_, "fit.records", faults_);
     return std::move(request_);
   }
 

@@ -83,6 +83,7 @@ struct FitRequest {
   std::optional<std::size_t> follow;  ///< how many of them go on after the first steps; a quarter if absent
   std::uint64_t seed = 1;
   std::size_t iterations = 100;  ///< of one start, at most
+  std::string records = "record";  ///< what pictures call the records: measured, simulated
   std::optional<GlobalSearch> global;
   Place place;
 };

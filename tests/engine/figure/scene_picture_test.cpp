@@ -102,3 +102,27 @@ TEST_CASE("what a scene shows stands in columns, for claims") {
     CHECK(value("scene.way.shown", row) == (x < 1e-3 || x > 2e-3));
   }
 }
+
+TEST_CASE("a sentence at the edge of a scene is not cut off, and a long one is smaller") {
+  // Letters of the widest usual font are 0.6 of its size wide in the mean; the picture is 480 wide.
+  const auto reaches = [](const std::string& words) {
+    const Scene scene = scene_of("a: {text: " + words + ", at: [3.9 mm, 1 mm], size: 0.6 mm}");
+    Recording recording = pen_recording(10);
+    const SceneView view = view_of(scene, recording);
+    const SvgElement frame = scene_frame(scene, view.shapes(row_of(recording, 0)));
+    const SvgElement& text = frame.children.back();
+    const auto number = [&](const std::string& name) {
+      for (const SvgAttribute& attribute : text.attributes)
+        if (attribute.name == name) return std::stod(attribute.value);
+      return 0.0;
+    };
+    const double half = 0.5 * 0.6 * number("font-size") * static_cast<double>(words.size());
+    CHECK(number("x") + half <= 480.0);
+    CHECK(number("x") - half >= 0.0);
+    return number("font-size");
+  };
+  const double usual = reaches("Back"),
+               small = reaches("Follow the green line to the blue point and stay there");
+  CHECK(usual == Approx(480.0 * 0.6 / 10.0));
+  CHECK(small < 0.6 * usual);
+}
