@@ -7,7 +7,7 @@ import {netOf, straightened} from "./wires.mjs";
 
 const track = {first: 14, step: 9}, between = 16;
 
-/** The nodes of the second row: those that begin behind the middle of all, or all but the first where that is so wide. */
+/** The nodes of the second row, so chosen that the wider of both is as little wide as can be; none where all stand abreast. */
 export function secondRow(nodes, wires) {
   const starts = startsOf(nodes, wires), own = nodes.filter(({id}) => !id.startsWith(":"));
   const order = own.map(({id}) => id).sort((a, b) => starts.get(a) - starts.get(b)), byId = new Map(own.map((node) => [node.id, node]));
@@ -59,10 +59,10 @@ function joined(leaving, entering, x) {
   return straightened([...out, [x, out.at(-1)[1]], [x, into[0][1]], ...into]);
 }
 
-/** Do lines that stand upright at the same end of the rows have rows in common? */
+/** Do lines that stand upright at the same end of the rows have heights in common? */
 const meet = (a, b) => a.low < b.high + track.step && b.low < a.high + track.step;
 
-/** A place for each of the upright lines at one end: short ones nearer to the rows. */
+/** How far from the rows each of the upright lines at one end stands: short ones nearer. */
 function tracksOf(spans) {
   const placed = [];
   for (const span of [...spans].sort((a, b) => a.high - a.low - (b.high - b.low))) {
@@ -71,38 +71,44 @@ function tracksOf(spans) {
     while (taken.has(place)) ++place;
     placed.push({...span, place});
   }
-  return new Map(placed.map(({cut, place}) => [cut, place]));
+  return new Map(placed.map(({cut, place}) => [cut, track.first + track.step * place]));
+}
+
+/** What leads to the lower row does so at the right end of the rows, what comes from it at the left one. */
+const leadsDown = (cut) => cut.startsWith("cut 1");
+
+/** The pieces of the wires that were cut: {cut, leaving, entering: [wire]}. */
+function cutWires(wires) {
+  const entering = wires.filter(({from}) => cutOf(from, "input") !== undefined);
+  return wires.filter(({to}) => to && cutOf(to, "output") !== undefined).map((leaving) => {
+    const cut = cutOf(leaving.to, "output");
+    return {cut, leaving, entering: entering.filter(({from}) => cutOf(from, "input") === cut)};
+  });
+}
+
+function spanOf({cut, leaving, entering}) {
+  const ys = [leaving.points.at(-1)[1], ...entering.map(({points}) => points[0][1])];
+  return {cut, low: Math.min(...ys), high: Math.max(...ys)};
 }
 
 /** Both rows as one picture; the second one goes to the left. */
 export function stacked([upper, below]) {
   const lower = mirrored(below), width = Math.max(upper.width, lower.width);
-  const isLine = (wire, kind, end) => wire[end] && cutOf(wire[end], kind) !== undefined;
-  // What enters the lower row does so at its right end, what leaves it at its left one.
-  const count = (picture, kind, end) => new Set(picture.wires.filter((wire) => isLine(wire, kind, end)).map((wire) => cutOf(wire[end], kind))).size;
-  const room = (lines) => (lines > 0 ? track.first + track.step * lines : 0);
-  const left = room(count(lower, "output", "to")), right = room(count(upper, "output", "to"));
-  const rows = [shift(upper, left, 0), shift(lower, left + width - lower.width, upper.height + between)];
-  const [start, end] = [left, left + width], wires = [], all = rows.flatMap((row) => row.wires);
-  const reaching = all.filter((wire) => isLine(wire, "output", "to")), starting = all.filter((wire) => isLine(wire, "input", "from"));
-  const spans = {0: [], 1: []};
-  for (const one of reaching) {
-    const cut = cutOf(one.to, "output"), ys = [one, ...starting.filter((wire) => cutOf(wire.from, "input") === cut)]
-      .map((wire) => (wire === one ? wire.points.at(-1) : wire.points[0])[1]);
-    spans[cut.startsWith("cut 1") ? 1 : 0].push({cut, low: Math.min(...ys), high: Math.max(...ys)});
-  }
-  const places = [tracksOf(spans[0]), tracksOf(spans[1])];
-  for (const wire of all) {
-    if (reaching.includes(wire)) continue;
-    const cut = starting.includes(wire) ? cutOf(wire.from, "input") : undefined;
-    if (cut === undefined) {
-      wires.push(wire);
-      continue;
-    }
-    const first = reaching.find((one) => cutOf(one.to, "output") === cut), toRight = cut.startsWith("cut 1");
-    const place = track.first + track.step * places[toRight ? 1 : 0].get(cut), x = toRight ? end + place : start - place;
-    wires.push({...wire, from: first.from, points: joined(first, wire, x)});
-  }
-  const blocks = rows.flatMap((row) => row.blocks).filter((block) => block.within || !block.id.includes(":cut "));
-  return {width: left + width + right, height: upper.height + between + lower.height, blocks, wires};
+  const room = (picture) => {
+    const count = cutWires(picture.wires).length;
+    return count > 0 ? track.first + track.step * count : 0;
+  };
+  const left = room(lower), right = room(upper), end = left + width;
+  const rows = [shift(upper, left, 0), shift(lower, end - lower.width, upper.height + between)];
+  const wires = rows.flatMap((row) => row.wires), cuts = cutWires(wires), pieces = new Set(cuts.flatMap((one) => [one.leaving, ...one.entering]));
+  const tracks = [true, false].map((down) => tracksOf(cuts.filter(({cut}) => leadsDown(cut) === down).map(spanOf)));
+  const ways = cuts.flatMap(({cut, leaving, entering}) => {
+    const x = leadsDown(cut) ? end + tracks[0].get(cut) : left - tracks[1].get(cut);
+    return entering.map((wire) => ({...wire, from: leaving.from, points: joined(leaving, wire, x)}));
+  });
+  return {
+    width: end + right, height: upper.height + between + lower.height,
+    blocks: rows.flatMap((row) => row.blocks).filter((block) => block.within || !block.id.includes(":cut ")),
+    wires: [...wires.filter((wire) => !pieces.has(wire)), ...ways],
+  };
 }

@@ -21,15 +21,14 @@ std::string drawn(const std::string& text) {
   return draw(read.figures.at(0), sample_recordings({0.1, 0.2}, 200)).svg;
 }
 
-/// The texts of a picture with their places: "<text><tspan ..>TEXT</tspan>" behind "translate(X,Y)".
+/// The texts of a picture with their places: "<text>TEXT</text>" behind "translate(X,Y)".
 struct Text {
   double x, y;
   std::string words;
 };
 
 std::vector<Text> texts(const std::string& svg) {
-  static const std::regex text(
-      "translate\\(([-\\d.]+),([-\\d.]+)\\)[^>]*>\\s*<text><tspan[^>]*>([^<]*)</tspan>");
+  static const std::regex text("translate\\(([-\\d.]+),([-\\d.]+)\\)[^>]*>\\s*<text>([^<]*)</text>");
   std::vector<Text> found;
   for (std::sregex_iterator match(svg.begin(), svg.end(), text), none; match != none; ++match)
     found.push_back({std::stod(match->str(1)), std::stod(match->str(2)), match->str(3)});
