@@ -67,7 +67,7 @@ const joined = (first, second) => ({
 
 /** Wires that cross the edge of a group: each piece within goes on outside. */
 function joinAtEdge(group, outer, inner) {
-  const ends = (end, kind, wire) => wire[end]?.node === `:${kind}:${wire[end].port}` && wire.within.length === 1;
+  const ends = (end, kind, wire) => wire[end] && wire[end].node === `:${kind}:${wire[end].port}` && wire.within.length === 1;
   const entering = (wire) => ends("from", "input", wire), leaving = (wire) => ends("to", "output", wire);
   const at = (port) => (end) => end?.node === group.id && end.port === port;
   return [

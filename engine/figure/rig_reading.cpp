@@ -109,7 +109,7 @@ class RigReader {
     if (!kind) return unknown_kind(node);
     RigElement element;
     element.kind = kind->name;
-    read_ends(*node.find(kind->name), element);
+    read_ends(*node.find(kind->name), *kind, element);
     if (element.points.size() < kind->least_points || element.points.size() > kind->most_points)
       fault(node.mark, "elements",
             fmt::format("'{}' has {} points here; {}", kind->name, element.points.size(), kind->doc));
@@ -125,9 +125,11 @@ class RigReader {
           fmt::format("there is no element '{}'{}", word, nearest_or_all(word, kinds, "there are")));
   }
 
-  void read_ends(const Node& node, RigElement& element) {
+  void read_ends(const Node& node, const RigKind& kind, RigElement& element) {
     const std::vector<Node> one{node};
-    for (const Node& item : node.is_list() ? node.items : one) {
+    // Several things in the list of a kind that takes one point are its coordinates.
+    const bool is_point = kind.most_points == 1 && node.items.size() > 1;
+    for (const Node& item : node.is_list() && !is_point ? node.items : one) {
       const auto named = item.is_scalar() ? points_.find(item.text) : points_.end();
       if (named != points_.end())
         element.points.push_back(named->second);

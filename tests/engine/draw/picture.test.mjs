@@ -179,13 +179,14 @@ test("a short chain stays in one row", async () => {
 
 test("a group is a frame around its blocks that wires pass through", async () => {
   const graph = {...chain(5, true), groups: [{name: "both", members: ["block 1", "block 2"]}]};
+  graph.nodes[2].outputs.push({port: "z", recorded: true});
   const picture = await arrange(graph, elk), frame = picture.blocks.find(({name}) => name === "both");
   check(picture);
   for (const {id, x, y, width, height} of picture.blocks.filter((one) => one.id.startsWith("block")))
     assert.equal(x > frame.x && y > frame.y && x + width < frame.x + frame.width && y + height < frame.y + frame.height,
       ["block 1", "block 2"].includes(id), id);
   const heads = [...svgOf(picture).matchAll(/fill="#1a1a1a" stroke="none"/g)].length;
-  assert.equal(heads, graph.wires.length, "one arrow for each wire of the file, none at the frame");
+  assert.equal(heads, graph.wires.length + 1, "one arrow for each wire of the file and for what is recorded, none at the frame");
 });
 
 test("wires lead from a group in one row to a group in the other", async () => {

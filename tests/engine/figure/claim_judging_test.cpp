@@ -150,7 +150,7 @@ TEST_CASE("what is below the resolution of what was recorded is shown as 0, unle
   const auto records = record_of({0, 1, 2}, {0.2, 0.2, -0.2});
   CHECK(verdict_of("max: rig.x + 1e-17 - rig.x, at_most: 1 m", record_of({0}, {0.2})).shown == "0 m");
   CHECK(verdict_of("final: rig.x*5e-320, at_least: -1 mm", records).shown == "0 mm");
-  CHECK(verdict_of("max: 1e-15*rig.x, at_most: 0 m", records).shown == "2e-13 mm");
+  CHECK(verdict_of("max: 1e-15*rig.x, at_most: 0 m", records).shown == "2e-16 m");
   CHECK(verdict_of("max: 1e-9*rig.x, at_most: 1 m", records).shown == "2e-10 m");
 }
 
