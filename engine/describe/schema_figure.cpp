@@ -40,6 +40,21 @@ Json marks_schema() {
   return any_of({map_of(point), list_of(point)});
 }
 
+Json motion_schema() {
+  Json keys = Json::object().set("x", schema_ref("expression")).set("y", schema_ref("expression"));
+  keys.set("where", schema_ref("expression")).set("heads", schema_ref("number"));
+  keys.set("color", one_word_of({"red", "blue", "green", "black"}));
+  return one_or_list_of(closed_map(std::move(keys), {"x", "y"}));
+}
+
+Json rose_schema() {
+  Json keys = Json::object();
+  for (const char* key : {"x", "y", "angle", "where"}) keys.set(key, schema_ref("expression"));
+  keys.set("value", schema_ref("series")).set("at", pair_of(schema_ref("number")));
+  keys.set("radius", schema_ref("number")).set("name", schema_ref("text"));
+  return one_or_list_of(closed_map(std::move(keys), {"x", "y", "angle", "value", "radius"}));
+}
+
 /// What a key of every panel or picture holds.
 Json common_schema(const std::string& key) {
   if (key.ends_with("_range")) return pair_of(schema_ref("number"));
@@ -50,6 +65,8 @@ Json common_schema(const std::string& key) {
   if (key == "legend" || key == "boundary" || key == "region") return one_or_list_of(schema_ref("text"));
   if (key == "size") return pair_of(typed("integer"));
   if (key == "marks") return marks_schema();
+  if (key == "motion") return motion_schema();
+  if (key == "rose") return rose_schema();
   if (key == "own") return typed("boolean");
   if (key == "note") return schema_ref("series");
   if (key == "columns") return typed("integer").set("minimum", 1).set("maximum", 6);

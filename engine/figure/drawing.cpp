@@ -6,10 +6,12 @@
 #include "engine/figure/gnuplot.hpp"
 #include "engine/figure/grid.hpp"
 #include "engine/figure/mark_drawing.hpp"
+#include "engine/figure/motion_drawing.hpp"
 #include "engine/figure/number.hpp"
 #include "engine/figure/picture.hpp"
 #include "engine/figure/plot_kind.hpp"
 #include "engine/figure/region_drawing.hpp"
+#include "engine/figure/rose_drawing.hpp"
 #include "engine/figure/run_rows.hpp"
 #include "engine/figure/script.hpp"
 #include "engine/figure/text_width.hpp"
@@ -117,10 +119,14 @@ DrawnPanel draw_panel(const Figure& figure, std::span<const Recording> recording
   if (title != panel.words.end()) script.set("set title " + fitted_title(title->second, width - title_aside));
   cover_regions(panel, script);
   cover_marks(panel, script);
+  cover_motions(panel, recordings, script);
+  cover_roses(panel, script);
   panel.kind->draw(panel, recordings, script);
   draw_boundaries(panel, recordings, script);
   draw_note(panel, recordings, script);
+  draw_motions(panel, recordings, script);
   draw_regions(panel, script);
+  draw_roses(panel, recordings, script);
   const double height = wanted_height(script, width);
   draw_marks(panel, {width - room_across, height - room_up}, script);
   std::string commands = legend_place(script.titles()) + script.text();

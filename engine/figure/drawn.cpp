@@ -13,6 +13,32 @@ std::vector<std::string> numbered_names(const std::vector<std::string>& names, s
   return result;
 }
 
+void add(const std::vector<std::string>& places, const std::string& name, const Formula& formula,
+         std::vector<NamedFormula>& drawn) {
+  for (const std::string& place : places) drawn.push_back({fmt::format("{}.{}", place, name), formula.text});
+}
+
+/// What is drawn over the panel: "figure.motion.x", "figure.rose.2.value".
+void add_overlays(const Panel& panel, const std::vector<std::string>& places,
+                  std::vector<NamedFormula>& drawn) {
+  for (std::size_t i = 0; i < panel.motions.size(); ++i)
+    for (const std::string& name : numbered_names({"motion"}, i + 1)) {
+      const Motion& motion = panel.motions[i];
+      add(places, name + ".x", motion.x.formula, drawn);
+      add(places, name + ".y", motion.y.formula, drawn);
+      if (motion.where) add(places, name + ".where", *motion.where, drawn);
+    }
+  for (std::size_t i = 0; i < panel.roses.size(); ++i)
+    for (const std::string& name : numbered_names({"rose"}, i + 1)) {
+      const Rose& rose = panel.roses[i];
+      add(places, name + ".x", rose.x.formula, drawn);
+      add(places, name + ".y", rose.y.formula, drawn);
+      add(places, name + ".angle", rose.angle.formula, drawn);
+      add(places, name + ".value", rose.value.formula, drawn);
+      if (rose.where) add(places, name + ".where", *rose.where, drawn);
+    }
+}
+
 void add_quantities(const Panel& panel, const std::vector<std::string>& places,
                     std::vector<NamedFormula>& drawn) {
   for (const std::string& place : places) {
@@ -42,6 +68,7 @@ std::vector<NamedFormula> drawn_quantities(const std::vector<Figure>& figures) {
       std::vector<std::string> places = numbered_names({fmt::format("figure.{}", picture + 1)}, panel + 1);
       if (picture == 0 && panel == 0) places.emplace_back("figure");
       add_quantities(figures[picture].panels[panel], places, drawn);
+      add_overlays(figures[picture].panels[panel], places, drawn);
     }
   return drawn;
 }

@@ -39,6 +39,26 @@ struct MarkedPoint {
   double x = 0.0, y = 0.0;
 };
 
+/// The way of a point over a panel: a line with arrow heads.
+struct Motion {
+  Series x, y;  ///< in the units of the axes
+  std::optional<Formula> where{};
+  double heads = 6.0;             ///< arrow heads along each stretch
+  std::string color = "#d11a1a";  ///< as gnuplot takes it
+  std::size_t recording = 0;
+};
+
+/// What happens at one point in each direction: spokes of a disc, as long and as coloured as a value is.
+struct Rose {
+  Series x, y;           ///< the point, in the units of the axes
+  Series angle, value;   ///< direction of a spoke in radians, and what is shown there
+  std::optional<Formula> where{};
+  std::optional<std::array<double, 2>> at{};  ///< middle of the disc; none: the point itself
+  double radius = 0.0;                        ///< of the disc, in the unit of x
+  std::string name{};
+  std::size_t recording = 0;
+};
+
 /// One pair of axes. Numbers are in the units in which they are drawn.
 struct Panel {
   using Range = std::array<double, 2>;
@@ -52,6 +72,8 @@ struct Panel {
   std::vector<Formula> boundaries;  ///< of the plane's x and y in SI; a curve is drawn where one is zero
   std::vector<Outline> regions;     ///< in SI: shaded in the plane, and their lines drawn
   std::vector<MarkedPoint> marks;   ///< drawn on top of everything, with their names
+  std::vector<Motion> motions;
+  std::vector<Rose> roses;
   std::vector<std::string> legend;
   std::optional<Formula> where;
   std::vector<std::size_t> recordings;  ///< for each y, or one

@@ -26,7 +26,14 @@ const std::vector<FigureKey>& panel_keys() {
        "normalised, "
        "label: error}"},
       {"region", "name of a Region (or a list): its boundary is drawn, and its inside shaded"},
-      {"marks", "points with names, drawn on top: {A: [0 mm, 20 mm]}; a list of points numbers them"}};
+      {"marks", "points with names, drawn on top: {A: [0 mm, 20 mm]}; a list of points numbers them"},
+      {"motion",
+       "the way of a point (or a list), drawn as a line with arrow heads: {x: hand.1, y: hand.2, where: time < "
+       "2 s, heads: 8, color: red}"},
+      {"rose",
+       "what happens at a point in each direction (or a list), drawn as a disc with spokes as long as `value`: "
+       "{x: at.1, y: at.2, angle: phi, value: force in N, where: time > 1 s, at: [5 mm, 0 mm], radius: 4 mm, "
+       "name: D2}"}};
   return keys;
 }
 

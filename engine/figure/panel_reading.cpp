@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/figure/number.hpp"
+#include "engine/figure/overlay.hpp"
 #include "engine/figure/plot_kind.hpp"
 
 namespace stepwire {
@@ -121,6 +122,8 @@ class PanelReader {
     if (key == "log") read_log(value);
     if (key == "region") read_region(value);
     if (key == "marks") read_marks(value, panel_, names_, faults_);
+    if (key == "motion") read_motions(value, panel_, names_, faults_);
+    if (key == "rose") read_roses(value, panel_, names_, faults_);
     if (key.ends_with("_range")) read_range(value, key);
   }
 

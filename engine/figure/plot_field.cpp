@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -56,6 +58,13 @@ Series magnitude_series(const Series& u, const Series& v) {
   return series;
 }
 
+/// Share of an arrow that lies behind its point.
+std::string tail_of(const Panel& panel) {
+  const auto pivot = panel.words.find("pivot");
+  if (pivot == panel.words.end() || pivot->second == "middle") return "0.5";
+  return pivot->second == "tip" ? "1" : "0";
+}
+
 void draw_field(const Panel& panel, std::span<const Recording> recordings, Script& script) {
   const Series &x = *panel.find("x"), &y = *panel.find("y"), &u = *panel.find("u"), &v = *panel.find("v");
   const Series* color = panel.find("color");
@@ -73,25 +82,28 @@ void draw_field(const Panel& panel, std::span<const Recording> recordings, Scrip
   const double width = std::min(script.x.high - script.x.low, script.y.high - script.y.low);
   scale_arrows(arrows, number_or(panel, "scale", 1.0) * (width > 0.0 ? width : 1.0) / cells);
   script.plane(0.06);
+  const std::string start = tail_of(panel);
   script.plot(
-      script.data({arrows}) +
-      " using ($1-$3/2):($2-$4/2):3:4:5 with vectors filled head size screen 0.009,18,70 lw 1.7 lc palette");
+      fmt::format("{} using ($1-{}*$3):($2-{}*$4):3:4:5 with vectors filled head size screen 0.009,18,70 lw "
+                  "1.7 lc palette",
+                  script.data({arrows}), start, start));
 }
 
 }  // namespace
 
 PlotKind field_plot() {
-  return {
-      "field",
-      "arrows over the plane, as long and as coloured as they are strong",
-      {{"x", "along the horizontal axis", true},
-       {"y", "along the vertical axis", true},
-       {"u", "horizontal part of the arrow", true},
-       {"v", "vertical part of the arrow", true},
-       {"color", "shown as colour instead of the length"}},
-      {{"cells", "arrows along an axis at most (24)"}, {"scale", "length of the longest arrow in cells (1)"}},
-      true,
-      draw_field};
+  return {"field",
+          "arrows over the plane, as long and as coloured as they are strong",
+          {{"x", "along the horizontal axis", true},
+           {"y", "along the vertical axis", true},
+           {"u", "horizontal part of the arrow", true},
+           {"v", "vertical part of the arrow", true},
+           {"color", "shown as colour instead of the length"}},
+          {{"cells", "arrows along an axis at most (24)"},
+           {"scale", "length of the longest arrow in cells (1)"},
+           {"pivot", "what of an arrow lies at its point (middle)", "", false, {"tail", "middle", "tip"}}},
+          true,
+          draw_field};
 }
 
 }  // namespace stepwire

@@ -47,7 +47,8 @@ struct PlotKind {
 
   /// The channel of this name, or nullptr.
   const Channel* channel(std::string_view key) const;
-  /// May this key of panels be given here? Boundaries want a plane, marks also something along both its axes.
+  /// May this key of panels be given here? Boundaries want a plane; marks, motions and roses also something
+  /// along both its axes.
   bool takes(std::string_view panel_key) const;
 };
 

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/figure/curve.hpp"
+#include "engine/figure/panel_reading.hpp"
+
+namespace stepwire {
+
+/// Rows of what is drawn over a panel, by a condition of its own.
+std::vector<Curve> overlay_rows(const std::optional<Formula>& where, const Recording& recording,
+                                const std::vector<const Series*>& channels);
+
+/// Reads a coordinate of what is drawn over a panel: an expression, in the unit of the panel's axis.
+std::optional<Series> read_coordinate(const Node& node, const std::string& axis, const Panel& panel,
+                                      const Names& names, const std::string& subject, Faults& faults);
+
+/// Adds a fault for each key of a map that is not known.
+void check_keys(const Node& node, const std::vector<std::string>& known, const std::string& owner,
+                const Names& names, const std::string& subject, Faults& faults);
+
+/// Reads `motion`: {x, y, where, heads, color}, or a list of such.
+void read_motions(const Node& node, Panel& panel, const Names& names, Faults& faults);
+
+/// Reads `rose`: {x, y, angle, value, where, at, radius, name}, or a list of such.
+void read_roses(const Node& node, Panel& panel, const Names& names, Faults& faults);
+
+}  // namespace stepwire
