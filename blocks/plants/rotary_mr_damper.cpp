@@ -36,12 +36,19 @@ void RotaryMRDamper::declare(Declare<RotaryMRDamper>& is) {
   is.parameter<&RotaryMRDamper::assumed_below>(
       {.unit = "A",
        .doc = "lowest current of the tests; below, the polynomials are used and a notice says so"});
+  const std::string rating = "; of the data sheet, for figures and claims: no run depends on it";
+  is.parameter<&RotaryMRDamper::highest_current>({.unit = "A", .doc = "highest current" + rating});
+  is.parameter<&RotaryMRDamper::highest_speed>({.unit = "rad/s", .doc = "highest speed" + rating});
+  is.parameter<&RotaryMRDamper::rated_torque>({.unit = "N m", .doc = "torque at 1 A" + rating});
+  is.parameter<&RotaryMRDamper::lowest_temperature>({.unit = "K", .doc = "in operation" + rating});
+  is.parameter<&RotaryMRDamper::highest_temperature>({.unit = "K", .doc = "in operation" + rating});
   is.output<&RotaryMRDamper::torque>(
       {.unit = "N m", .doc = "torque that resists the motion, in the direction of v"});
   is.notice<&RotaryMRDamper::assumed>(
       {.doc = "below the lowest tested current (0.50 A) the identified polynomials are assumed to hold"});
   is.preset<rd_2087_01>("rd-2087-01",
-                        "Lord RD-2087-01 as identified in the thesis, 0.50 to 0.75 A (0 to 0.50 A assumed)");
+                        "Lord RD-2087-01 as identified in the thesis, 0.50 to 0.75 A (0 to 0.50 A assumed), with the "
+                        "ratings of its data sheet (thesis table 2)");
 }
 
 }  // namespace stepwire

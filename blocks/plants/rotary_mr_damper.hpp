@@ -11,6 +11,8 @@ struct RotaryMRDamper : MRDamperCore {
   TorqueUnit torque_unit = TorqueUnit::lbf_in;
   double presliding_scale = 1.0;
   double assumed_below = 0.0;
+  double highest_current = 0.0, highest_speed = 0.0, rated_torque = 0.0;  ///< ratings, on which no run depends
+  double lowest_temperature = 0.0, highest_temperature = 0.0;
   Output<1> torque{};
   Notice assumed{};
 
@@ -57,6 +59,11 @@ inline void rd_2087_01(RotaryMRDamper& damper) {
   damper.torque_unit = RotaryMRDamper::TorqueUnit::lbf_in;
   damper.current_range = {0.0, 0.75};
   damper.assumed_below = 0.50;
+  damper.highest_current = 1.5;
+  damper.highest_speed = 12.566370614359172;
+  damper.rated_torque = 4.0;
+  damper.lowest_temperature = 238.15;
+  damper.highest_temperature = 333.15;
 }
 
 inline RotaryMRDamper::RotaryMRDamper() {

@@ -64,6 +64,7 @@ Json common_schema(const std::string& key) {
   if (key == "log") return one_or_list_of(one_word_of({"x", "y", "color"}));
   if (key == "legend" || key == "boundary" || key == "region") return one_or_list_of(schema_ref("text"));
   if (key == "size") return pair_of(typed("integer"));
+  if (key == "region_line") return one_word_of({"line", "dashes"});
   if (key == "marks") return marks_schema();
   if (key == "motion") return motion_schema();
   if (key == "rose") return rose_schema();

@@ -26,6 +26,7 @@ const std::vector<FigureKey>& panel_keys() {
        "normalised, "
        "label: error}"},
       {"region", "name of a Region (or a list): its boundary is drawn, and its inside shaded"},
+      {"region_line", "how the boundary of a region is drawn: line or dashes"},
       {"marks", "points with names, drawn on top: {A: [0 mm, 20 mm]}; a list of points numbers them"},
       {"motion",
        "the way of a point (or a list), drawn as a line with arrow heads: {x: hand.1, y: hand.2, where: time < "

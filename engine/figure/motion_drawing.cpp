@@ -61,7 +61,7 @@ void draw_motions(const Panel& panel, std::span<const Recording> recordings, Scr
     // what is drawn below later lies deeper
     if (!heads.empty())
       script.plot_below(fmt::format(
-          "{} using ($1-$3):($2-$4):3:4 with vectors head filled size screen 0.016,22,70 fixed lw 2 "
+          "{} using ($1-$3):($2-$4):3:4 with vectors head filled size screen 0.013,22,70 fixed lw 2 "
           "lc rgb '{}'",
           script.data(heads), motion.color));
     script.plot_below(

@@ -121,6 +121,7 @@ class PanelReader {
     if (key == "legend") read_legend(value);
     if (key == "log") read_log(value);
     if (key == "region") read_region(value);
+    if (key == "region_line") panel_.words[key] = word(value, key, {"line", "dashes"});
     if (key == "marks") read_marks(value, panel_, names_, faults_);
     if (key == "motion") read_motions(value, panel_, names_, faults_);
     if (key == "rose") read_roses(value, panel_, names_, faults_);

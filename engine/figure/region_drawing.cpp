@@ -81,10 +81,12 @@ void cover_regions(const Panel& panel, Script& script) {
 
 void draw_regions(const Panel& panel, Script& script) {
   if (!panel.regions.empty()) script.set("set clip two");  // a line may begin and end beyond the frame
+  const auto line = panel.words.find("region_line");
+  const std::string dashes = line != panel.words.end() && line->second == "dashes" ? " dt 2" : "";
   for (const Outline& outline : panel.regions) {
     const std::vector<Curve> curves = curves_of(panel, outline, script);
     const std::string columns = outline.space ? "1:2:3" : "1:2";
-    script.plot(script.data(curves) + " using " + columns + " with lines lc rgb '#111111' lw 1.6");
+    script.plot(script.data(curves) + " using " + columns + " with lines lc rgb '#111111' lw 1.6" + dashes);
     if (outline.space) continue;
     const Curve shade = within(one_of(curves), script);
     if (shade.size() > 2)

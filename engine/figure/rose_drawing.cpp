@@ -82,13 +82,19 @@ void write_names(const DrawnRose& one, double full, Script& script) {
                            one.y + one.rose.radius, style));
 }
 
+void draw_leader(const Curve& leader, Script& script) {
+  script.plot(script.data({leader}) + " using 1:2 with lines lw 1 lc rgb '#555555'");
+  script.set(fmt::format("set label '' at {:.9g},{:.9g} front point pt 7 ps 0.4 lc rgb '#111111'",
+                         leader.columns[0][0], leader.columns[1][0]));
+}
+
 void draw_rose(const DrawnRose& one, double full, Script& script) {
   const bool has_colors = script.panel().kind && script.panel().kind->channel("color");
   const std::string disc = script.data({one.circle()});
   script.plot(disc + " using 1:2 with filledcurves closed fc rgb '#ffffff' fs solid noborder");
   script.plot(disc + " using 1:2 with lines lw 1 lc rgb '#555555'");
   if (const auto leader = one.leader())
-    script.plot(script.data({*leader}) + " using 1:2 with lines lw 1 lc rgb '#555555'");
+    draw_leader(*leader, script);
   const std::string spokes = script.data({one.spokes(full)});
   script.plot(fmt::format("{} using 1:2:3:4{} with vectors nohead lw 1.6 lc {}", spokes,
                           has_colors ? ":5" : "", has_colors ? "palette" : "rgb '" + curve_color(0) + "'"));

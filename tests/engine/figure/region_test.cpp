@@ -25,6 +25,18 @@ TEST_CASE("a figure draws the boundary of a block by its name, in the units of i
   CHECK(script.x.high == 2.0);
 }
 
+TEST_CASE("the boundary of a region is a line, or dashed where the file says so") {
+  for (const bool dashed : {false, true}) {
+    const Panel panel = panel_of("{" + plane + ", region: map" + (dashed ? ", region_line: dashes}" : "}"));
+    Script script(panel, "p");
+    script.x = script.y = {-5.0, 5.0};
+    draw_regions(panel, script);
+    CHECK((script.text().find("lw 1.6 dt 2 notitle") != std::string::npos) == dashed);
+  }
+  CHECK_THAT(figures_of("{" + plane + ", region: map, region_line: dots}").faults,
+             Contains("'dots' is not allowed; it is one of line, dashes"));
+}
+
 TEST_CASE("a hole is run through against the sense of what is around it, so that it stays free") {
   const Panel panel = panel_of("{" + plane + ", region: [map]}");
   Script script(panel, "p");
