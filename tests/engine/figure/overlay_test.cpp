@@ -105,5 +105,5 @@ TEST_CASE("motions and roses that cannot be drawn are refused where they stand")
   CHECK_THAT(figures_of("{" + plane + ", rose: {" + rose + ", at: 3 mm}}").faults,
              Contains("a rose stands at two numbers"));
   CHECK_THAT(figures_of("{plot: histogram, x: rig.x, motion: {x: rig.x, y: rig.v}}").faults,
-             Contains("has no key 'motion'"));
+             Contains("has no 'motion'"));
 }
