@@ -13,6 +13,8 @@
 namespace stepwire {
 namespace {
 
+constexpr std::size_t longest_field = 100'000;
+
 bool is_blank(char c) {
   return c == ' ' || c == '\t';
 }
@@ -20,6 +22,21 @@ bool is_blank(char c) {
 std::string trimmed(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t");
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+/// Of a decimal number with an exponent: is it 1 or above? Digits and exponent may be too many for any type.
+bool is_large(std::string_view text) {
+  const std::size_t digits = text.find_first_not_of("+-0.");
+  if (digits == std::string_view::npos) return false;
+  const std::size_t exponent = std::min(text.find_first_of("eE"), text.size());
+  const std::size_t point = std::min({text.find('.'), exponent});
+  const double before = static_cast<double>(point) - static_cast<double>(digits);  // digits before the point
+  std::string_view power = text.substr(std::min(exponent + 1, text.size()));
+  const bool negative = power.starts_with('-');
+  if (negative || power.starts_with('+')) power.remove_prefix(1);
+  double shift = 0.0;
+  for (const char digit : power) shift = 10.0 * shift + (digit - '0');
+  return before + (negative ? -shift : shift) > 0.0;
 }
 
 /// A number that fills the whole text. What is too small to be a double is 0; nothing for what is too large.
@@ -30,9 +47,8 @@ std::optional<double> number(std::string_view text) {
   const auto [rest, error] = std::from_chars(text.data(), end, value);
   if (rest != end || error == std::errc::invalid_argument) return std::nullopt;
   if (error == std::errc{}) return value;
-  long double wide = 0.0L;
-  std::from_chars(text.data(), end, wide);
-  return std::abs(wide) < 1.0L ? std::optional(static_cast<double>(wide)) : std::nullopt;
+  if (is_large(text)) return std::nullopt;
+  return text.starts_with('-') ? -0.0 : 0.0;
 }
 
 /// "name [unit]" apart. "x[2]" without a blank is a name with its index.
@@ -81,6 +97,10 @@ class Csv {
     throw TableError(fmt::format("{}:{}: {}", path_, line_, message));
   }
 
+  [[noreturn]] void refuse_length() const {
+    fail(fmt::format("a field has more than {} characters", longest_field));
+  }
+
   bool at_line_end() const { return at_ == end_ || *at_ == '\n' || *at_ == '\r'; }
 
   bool only_blanks_left() const {
@@ -117,6 +137,7 @@ class Csv {
     if (at_ != end_ && *at_ == '"') return quoted_field();
     const char* const first = at_;
     while (!at_line_end() && *at_ != separator_) ++at_;
+    if (static_cast<std::size_t>(at_ - first) > longest_field) refuse_length();
     return trimmed({first, at_});
   }
 
@@ -125,6 +146,7 @@ class Csv {
     for (++at_; at_ != end_; ++at_) {
       if (*at_ == '"' && (at_ + 1 == end_ || at_[1] != '"')) break;
       if (*at_ == '"') ++at_;
+      if (text.size() >= longest_field) refuse_length();
       text += *at_;
     }
     if (at_ == end_) fail("a quote is not closed");

@@ -76,6 +76,8 @@ std::string read_file(const std::string& path) {
   const File file(std::fopen(path.c_str(), "rb"));
   if (!file) refuse_file(path, errno);
   std::string content;
+  const std::uintmax_t size = fs::file_size(path, none);
+  if (!none) content.reserve(size);  // growing would need twice the memory
   std::string block(1 << 16, '\0');
   for (std::size_t got = 1; got > 0;) {
     got = std::fread(block.data(), 1, block.size(), file.get());

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stepwire {
+
+/// Kinds of numbers in a MAT file, as its level 5 counts them.
+enum class MatNumber : std::uint32_t {
+  int8 = 1,
+  uint8 = 2,
+  int16 = 3,
+  uint16 = 4,
+  int32 = 5,
+  uint32 = 6,
+  float32 = 7,
+  float64 = 9,
+  int64 = 12,
+  uint64 = 13
+};
+
+/// Bytes of one; 0 for a kind that is none.
+std::size_t mat_number_size(MatNumber kind);
+
+/// The numbers that fill the bytes, whose order is swapped where it is not this machine's.
+std::vector<double> mat_numbers(std::string_view bytes, MatNumber kind, bool swap);
+
+/// A real array: its size in each dimension, and its values, column by column.
+struct MatVariable {
+  std::string name;
+  std::vector<std::size_t> size;
+  std::vector<double> values;
+};
+
+/// What a MAT file holds for us: real arrays, and of files of our own the names and units of the columns.
+struct MatContent {
+  std::vector<MatVariable> variables;
+  std::vector<std::string> names, units;
+};
+
+/// The product of sizes. Throws TableError where it is beyond any memory.
+std::size_t mat_count(const std::vector<std::size_t>& size);
+
+/// How many bytes a file of `file_size` may unpack to: a small file that unpacks to gigabytes is no record.
+std::size_t most_unpacked(std::size_t file_size);
+
+/// These throw TableError, without the name of the file, where an element is cut off, of an unknown type or
+/// does not have as many numbers as its dimensions say. Level 7.3 is read by the libraries for HDF5.
+MatContent read_mat_level_4(std::string_view file);
+MatContent read_mat_level_5(std::string_view file, bool swap);
+MatContent read_mat_level_7(const std::string& path, std::size_t file_size);
+
+}  // namespace stepwire
