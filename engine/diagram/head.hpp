@@ -12,6 +12,9 @@ void read_head(const Scope& scope, Settings& settings, Report& report);
 /// Reads what is of the file and of no single run: sweep, figures, claims.
 void read_head_of_file(const Scope& scope, Report& report);
 
+/// Reads the sweep: lists of values, and ranges of them.
+void read_sweep(const Scope& scope, Report& report);
+
 /// Refuses keys that no diagram file has; also asked of parts.
 void check_head_keys(const Scope& scope, Report& report);
 

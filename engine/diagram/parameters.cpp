@@ -93,6 +93,7 @@ std::optional<WrittenValue> ValueReader::read_expression(const Node& node, const
       measures.push_back({dimension, dimension.has_value()});
     }
     const Measure measure = expression.measure(measures);
+    expression.check_draws(std::vector<std::optional<double>>(values.begin(), values.end()));
     const double result = expression(values);
     if (!std::isfinite(result))
       return refuse(node, subject, fmt::format("'{}' is {}, not a finite number", node.text, result));

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/expression/cpp_text.hpp"
+#include "engine/expression/draws.hpp"
 #include "engine/expression/function.hpp"
 #include "engine/expression/measure.hpp"
 #include "engine/expression/program.hpp"
@@ -77,6 +78,10 @@ std::string Expression::renamed(const std::vector<std::string>& names) const {
 
 Measure Expression::measure(const std::vector<Measure>& variables) const {
   return measure_of(parser_->program, variables);
+}
+
+void Expression::check_draws(std::span<const std::optional<double>> values) const {
+  stepwire::check_draws(parser_->program, values);
 }
 
 double Expression::operator()(std::span<const double> values) const {

@@ -36,7 +36,7 @@ std::string element_of_v(std::size_t i);
 /// A scalar formula over named numbers, the one language of parameters, figures, claims and blocks.
 /// Operators + - * / ^ ( ) < <= > >= == != && || ! and cond ? a : b; functions sin cos tan asin acos atan
 /// atan2 sinh cosh tanh exp log (natural) log10 log2 sqrt cbrt abs sign floor ceil round (halves away from 0)
-/// min max (of one or more) mod (sign of the divisor) hypot, uniform(seed, stream) and lognormal(seed,
+/// min max (of two or more) mod (sign of the divisor) hypot, uniform(seed, stream) and lognormal(seed,
 /// stream, variation) (numbers drawn from whole numbers, language.hpp); constants pi, e. ^ binds right and
 /// before a sign: -2^2 is -4. A number may carry a unit and is SI then: "x > -4 mm", "2*pi*3 kHz". What
 /// directly follows a number can only be its unit; names have an operator before them, so a variable may be
@@ -64,6 +64,9 @@ class Expression {
   /// The unit of its value, from those of its variables; throws ExpressionError where they do not fit each
   /// other.
   Measure measure(const std::vector<Measure>& variables) const;
+  /// Throws ExpressionError, with its place, where a number is drawn by a seed or a stream that is not whole.
+  /// Variables are in their order; what hangs on one that is not known is passed over.
+  void check_draws(std::span<const std::optional<double>> values) const;
   /// Value with the variables in that order, one for each. Allocates nothing and throws nothing. Division by
   /// zero gives inf or nan, as IEEE says. One object is for one thread at a time, const or not; every thread
   /// takes its own copy.

@@ -13,6 +13,9 @@
 namespace stepwire {
 namespace {
 
+using One = double (*)(double);
+using Two = double (*)(double, double);
+
 constexpr int any_number = std::numeric_limits<int>::max();
 
 constexpr std::array<std::pair<std::string_view, Arity>, 27> functions{{
@@ -39,8 +42,8 @@ constexpr std::array<std::pair<std::string_view, Arity>, 27> functions{{
     {"atan2", {2, 2}},
     {"mod", {2, 2}},
     {"hypot", {2, 2}},
-    {"min", {1, any_number}},
-    {"max", {1, any_number}},
+    {"min", {2, any_number}},
+    {"max", {2, any_number}},
     {"uniform", {2, 2}},
     {"lognormal", {3, 3}},
 }};
@@ -63,23 +66,21 @@ double minus_is_not_zero(double x) {
 
 /// The signs before a value that a run of '-' and '!' comes down to.
 void define_prefixes(mu::Parser& parser) {
-  using One = double (*)(double);
   constexpr std::pair<const char*, One> prefixes[] = {
       {"-", negative}, {"!", is_zero}, {"~", is_not_zero}, {"#", minus_is_zero}, {"$", minus_is_not_zero}};
   for (const auto& [name, function] : prefixes) parser.DefineInfixOprt(name, function, mu::prINFIX, false);
 }
 
+constexpr std::pair<const char*, One> ones[] = {
+    {"sin", std::sin},        {"cos", std::cos},     {"tan", std::tan},   {"asin", std::asin},
+    {"acos", std::acos},      {"atan", std::atan},   {"sinh", std::sinh}, {"cosh", std::cosh},
+    {"tanh", std::tanh},      {"exp", std::exp},     {"log", std::log},   {"log2", std::log2},
+    {"log10", std::log10},    {"sqrt", std::sqrt},   {"cbrt", std::cbrt}, {"abs", std::fabs},
+    {"sign", language::sign}, {"floor", std::floor}, {"ceil", std::ceil}, {"round", std::round}};
+constexpr std::pair<const char*, Two> twos[] = {
+    {"atan2", std::atan2}, {"hypot", std::hypot}, {"mod", language::mod}, {"uniform", language::uniform}};
+
 void define_functions(mu::Parser& parser) {
-  using One = double (*)(double);
-  using Two = double (*)(double, double);
-  constexpr std::pair<const char*, One> ones[] = {
-      {"sin", std::sin},        {"cos", std::cos},     {"tan", std::tan},   {"asin", std::asin},
-      {"acos", std::acos},      {"atan", std::atan},   {"sinh", std::sinh}, {"cosh", std::cosh},
-      {"tanh", std::tanh},      {"exp", std::exp},     {"log", std::log},   {"log2", std::log2},
-      {"log10", std::log10},    {"sqrt", std::sqrt},   {"cbrt", std::cbrt}, {"abs", std::fabs},
-      {"sign", language::sign}, {"floor", std::floor}, {"ceil", std::ceil}, {"round", std::round}};
-  constexpr std::pair<const char*, Two> twos[] = {
-      {"atan2", std::atan2}, {"hypot", std::hypot}, {"mod", language::mod}, {"uniform", language::uniform}};
   for (const auto& [name, function] : ones) parser.DefineFun(name, function, false);
   for (const auto& [name, function] : twos) parser.DefineFun(name, function, false);
   parser.DefineFun("min", language::smallest, false);
@@ -94,6 +95,18 @@ const Arity* find_function(std::string_view name) {
     if (known == name) return &arity;
   }
   return nullptr;
+}
+
+double call_function(std::string_view name, std::span<const double> values) {
+  for (const auto& [known, function] : ones) {
+    if (known == name) return function(values[0]);
+  }
+  for (const auto& [known, function] : twos) {
+    if (known == name) return function(values[0], values[1]);
+  }
+  if (name == "lognormal") return language::lognormal(values[0], values[1], values[2]);
+  const int count = static_cast<int>(values.size());
+  return name == "min" ? language::smallest(values.data(), count) : language::largest(values.data(), count);
 }
 
 void define_language(mu::Parser& parser) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string_view>
 
 namespace mu {
@@ -16,6 +17,9 @@ struct Arity {
 
 /// The arity of a function of the language; nullptr if there is none of that name.
 const Arity* find_function(std::string_view name);
+
+/// The value of a function of the language; the values are as many as it takes.
+double call_function(std::string_view name, std::span<const double> values);
 
 /// Replaces what a parser knows by the functions and signs of the language.
 void define_language(mu::Parser& parser);

@@ -47,12 +47,16 @@ double max(const double (&values)[count]) {
   return largest(values, count);
 }
 
+/// A whole number that doubles count.
+inline bool is_whole(double x) {
+  return std::abs(x) < 0x1.0p53 && x == std::trunc(x);
+}
+
 /// What nobody set and is as likely anywhere, as where the zero of an encoder lies between two counts: a
 /// number between 0 and 1 that depends on `seed`, which tells whose it is, and `stream`, which tells which of
-/// its properties, alone. Seed and stream are whole numbers; of others the fraction is left out, and those
-/// that doubles do not count give nan.
+/// its properties, alone. Seed and stream are whole numbers; what is none gives nan.
 inline double uniform(double seed, double stream) {
-  if (!(std::abs(seed) < 0x1.0p53 && std::abs(stream) < 0x1.0p53)) return std::nan("");
+  if (!is_whole(seed) || !is_whole(stream)) return std::nan("");
   // Samples of noise with the same seed are counted from 0 on; this one lies before them.
   constexpr double before_all = 0x1.0p62;
   return even_sample(static_cast<std::int64_t>(seed), static_cast<std::ptrdiff_t>(stream), before_all);

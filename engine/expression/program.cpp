@@ -10,6 +10,7 @@
 #include <numbers>
 #include <optional>
 
+#include "engine/expression/draws.hpp"
 #include "engine/expression/expression.hpp"
 #include "engine/expression/function.hpp"
 #include "engine/expression/token.hpp"
@@ -190,6 +191,10 @@ class Translator {
   static void check_arity(const Token& function, int values) {
     const Arity& arity = *find_function(function.text);
     if (values >= arity.least && values <= arity.most) return;
+    if (function.text == "min" || function.text == "max")
+      fail(function, fmt::format("'{0}' of one value is that value; {0}(a, b) compares several, and the {1} "
+                                 "of a recording is the reduction of a claim, '{0}: ...'",
+                                 function.text, function.text == "min" ? "smallest" : "largest"));
     fail(function, fmt::format("'{}' takes {} value{}, not {}", function.text, arity.least,
                                arity.least == 1 ? "" : "s", values));
   }
@@ -217,7 +222,9 @@ Program translate(std::string_view text, const Known& known) {
   if (text.size() > longest_text) {
     throw ExpressionError(fmt::format("an expression has at most {} characters", longest_text), longest_text);
   }
-  return Translator(text, known).run();
+  Program program = Translator(text, known).run();
+  check_draws(program, std::vector<std::optional<double>>(program.variables.size()));
+  return program;
 }
 
 }  // namespace stepwire

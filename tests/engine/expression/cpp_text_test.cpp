@@ -109,7 +109,7 @@ std::vector<std::string> texts() {
                                "1 || x / 0",
                                "sin(1) + exp(2)*cbrt(3) + hypot(1, 3) + 2^0.1",
                                "x > 4 mm",
-                               "min(x)",
+                               "min(x, 1)",
                                "max(x, y, z, 0)",
                                "min(x, y)",
                                "mod(x, y)",

@@ -87,7 +87,7 @@ TEST_CASE("functions are those of the C library") {
   CHECK(value("sign(-2) + 10*sign(0) + 100*sign(5)") == 99.0);
   CHECK(value("floor(-1.5) + 10*ceil(1.2) + 100*round(2.5) + 1000*round(-2.5)") ==
         -2.0 + 20.0 + 300.0 - 3000.0);
-  CHECK(value("min(3, 1, 2) + 10*max(1, 3) + 100*max(7)") == 731.0);
+  CHECK(value("min(3, 1, 2) + 10*max(1, 3) + 100*max(7, 2, 3)") == 731.0);
   CHECK(value("mod(7, 3) + 10*mod(-1, 3) + 100*mod(1, -3) + 1000*mod(6, 3)") == 1.0 + 20.0 - 200.0);
   CHECK(value("pi") == std::numbers::pi);
   CHECK(value("e") == std::numbers::e);
