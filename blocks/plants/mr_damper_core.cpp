@@ -58,7 +58,7 @@ void MRDamperCore::configure(Configure& is) {
   is.feedthrough<&Core::velocity, &Core::stored>(exact);
   is.feedthrough<&Core::velocity, &Core::switching_work>(exact);
   is.feedthrough<&Core::current, &Core::z>(false);
-  is.feedthrough<&Core::current, &Core::dissipated>(false);
+  is.feedthrough<&Core::current, &Core::dissipated>(exact);
   is.feedthrough<&Core::position, &Core::z>(false);
   is.feedthrough<&Core::position, &Core::dissipated>(false);
   is.feedthrough<&Core::position, &Core::stored>(false);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "blocks/plants/bouc_wen_law.hpp"
 #include "engine/block/block.hpp"
@@ -28,7 +29,7 @@ struct MRDamperCore {
   Input<1> velocity{}, current{}, position{};
   Output<1> z{}, dissipated{}, stored{}, switching_work{};
   State<1> evolution{}, loss{}, spring_work{};
-  DiscreteState<1> last_time{}, last_velocity{}, last_current{}, first_stored{}, begun{};
+  DiscreteState<1> last_time{}, last_velocity{}, last_current{}, earlier_current{}, first_stored{}, begun{};
   Time time{};
   Notice outside_range{};
   BoucWenLaw law{};                    ///< as it acts, in SI
@@ -81,9 +82,11 @@ struct MRDamperCore {
 
   void remember() {
     if (!within_range(current)) outside_range.raise(time);
-    if (begun == 0.0) first_stored = stored;
+    const bool first = begun == 0.0;
+    if (first) first_stored = stored;
     begun = 1.0;
     if (integration == Integration::solver) return;
+    earlier_current = first ? acting(current) : double(last_current);
     const Account now = account();
     evolution = now.z;
     loss = now.loss;
@@ -107,14 +110,25 @@ struct MRDamperCore {
   /// alpha / (2 A)
   double spring(double i) const { return 0.5 * polynomial(scaled_alpha, i) / law.A; }
 
+  /// Where the current went in a straight line since the last tick. A jump, which falls on a tick, comes behind
+  /// that way: what changes goes on as it did before, and only then was it on its way.
+  double current_behind_way() const {
+    const double before = last_current - earlier_current, now = acting(current) - last_current;
+    if (!(before * now > 0.0)) return last_current;
+    return last_current + (std::abs(before) < std::abs(now) ? before : now);
+  }
+
   /// With the exact step the states keep the last tick's values, and each call goes the way since then anew.
+  /// z does not follow from the current; what the current weighs is of second order in the step.
   Account account() const {
     if (integration == Integration::solver) return {evolution, loss, spring_work};
     const double duration = time - last_time, v0 = last_velocity, v1 = velocity;
     const BoucWenLaw::Travelled way = law.over(evolution, v0, v1, duration);
-    const double viscous =
-        polynomial(scaled_c, last_current) * duration * (v0 * v0 + v0 * v1 + v1 * v1) / 3.0;
-    const double elastic = spring(last_current);
+    const double i0 = last_current, i1 = current_behind_way();
+    const double c0 = polynomial(scaled_c, i0), c1 = polynomial(scaled_c, i1);
+    const double viscous = 0.5 * (c0 + c1) * duration * (v0 * v0 + v0 * v1 + v1 * v1) / 3.0 +
+                           (c1 - c0) * duration * (v1 * v1 - v0 * v0) / 12.0;
+    const double elastic = 0.5 * (spring(i0) + spring(i1));
     return {way.z, loss + viscous + 2.0 * elastic * way.lost,
             spring_work + elastic * (way.z - evolution) * (way.z + evolution)};
   }

@@ -79,6 +79,8 @@ void declare_mr_damper(Declare<Damper>& is, const MRDamperUnits& units) {
       {.unit = units.velocity, .doc = "velocity then", .settable = false});
   is.template state<&Damper::last_current>(
       {.unit = "A", .doc = "current then, as it acted", .settable = false});
+  is.template state<&Damper::earlier_current>(
+      {.unit = "A", .doc = "current at the tick before it", .settable = false});
   is.template state<&Damper::first_stored>(
       {.unit = "J", .doc = "stored energy at the start", .settable = false});
   is.template state<&Damper::begun>({.doc = "1 from the first tick on", .settable = false});
