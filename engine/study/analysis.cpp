@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -34,6 +35,17 @@ std::vector<std::vector<double>> by_condition(const PathErrors& errors) {
     samples[static_cast<std::size_t>(at - conditions.begin())].push_back(row.normalised);
   }
   return samples;
+}
+
+/// 1 for each of these conditions that gives a feedback, 0 for each other.
+Eigen::VectorXd presence(const std::vector<NamedValue>& means,
+                         const std::vector<FeedbackCondition>& conditions,
+                         bool FeedbackCondition::*member) {
+  Eigen::VectorXd present = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(means.size()));
+  for (std::size_t i = 0; i < means.size(); ++i)
+    for (const FeedbackCondition& condition : conditions)
+      if (condition.name == means[i].name && condition.*member) present[static_cast<Eigen::Index>(i)] = 1.0;
+  return present;
 }
 
 std::string number(double value) {
@@ -83,6 +95,32 @@ std::string printed_probability(double p) {
   return p < 1e-3 ? fmt::format("{:.2e}", p) : fmt::format("{:.3g}", p);
 }
 
+std::vector<NamedValue> feedback_effects(const std::vector<NamedValue>& means,
+                                         const std::vector<FeedbackCondition>& conditions) {
+  const auto rows = static_cast<Eigen::Index>(means.size());
+  const std::vector<std::pair<const char*, bool FeedbackCondition::*>> kinds{
+      {"haptic", &FeedbackCondition::haptic},
+      {"visual", &FeedbackCondition::visual},
+      {"guiding path", &FeedbackCondition::guiding_path}};
+  Eigen::MatrixXd terms = Eigen::MatrixXd::Ones(rows, 1);
+  Eigen::VectorXd errors(rows);
+  for (Eigen::Index row = 0; row < rows; ++row) errors[row] = means[static_cast<std::size_t>(row)].value;
+  std::vector<NamedValue> effects;
+  for (const auto& [name, member] : kinds) {
+    const Eigen::VectorXd present = presence(means, conditions, member);
+    if (present.minCoeff() == present.maxCoeff()) continue;  // it is there always or never
+    terms.conservativeResize(Eigen::NoChange, terms.cols() + 1);
+    terms.rightCols(1) = present;
+    effects.push_back({name, std::numeric_limits<double>::quiet_NaN()});
+  }
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(terms);
+  if (solver.rank() < terms.cols()) return effects;
+  const Eigen::VectorXd found = solver.solve(errors);
+  for (std::size_t i = 0; i < effects.size(); ++i)
+    effects[i].value = found[static_cast<Eigen::Index>(i) + 1];
+  return effects;
+}
+
 TaskAnalysis analyse(const PathErrors& errors, const std::vector<FeedbackCondition>& conditions) {
   const Observations all = observations(errors, conditions);
   const auto factors = feedbacks(all);
@@ -91,6 +129,7 @@ TaskAnalysis analyse(const PathErrors& errors, const std::vector<FeedbackConditi
   const auto samples = by_condition(errors);
   for (std::size_t i = 0; i < names.size(); ++i)
     result.means.push_back({names[i], box_summary(samples[i]).mean});
+  result.effects = feedback_effects(result.means, conditions);
   result.additive = anova(all, additive_terms(factors));
   auto with_subject = additive_terms(factors);
   with_subject.push_back({{"subject"}, {}});

@@ -32,9 +32,10 @@ std::vector<const Trial*> of_task(const std::vector<Trial>& trials, const std::s
   return result;
 }
 
-PathError started(const Trial& trial, double time_limit, PathErrors& errors) {
+/// Of the first `points` of a trial, which are those that are scored.
+PathError started(const Trial& trial, std::size_t points, double time_limit, PathErrors& errors) {
   PathError row{trial.subject, trial.condition};
-  row.duration = trial.time.back() - trial.time.front();
+  row.duration = trial.time[points - 1] - trial.time.front();
   if (row.duration > time_limit)
     errors.warnings.push_back(
         fmt::format("{} lasted {:.3g} s; the thesis repeats trials that last longer than {:g} s",
@@ -129,7 +130,7 @@ PathErrors circle_errors(const std::vector<Trial>& trials, const CircleTask& tas
     if (trial->condition == task.without_feedback)
       errors.circles[trial->subject] = scored(*trial, [&] { return fit_circle(trial->points, task.fit); });
   for (const Trial* trial : chosen) {
-    PathError row = started(*trial, task.time_limit, errors);
+    PathError row = started(*trial, trial->time.size(), task.time_limit, errors);
     row.error = row.raw = squared_deviations(trial->points, circle_of(errors, *trial, task));
     row.points = trial->time.size();
     row.deviation = std::sqrt(row.error / static_cast<double>(row.points));
@@ -151,7 +152,7 @@ PathErrors return_errors(const std::vector<Trial>& trials, const WayBack& way_ba
   for (const Trial* trial : of_task(trials, task.task)) {
     const ReturnError found =
         scored(*trial, [&] { return return_error(trial->points, way_back, task.resampling); });
-    PathError row = started(*trial, task.time_limit, errors);
+    PathError row = started(*trial, static_cast<std::size_t>(found.raw_points), task.time_limit, errors);
     row.error = found.error;
     row.raw = found.raw;
     row.points = static_cast<std::size_t>(found.points);

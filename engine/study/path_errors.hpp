@@ -23,7 +23,7 @@ struct PathError {
   /// mean angle, which is the error over the length of the resampled path [rad].
   double deviation = 0.0;
   double length = 0.0;     ///< of the path that is scored, as it was recorded [m]
-  double duration = 0.0;   ///< of the whole trial [s]
+  double duration = 0.0;   ///< of the path that is scored: in task 2 up to its first point inside [s]
   std::size_t points = 0;  ///< that are scored
 };
 

@@ -59,6 +59,30 @@ std::string word(double p) {
   return std::isnan(p) ? "cannot be estimated" : p < significant ? "significant" : "not significant";
 }
 
+/// "lowers the error by 0.12"; nothing where that is not known.
+std::string direction(double effect) {
+  if (std::isnan(effect)) return "";
+  if (effect == 0.0) return "leaves the error as it is";
+  return fmt::format("{} the error by {:.2g}", effect < 0.0 ? "lowers" : "raises", std::abs(effect));
+}
+
+/// What is significant has a direction; what is not has none that counts.
+Agreement judge_factor(const ComparedValue& p, const ComparedValue& effect) {
+  const auto stated = [](double probability, double size) {
+    const std::string which = direction(size);
+    if (which.empty()) return word(probability);
+    return probability < significant ? fmt::format("{} and {}", word(probability), which)
+                                     : fmt::format("{} ({})", word(probability), which);
+  };
+  const bool known = !std::isnan(effect.published) && !std::isnan(effect.ours);
+  const bool opposite = known && p.published < significant && effect.published * effect.ours <= 0.0;
+  const std::string thesis = p.published < significant && !std::isnan(effect.published)
+                                 ? fmt::format(" and {}", direction(effect.published))
+                                 : "";
+  return {fmt::format("{} is {} at {}{}", p.name, word(p.published), significant, thesis),
+          word(p.ours) == word(p.published) && !opposite, stated(p.ours, effect.ours)};
+}
+
 std::string verdict(const Agreement& agreement) {
   return fmt::format("{}: {}; ours: {}.", agreement.agrees ? "Agrees" : "Disagrees", agreement.that,
                      agreement.ours);
@@ -85,21 +109,43 @@ SideBySide compare_errors(const PublishedValues& published, const std::vector<Na
   return both;
 }
 
-SideBySide compare_significance(const PublishedValues& published, const Anova& ours) {
-  SideBySide both{"Significance: the thesis (" + published.source + ") and ours", "P", {}, {}};
-  for (const NamedValue& value : published.values) {
-    const AnovaRow* row = ours.find(value.name);
+SideBySide compare_significance(const PublishedTask& published, const TaskAnalysis& ours) {
+  SideBySide both{"Significance: the thesis (" + published.probabilities.source + ") and ours", "P", {}, {}};
+  const auto effects = feedback_effects(published.means.values, thesis_conditions());
+  for (const NamedValue& value : published.probabilities.values) {
+    const AnovaRow* row = ours.additive.find(value.name);
     const double p = row == nullptr ? std::numeric_limits<double>::quiet_NaN() : row->p;
     both.values.push_back({value.name, value.value, p});
-    both.agreements.push_back({fmt::format("{} is {} at {}", value.name, word(value.value), significant),
-                               word(p) == word(value.value), word(p)});
+    both.effects.push_back({value.name, value_of(effects, value.name), value_of(ours.effects, value.name)});
+    both.agreements.push_back(judge_factor(both.values.back(), both.effects.back()));
   }
   return both;
 }
 
+namespace {
+
+/// What each factor adds to the error, with its sign.
+void add_effects(const std::vector<ComparedValue>& effects, TextTable& table) {
+  table.columns.insert(table.columns.end(), {"effect, thesis", "effect, ours"});
+  const auto shown = [](double effect) { return std::isnan(effect) ? "–" : fmt::format("{:+.3f}", effect); };
+  for (std::size_t i = 0; i < effects.size(); ++i)
+    for (const double effect : {effects[i].published, effects[i].ours}) table.rows[i].push_back(shown(effect));
+  table.notes.push_back("Effect: what a feedback adds to the mean normalised error; below 0 it helps.");
+}
+
+Json values_json(const std::vector<ComparedValue>& compared) {
+  Json values = Json::list();
+  for (const ComparedValue& value : compared)
+    values.push(
+        Json::object().set("name", value.name).set("published", value.published).set("ours", value.ours));
+  return values;
+}
+
+}  // namespace
+
 std::vector<SideBySide> compare(const PublishedTask& published, const TaskAnalysis& ours) {
   return {compare_errors(published.means, ours.means, published.order),
-          compare_significance(published.probabilities, ours.additive)};
+          compare_significance(published, ours)};
 }
 
 TextTable side_by_side_table(const SideBySide& both) {
@@ -107,25 +153,25 @@ TextTable side_by_side_table(const SideBySide& both) {
   for (const ComparedValue& value : both.values)
     table.rows.push_back({value.name, printed_probability(value.published), printed_probability(value.ours),
                           printed_probability(value.ours / value.published)});
+  if (!both.effects.empty()) add_effects(both.effects, table);
   for (const Agreement& agreement : both.agreements) table.notes.push_back(verdict(agreement));
   return table;
 }
 
 Json side_by_side_json(const SideBySide& both) {
-  Json values = Json::list(), agreements = Json::list();
-  for (const ComparedValue& value : both.values)
-    values.push(
-        Json::object().set("name", value.name).set("published", value.published).set("ours", value.ours));
+  Json values = values_json(both.values), agreements = Json::list();
   for (const Agreement& agreement : both.agreements)
     agreements.push(Json::object()
                         .set("that", agreement.that)
                         .set("agrees", agreement.agrees)
                         .set("ours", agreement.ours));
-  return Json::object()
-      .set("title", both.title)
-      .set("quantity", both.quantity)
-      .set("values", std::move(values))
-      .set("agreements", std::move(agreements));
+  Json json = Json::object()
+                  .set("title", both.title)
+                  .set("quantity", both.quantity)
+                  .set("values", std::move(values))
+                  .set("agreements", std::move(agreements));
+  if (!both.effects.empty()) json.set("effects", values_json(both.effects));
+  return json;
 }
 
 }  // namespace stepwire

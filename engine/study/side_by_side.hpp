@@ -27,6 +27,7 @@ struct SideBySide {
   std::string quantity;  ///< "mean normalised error", "P"
   std::vector<ComparedValue> values;
   std::vector<Agreement> agreements;
+  std::vector<ComparedValue> effects{};  ///< of P: what each factor adds to the error
 };
 
 /// The orders that the text states of the conditions' errors: each list, as far as we have its conditions.
@@ -38,8 +39,9 @@ std::vector<Agreement> judge_orders(const std::vector<std::vector<std::string>>&
 SideBySide compare_errors(const PublishedValues& published, const std::vector<NamedValue>& ours,
                           const std::vector<std::vector<std::string>>& order);
 
-/// P of factors: each is significant in both or in neither, at 0.05.
-SideBySide compare_significance(const PublishedValues& published, const Anova& ours);
+/// P of factors: each is significant in both or in neither, at 0.05, and what is significant lowers the error
+/// in both or raises it in both.
+SideBySide compare_significance(const PublishedTask& published, const TaskAnalysis& ours);
 
 /// All that can be compared of a task: means, then significance.
 std::vector<SideBySide> compare(const PublishedTask& published, const TaskAnalysis& ours);

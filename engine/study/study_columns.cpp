@@ -119,6 +119,15 @@ std::vector<NamedValue> mean_deviations(const Experiment& experiment, const Stud
   return values;
 }
 
+/// What each feedback adds to the normalised error, by names such as "effect.haptic".
+std::vector<NamedValue> effects_of(const Experiment& experiment, const StudyRequest& request) {
+  std::vector<NamedValue> values;
+  for (const std::string& factor : factors_of(request))
+    values.push_back({column_of("effect.", factor),
+                      experiment.analysis ? value_of(experiment.analysis->effects, factor) : nan()});
+  return values;
+}
+
 std::vector<NamedValue> published_means(const StudyRequest& request) {
   std::vector<NamedValue> values;
   for (const std::string& condition : request.condition_names())
@@ -134,6 +143,7 @@ Recording outcome_recording(const Experiment& experiment, const StudyRequest& re
       recording.table.columns.push_back({value.name, unit, {value.value}});
   };
   add(outcome(experiment, request), "");
+  add(effects_of(experiment, request), "");
   add(mean_deviations(experiment, request), experiment.errors.deviation_unit);
   add(published_means(request), "");
   return recording;
@@ -177,6 +187,7 @@ void add_study_names(const StudyRequest& request, Names& names) {
   if (circle)
     for (const char* column : circle_columns) add(column, "m", records);
   for (const std::string& column : outcome_columns(request)) add(column, "1", records + 1);
+  for (const std::string& factor : factors_of(request)) add(column_of("effect.", factor), "1", records + 1);
   for (const std::string& condition : request.condition_names())
     add("deviation." + condition, circle ? "m" : "rad", records + 1);
   for (const std::string& condition : request.condition_names()) add("thesis." + condition, "1", records + 1);

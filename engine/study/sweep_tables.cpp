@@ -26,7 +26,7 @@ Shown shown_means(const StudyRequest& request, const TaskAnalysis& analysis) {
 }
 
 Shown shown_significance(const StudyRequest& request, const TaskAnalysis& analysis) {
-  SideBySide both = compare_significance(published_task(request.task).probabilities, analysis.additive);
+  SideBySide both = compare_significance(published_task(request.task), analysis);
   return {std::move(both.values), std::move(both.agreements)};
 }
 

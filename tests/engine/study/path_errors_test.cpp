@@ -54,6 +54,22 @@ TEST_CASE("a straight return scores its length times its angle, over the largest
   CHECK_THAT(errors.rule, Contains("resampled by arc length in steps of 2 mm"));
 }
 
+TEST_CASE("what comes behind the first point inside counts in no number of a return") {
+  Trial longer = straight_return("a", "V", 60 * degree);
+  const PathErrors before = return_errors({longer}, to_half_plane);
+  const Eigen::Index points = longer.points.cols();
+  longer.points.conservativeResize(Eigen::NoChange, points + 200);
+  for (Eigen::Index i = 0; i < 200; ++i) {  // further in, and out again
+    longer.points.col(points + i) = longer.points.col(points - 1) + Eigen::Vector2d(0.0, 1e-4 * (100 - i));
+    longer.time.push_back(longer.time.back() + 1.0);
+  }
+  const PathErrors after = return_errors({longer}, to_half_plane);
+  CHECK(after.rows[0].error == before.rows[0].error);
+  CHECK(after.rows[0].length == before.rows[0].length);
+  CHECK(after.rows[0].duration == before.rows[0].duration);
+  CHECK(after.warnings == before.warnings);
+}
+
 TEST_CASE("a trial that lasted too long is scored, and named") {
   const PathErrors errors = circle_errors(drawings(), {"1", "NO", CircleFit::geometric, 20.0});
   REQUIRE(errors.warnings.size() == 4);

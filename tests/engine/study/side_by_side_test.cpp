@@ -61,17 +61,51 @@ TEST_CASE("a condition that we do not have is left out of the words and shown as
 }
 
 TEST_CASE("a factor agrees where it is significant on both sides or on neither") {
-  Anova ours;
+  TaskAnalysis ours;
+  ours.effects = {{"haptic", -0.1}, {"visual", -0.2}, {"guiding path", -0.3}};
   for (const auto& [name, p] : {std::pair{"haptic", 0.04}, {"visual", 0.01}, {"guiding path", 0.06}}) {
     AnovaRow row;
     row.name = name;
     row.p = p;
-    ours.terms.push_back(row);
+    ours.additive.terms.push_back(row);
   }
-  const SideBySide both = compare_significance(published_task_2().probabilities, ours);
+  const SideBySide both = compare_significance(published_task_2(), ours);
   CHECK(agreement(both, "haptic is significant at 0.05").agrees);
   CHECK_FALSE(agreement(both, "visual is not significant at 0.05").agrees);
-  CHECK(agreement(both, "guiding path is significant at 0.05").ours == "not significant");
+  CHECK(agreement(both, "guiding path is significant at 0.05").ours ==
+        "not significant (lowers the error by 0.3)");
+}
+
+TEST_CASE("a factor that is significant the other way round does not agree") {
+  TaskAnalysis ours;
+  AnovaRow row;
+  row.name = "haptic";
+  row.p = 0.001;
+  ours.additive.terms = {row};
+  for (const double effect : {-0.2, 0.2}) {
+    ours.effects = {{"haptic", effect}};
+    const SideBySide both = compare_significance(published_task_2(), ours);
+    // By hand, from the published means of V, HV, V_gp and HV_gp: (0.291 - 0.547 + 0.185 - 0.288) / 2.
+    const Agreement& haptic = agreement(both, "haptic is significant at 0.05 and lowers the error by 0.18");
+    CHECK(haptic.agrees == (effect < 0.0));
+    CHECK(haptic.ours == (effect < 0.0 ? "significant and lowers the error by 0.2"
+                                       : "significant and raises the error by 0.2"));
+    CHECK_THAT(text(side_by_side_table(both)), Contains(effect < 0.0 ? "-0.200" : "+0.200"));
+  }
+}
+
+TEST_CASE("effects of the published means of task 1 are differences of means") {
+  // Two by two and balanced: ((H - NO) + (HV - V)) / 2 and ((V - NO) + (HV - H)) / 2.
+  const auto effects = feedback_effects(published_task_1().means.values, thesis_conditions());
+  REQUIRE(effects.size() == 2);
+  CHECK(value_of(effects, "haptic") == Approx((0.217 - 0.698 + 0.079 - 0.114) / 2.0));
+  CHECK(value_of(effects, "visual") == Approx((0.114 - 0.698 + 0.079 - 0.217) / 2.0));
+}
+
+TEST_CASE("feedbacks that always come together have no effects of their own") {
+  const auto effects = feedback_effects({{"NO", 0.7}, {"HV", 0.1}}, thesis_conditions());
+  REQUIRE(effects.size() == 2);
+  for (const NamedValue& effect : effects) CHECK(std::isnan(effect.value));
 }
 
 TEST_CASE("the words stand below the table, and in JSON") {
