@@ -99,6 +99,9 @@ void add_run_keys(Json& keys) {
   keys.set("step", explained(schema_ref("time"), "time between ticks: 1 ms"));
   keys.set("stop", explained(schema_ref("time"), "end of the run, a whole multiple of the step: 5 s"));
   keys.set("solver", solver_schema());
+  keys.set("tolerance",
+           explained(schema_ref("number"),
+                     "error of a step, in sizes of its state, beyond which rosenbrock and sdirk end the run: 2"));
   keys.set("stop_when",
            explained(schema_ref("expression"),
                      "ends the run early where this is true: rig.x > 5 mm, rig.position.1 > 5 mm"));

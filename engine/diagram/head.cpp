@@ -13,7 +13,7 @@ namespace {
 
 const std::vector<std::string> head_keys = {
     "stepwire",   "title",  "caption", "thesis", "step",       "stop",      "solver",
-    "parameters", "inputs", "outputs", "units",  "blocks",     "stop_when", "record",
+    "tolerance",    "parameters", "inputs", "outputs", "units",  "blocks",     "stop_when", "record",
     "sweep",      "figure", "scene",   "claims", "invariants", "fit",       "study"};
 
 constexpr double most_steps = 9e15;  // whole numbers beyond are not exact in a double
@@ -47,6 +47,21 @@ void read_solver(const Scope& scope, Settings& settings, Report& report) {
     diagram.solver = read_text(*solver, "solver", scope, report);
     diagram.solver_origin = scope.at(solver->mark);
   }
+}
+
+/// How wrong a step of an implicit solver may be, a pure number above 0.
+void read_tolerance(const Scope& scope, Settings& settings, Report& report) {
+  const Node* node = scope.document->root.find("tolerance");
+  const Settings::Entry* setting = settings.take("tolerance");
+  settings.offer("tolerance");
+  if (!node && !setting) return;
+  const Origin origin = setting ? setting->origin : scope.at(node->mark);
+  if (setting) node = &setting->document.root;
+  const auto value = ValueReader(scope.parameters, report, origin.scope).read_number(*node, {}, "tolerance");
+  if (!value) return;
+  if (*value <= 0.0)
+    return report.add(origin, "tolerance", fmt::format("{} is not allowed; it must be above 0", node->text));
+  report.diagram().tolerance = *value;
 }
 
 std::string text_of(const Scope& scope, const char* key, Report& report) {
@@ -105,107 +120,6 @@ void read_thesis(const Scope& scope, Report& report) {
                              text("caption"),  text("says"),    read_departures(*thesis, scope, report)};
 }
 
-constexpr std::size_t most_runs = 100'000;  // of a sweep; each is planned before the first one starts
-
-std::string setting_text(const Node& node) {
-  return node.quoted ? fmt::format("\"{}\"", node.text) : node.text;
-}
-
-std::vector<std::string> read_range(const Node& map, const std::string& name, const Scope& scope,
-                                    Report& report) {
-  const std::string subject = "sweep." + name;
-  const char* const form = "is written [.., ..] or {from: .., to: .., count: ..}";
-  if (refuse_unknown_keys(map, {"from", "to", "count"}, subject, scope, report)) return {};
-  const ValueReader reader(scope.parameters, report, scope.index);
-  std::vector<double> numbers;
-  std::vector<std::optional<Dimension>> dimensions;
-  for (const char* key : {"from", "to", "count"}) {
-    const Node* node = map.find(key);
-    if (!node) {
-      report.add(scope.at(map.mark), subject,
-                 map.is_map() ? fmt::format("'{}' is missing; it {}", key, form) : form);
-      return {};
-    }
-    const auto written = reader.read(*node, subject);
-    if (!written) return {};
-    const double* number = std::get_if<double>(&written->value.content);
-    if (!number) {
-      report.add(scope.at(node->mark), subject,
-                 fmt::format("'{}' is no number; words are swept as a list", written->text));
-      return {};
-    }
-    numbers.push_back(*number);
-    dimensions.push_back(written->dimension);
-  }
-  if (const std::string complaint = unit_complaint(dimensions[1], dimensions[0]); !complaint.empty()) {
-    report.add(scope.at(map.find("to")->mark), subject, fmt::format("'to' {}", complaint));
-    return {};
-  }
-  const double count = numbers[2];
-  if (count < 2 || count != std::floor(count) || count > most_runs) {
-    report.add(scope.at(map.find("count")->mark), subject,
-               fmt::format("'count' must be a whole number from 2 to {}", most_runs));
-    return {};
-  }
-  const auto& dimension = dimensions[0] ? dimensions[0] : dimensions[1];
-  const std::string unit = dimension && *dimension != Dimension{} ? " " + si_name(*dimension) : "";
-  std::vector<std::string> values;
-  for (double i = 0; i < count; ++i)
-    values.push_back(fmt::format("{}{}", numbers[0] + (numbers[1] - numbers[0]) * (i / (count - 1)), unit));
-  return values;
-}
-
-void read_axis(const Entry& entry, Sweep& sweep, const Scope& scope, Report& report) {
-  const Node* list = entry.value.is_map() ? entry.value.find("values") : &entry.value;
-  Sweep::Axis axis{entry.key, {}, {}, scope.at(entry.mark)};
-  if (list && list->is_list()) {
-    for (const Node& item : list->items) {
-      axis.values.push_back(setting_text(item));
-      axis.marks.push_back(item.mark);
-    }
-    if (axis.values.empty()) report.add(scope.at(list->mark), "sweep." + entry.key, "has no values");
-  } else {
-    axis.values = read_range(entry.value, entry.key, scope, report);
-    axis.marks.assign(axis.values.size(), entry.value.mark);
-  }
-  sweep.axes.push_back(std::move(axis));
-}
-
-/// Runs of a grid, or of pairs; a double holds more of them than anybody could want.
-double run_count(const Sweep& sweep) {
-  double count = 1.0;
-  for (const Sweep::Axis& axis : sweep.axes) {
-    const auto values = static_cast<double>(axis.values.size());
-    count = sweep.together ? std::max(count, values) : count * values;
-  }
-  return count;
-}
-
-void read_sweep(const Scope& scope, Report& report) {
-  const Node* node = scope.document->root.find("sweep");
-  if (!node) return;
-  if (!node->is_map())
-    return report.add(scope.at(node->mark), "sweep",
-                      "must be a map of parameter: {from, to, count} or {values: [..]}");
-  Sweep sweep;
-  if (const Node* together = node->find("together"))
-    sweep.together = read_flag(*together, "sweep.together", scope, report);
-  for (const Entry& entry : node->entries) {
-    if (entry.key != "together") read_axis(entry, sweep, scope, report);
-    if (run_count(sweep) > most_runs)
-      return report.add(
-          scope.at(node->mark), "sweep",
-          fmt::format("makes {} runs or more; at most {} are made", run_count(sweep), most_runs));
-  }
-  for (const Sweep::Axis& axis : sweep.axes)
-    if (sweep.together && axis.values.size() != sweep.axes.front().values.size())
-      report.add(
-          axis.origin, "sweep." + axis.parameter,
-          fmt::format("has {} values, '{}' has {}; with 'together: true' they are paired", axis.values.size(),
-                      sweep.axes.front().parameter, sweep.axes.front().values.size()));
-  report.diagram().sweep = std::move(sweep);
-}
-
 }  // namespace
 
 void check_head_keys(const Scope& scope, Report& report) {
@@ -222,6 +136,7 @@ void read_head(const Scope& scope, Settings& settings, Report& report) {
   diagram.title = text_of(scope, "title", report);
   diagram.caption = text_of(scope, "caption", report);
   read_solver(scope, settings, report);
+  read_tolerance(scope, settings, report);
   read_time(scope, settings, report, "step", diagram.step, diagram.step_origin);
   read_time(scope, settings, report, "stop", diagram.stop, diagram.stop_origin);
   if (diagram.step > 0.0 && diagram.stop / diagram.step > most_steps)

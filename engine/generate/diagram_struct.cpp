@@ -7,6 +7,7 @@
 
 #include "engine/generate/literals.hpp"
 #include "engine/generate/names.hpp"
+#include "engine/solve/solver.hpp"
 
 namespace stepwire {
 
@@ -97,6 +98,9 @@ std::string fault_text(const Plan& plan) {
             fmt::format("  if (w_[{}] != Notice::never) return \"{}: {}\";\n",
                         plan.blocks[b].notices[n].offset, comment_of(plan, b), block.type().notices[n].doc);
   }
+  if (plan.layout.state_count > 0 && find_implicit(plan.diagram.solver))
+    text += fmt::format("  if (w_[{}] != 0.0) return \"the step is too large for the solver\";\n",
+                        plan.layout.report);
   return text;
 }
 

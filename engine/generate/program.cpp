@@ -8,6 +8,7 @@
 #include "engine/diagram/external_input.hpp"
 #include "engine/generate/functions.hpp"
 #include "engine/generate/solver_text.hpp"
+#include "engine/solve/solver.hpp"
 
 namespace stepwire {
 
@@ -47,7 +48,7 @@ class Maker {
         literals_(literals),
         statements_(plan, names_, literals),
         small_(calls(plan.stage) + calls(plan.derivatives) <= most_inlined &&
-               plan.diagram.solver != "rosenbrock"),
+               !find_implicit(plan.diagram.solver)),
         functions_(small_) {}
 
   /// Makes the functions, and with them writes every number.
@@ -250,7 +251,7 @@ std::vector<std::string> headers_of(const Plan& plan) {
   std::set<std::string> headers;
   for (const DiagramBlock& block : plan.diagram.blocks)
     if (!block.type().header.empty()) headers.insert(block.type().header);
-  if (plan.diagram.solver == "rosenbrock") headers.insert("engine/solve/rosenbrock.hpp");
+  if (const auto method = find_implicit(plan.diagram.solver)) headers.insert(method->header);
   if (plan.diagram.stop_when) headers.insert("engine/expression/language.hpp");
   headers.insert("engine/block/block.hpp");
   return {headers.begin(), headers.end()};

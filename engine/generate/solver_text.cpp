@@ -75,14 +75,15 @@ class ExplicitText {
   bool small_, timed_;
 };
 
-std::string rosenbrock_text(const Plan& plan) {
+std::string implicit_text(const ImplicitMethod& method, const Plan& plan) {
   return fmt::format(
       "  double* const dot = w + dots;\n"
       "  derivatives(w, parameters, dot);\n"
-      "  Rosenbrock<{0}> method({0});\n"
-      "  method.advance(w + states, dot, w + at::time, now, step, [&] {{{1} slopes(w, w, parameters, dot); "
-      "}});\n",
-      plan.layout.state_count, plan.timed.empty() ? "" : " follow_time(w, parameters);");
+      "  {0}<{1}> method({1});\n"
+      "  method.advance(w + states, dot, w + at::time, now, end, step, {{w + {2}, {3}}}, [&] {{{4} slopes(w, w, "
+      "parameters, dot); }});\n",
+      method.type, plan.layout.state_count, plan.layout.report, number_text(plan.diagram.tolerance),
+      plan.timed.empty() ? "" : " follow_time(w, parameters);");
 }
 
 }  // namespace
@@ -90,7 +91,7 @@ std::string rosenbrock_text(const Plan& plan) {
 std::string solver_text(const Plan& plan, bool small) {
   if (const auto tableau = find_tableau(plan.diagram.solver))
     return ExplicitText(stages_of(*tableau), plan, small).text();
-  return rosenbrock_text(plan);
+  return implicit_text(*find_implicit(plan.diagram.solver), plan);
 }
 
 }  // namespace stepwire

@@ -52,7 +52,8 @@ class LayoutMaker {
     layout.notice_count = end_ - layout.notices;
     layout.constants = end_;
     each([&](std::size_t b) { place_inputs(b); });
-    layout.size = end_;
+    layout.report = end_;
+    layout.size = layout.report + Layout::report_count;
   }
 
  private:

@@ -31,6 +31,7 @@ struct Layout {
   static constexpr std::size_t time = 0;
   static constexpr std::size_t timed = 1;  ///< for which time Plan::timed was computed last
   static constexpr std::size_t first = 2;  ///< of what blocks have
+  static constexpr std::size_t report_count = 3;
   static constexpr double never = -1.0;    ///< stands at `timed` before the start
   std::size_t signals = first;
   std::size_t states = first;
@@ -41,6 +42,7 @@ struct Layout {
   std::size_t notices = first;
   std::size_t notice_count = 0;
   std::size_t constants = first;
+  std::size_t report = first;  ///< of an implicit solver; lies behind all else
   std::size_t size = first;
 };
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "engine/record/recorder.hpp"
+#include "engine/solve/solver.hpp"
 #include "engine/table/surroundings.hpp"
 
 namespace stepwire {
@@ -84,7 +85,7 @@ void require_memory(const Job& job) {
 }
 
 void require_solver_memory(const Plan& plan) {
-  if (plan.diagram.solver != "rosenbrock") return;
+  if (!find_implicit(plan.diagram.solver)) return;
   const double states = static_cast<double>(plan.layout.state_count);
   require(plan.diagram, plan.diagram.solver_origin, "solver", 2.0 * sizeof(double) * states * states,
           fmt::format("the matrices of {} states", states), "an explicit solver needs none");

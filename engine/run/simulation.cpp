@@ -39,6 +39,7 @@ class Simulation::Equations : public System {
     x = values + layout.states;
     dot = values + layout.dots;
     count = layout.state_count;
+    report = {values + layout.report, simulation.plan_.diagram.tolerance};
   }
   void evaluate() override {
     simulation_.follow_time();
@@ -232,6 +233,7 @@ void Simulation::advance() {
     take_step();
   }
   if (!ending_notices_.empty() && notice_ends_run()) healthy_ = false;
+  if (workspace_.values[plan_.layout.report] != StepReport::fine) healthy_ = false;
   ++workspace_.tick;
 }
 

@@ -55,7 +55,8 @@ class Simulation {
   void evaluate();
   /// Goes on to the next tick: updates, then the solver. evaluate() comes first.
   void advance();
-  /// May the run go on? False after a value that is not finite or a notice that ends the run.
+  /// May the run go on? False after a value that is not finite, a step that the solver finds wrong or a
+  /// notice that ends the run.
   bool healthy() const { return healthy_; }
   bool finished() const { return workspace_.tick >= plan_.steps; }
   std::int64_t tick() const { return workspace_.tick; }
@@ -108,6 +109,7 @@ class Simulation {
   void find_due();
   void take_step();
   bool notice_ends_run() const;
+  std::optional<RunFault> wrong_step() const;
   std::optional<RunFault> not_finite() const;
   std::string notice_text(std::size_t block, std::size_t notice) const;
 

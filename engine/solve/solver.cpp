@@ -1,16 +1,25 @@
 #include "engine/solve/solver.hpp"
 
 #include "engine/solve/explicit_solver.hpp"
-#include "engine/solve/rosenbrock_solver.hpp"
+#include "engine/solve/implicit_solver.hpp"
 
 namespace stepwire {
 
 namespace {
 
+using MakeSolver = std::unique_ptr<Solver> (*)(std::size_t states);
+
 struct Entry {
   SolverKind kind;
-  Tableau (*tableau)();  ///< null for a method that is not explicit
+  Tableau (*tableau)();       ///< null for a method that is not explicit
+  ImplicitMethod method{};    ///< of one that is implicit
+  MakeSolver make = nullptr;  ///< likewise
 };
+
+template <class Method>
+std::unique_ptr<Solver> make_implicit(std::size_t states) {
+  return std::make_unique<ImplicitSolver<Method>>(states);
+}
 
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> table = {
@@ -19,7 +28,14 @@ const std::vector<Entry>& entries() {
       {{"bogacki_shampine", "third-order method of Bogacki and Shampine", 3}, bogacki_shampine_tableau},
       {{"rk4", "the classical Runge-Kutta method", 4}, rk4_tableau},
       {{"dormand_prince", "fifth-order method of Dormand and Prince", 5}, dormand_prince_tableau},
-      {{"rosenbrock", "linearly implicit, for stiff plants", 2}, nullptr}};
+      {{"rosenbrock", "linearly implicit, for stiff plants", 2},
+       nullptr,
+       {"Rosenbrock", "engine/solve/rosenbrock.hpp"},
+       make_implicit<Rosenbrock<>>},
+      {{"sdirk", "Alexander's implicit method with Newton's, for stiff plants far from linear", 3},
+       nullptr,
+       {"Sdirk", "engine/solve/sdirk.hpp"},
+       make_implicit<Sdirk<>>}};
   return table;
 }
 
@@ -43,13 +59,18 @@ const std::vector<SolverKind>& solver_kinds() {
 std::unique_ptr<Solver> make_solver(const std::string& name, std::size_t states) {
   const Entry* entry = find_entry(name);
   if (!entry) return nullptr;
-  if (!entry->tableau) return std::make_unique<RosenbrockSolver>(states);
+  if (entry->make) return entry->make(states);
   return std::make_unique<ExplicitSolver>(entry->tableau(), states);
 }
 
 bool evaluates_ticks_only(const std::string& name) {
   const auto tableau = find_tableau(name);
   return tableau && tableau->c.empty();
+}
+
+std::optional<ImplicitMethod> find_implicit(const std::string& name) {
+  const Entry* entry = find_entry(name);
+  return entry && entry->make ? std::optional(entry->method) : std::nullopt;
 }
 
 std::optional<Tableau> find_tableau(const std::string& name) {

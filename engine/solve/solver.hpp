@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/solve/step_report.hpp"
 #include "engine/solve/tableau.hpp"
 
 namespace stepwire {
@@ -21,6 +22,7 @@ class System {
   double* x = nullptr;
   double* dot = nullptr;
   std::size_t count = 0;
+  StepReport report;  ///< where an implicit solver says what is wrong with a step
 };
 
 /// A fixed step in time [s]. `end` is the time of the next tick as that will have it, which start + length
@@ -46,11 +48,18 @@ struct SolverKind {
   int order;
 };
 
-/// The solvers that a diagram file may name: euler, heun, bogacki_shampine, rk4, dormand_prince, rosenbrock.
+/// The solvers that a diagram file may name: euler, heun, bogacki_shampine, rk4, dormand_prince, rosenbrock,
+/// sdirk.
 const std::vector<SolverKind>& solver_kinds();
 
 /// The numbers of an explicit solver; nothing for one that is not explicit, or not known.
 std::optional<Tableau> find_tableau(const std::string& name);
+
+/// How code calls an implicit solver; nothing for one that is explicit, or not known.
+struct ImplicitMethod {
+  std::string type, header;  ///< Rosenbrock<states>, and what declares it
+};
+std::optional<ImplicitMethod> find_implicit(const std::string& name);
 
 /// Does the solver look at the system at ticks alone, never between them?
 bool evaluates_ticks_only(const std::string& name);

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+
+namespace stepwire {
+
+/// What an implicit method finds wrong with a step: three numbers of the workspace.
+struct StepReport {
+  static constexpr double fine = 0.0, inaccurate = 1.0, unsolved = 2.0;
+
+  double* numbers = nullptr;  ///< what is wrong, how large, and in which state; null: nothing is looked for
+  double tolerance = 2.0;     ///< largest error of a step, in sizes of its state
+
+  explicit operator bool() const { return numbers != nullptr; }
+  void write(double what, double size, std::ptrdiff_t state) const {
+    numbers[0] = what;
+    numbers[1] = size;
+    numbers[2] = static_cast<double>(state);
+  }
+};
+
+/// The largest of errors, in sizes of their states, and which state has it.
+struct WorstError {
+  static constexpr double smallest_size = 1e-9;  ///< of a state, in its own SI unit
+  double size = 0.0;
+  std::ptrdiff_t state = 0;
+
+  void add(double error, double size_of_state, std::ptrdiff_t of) {
+    const double relative = std::abs(error) / (size_of_state > smallest_size ? size_of_state : smallest_size);
+    if (!(relative > size)) return;
+    size = relative;
+    state = of;
+  }
+};
+
+}  // namespace stepwire
