@@ -110,8 +110,8 @@ struct MRDamperCore {
   /// alpha / (2 A)
   double spring(double i) const { return 0.5 * polynomial(scaled_alpha, i) / law.A; }
 
-  /// Where the current went in a straight line since the last tick. A jump, which falls on a tick, comes behind
-  /// that way: what changes goes on as it did before, and only then was it on its way.
+  /// Where the current went in a straight line since the last tick. A jump, which falls on a tick, comes
+  /// behind that way: what changes goes on as it did before, and only then was it on its way.
   double current_behind_way() const {
     const double before = last_current - earlier_current, now = acting(current) - last_current;
     if (!(before * now > 0.0)) return last_current;

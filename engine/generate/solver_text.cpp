@@ -80,7 +80,8 @@ std::string implicit_text(const ImplicitMethod& method, const Plan& plan) {
       "  double* const dot = w + dots;\n"
       "  derivatives(w, parameters, dot);\n"
       "  {0}<{1}> method({1});\n"
-      "  method.advance(w + states, dot, w + at::time, now, end, step, {{w + {2}, {3}}}, [&] {{{4} slopes(w, w, "
+      "  method.advance(w + states, dot, w + at::time, now, end, step, {{w + {2}, {3}}}, [&] {{{4} slopes(w, "
+      "w, "
       "parameters, dot); }});\n",
       method.type, plan.layout.state_count, plan.layout.report, number_text(plan.diagram.tolerance),
       plan.timed.empty() ? "" : " follow_time(w, parameters);");

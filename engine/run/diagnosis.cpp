@@ -31,14 +31,16 @@ std::optional<RunFault> Simulation::wrong_step() const {
   if (report[0] == StepReport::fine) return std::nullopt;
   const std::string message =
       report[0] == StepReport::unsolved
-          ? fmt::format("the solver finds no solution for the step to {:.12g} s, where Newton's method still "
-                        "changes this state by {:.2g} of its size; the run ends here. A smaller step, or a "
-                        "law without jumps, helps",
-                        time(), report[1])
-          : fmt::format("the step to {:.12g} s errs by {:.2g} of the size of this state, and 'tolerance' is "
-                        "{:g}; the run ends here. A smaller step{} or a larger 'tolerance' helps",
-                        time(), report[1], plan_.diagram.tolerance,
-                        plan_.diagram.solver == "sdirk" ? "" : ", solver: sdirk");
+          ? fmt::format(
+                "the solver finds no solution for the step to {:.12g} s, where Newton's method still "
+                "changes this state by {:.2g} of its size; the run ends here. A smaller step, or a "
+                "law without jumps, helps",
+                time(), report[1])
+          : fmt::format(
+                "the step to {:.12g} s errs by {:.2g} of the size of this state, and 'tolerance' is "
+                "{:g}; the run ends here. A smaller step{} or a larger 'tolerance' helps",
+                time(), report[1], plan_.diagram.tolerance,
+                plan_.diagram.solver == "sdirk" ? "" : ", solver: sdirk");
   const std::size_t place = plan_.layout.states + static_cast<std::size_t>(report[2]);
   for (std::size_t b = 0; b < plan_.blocks.size(); ++b) {
     const auto& slots = plan_.blocks[b].states;
@@ -52,7 +54,8 @@ std::optional<RunFault> Simulation::wrong_step() const {
 std::optional<RunFault> Simulation::not_finite() const {
   const auto cure = [&](double value) {
     return fmt::format(
-        "became {} at {:.12g} s; the run ends here. A smaller step, a stiff solver (rosenbrock, sdirk) or a check "
+        "became {} at {:.12g} s; the run ends here. A smaller step, a stiff solver (rosenbrock, sdirk) or a "
+        "check "
         "of the parameters helps",
         std::isnan(value) ? std::abs(value) : value, time());  // the sign of NaN says nothing
   };

@@ -123,16 +123,17 @@ class Sdirk {
     report.write(StepReport::unsolved, worst.size, worst.state);
   }
 
-  /// The difference to the weights of order 2; solved once more, as what is infinitely fast is no error. How far
-  /// the slope of a stage would move a state that was at rest counts as its size.
+  /// The difference to the weights of order 2; solved once more, as what is infinitely fast is no error. How
+  /// far the slope of a stage would move a state that was at rest counts as its size.
   template <class X>
   void check(const X& x, const StepReport& report) {
     right_ = (1.0 - second - b1) * stages_[0] + (second - b2) * stages_[1] - gamma * stages_[2];
     change_ = factors_.solve(right_);
     WorstError worst;
     for (Eigen::Index i = 0; i < start_.size(); ++i)
-      worst.add(change_[i], std::max({std::abs(start_[i]), std::abs(x[i]), std::abs(stages_[0][i]) / gamma,
-                                      std::abs(stages_[1][i]) / gamma, std::abs(stages_[2][i]) / gamma}),
+      worst.add(change_[i],
+                std::max({std::abs(start_[i]), std::abs(x[i]), std::abs(stages_[0][i]) / gamma,
+                          std::abs(stages_[1][i]) / gamma, std::abs(stages_[2][i]) / gamma}),
                 i);
     if (worst.size > report.tolerance) report.write(StepReport::inaccurate, worst.size, worst.state);
   }

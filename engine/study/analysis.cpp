@@ -39,8 +39,7 @@ std::vector<std::vector<double>> by_condition(const PathErrors& errors) {
 
 /// 1 for each of these conditions that gives a feedback, 0 for each other.
 Eigen::VectorXd presence(const std::vector<NamedValue>& means,
-                         const std::vector<FeedbackCondition>& conditions,
-                         bool FeedbackCondition::*member) {
+                         const std::vector<FeedbackCondition>& conditions, bool FeedbackCondition::*member) {
   Eigen::VectorXd present = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(means.size()));
   for (std::size_t i = 0; i < means.size(); ++i)
     for (const FeedbackCondition& condition : conditions)
@@ -116,8 +115,7 @@ std::vector<NamedValue> feedback_effects(const std::vector<NamedValue>& means,
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(terms);
   if (solver.rank() < terms.cols()) return effects;
   const Eigen::VectorXd found = solver.solve(errors);
-  for (std::size_t i = 0; i < effects.size(); ++i)
-    effects[i].value = found[static_cast<Eigen::Index>(i) + 1];
+  for (std::size_t i = 0; i < effects.size(); ++i) effects[i].value = found[static_cast<Eigen::Index>(i) + 1];
   return effects;
 }
 

@@ -22,18 +22,18 @@ double value_of(const std::vector<NamedValue>& values, const std::string& name);
 
 /// What the errors of one task say.
 struct TaskAnalysis {
-  std::vector<NamedValue> means;  ///< normalised error over all subjects, by condition
+  std::vector<NamedValue> means;    ///< normalised error over all subjects, by condition
   std::vector<NamedValue> effects;  ///< of each feedback on these means
-  Anova additive;                 ///< the feedbacks alone: the form of the thesis' tables 4 and 6
-  Anova with_subject;             ///< the same with the subject as a factor
+  Anova additive;                   ///< the feedbacks alone: the form of the thesis' tables 4 and 6
+  Anova with_subject;               ///< the same with the subject as a factor
   /// Within subjects: the feedbacks and their interactions where all combinations were drawn (task 1), else
   /// the conditions (task 2).
   std::optional<Anova> repeated;
   std::string not_repeated;  ///< why there is none
 };
 
-/// What each feedback adds to the mean errors of conditions, beside the other feedbacks (least squares of main
-/// effects): below 0 where it lowers them. Nan where the conditions do not tell the feedbacks apart.
+/// What each feedback adds to the mean errors of conditions, beside the other feedbacks (least squares of
+/// main effects): below 0 where it lowers them. Nan where the conditions do not tell the feedbacks apart.
 std::vector<NamedValue> feedback_effects(const std::vector<NamedValue>& means,
                                          const std::vector<FeedbackCondition>& conditions);
 

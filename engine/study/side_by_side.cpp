@@ -129,7 +129,8 @@ void add_effects(const std::vector<ComparedValue>& effects, TextTable& table) {
   table.columns.insert(table.columns.end(), {"effect, thesis", "effect, ours"});
   const auto shown = [](double effect) { return std::isnan(effect) ? "–" : fmt::format("{:+.3f}", effect); };
   for (std::size_t i = 0; i < effects.size(); ++i)
-    for (const double effect : {effects[i].published, effects[i].ours}) table.rows[i].push_back(shown(effect));
+    for (const double effect : {effects[i].published, effects[i].ours})
+      table.rows[i].push_back(shown(effect));
   table.notes.push_back("Effect: what a feedback adds to the mean normalised error; below 0 it helps.");
 }
 

@@ -58,8 +58,7 @@ TextTable table_of(const std::string& name, const Experiment& experiment, const 
   if (name == "means")
     return side_by_side_table(compare_errors(published_task(request.task).means, analysis.means,
                                              published_task(request.task).order));
-  return side_by_side_table(
-      compare_significance(published_task(request.task), analysis));
+  return side_by_side_table(compare_significance(published_task(request.task), analysis));
 }
 
 }  // namespace

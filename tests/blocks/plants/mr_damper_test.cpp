@@ -78,6 +78,32 @@ TEST_CASE("Work, stored, dissipated and switching work of a damper balance by bo
   CHECK(imbalance(run_text(exercise("exact", "0.1 ms"))) < 1e-4);
 }
 
+TEST_CASE("The energy account of the exact step is of second order while the current changes") {
+  const auto run = [](const std::string& integration, const std::string& step) {
+    return run_text("step: " + step + R"(
+stop: 0.5 s
+solver: rk4
+blocks:
+  velocity: {block: Sine, amplitude: 0.1 m/s, frequency: 4 Hz, phase: 1.0}
+  current:  {block: Sine, amplitude: 0.1 A, frequency: 3 Hz, bias: 0.17 A}
+  damper:   {block: MRDamper, velocity: velocity, current: current, integration: )" +
+                    integration + R"(}
+record: [damper.dissipated, damper.stored, damper.switching_work]
+)");
+  };
+  const Table fine = run("solver", "0.02 ms");
+  for (const char* name : {"damper.dissipated", "damper.switching_work"}) {
+    const double right = column(fine, name).back();
+    const double coarse = std::abs(column(run("exact", "2 ms"), name).back() - right);
+    const double halved = std::abs(column(run("exact", "1 ms"), name).back() - right);
+    const double quarter = std::abs(column(run("exact", "0.5 ms"), name).back() - right);
+    INFO(name << ": " << coarse << ", " << halved << ", " << quarter);
+    CHECK(coarse / quarter == Approx(16.0).epsilon(0.25));
+    CHECK(halved / quarter == Approx(4.0).epsilon(0.25));
+    CHECK(quarter < 1e-5 * column(fine, "damper.dissipated").back());
+  }
+}
+
 TEST_CASE("The dissipated energy of a damper never falls") {
   const Table table = run_text(exercise("solver", "0.1 ms"));
   const auto& energy = column(table, "damper.dissipated");

@@ -145,3 +145,12 @@ TEST_CASE("what is said about a parameter is text, a flag and a value, and its n
     CHECK_THAT(fault_of("{" + name + ": 3}", "$" + name),
                Catch::StartsWith("test.yaml:1:14: " + name + ": is no name for a parameter"));
 }
+
+TEST_CASE("a parameter that is drawn by a seed that is not whole is refused where it is drawn") {
+  const auto refused = faults_of(
+      "parameters:\n  subject: 1.5\n  reach: \"= 2*lognormal(subject, 1, 0.3)\"\nblocks:\n"
+      "  y: {block: Constant, value: $reach}\n");
+  REQUIRE(refused.size() == 1);
+  CHECK_THAT(refused[0], Catch::StartsWith("test.yaml:3:") &&
+                             Catch::Contains("'lognormal' draws by a seed that is a whole number, and 1.5 is none"));
+}

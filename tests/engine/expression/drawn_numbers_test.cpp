@@ -1,6 +1,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/expression/expression.hpp"
 
@@ -92,11 +94,33 @@ TEST_CASE("streams of one person are independent") {
   CHECK(std::abs(product) < 5.0 * std::log(2.0) / std::sqrt(static_cast<double>(persons)));
 }
 
-TEST_CASE("without variation everybody is alike, and what no double counts is nobody") {
+TEST_CASE("without variation everybody is alike") {
   CHECK(value("lognormal(7, 3, 0)") == 1.0);
-  CHECK(std::isnan(value("lognormal(1/0, 3, 0.3)")));
-  CHECK(std::isnan(value("lognormal(1e300, 3, 0.3)")));
-  CHECK(std::isnan(value("uniform(1/0, 3)")));
+}
+
+TEST_CASE("a seed or a stream that is not whole is refused with its place") {
+  for (const char* draw : {"uniform(63.99999999999999, 3)", "uniform(3, 0.5)", "lognormal(1/3, 3, 0.3)",
+                           "lognormal(1, 3.5, 0.3)", "uniform(1/0, 3)", "lognormal(1e300, 3, 0.3)"})
+    for (const std::string& text : {std::string("2 + ") + draw, std::string("x && ") + draw + " > 0.5"})
+      try {
+        const Expression expression(text);
+        FAIL("not refused: " << text);
+      } catch (const stepwire::ExpressionError& error) {
+        CHECK(error.position == text.find(std::string(draw).substr(0, 4)));
+        CHECK_THAT(error.what(), Catch::Contains("that is a whole number") && Catch::Contains("round"));
+      }
+  CHECK_NOTHROW(Expression("uniform(round(63.99999999999999), -7)"));
+}
+
+TEST_CASE("a seed that follows from variables is refused for the values that make it broken") {
+  const Expression formula("x > 0 ? lognormal(subject / 2, 3, 0.3) : 1");
+  using Values = std::vector<std::optional<double>>;
+  CHECK_NOTHROW(formula.check_draws(Values{1.0, 8.0}));
+  CHECK_THROWS_AS(formula.check_draws(Values{1.0, 9.0}), stepwire::ExpressionError);
+  CHECK_NOTHROW(formula.check_draws(Values{-1.0, 9.0}));          // nothing is drawn
+  CHECK_NOTHROW(formula.check_draws(Values{1.0, std::nullopt}));  // nothing is known
+  const double broken[] = {1.0, 9.0};
+  CHECK(std::isnan(formula(broken)));
 }
 
 TEST_CASE("a number that is drawn has no unit, so that it keeps that of what it is multiplied with") {

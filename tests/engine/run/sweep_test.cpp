@@ -1,5 +1,9 @@
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <cstring>
+#include <set>
+#include <tuple>
 
 #include "tests/support/plan_text.hpp"
 #include "tests/support/run_text.hpp"
@@ -154,4 +158,42 @@ TEST_CASE("what is set from outside is not swept any more") {
   Loader loader(library());
   const RunResult result = run_job(make_job(loader, folder.path("sweep.yaml"), {{"a", "7"}}));
   CHECK(column(result.recordings.at(0).table, "y") == std::vector<double>{17, 17, 27, 27, 37, 37});
+}
+
+TEST_CASE("ranges of whole numbers are whole, up and down, and end where they say") {
+  for (const auto& [from, to, count] : {std::tuple{1, 1000, 1000}, {1, 200, 200}, {1, 100, 100}, {0, 63, 64},
+                                        {1000, 1, 1000}, {-7, 13, 21}, {3, 99, 33}}) {
+    const RunResult result = swept(fmt::format("parameters: {{a: 0}}\nblocks:\n  y: {{block: Constant, value: $a}}\n"
+                                               "sweep: {{a: {{from: {}, to: {}, count: {}}}}}\nrecord: y\n",
+                                               from, to, count));
+    const auto& values = result.recordings.front().table.find("a")->values;
+    REQUIRE(values.size() == 2 * static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i)
+      CHECK(values[2 * static_cast<std::size_t>(i)] == from + i * (to - from) / (count - 1));
+  }
+}
+
+TEST_CASE("a range in a unit has the values that its numbers in that unit have") {
+  const RunResult result = swept(R"(parameters: {a: 0 mm}
+blocks:
+  y: {block: Constant, value: $a}
+sweep: {a: {from: 1 mm, to: 100 mm, count: 100}}
+record: y
+)");
+  const auto& values = result.recordings.front().table.find("a")->values;
+  for (int i = 1; i <= 100; ++i)
+    CHECK(values[2 * static_cast<std::size_t>(i - 1)] == parse_quantity(fmt::format("{} mm", i))->value);
+}
+
+TEST_CASE("a thousand subjects of a range are a thousand people") {
+  const RunResult result = swept(R"(parameters:
+  seed: 1
+  reach: "= lognormal(seed, 1, 0.3)"
+blocks:
+  y: {block: Constant, value: $reach}
+sweep: {seed: {from: 1, to: 1000, count: 1000}}
+record: y
+)");
+  const auto& values = result.recordings.front().table.find("y")->values;
+  CHECK(std::set<double>(values.begin(), values.end()).size() == 1000);
 }

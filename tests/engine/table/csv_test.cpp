@@ -178,3 +178,26 @@ TEST_CASE("ten megabytes are read within a second") {
   CHECK(spent.count() < 1.0);
 #endif
 }
+
+TEST_CASE("what is beyond a double is refused, and what is too small to be one is 0, however far") {
+  const Scratch scratch;
+  for (const char* large : {"1e400", "1e5000", "-1e5000", "1e999999999999999999999", "0.001e404", "1234.5e308"})
+    CHECK_THROWS_AS(read_csv(scratch.file("a.csv", std::string("x\n") + large + "\n")), TableError);
+  for (const char* small : {"1e-400", "1e-5000", "-1e-5000", "1e-999999999999999999999", "1000e-404"}) {
+    const Table table = read_csv(scratch.file("a.csv", std::string("x\n") + small + "\n"));
+    CHECK(table.columns[0].values == std::vector<double>{0.0});
+  }
+  // The smallest double, and one that rounds to it.
+  CHECK(read_csv(scratch.file("a.csv", "x\n4.9e-324\n")).columns[0].values[0] == 4.9406564584124654e-324);
+}
+
+TEST_CASE("a field without end is refused") {
+  const Scratch scratch;
+  const std::string long_field(1'000'000, '1');
+  CHECK_THROWS_WITH(read_csv(scratch.file("a.csv", "x\n" + long_field + "\n")),
+                    Catch::Contains("a.csv:2: a field has more than 100000 characters"));
+  CHECK_THROWS_WITH(read_csv(scratch.file("a.csv", "x\n\"" + long_field + "\"\n")),
+                    Catch::Contains("a.csv:2: a field has more than 100000 characters"));
+  CHECK_THROWS_WITH(read_csv(scratch.file("a.csv", long_field + "\n1\n")),
+                    Catch::Contains("a.csv:1: a field has more than 100000 characters"));
+}
