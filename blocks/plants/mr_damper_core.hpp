@@ -86,11 +86,11 @@ struct MRDamperCore {
     if (first) first_stored = stored;
     begun = 1.0;
     if (integration == Integration::solver) return;
-    earlier_current = first ? acting(current) : double(last_current);
     const Account now = account();
     evolution = now.z;
     loss = now.loss;
     spring_work = now.spring_work;
+    earlier_current = first ? acting(current) : double(last_current);
     last_time = time;
     last_velocity = velocity;
     last_current = acting(current);

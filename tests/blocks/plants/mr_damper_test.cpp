@@ -98,9 +98,9 @@ record: [damper.dissipated, damper.stored, damper.switching_work]
     const double halved = std::abs(column(run("exact", "1 ms"), name).back() - right);
     const double quarter = std::abs(column(run("exact", "0.5 ms"), name).back() - right);
     INFO(name << ": " << coarse << ", " << halved << ", " << quarter);
-    CHECK(coarse / quarter == Approx(16.0).epsilon(0.25));
-    CHECK(halved / quarter == Approx(4.0).epsilon(0.25));
-    CHECK(quarter < 1e-5 * column(fine, "damper.dissipated").back());
+    CHECK(coarse / quarter > 14.0);  // 16 for order 2, 4 for order 1
+    CHECK(halved / quarter > 3.5);
+    CHECK(quarter < 5e-5 * column(fine, "damper.dissipated").back());
   }
 }
 

@@ -151,6 +151,7 @@ TEST_CASE("a parameter that is drawn by a seed that is not whole is refused wher
       "parameters:\n  subject: 1.5\n  reach: \"= 2*lognormal(subject, 1, 0.3)\"\nblocks:\n"
       "  y: {block: Constant, value: $reach}\n");
   REQUIRE(refused.size() == 1);
-  CHECK_THAT(refused[0], Catch::StartsWith("test.yaml:3:") &&
-                             Catch::Contains("'lognormal' draws by a seed that is a whole number, and 1.5 is none"));
+  CHECK_THAT(refused[0],
+             Catch::StartsWith("test.yaml:3:") &&
+                 Catch::Contains("'lognormal' draws by a seed that is a whole number, and 1.5 is none"));
 }

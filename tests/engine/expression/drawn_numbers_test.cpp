@@ -101,8 +101,7 @@ TEST_CASE("without variation everybody is alike") {
 TEST_CASE("a seed or a stream that is not whole is refused with its place") {
   for (const char* draw : {"uniform(63.99999999999999, 3)", "uniform(3, 0.5)", "lognormal(1/3, 3, 0.3)",
                            "lognormal(1, 3.5, 0.3)", "uniform(1/0, 3)", "lognormal(1e300, 3, 0.3)"})
-    for (const std::string& text : {std::string("2 + ") + draw, std::string("x && ") + draw + " > 0.5"})
-      try {
+    for (const std::string& text : {std::string("2 + ") + draw, std::string("x && ") + draw + " > 0.5"}) try {
         const Expression expression(text);
         FAIL("not refused: " << text);
       } catch (const stepwire::ExpressionError& error) {

@@ -55,10 +55,11 @@ TEST_CASE("an error says what is wrong and where") {
   CHECK(wrong("x ? 1") == Wrong{"'?' without ':'", 2});
   CHECK(wrong("(x ? 1) : 2") == Wrong{"'?' without ':'", 3});
   CHECK(wrong("x : 1") == Wrong{"':' without '?'", 2});
-  CHECK(wrong("1 + max(x)") ==
-        Wrong{"'max' of one value is that value; max(a, b) compares several, and the largest of a recording is "
-              "the reduction of a claim, 'max: ...'",
-              4});
+  CHECK(
+      wrong("1 + max(x)") ==
+      Wrong{"'max' of one value is that value; max(a, b) compares several, and the largest of a recording is "
+            "the reduction of a claim, 'max: ...'",
+            4});
   CHECK(wrong("min(x)").message.starts_with("'min' of one value is that value; min(a, b) compares several"));
   CHECK(wrong("atan2(x)") == Wrong{"'atan2' takes 2 values, not 1", 0});
   CHECK(wrong("sin(x, x)") == Wrong{"'sin' takes 1 value, not 2", 0});

@@ -161,11 +161,17 @@ TEST_CASE("what is set from outside is not swept any more") {
 }
 
 TEST_CASE("ranges of whole numbers are whole, up and down, and end where they say") {
-  for (const auto& [from, to, count] : {std::tuple{1, 1000, 1000}, {1, 200, 200}, {1, 100, 100}, {0, 63, 64},
-                                        {1000, 1, 1000}, {-7, 13, 21}, {3, 99, 33}}) {
-    const RunResult result = swept(fmt::format("parameters: {{a: 0}}\nblocks:\n  y: {{block: Constant, value: $a}}\n"
-                                               "sweep: {{a: {{from: {}, to: {}, count: {}}}}}\nrecord: y\n",
-                                               from, to, count));
+  for (const auto& [from, to, count] : {std::tuple{1, 1000, 1000},
+                                        {1, 200, 200},
+                                        {1, 100, 100},
+                                        {0, 63, 64},
+                                        {1000, 1, 1000},
+                                        {-7, 13, 21},
+                                        {3, 99, 33}}) {
+    const RunResult result =
+        swept(fmt::format("parameters: {{a: 0}}\nblocks:\n  y: {{block: Constant, value: $a}}\n"
+                          "sweep: {{a: {{from: {}, to: {}, count: {}}}}}\nrecord: y\n",
+                          from, to, count));
     const auto& values = result.recordings.front().table.find("a")->values;
     REQUIRE(values.size() == 2 * static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i)
@@ -186,14 +192,14 @@ record: y
 }
 
 TEST_CASE("a thousand subjects of a range are a thousand people") {
-  const RunResult result = swept(R"(parameters:
+  const RunResult result = swept(R"yaml(parameters:
   seed: 1
   reach: "= lognormal(seed, 1, 0.3)"
 blocks:
   y: {block: Constant, value: $reach}
 sweep: {seed: {from: 1, to: 1000, count: 1000}}
 record: y
-)");
+)yaml");
   const auto& values = result.recordings.front().table.find("y")->values;
   CHECK(std::set<double>(values.begin(), values.end()).size() == 1000);
 }

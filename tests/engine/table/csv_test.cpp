@@ -181,7 +181,8 @@ TEST_CASE("ten megabytes are read within a second") {
 
 TEST_CASE("what is beyond a double is refused, and what is too small to be one is 0, however far") {
   const Scratch scratch;
-  for (const char* large : {"1e400", "1e5000", "-1e5000", "1e999999999999999999999", "0.001e404", "1234.5e308"})
+  for (const char* large :
+       {"1e400", "1e5000", "-1e5000", "1e999999999999999999999", "0.001e404", "1234.5e308"})
     CHECK_THROWS_AS(read_csv(scratch.file("a.csv", std::string("x\n") + large + "\n")), TableError);
   for (const char* small : {"1e-400", "1e-5000", "-1e-5000", "1e-999999999999999999999", "1000e-404"}) {
     const Table table = read_csv(scratch.file("a.csv", std::string("x\n") + small + "\n"));
