@@ -34,7 +34,7 @@ void draw_space(const Panel& panel, std::span<const Recording> recordings, Scrip
   script.set("set xlabel rotate parallel\nset ylabel rotate parallel\nset zlabel rotate parallel");
   // Where x and y meet at the front, the last label of one would touch the first of the other.
   script.set(
-      "set grid x y z vertical\nset tics scale 0.4\nset xtics offset -0.7,-0.3\nset ytics offset 0.9,-0.3");
+      "set grid x y z vertical\nset tics scale 0.4\nset xtics offset -1.0,-0.4\nset ytics offset 1.4,-0.5");
   if (panel.equal) script.set("set view equal xyz");
   if (curves.empty()) return;
   script.plot(fmt::format("{} using 1:2:3{} with {} {}", script.data(curves), color != nullptr ? ":4" : "",
