@@ -14,6 +14,7 @@
 #include "engine/cli/report.hpp"
 #include "engine/cli/studying.hpp"
 #include "engine/cli/thesis_entry.hpp"
+#include "engine/cli/thesis_print.hpp"
 #include "engine/figure/gallery.hpp"
 #include "engine/generate/generated_code.hpp"
 #include "engine/replay/replay_folder.hpp"
@@ -97,7 +98,6 @@ class Maker {
       std::vector<std::string> pictures = write_outputs(folder, work, outcome);
       pictures.insert(pictures.end(), fitted.begin(), fitted.end());
       add_pictures(work, pictures, command_.out, entry);
-      print_pictures(command_.out, entry);
       add_downloads(command_.out, entry);
       entry.error = outcome.result.faults.empty() ? "" : outcome.result.faults.front().fault.message;
       return outcome.code;
@@ -180,8 +180,9 @@ ExitCode run_thesis(const ThesisCommand& command, const Registry& registry) {
     require_folder(command.out);
     Maker maker(command, registry, files);
     maker.run();
-    const std::vector<GalleryEntry> entries = maker.entries();
+    std::vector<GalleryEntry> entries = maker.entries();
     summarise(entries);
+    if (!interrupted()) print_chapters(command.out, entries);
     const std::string page = write_gallery(command.out, entries);
     fmt::print("{} diagram files; see {}\n{}\n", files.size(), page, gallery_verdict(entries));
     return interrupted() ? ExitCode::interrupted : maker.code();

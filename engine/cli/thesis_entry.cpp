@@ -101,10 +101,10 @@ void add_pictures(const Work& work, const std::vector<std::string>& files, const
     const bool of_figure = i < work.figures.size() && files[i] == numbered("figure", i, ".svg");
     GalleryPicture picture = of_figure ? picture_of(work.figures[i]) : extra_picture(files[i]);
     picture.file = files[i];
+    texts[files[i]] = read_file(fmt::format("{}/{}/{}", out, entry.folder, files[i]));
+    read_picture(picture, texts[files[i]]);
     picture.alt = fmt::format("{}, picture {} of {}: {}", entry.label.empty() ? entry.title : entry.label,
                               i + 1, files.size(), picture.alt);
-    texts[files[i]] = read_file(fmt::format("{}/{}/{}", out, entry.folder, files[i]));
-    measure_picture(picture, texts[files[i]]);
     entry.pictures.push_back(std::move(picture));
   }
   write_file(fmt::format("{}/{}/pictures.js", out, entry.folder), picture_script(texts));

@@ -21,10 +21,6 @@ GallerySource source_of(const std::string& file, const std::string& root);
 void add_pictures(const Work& work, const std::vector<std::string>& files, const std::string& out,
                   GalleryEntry& entry);
 
-/// All its pictures as one file, a page each, where the program for that is installed; a note otherwise.
-/// Throws SurroundingsError.
-void print_pictures(const std::string& out, GalleryEntry& entry);
-
 /// Everything in the folder of an entry that a reader may take along.
 void add_downloads(const std::string& out, GalleryEntry& entry);
 

@@ -33,6 +33,12 @@ struct GalleryDownload {
   std::uintmax_t bytes = 0;
 };
 
+/// A file with pictures of several entries, a page each, and which page is the first of this entry.
+struct GalleryPrint {
+  std::string file;  ///< in the gallery; empty where there is none
+  std::size_t page = 1;
+};
+
 /// A diagram file, and where its copy lies in the gallery: "diagrams/parts/hand.yaml".
 struct GallerySource {
   std::string path;
@@ -55,6 +61,7 @@ struct GalleryEntry {
   std::vector<Assumption> assumptions;
   std::vector<GallerySource> sources;  ///< its diagram file, then the parts that it uses
   std::vector<GalleryDownload> downloads;
+  GalleryPrint print;
   std::string note;   ///< what a reader should know of the downloads
   std::string error;  ///< why it could not be run; empty where it could
 };
@@ -64,6 +71,9 @@ struct Gallery {
   std::string introduction;
   std::vector<GalleryEntry> entries;
 };
+
+/// The chapter of the source: what stands before the first dot of its section.
+std::string chapter_of(const GalleryEntry& entry);
 
 /// All texts of the gallery by their place in its folder: a front page, a page for each entry, copies of the
 /// diagram files and a page for each of them. They need nothing from elsewhere.

@@ -14,8 +14,7 @@ struct DownloadKind {
   const char* name;
 };
 
-constexpr std::array<DownloadKind, 6> download_kinds{{{".svg", "Pictures, SVG"},
-                                                      {".pdf", "Pictures, PDF"},
+constexpr std::array<DownloadKind, 5> download_kinds{{{".svg", "Pictures, SVG"},
                                                       {".csv", "Data, CSV"},
                                                       {".mat", "Data, MAT"},
                                                       {".txt", "Tables"},
@@ -41,6 +40,17 @@ Html downloads_of_kind(const GalleryEntry& entry, const DownloadKind& kind) {
   return links.empty() ? links : html("<dt>{}</dt>\n<dd>{}</dd>\n", kind.name, links);
 }
 
+/// The pages of a file with more pictures that are of this entry.
+Html print_of(const GalleryEntry& entry) {
+  if (entry.print.file.empty() || entry.pictures.empty()) return {};
+  const std::size_t first = entry.print.page, last = first + entry.pictures.size() - 1;
+  Address address = address_from(page_of(entry), entry.print.file);
+  const Html pages = first == last ? html("page {}", first) : html("pages {} to {}", first, last);
+  return html(
+      "<dt>Pictures, PDF</dt>\n<dd><a href=\"{}#page={}\">{}</a> <span class=\"soft\">{}</span></dd>\n",
+      address, first, entry.print.file, pages);
+}
+
 Html parts_of(const GalleryEntry& entry) {
   Html links;
   for (const GallerySource& source : entry.sources) {
@@ -57,6 +67,7 @@ Html parts_of(const GalleryEntry& entry) {
 Html downloads_of(const GalleryEntry& entry) {
   Html list;
   for (const DownloadKind& kind : download_kinds) list += downloads_of_kind(entry, kind);
+  list += print_of(entry);
   if (!entry.sources.empty())
     list += html("<dt>Diagram</dt>\n<dd>{}</dd>\n",
                  download(page_of(entry), entry.sources.front().path, entry.sources.front().text.size()));

@@ -40,8 +40,7 @@ Html head_of(const GalleryEntry& entry) {
   const ClaimTally tally = tally_of(entry);
   Html head = html("<header>\n");
   if (!entry.section.empty())
-    head += html("<p class=\"place\">Chapter {} · Section {}</p>\n",
-                 entry.section.substr(0, entry.section.find('.')), entry.section);
+    head += html("<p class=\"place\">Chapter {} · Section {}</p>\n", chapter_of(entry), entry.section);
   head += html("<h1>{}</h1>\n", entry.label.empty()
                                     ? html("{}", entry.title)
                                     : html("<span class=\"label\">{}</span> {}", entry.label, entry.title));

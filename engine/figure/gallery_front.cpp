@@ -56,14 +56,16 @@ Html card(const GalleryEntry& entry) {
               short_name(entry), entry.label.empty() ? "" : entry.title, claims);
 }
 
-std::string chapter_of(const GalleryEntry& entry) {
-  return entry.section.substr(0, entry.section.find('.'));
-}
-
-Html chapter(const std::string& number, const Html& cards) {
-  const std::string name = number.empty() ? "Beside the chapters" : "Chapter " + number;
-  return html("<section class=\"chapter\">\n<h3>{}</h3>\n<ul class=\"cards\">\n{}</ul>\n</section>\n", name,
-              cards);
+Html chapter(const GalleryEntry& entry, const Html& cards) {
+  const std::string number = chapter_of(entry);
+  const Html print =
+      entry.print.file.empty()
+          ? Html{}
+          : html("\n<p class=\"soft\"><a href=\"{}\">Its pictures as PDF</a></p>", Address{entry.print.file});
+  return html(
+      "<section class=\"chapter\">\n<div class=\"head\"><h3>{}</h3>{}</div>\n<ul "
+      "class=\"cards\">\n{}</ul>\n</section>\n",
+      number.empty() ? "Beside the chapters" : "Chapter " + number, print, cards);
 }
 
 Html thumbnails(const Gallery& gallery) {
@@ -74,7 +76,7 @@ Html thumbnails(const Gallery& gallery) {
     const bool last =
         i + 1 == gallery.entries.size() || chapter_of(gallery.entries[i + 1]) != chapter_of(entry);
     if (!last) continue;
-    chapters += chapter(chapter_of(entry), cards);
+    chapters += chapter(entry, cards);
     cards = {};
   }
   if (chapters.empty()) return {};

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
+#include <vector>
 
 #include "engine/figure/plot_kind.hpp"
+#include "engine/figure/svg.hpp"
 #include "engine/table/json.hpp"
 
 namespace stepwire {
@@ -13,23 +16,28 @@ namespace {
 constexpr double page_width = 1400.0, page_height = 820.0;  // of a screen [px]
 constexpr double most_scale = 1.5;                          // beyond it the letters of a picture shout
 
-/// "force [N], current [A]", each once.
+/// "force [N], current [A]", each once; the label of the axis where it has one.
 std::string labels_of(const Panel& panel, const std::string& key) {
-  std::vector<std::string> labels;
   const auto found = panel.series.find(key);
   if (found == panel.series.end()) return {};
-  for (const Series& series : found->second)
+  std::vector<std::string> labels;
+  for (Series series : found->second) {
+    if (const auto word = panel.words.find(key + "_label"); word != panel.words.end())
+      series.label = word->second;
     if (std::ranges::find(labels, series.axis_label()) == labels.end()) labels.push_back(series.axis_label());
+  }
   return fmt::format("{}", fmt::join(labels, ", "));
 }
 
+/// What is shown: the last of colour, z, y and x that there is; and over what.
 std::string axes_of(const Panel& panel) {
-  const std::string x = labels_of(panel, "x"), y = labels_of(panel, "y"), z = labels_of(panel, "z"),
-                    color = labels_of(panel, "color");
-  if (!z.empty()) return fmt::format("{} over {} and {}", z, x, y);
-  if (!color.empty()) return fmt::format("{} over {} and {}", color, x, y);
-  if (y.empty() || x.empty()) return y + x;
-  return fmt::format("{} over {}", y, x);
+  std::vector<std::string> axes;
+  for (const char* key : {"x", "y", "z", "color"})
+    if (const std::string labels = labels_of(panel, key); !labels.empty()) axes.push_back(labels);
+  if (axes.empty()) return {};
+  const std::string shown = axes.back();
+  axes.pop_back();
+  return shown + (axes.empty() ? "" : " over ") + fmt::format("{}", fmt::join(axes, " and "));
 }
 
 /// What has no axes.
@@ -48,6 +56,16 @@ std::string described(const Panel& panel) {
   std::string text = title == panel.words.end() ? "" : title->second;
   if (!axes.empty()) text += (text.empty() ? "" : ", ") + axes;
   return text.empty() ? kind_in_words(panel.kind->name) : text;
+}
+
+/// The first title in a picture, by which a screen reader calls it.
+std::string title_of(const std::string& svg) {
+  const std::size_t start = svg.find("<title>"), end = svg.find("</title>");
+  if (start == std::string::npos || end == std::string::npos) return {};
+  std::string title = svg.substr(start + 7, end - start - 7);
+  for (const auto& [code, sign] : {std::pair{"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&amp;", "&"}})
+    replace_all(title, code, sign);
+  return title;
 }
 
 /// The number of an attribute of the first element called svg; 0 where there is none.
@@ -103,9 +121,11 @@ std::string described(const Figure& figure) {
   return figure.title.empty() ? text : figure.title + ": " + text;
 }
 
-void measure_picture(GalleryPicture& picture, const std::string& svg) {
+void read_picture(GalleryPicture& picture, const std::string& svg) {
   picture.width = attribute_of(svg, "width");
   picture.height = attribute_of(svg, "height");
+  const std::string title = title_of(svg);
+  if (picture.alt.find(title) == std::string::npos) picture.alt = title + ": " + picture.alt;
   const bool white = svg.find("fill=\"#fff") != std::string::npos;
   picture.dark = !white || svg.find("prefers-color-scheme") != std::string::npos;
 }

@@ -12,9 +12,9 @@ namespace stepwire {
 /// What a figure shows, in words: "force [N] over position [mm]; the block diagram".
 std::string described(const Figure& figure);
 
-/// Its size as its SVG text has it, and whether it suits dark pages: it brings colours for them, or has no
-/// white ground.
-void measure_picture(GalleryPicture& picture, const std::string& svg);
+/// Takes from its SVG text its size and its title, which stands ahead of the other words, and whether it
+/// suits dark pages: it brings colours for them, or has no white ground.
+void read_picture(GalleryPicture& picture, const std::string& svg);
 
 /// Texts of pictures by their names, as a script: a page that was opened as a file may read them in no other
 /// way.

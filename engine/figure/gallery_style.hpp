@@ -67,6 +67,8 @@ details[open] > summary { margin-bottom: .6rem; }
 #unexpected { border-left: 4px solid var(--bad); padding-left: 1rem; margin-top: 1.5rem; }
 
 .chapter { margin-top: 1.5rem; }
+.chapter .head { display: flex; flex-wrap: wrap; gap: 0 1.25rem; align-items: baseline; }
+.chapter .head p { margin: 0; font-size: .92rem; }
 .chapter[hidden], .card[hidden] { display: none; }
 .cards { list-style: none; margin: 0; padding: 0; display: grid; gap: 1rem; grid-template-columns: repeat(auto-fill, minmax(min(15rem, 100%), 1fr)); }
 .card a { display: block; height: 100%; padding: .8rem .9rem .9rem; background: var(--card); border: 1px solid var(--line); border-radius: 10px; color: inherit; text-decoration: none; }

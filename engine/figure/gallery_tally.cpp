@@ -62,6 +62,10 @@ std::string full_name(const GalleryEntry& entry) {
                                                     : entry.label + ": " + entry.title;
 }
 
+std::string chapter_of(const GalleryEntry& entry) {
+  return entry.section.substr(0, entry.section.find('.'));
+}
+
 std::string page_of(const GalleryEntry& entry) {
   return entry.folder + "/index.html";
 }

@@ -47,6 +47,11 @@ export class Gallery {
       entry.isDirectory() ? under(join(folder, entry.name)) : entry.name.endsWith(".html") ? [join(folder, entry.name)] : []);
     return under("");
   }
+  /** The same, but one for all that show parts. */
+  kinds() {
+    const parts = this.pages().filter((page) => page.startsWith("diagrams/parts/"));
+    return this.pages().filter((page) => !parts.slice(1).includes(page));
+  }
   entries() {
     return this.pages().filter((page) => /^(fig|table)/.test(page)).map((page) => page.split("/")[0]);
   }

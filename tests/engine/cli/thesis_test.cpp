@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <cstdlib>
 #include <filesystem>
 #include <regex>
 
@@ -61,6 +62,24 @@ TEST_CASE("the last line of thesis counts claims, and invariants apart") {
   const Done done = run_program(folder, {"thesis", "--only", "table1", "--out", "page"});
   CHECK(std::regex_search(done.out, std::regex("\n\\d+ of \\d+ claims hold(, \\d+ known not to hold)?(, \\d+ "
                                                "invariants held throughout)?\\.\n$")));
+}
+
+TEST_CASE("what is printed of a chapter has a page for each picture of its entries") {
+  const Scratch folder;
+  REQUIRE(run_program(folder, {"thesis", "--only", "fig15,table1", "--out", "page"}).code == 0);
+  const std::string page = content_of(folder.path("page/index.html"));
+  if (std::system("command -v rsvg-convert >/dev/null") != 0) {
+    CHECK_THAT(page, !Contains(".pdf"));
+    return;
+  }
+  std::size_t pictures = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder.path("page")))
+    pictures += entry.path().extension() == ".svg" ? 1 : 0;
+  const std::string pdf = content_of(folder.path("page/chapter-2.pdf"));
+  const std::regex leaf("/Type */Page[^s]");
+  CHECK(pictures >= 3);
+  CHECK(std::distance(std::sregex_iterator(pdf.begin(), pdf.end(), leaf), std::sregex_iterator()) ==
+        static_cast<std::ptrdiff_t>(pictures));
 }
 
 TEST_CASE("tables stand where the thesis has them, between its figures") {

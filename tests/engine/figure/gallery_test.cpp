@@ -184,3 +184,20 @@ TEST_CASE(
   CHECK_THAT(files.at("diagrams/parts/hand.yaml.html"),
              Contains("<a href=\"../../fig15/index.html\">Figure 15</a>"));
 }
+
+TEST_CASE("an entry names its pages of what is printed for its chapter") {
+  GalleryEntry one = entry(), two = entry("Figure 16", "fig16");
+  one.section = two.section = "2.5";
+  one.pictures = {{"a.svg", "", "", "a", 10.0, 10.0}};
+  two.pictures = {{"b.svg", "", "", "b", 10.0, 10.0}, {"c.svg", "", "", "c", 10.0, 10.0}};
+  CHECK_THAT(front({one, two}), !Contains(".pdf"));
+  one.print = {"chapter-2.pdf", 1};
+  two.print = {"chapter-2.pdf", 2};
+  const auto files = gallery_files({"Title", "", {one, two}});
+  CHECK_THAT(files.at("index.html"), Contains("<a href=\"chapter-2.pdf\">Its pictures as PDF</a>"));
+  CHECK_THAT(
+      files.at("fig15/index.html"),
+      Contains("<a href=\"../chapter-2.pdf#page=1\">chapter-2.pdf</a> <span class=\"soft\">page 1</span>"));
+  CHECK_THAT(files.at("fig16/index.html"),
+             Contains("#page=2\">chapter-2.pdf</a> <span class=\"soft\">pages 2 to 3</span>"));
+}
