@@ -14,7 +14,7 @@ inline constexpr const char* gallery_style = R"css(:root {
 }
 @media (prefers-color-scheme: dark) {
   :root {
-    --page: #15181b; --card: #1d2124; --text: #e4e8ea; --soft: #a2adb5; --line: #353c42; --link: #82c2f3;
+    --page: #101214; --card: #191919; --text: #e4e8ea; --soft: #a2adb5; --line: #353c42; --link: #82c2f3;
     --good: #74d191; --known: #e6b866; --bad: #ff9188; --quote: #58718a;
     --key: #82c2f3; --comment: #97a391; --string: #8ad0a4; --number: #f0b37e; --name: #cda6ec; --type: #f29bbb;
   }
