@@ -9,13 +9,14 @@ using namespace stepwire;
 TEST_CASE("the words of a picture name what is shown over what, as its axes do") {
   Figure figure;
   figure.panels = {testing::panel_of("{plot: lines, x: time, y: [push.force, push.force]}")};
-  CHECK(described(figure) == "push.force [N] over time [s]");
+  CHECK(described(figure) == "force of push [N] over time [s]");
   figure.title = "All";
   figure.panels = {
       testing::panel_of("{plot: lines, x: time, y: push.force, y_label: force}"),
       testing::panel_of("{plot: map, x: rig.x in mm, y: rig.v, color: push.force, color_label: F}")};
   figure.panels[0].words["title"] = "A push";
-  CHECK(described(figure) == "All: A push, force [N] over time [s]; F [N] over rig.x [mm] and rig.v [m/s]");
+  CHECK(described(figure) ==
+        "All: A push, force [N] over time [s]; F [N] over x of rig [mm] and v of rig [m/s]");
 }
 
 TEST_CASE("size, title and ground are read from the text of a picture") {
