@@ -29,15 +29,21 @@ Json option_schema(const Option& option) {
   if (option.form == Option::Form::lists)
     return explained(map_of(one_or_list_of(schema_ref("text"))), option.doc);
   if (option.form == Option::Form::tree) return Json::object().set("description", option.doc);
+  if (!option.words.empty() && option.list)
+    return explained(one_or_list_of(one_word_of(option.words)), option.doc);
   if (!option.words.empty()) return explained(one_word_of(option.words), option.doc);
   const Json number = schema_ref("number");
   return explained(option.list ? one_or_list_of(number) : number, option.doc);
 }
 
-/// Points of the plane by their names, or a list of them.
+/// Points of the plane by their names.
+Json named_points_schema() {
+  return map_of(pair_of(schema_ref("number")));
+}
+
+/// The same, or a list of points.
 Json marks_schema() {
-  const Json point = pair_of(schema_ref("number"));
-  return any_of({map_of(point), list_of(point)});
+  return any_of({named_points_schema(), list_of(pair_of(schema_ref("number")))});
 }
 
 Json motion_schema() {
@@ -68,6 +74,7 @@ Json common_schema(const std::string& key) {
   if (key == "marks") return marks_schema();
   if (key == "motion") return motion_schema();
   if (key == "rose") return rose_schema();
+  if (key == "texts") return named_points_schema();
   if (key == "own") return typed("boolean");
   if (key == "note") return schema_ref("series");
   if (key == "columns") return typed("integer").set("minimum", 1).set("maximum", 6);

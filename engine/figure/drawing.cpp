@@ -129,6 +129,7 @@ DrawnPanel draw_panel(const Figure& figure, std::span<const Recording> recording
   draw_roses(panel, recordings, script);
   const double height = wanted_height(script, width);
   draw_marks(panel, {width - room_across, height - room_up}, script);
+  draw_texts(panel, script);
   std::string commands = legend_place(script.titles()) + script.text();
   const std::size_t titles = script.titles();
   return {std::move(script), std::move(commands), height, titles};

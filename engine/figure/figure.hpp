@@ -67,11 +67,13 @@ struct Panel {
   std::map<std::string, std::vector<Series>> series;  ///< by key: x, y, color, ...
   std::map<std::string, double> numbers;              ///< numeric options of the kind: bins, view, ...
   std::map<std::string, std::string> words;           ///< labels by key: title, x_label, ...
-  std::map<std::string, Range> ranges;                ///< x_range, y_range, z_range, color_range
-  std::map<std::string, std::vector<double>> levels;  ///< lists of numbers: contour
+  std::map<std::string, std::vector<std::string>> word_lists;  ///< options that are lists of words: style
+  std::map<std::string, Range> ranges;                         ///< x_range, y_range, z_range, color_range
+  std::map<std::string, std::vector<double>> levels;           ///< lists of numbers: contour
   std::vector<Formula> boundaries;  ///< of the plane's x and y in SI; a curve is drawn where one is zero
   std::vector<Outline> regions;     ///< in SI: shaded in the plane, and their lines drawn
   std::vector<MarkedPoint> marks;   ///< drawn on top of everything, with their names
+  std::vector<MarkedPoint> texts;   ///< written about their points
   std::vector<Motion> motions;
   std::vector<Rose> roses;
   std::vector<std::string> legend;

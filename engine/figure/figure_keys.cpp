@@ -28,6 +28,7 @@ const std::vector<FigureKey>& panel_keys() {
       {"region", "name of a Region (or a list): its boundary is drawn, and its inside shaded"},
       {"region_line", "how the boundary of a region is drawn: line or dashes"},
       {"marks", "points with names, drawn on top: {A: [0 mm, 20 mm]}; a list of points numbers them"},
+      {"texts", "texts in the plane, each about its point: {authorized region: [0 mm, 200 mm]}"},
       {"motion",
        "the way of a point (or a list), drawn as a line with arrow heads: {x: hand.1, y: hand.2, where: time < "
        "2 s, heads: 8, color: red}"},
@@ -39,12 +40,13 @@ const std::vector<FigureKey>& panel_keys() {
 }
 
 const std::vector<FigureKey>& picture_keys() {
-  static const std::vector<FigureKey> keys{{"title", "text above the picture"},
-                                           {"caption", "text below the picture on the gallery page"},
-                                           {"own", "true: the source has no such picture; the gallery says so"},
-                                           {"size", "width and height in pixels: [640, 420]"},
-                                           {"panels", "list of panels in one picture"},
-                                           {"columns", "how many panels stand side by side"}};
+  static const std::vector<FigureKey> keys{
+      {"title", "text above the picture"},
+      {"caption", "text below the picture on the gallery page"},
+      {"own", "true: the source has no such picture; the gallery says so"},
+      {"size", "width and height in pixels: [640, 420]"},
+      {"panels", "list of panels in one picture"},
+      {"columns", "how many panels stand side by side"}};
   return keys;
 }
 

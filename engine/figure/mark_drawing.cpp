@@ -141,10 +141,17 @@ std::string placed(const Point& side) {
 }  // namespace
 
 void cover_marks(const Panel& panel, Script& script) {
-  for (const MarkedPoint& mark : panel.marks) {
-    script.x.add(mark.x);
-    script.y.add(mark.y);
-  }
+  for (const auto* points : {&panel.marks, &panel.texts})
+    for (const MarkedPoint& point : *points) {
+      script.x.add(point.x);
+      script.y.add(point.y);
+    }
+}
+
+void draw_texts(const Panel& panel, Script& script) {
+  for (const MarkedPoint& text : panel.texts)
+    script.set(fmt::format("set label {} at {:.9g},{:.9g} center front textcolor rgb '{}' font ',13'",
+                           quoted(text.name), text.x, text.y, rimmed_text));
 }
 
 void draw_marks(const Panel& panel, const PlotArea& area, Script& script) {

@@ -41,9 +41,8 @@ class PanelReader {
       if (channel.required && node_.find(channel.key) == nullptr)
         fault(node_.mark, "figure." + channel.key,
               fmt::format("a plot '{}' needs '{}': {}", panel_.kind->name, channel.key, channel.doc));
-    check_units_of_y();
-    check_legend();
-    if (const Node* marks = node_.find("marks")) check_marks(*marks, panel_, names_, faults_);
+    if (panel_.kind->takes("marks")) read_points();
+    check_axes(panel_, node_, names_, faults_);
     find_recordings();
     // What reads a single row, perhaps of another recording.
     if (const Node* boundary = node_.find("boundary")) read_boundaries(*boundary, panel_, names_, faults_);
@@ -122,10 +121,15 @@ class PanelReader {
     if (key == "log") read_log(value);
     if (key == "region") read_region(value);
     if (key == "region_line") panel_.words[key] = word(value, key, {"line", "dashes"});
-    if (key == "marks") read_marks(value, panel_, names_, faults_);
     if (key == "motion") read_motions(value, panel_, names_, faults_);
     if (key == "rose") read_roses(value, panel_, names_, faults_);
     if (key.ends_with("_range")) read_range(value, key);
+  }
+
+  /// Points lie within the ranges, which stand anywhere in the map.
+  void read_points() {
+    if (const Node* marks = node_.find("marks")) read_marks(*marks, panel_, names_, faults_);
+    if (const Node* texts = node_.find("texts")) read_texts(*texts, panel_, names_, faults_);
   }
 
   void unknown(const Entry& entry) {
@@ -156,10 +160,13 @@ class PanelReader {
   }
 
   void read_option(const Option& option, const Node& node) {
-    if (!option.words.empty()) {
+    const std::vector<Node> one{node};
+    if (!option.words.empty() && option.list) {
+      for (const auto& item : node.is_list() ? node.items : one)
+        panel_.word_lists[option.key].push_back(word(item, option.key, option.words));
+    } else if (!option.words.empty()) {
       panel_.words[option.key] = word(node, option.key, option.words);
     } else if (option.list) {
-      const std::vector<Node> one{node};
       for (const auto& item : node.is_list() ? node.items : one)
         if (const auto value = number(item, option.key, option.axis))
           panel_.levels[option.key].push_back(*value);
@@ -218,41 +225,6 @@ class PanelReader {
     fault(node.mark, "figure.region",
           fmt::format("'{}' is no block with a boundary, as a Region is{}", node.text, choice));
     return nullptr;
-  }
-
-  void check_units_of_y() {
-    const auto found = panel_.series.find("y");
-    if (found == panel_.series.end()) return;
-    const Series& first = found->second.front();
-    for (const Series& series : found->second) {
-      // A sum with a bare number has no known unit; it is drawn as the others are.
-      if (series.unit_text.empty() || first.unit_text.empty() || series.unit_text == first.unit_text)
-        continue;
-      two_units("y", series, first);
-    }
-    const auto references = panel_.series.find("reference");
-    if (references == panel_.series.end()) return;
-    for (Series& reference : references->second) {
-      const auto &ours = reference.formula.dimension, &axis = first.formula.dimension;
-      if (ours && axis && *ours != *axis) two_units("reference", reference, first);
-      reference.unit = first.unit;
-    }
-  }
-
-  void two_units(const std::string& key, const Series& series, const Series& first) {
-    fault(series.formula.mark, "figure." + key,
-          fmt::format("'{}' is drawn in {}, but '{}' in {}; one axis has one unit: give each a panel",
-                      first.formula.text, first.unit_text, series.formula.text, series.unit_text));
-  }
-
-  /// Without `by` there is one curve for each y, however many runs there are.
-  void check_legend() {
-    const auto y = panel_.series.find("y");
-    if (y == panel_.series.end() || panel_.series.contains("by") || panel_.legend.size() <= y->second.size())
-      return;
-    fault(node_.find("legend")->mark, "figure.legend",
-          fmt::format("there are {} texts, but only {} in 'y'; 'by' with a swept parameter tells runs apart",
-                      panel_.legend.size(), y->second.size()));
   }
 
   /// Each y is drawn with the other channels, so these must have been recorded together.

@@ -25,11 +25,16 @@ std::optional<double> read_axis_number(const Node& node, const Panel& panel, con
 void read_boundaries(const Node& node, Panel& panel, const Names& names, Faults& faults);
 void read_note(const Node& node, Panel& panel, const Names& names, Faults& faults);
 
-/// Reads the value of `marks`: {NAME: [X, Y], ...}, or a list of points, which are named 1, 2, 3.
+/// Checks that all along an axis have one unit, that there is an x for each y, and texts of the legend for
+/// curves only; references get the unit of their axis.
+void check_axes(Panel& panel, const Node& node, const Names& names, Faults& faults);
+
+/// Reads the value of `marks`: {NAME: [X, Y], ...}, or a list of points, which are named 1, 2, 3. A mark
+/// beyond the ranges that the file gives is a fault; so the panel has its ranges by now.
 void read_marks(const Node& node, Panel& panel, const Names& names, Faults& faults);
 
-/// Adds a fault for each mark that lies beyond the ranges that the file gives.
-void check_marks(const Node& node, const Panel& panel, const Names& names, Faults& faults);
+/// Reads the value of `texts`: {TEXT: [X, Y], ...}, which lie within the ranges, too.
+void read_texts(const Node& node, Panel& panel, const Names& names, Faults& faults);
 
 /// Reads "EXPR", "EXPR in UNIT" or {signal: ..., label: ...}.
 std::optional<Series> read_series(const Node& node, const Names& names, const std::string& subject,

@@ -25,7 +25,7 @@ struct Option {
   std::string doc;
   std::string axis{};  ///< the channel in whose unit its numbers are drawn; empty: plain numbers
   bool list = false;   ///< a number or a list of them
-  std::vector<std::string> words{};  ///< the words that are allowed, for an option that is a word
+  std::vector<std::string> words{};  ///< the words that are allowed, for an option that is a word or a list
   /// All but plain ones are read by the plot itself: names, a map of texts, a map of lists of names, or what
   /// only its doc describes.
   enum class Form { plain, names, texts, lists, tree } form = Form::plain;

@@ -13,6 +13,11 @@ const Channel low{"low", "lower edge of a shaded band, such as an interval aroun
 const Channel high{"high", "upper edge of the band"};
 const Channel reference{"reference", "for each y a value to hold it against, drawn dashed in its colour",
                         false, true};
+const Channel each_across{"x", "along the horizontal axis: one expression, or one for each y", true, true};
+const Option style{.key = "style",
+                   .doc = "how the curves are drawn, in the order of the legend: line, dashes or dots",
+                   .list = true,
+                   .words = {"line", "dashes", "dots"}};
 const Option shade{.key = "shade",
                    .doc = "ends of a range of x that is shaded, or of several: [0 s, 2 s]",
                    .axis = "x",
@@ -85,20 +90,20 @@ PlotKind lines_plot() {
   return {"lines",
           "one or several curves over x, as over time",
           {across, up, low, high, by, reference},
-          {shade},
+          {shade, style},
           true,
           draw_lines};
 }
 
 PlotKind xy_plot() {
-  return {"xy", "y against x in the order of the rows", {across, up, by}, {}, true, draw_xy};
+  return {"xy", "y against x in the order of the rows", {each_across, up, by}, {style}, true, draw_xy};
 }
 
 PlotKind loop_plot() {
   return {"loop",
           "a loop, such as force over displacement, with the lines x = 0 and y = 0",
-          {across, up, by},
-          {},
+          {each_across, up, by},
+          {style},
           true,
           draw_loop};
 }

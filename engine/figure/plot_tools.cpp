@@ -27,8 +27,18 @@ Series common_label(const std::vector<Series>& all) {
   return common;
 }
 
+/// How gnuplot draws the curve of this entry in the style that the file gives; empty without one.
+std::string styled(const Panel& panel, std::size_t entry) {
+  const auto styles = panel.word_lists.find("style");
+  if (styles == panel.word_lists.end() || entry >= styles->second.size()) return {};
+  const std::string& style = styles->second[entry];
+  if (style == "dots") return "with lines dt (0.6,1.8) lw 3.4";
+  return style == "dashes" ? "with lines dt (8,5) lw 1.4" : "with lines lw 1.6";
+}
+
 /// A later curve is thinner, so that one that lies below it is still seen.
 std::string look(const Panel& panel, std::size_t entry) {
+  if (const std::string style = styled(panel, entry); !style.empty()) return style;
   const std::string width = entry == 0 && panel.series.at("y").size() > 1 ? "2.4" : "1.6";
   const std::string with = panel.final_rows ? "linespoints pt 7 ps 0.5" : "lines";
   return fmt::format("with {} lw {}", with, width);
@@ -90,17 +100,17 @@ Extent extent_of(const std::vector<double>& values) {
 }
 
 void draw_curves(const Panel& panel, std::span<const Recording> recordings, Script& script) {
-  const Series& x = *panel.find("x");
-  const auto& all_y = panel.series.at("y");
+  const auto &all_x = panel.series.at("x"), &all_y = panel.series.at("y");
   std::size_t entry = 0;
   for (std::size_t i = 0; i < all_y.size(); ++i) {
+    const Series& x = all_x[std::min(i, all_x.size() - 1)];
     const Curves all = gather(panel, recording_of(panel, recordings, i), {&x, &all_y[i]});
     if (all.groups.size() > most_in_legend && all_y.size() == 1 && panel.legend.empty())
       draw_by_color(panel, all, script);
     else
       draw_in_legend(panel, all_y[i], all, entry, script);
   }
-  script.label("x", x);
+  script.label("x", common_label(all_x));
   script.label("y", common_label(all_y));
 }
 

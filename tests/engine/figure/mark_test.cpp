@@ -84,3 +84,22 @@ TEST_CASE("marks that are no points of the plane are refused where they stand") 
   CHECK_THAT(figures_of("{plot: strip, x: time, color: rig.v, marks: {A: [0, 0]}}").faults,
              Contains("'marks'"));
 }
+
+TEST_CASE("texts stand about their points, which the axes reach, and have no dot") {
+  const Panel panel = panel_of("{" + plane + ", texts: {authorized region: [3 mm, -7 mm/s]}}");
+  REQUIRE(panel.texts.size() == 1);
+  Script script(panel, "p");
+  cover_marks(panel, script);
+  CHECK(script.x.high == Approx(3.0));
+  CHECK(script.y.low == Approx(-7.0));
+  draw_texts(panel, script);
+  CHECK_THAT(script.text(),
+             Contains("set label 'authorized region' at 3,-7 center front") && !Contains("point pt"));
+}
+
+TEST_CASE("texts that are nowhere in the plane are refused where they stand") {
+  CHECK_THAT(figures_of("{" + plane + ", texts: [[1, 2]]}").faults,
+             Contains("figure.texts: texts stand about points: {authorized region: [0 mm, 200 mm]}"));
+  CHECK_THAT(figures_of("{" + plane + ", texts: {A: [2 mm, 0]}, x_range: [0 mm, 1 mm]}").faults,
+             Contains("figure.texts: the text 'A' lies beyond the range of its axes"));
+}
