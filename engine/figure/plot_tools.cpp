@@ -32,7 +32,7 @@ std::string styled(const Panel& panel, std::size_t entry) {
   const auto styles = panel.word_lists.find("style");
   if (styles == panel.word_lists.end() || entry >= styles->second.size()) return {};
   const std::string& style = styles->second[entry];
-  if (style == "dots") return "with lines dt (0.6,1.8) lw 3.4";
+  if (style == "dots") return "with lines dt (0.5,3.5) lw 3.4";
   return style == "dashes" ? "with lines dt (8,5) lw 1.4" : "with lines lw 1.6";
 }
 

@@ -23,7 +23,7 @@ TEST_CASE(
     "curves are dotted, solid and dashed in the order of the legend, and those without a style as before") {
   const std::string text =
       drawn("{plot: lines, x: time, y: [rig.x, rig.x/2, rig.x/3, rig.x/4], style: [dots, line, dashes]}");
-  const auto dots = text.find("dt (0.6,1.8)"), line = text.find("with lines lw 1.6 lc"),
+  const auto dots = text.find("dt (0.5,3.5)"), line = text.find("with lines lw 1.6 lc"),
              dashes = text.find("dt (8,5)");
   CHECK(dots < line);
   CHECK(line < dashes);
