@@ -123,11 +123,20 @@ function carriage([x, y]) {
     wheel(8) + wheel(36) + polyline([[x - 62, y + 24], [x + 62, y + 24]]) + hatch.join("") + circle([x, y], joint);
 }
 
-/** A shaker, which moves what ends at it along x. */
-function shaker([x, y]) {
-  return polygon([[x - 58, y - 26], [x - 14, y - 26], [x - 14, y + 26], [x - 58, y + 26]], fill(body)) +
-    `<path d="M${x - 50} ${y}c5 -16 9 -16 14 0s9 16 14 0" fill="none"/>` +
-    polygon([[x - 14, y - 3], [x, y - 3], [x, y + 3], [x - 14, y + 3]]) + circle([x, y], joint);
+/** A shaker, which moves what ends at it in its direction. */
+function shaker(element, page) {
+  const [[x, y]] = element.at, [dx, dy] = schematic.pointing(element, page), at = (u, v) => [x + u * dx - v * dy, y + u * dy + v * dx];
+  const wave = Array.from({length: 25}, (_, i) => at(-50 + (28 * i) / 24, -12 * Math.sin((2 * Math.PI * i) / 24)));
+  return polygon([at(-58, -26), at(-14, -26), at(-14, 26), at(-58, 26)], fill(body)) + polyline(wave, ` fill="none"`) +
+    polygon([at(-14, -3), at(0, -3), at(0, 3), at(-14, 3)]) + circle([x, y], joint);
+}
+
+/** What a shaker takes up. */
+function aroundShaker([x, y], element, page) {
+  const [dx, dy] = schematic.pointing(element, page), along = [-60 * dx, 2 * dx], up = [-60 * dy, 2 * dy];
+  const across = 27 * Math.abs(dy), upright = 27 * Math.abs(dx);
+  return [{left: x + Math.min(...along) - across, right: x + Math.max(...along) + across,
+    top: y + Math.min(...up) - upright, bottom: y + Math.max(...up) + upright}];
 }
 
 /** Symbols at one point or at several. */
@@ -137,7 +146,7 @@ export const atPoint = {
   pin: onEach((point) => circle(point, joint)),
   end_effector: onEach((point) => circle(point, 8) + circle(point, 3, fill(ink))),
   carriage: onEach(carriage),
-  shaker: onEach(shaker),
+  shaker,
   rotary_damper: onEach((point) => circle(point, 17, fill(body)) + circle(point, 12, fill(dark)) + circle(point, joint)),
   ...schematic.at,
 };
@@ -164,7 +173,7 @@ export const halves = {dashpot: 13, bouc_wen: 30};
 export const extents = {
   potentiometer: beside("potentiometer", 8), lvdt: beside("lvdt", 7),
   ground: around(20, 20, 22, 22), universal: around(20, 20, 22, 22), slide: around(36, 36, 36, 36), torque: around(30, 30, 30, 30), pin: around(5, 5, 5, 5), end_effector: around(9, 9, 9, 9),
-  carriage: around(62, 62, 17, 30), shaker: around(60, 2, 27, 27), rotary_damper: around(18, 18, 18, 18),
+  carriage: around(62, 62, 17, 30), shaker: aroundShaker, rotary_damper: around(18, 18, 18, 18),
 };
 
 /** Symbols that are themselves as large as a name. */

@@ -109,7 +109,7 @@ function obstaclesOf(placed, page, centre) {
     if (element.kind === "box") return [hull(element.at)];
     if (element.kind === "force" || element.kind === "motion") return [{segment: arrowEnds(element, page), half: element.kind === "motion" ? 26 : 6}];
     if (element.kind in areas) return areaLines(element, page).flatMap(segments);
-    return element.at.flatMap((point) => extents[element.kind]?.(point) ?? []);
+    return element.at.flatMap((point) => extents[element.kind]?.(point, element, page) ?? []);
   }));
 }
 
@@ -131,7 +131,7 @@ function namedThing(element, paper, centre) {
   if (kind === "base") return {name, at: [], edges: areaLines(element, paper).flatMap((points) => segmentsOf([...points, points[0]]))};
   if (kind === "load_cell") return {name, at: bodyOfLoadCell(element), isBody: true};
   if (kind in areas) return {name, at: areaLines(element, paper).flat(), isLink: false};
-  if (kind in wide) return {name, at: extents[kind](at[0]).flatMap(({left, right, top, bottom}) => [[left, top], [right, bottom]]), isLink: false};
+  if (kind in wide) return {name, at: extents[kind](at[0], element, paper).flatMap(({left, right, top, bottom}) => [[left, top], [right, bottom]]), isLink: false};
   const beside = kind in linear ? extents[kind]?.(element, centre)[0] : undefined;
   return {name, at: beside?.segment ?? at, isLink: kind in linear && kind !== "arrow" && kind !== "axis", half: halves[kind]};
 }

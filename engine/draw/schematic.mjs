@@ -8,7 +8,7 @@ const fill = (color) => ` fill="${color}"`, none = ` fill="none"`;
 const reach = {force: [12, 62], motion: [-26, 26]};
 
 /** Where a direction points to on paper, with length 1. */
-function pointing({points: [point], direction = [1, 0]}, {place}) {
+export function pointing({points: [point], direction = [1, 0]}, {place}) {
   const far = point.map((one, i) => one + 0.01 * (direction[i] ?? 0)), [a, b] = [place(point), place(far)];
   const length = Math.hypot(b[0] - a[0], b[1] - a[1]) || 1e-9;
   return [(b[0] - a[0]) / length, (b[1] - a[1]) / length];

@@ -30,7 +30,7 @@ const std::vector<RigKind>& rig_kinds() {
       {"pin", "it takes the joints that are drawn", 1, any_number},
       {"end_effector", "it takes one point", 1, 1},
       {"carriage", "it takes the point at which its damper ends", 1, 1},
-      {"shaker", "it takes the point that it moves along x", 1, 1},
+      {"shaker", "it takes the point that it moves, along x or in its direction", 1, 1, true},
       {"rotary_damper", "it takes its centre", 1, 1},
       {"slide", "it takes the point that slides", 1, 1, true},
       {"box", "a body takes two opposite corners"},

@@ -163,3 +163,16 @@ test("a name stands in its box where it fits, else beside it", () => {
   assert.match(drawRig(rig("m")), />m<\/text>/);
   assert.equal(arrangeRig(rig("the whole of the moving mass of it")).names.length, 1);
 });
+
+test("a shaker stands behind the point that it moves, whatever its direction", () => {
+  const heads = [[0, 0], [0.2, 0.2]], link = {kind: "rod", points: heads};
+  const body = (direction) => {
+    const rig = {title: "", dimensions: 2, elements: [link, {kind: "shaker", points: [[0, 0]], direction}]};
+    const [x, y] = arrangeRig(rig).placed[1].at[0];
+    const box = drawRig(rig).match(/<path d="([^"]*)" fill="#e6ecf3"/) ?? drawRig(rig).match(/<polygon points="([^"]*)" fill="#e6ecf3"/);
+    const numbers = [...box[1].matchAll(/-?[\d.]+/g)].map(Number), pick = (k) => numbers.filter((_, i) => i % 2 === k);
+    return {left: Math.max(...pick(0)) - x, below: Math.min(...pick(1)) - y};
+  };
+  assert.ok(body(undefined).left < -10);
+  assert.ok(body([0, 1]).below > 10);
+});
