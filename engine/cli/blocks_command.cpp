@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "engine/cli/commands.hpp"
+#include "engine/cli/console.hpp"
 #include "engine/describe/block_json.hpp"
 #include "engine/describe/block_markdown.hpp"
 #include "engine/describe/block_page.hpp"
@@ -25,21 +26,21 @@ std::string all_of(const BlocksCommand& command, const Registry& registry) {
 
 ExitCode show_blocks(const BlocksCommand& command, const Registry& registry) {
   if (command.name.empty()) {
-    fmt::print("{}", all_of(command, registry));
+    put_data(all_of(command, registry));
     return ExitCode::done;
   }
   const BlockType* type = registry.find(command.name);
   if (!type) {
-    fmt::print(stderr, "there is no block '{}'{}\n", command.name,
-               did_you_mean(command.name, registry.names(), "'stepwire blocks' lists them"));
+    complain("there is no block '{}'{}\n", command.name,
+             did_you_mean(command.name, registry.names(), "'stepwire blocks' lists them"));
     return ExitCode::wrong;
   }
-  fmt::print("{}", one_block(command, *type));
+  put_data(one_block(command, *type));
   return ExitCode::done;
 }
 
 ExitCode show_schema(const Registry& registry) {
-  fmt::print("{}\n", diagram_schema(registry).text());
+  say("{}\n", diagram_schema(registry).text());
   return ExitCode::done;
 }
 

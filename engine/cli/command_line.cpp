@@ -1,20 +1,19 @@
 #include "engine/cli/command_line.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
+#include <sstream>
 
+#include "engine/base/characters.hpp"
 #include "engine/cli/call_options.hpp"
 #include "engine/cli/call_settings.hpp"
+#include "engine/cli/console.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/report.hpp"
 #include "engine/cli/version.hpp"
+#include "engine/table/cache.hpp"
 
 namespace stepwire {
 
@@ -42,7 +41,8 @@ class CommandLine {
   explicit CommandLine(const Registry& registry) : registry_(registry) {
     app_.require_subcommand(1);
     app_.failure_message([](const CLI::App*, const CLI::Error& error) {
-      return fmt::format("stepwire: {}; stepwire --help and stepwire VERB --help tell more\n", error.what());
+      return fmt::format("stepwire: {}; stepwire --help and stepwire VERB --help tell more\n",
+                         visible(error.what()));
     });
     app_.set_version_flag("--version", "stepwire " + program_version());
     add_run();
@@ -65,11 +65,20 @@ class CommandLine {
       app_.parse(argc, argv);
       return action_();
     } catch (const CLI::ParseError& error) {
-      return app_.exit(error) == 0 ? ExitCode::done : ExitCode::wrong;
+      return explain(error);
     }
   }
 
  private:
+  /// Prints the help that is asked for, or what is wrong in the call.
+  ExitCode explain(const CLI::ParseError& error) const {
+    std::ostringstream help, wrong;
+    const int code = app_.exit(error, help, wrong);
+    put_text(help.str());
+    put_trouble(wrong.str());
+    return code == 0 ? ExitCode::done : ExitCode::wrong;
+  }
+
   std::vector<std::string> verbs() const {
     std::vector<std::string> names;
     for (const CLI::App* verb : app_.get_subcommands([](const CLI::App*) { return true; }))
@@ -83,8 +92,8 @@ class CommandLine {
   }
 
   ExitCode refuse_verb(const std::string& word) const {
-    fmt::print(stderr, "stepwire: there is no '{}'{}\n", word,
-               did_you_mean(word, verbs(), fmt::format("There are: {}", fmt::join(verbs(), ", "))));
+    complain("stepwire: there is no '{}'{}\n", word,
+             did_you_mean(word, verbs(), fmt::format("There are: {}", fmt::join(verbs(), ", "))));
     return ExitCode::wrong;
   }
 
@@ -265,25 +274,18 @@ class CommandLine {
   std::function<ExitCode()> action_;
 };
 
-/// A caller may close a standard stream; the first file that is opened then would take its place and get what
-/// is printed.
-void fill_standard_streams() {
-  for (int stream = ::open("/dev/null", O_RDWR); stream >= 0; stream = ::open("/dev/null", O_RDWR)) {
-    if (stream <= STDERR_FILENO) continue;
-    ::close(stream);
-    return;
-  }
-}
-
 }  // namespace
 
-int run_command_line(int argc, char** argv, const Registry& registry) {
+int run_command_line(int argc, char** argv, Registry (*blocks)()) {
   fill_standard_streams();
-  catch_interrupts();
-  const ExitCode code = guarded([&] { return CommandLine(registry).run(argc, argv); });
-  if (std::fflush(stdout) == 0) return static_cast<int>(code);
-  fmt::print(stderr, "what was to be printed is lost: {}\n", std::strerror(errno));
-  return static_cast<int>(worst(code, ExitCode::surroundings));
+  catch_signals();
+  const ExitCode code = guarded([&] {
+    const Registry registry = blocks();
+    return CommandLine(registry).run(argc, argv);
+  });
+  if (const std::string problem = take_cache_problem(); !problem.empty())
+    complain("the cache keeps nothing: {}\n", visible(problem));
+  return static_cast<int>(finish_output() ? code : worst(code, ExitCode::surroundings));
 }
 
 }  // namespace stepwire

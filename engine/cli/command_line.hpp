@@ -4,7 +4,8 @@
 
 namespace stepwire {
 
-/// The program: reads its arguments, does what they ask, and returns the exit code (see ExitCode).
-int run_command_line(int argc, char** argv, const Registry& registry);
+/// The program: reads its arguments, does what they ask, and returns the exit code (see ExitCode). `blocks`
+/// makes the registry, which may fail as all else does.
+int run_command_line(int argc, char** argv, Registry (*blocks)());
 
 }  // namespace stepwire

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "engine/cli/commands.hpp"
+#include "engine/cli/console.hpp"
 #include "engine/draw/graph_faults.hpp"
 #include "engine/table/file.hpp"
 
@@ -24,7 +25,7 @@ ExitCode draw_file(const DrawCommand& command, const Registry& registry) {
   const Json graph = file.view().graph(command.options);
   const std::string text = command.json ? graph.text() + "\n" : draw_picture(graph);
   if (command.out.empty()) {
-    fmt::print("{}", text);
+    put_data(text);
   } else {
     write_file(command.out, text);
   }

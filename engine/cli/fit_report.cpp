@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/characters.hpp"
 #include "engine/cli/fitting.hpp"
 #include "engine/figure/number.hpp"
 
@@ -53,7 +54,8 @@ std::string correlations(const FitResult& result) {
 }
 
 std::string record_line(const FittedRecord& record, std::size_t width) {
-  std::string text = fmt::format("  {:<{}}", record.label.empty() ? "the record" : record.label, width);
+  std::string text =
+      fmt::format("  {:<{}}", record.label.empty() ? "the record" : visible(record.label), width);
   for (const ComparedRows& rows : record.comparisons) text += fmt::format("  {:6.2f} %", rows.agreement);
   return text + (record.held_out ? "  held out\n" : "\n");
 }
@@ -127,7 +129,7 @@ std::string fit_text(const FitResult& result) {
         fmt::format("  residuals go together over {} rows, which widens the intervals\n", result.together);
   text += correlations(result);
   for (const FittedRecord& record : result.records) text += record_line(record, labels);
-  for (const std::string& finding : result.findings) text += fmt::format("  note: {}\n", finding);
+  for (const std::string& finding : result.findings) text += fmt::format("  note: {}\n", visible(finding));
   return text;
 }
 
@@ -166,14 +168,14 @@ Json fit_json(const Work& work, const FitResult& result) {
 }
 
 std::string parameters_text(const Work& work, const FitResult& result) {
-  std::string text =
-      fmt::format("# Found by a fit of {}; stepwire run FILE --set-from takes this file.\n", work.file);
+  std::string text = fmt::format("# Found by a fit of {}; stepwire run FILE --set-from takes this file.\n",
+                                 visible(work.file));
   for (const Setting& setting : result.shared) text += fmt::format("{}: {}\n", setting.name, setting.value);
   for (std::size_t record = 0; record < result.of_records.size(); ++record)
     for (const Setting& setting : result.of_records[record])
       text += result.of_records.size() == 1 ? fmt::format("{}: {}\n", setting.name, setting.value)
                                             : fmt::format("# {}: {}  (in {})\n", setting.name, setting.value,
-                                                          result.records[record].label);
+                                                          visible(result.records[record].label));
   return text;
 }
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "engine/cli/commands.hpp"
+#include "engine/cli/console.hpp"
 #include "engine/diagram/flatten.hpp"
 #include "engine/table/file.hpp"
 
@@ -11,14 +12,14 @@ namespace stepwire {
 ExitCode flatten_file(const FlattenCommand& command, const Registry& registry) {
   std::error_code none;
   if (!command.out.empty() && std::filesystem::equivalent(command.file, command.out, none)) {
-    fmt::print(stderr, "{} would be written over itself; give -o another name\n", command.file);
+    complain("{} would be written over itself; give -o another name\n", command.file);
     return ExitCode::wrong;
   }
   Loader loader(registry, command.options.limits);
   const Plan plan = make_plan(loader.load(command.file, command.options.settings));
   const std::string text = flattened_text(plan.diagram);
   if (command.out.empty()) {
-    fmt::print("{}", text);
+    put_data(text);
   } else {
     write_file(command.out, text);
   }

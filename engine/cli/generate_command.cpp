@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "engine/cli/commands.hpp"
+#include "engine/cli/console.hpp"
 #include "engine/cli/version.hpp"
 #include "engine/generate/program_files.hpp"
 #include "engine/table/file.hpp"
@@ -18,8 +19,7 @@ ExitCode generate_files(const GenerateCommand& command, const Registry& registry
     require_folder(target.parent_path().string());
     write_file(target.string(), text);
   }
-  fmt::print(
-      "{}: {} blocks written to {}; cmake -S {} -B {}/build && cmake --build {}/build makes a program\n",
+  say("{}: {} blocks written to {}; cmake -S {} -B {}/build && cmake --build {}/build makes a program\n",
       command.file, work.job.plan.blocks.size(), command.out, command.out, command.out, command.out);
   return ExitCode::done;
 }

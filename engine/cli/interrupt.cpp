@@ -2,16 +2,33 @@
 
 #include <csignal>
 
+#include "engine/base/leftovers.hpp"
+#include "engine/process/process.hpp"
+
 namespace stepwire {
 
 namespace {
 
-std::atomic<bool> flag = false;  // a signal handler can reach nothing else
-static_assert(std::atomic<bool>::is_always_lock_free);
+// A signal handler can reach nothing else.
+std::atomic<bool> flag = false;
+std::atomic<int> orderly = 0;
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
 void handle(int signal) {
-  flag = true;
+  processes_stop() = true;
+  if (!flag.exchange(true) || orderly > 0) return;
+  remove_leftovers();
   std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+void catch_signal(int signal) {
+  struct sigaction action {};
+  action.sa_handler = handle;
+  action.sa_flags = SA_RESTART;
+  sigemptyset(&action.sa_mask);
+  for (const int other : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&action.sa_mask, other);
+  ::sigaction(signal, &action, nullptr);
 }
 
 }  // namespace
@@ -20,9 +37,22 @@ const std::atomic<bool>& interrupted() {
   return flag;
 }
 
-void catch_interrupts() {
-  std::signal(SIGINT, handle);
-  std::signal(SIGTERM, handle);
+void catch_signals() {
+  processes_stop() = false;  // it is made before a handler needs it
+  for (const int signal : {SIGINT, SIGTERM}) catch_signal(signal);
+  struct sigaction known {};
+  ::sigaction(SIGHUP, nullptr, &known);
+  if (known.sa_handler != SIG_IGN) catch_signal(SIGHUP);  // nohup
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+OrderlyEnd::OrderlyEnd() {
+  ++orderly;
+}
+
+OrderlyEnd::~OrderlyEnd() {
+  --orderly;
 }
 
 }  // namespace stepwire

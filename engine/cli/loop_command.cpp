@@ -2,16 +2,20 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 #include "engine/cli/commands.hpp"
+#include "engine/cli/console.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/loop_report.hpp"
 #include "engine/cli/report.hpp"
 #include "engine/generate/generated_code.hpp"
+#include "engine/process/process.hpp"
 #include "engine/realtime/row_writer.hpp"
 #include "engine/replay/replay_folder.hpp"
 #include "engine/run/memory.hpp"
 #include "engine/table/file.hpp"
+#include "engine/table/owned_folder.hpp"
 
 namespace stepwire {
 
@@ -64,7 +68,7 @@ std::vector<CompiledPlan> code_for(const Plan& plan, Engine engine) {
   GeneratedCode source;
   std::vector<CompiledPlan> code = source.compile({&plan}, {});
   const std::string problem = source.take_problem();
-  if (!problem.empty()) fmt::print(stderr, "interpreted, since {}\n", problem);
+  if (!problem.empty()) complain("interpreted, since {}\n", problem);
   return code;
 }
 
@@ -85,7 +89,7 @@ Served serve_all(Loop& loop, const LoopSettings& settings, std::optional<Cyclict
 void write_results(const std::string& folder, const LoopOutcome& outcome) {
   write_file(folder + "/loop.json", loop_json(outcome).text() + "\n");
   write_file(folder + "/loop.svg", loop_figure(outcome));
-  fmt::print("  written to {}\n", folder);
+  say("  written to {}\n", folder);
 }
 
 ExitCode code_of(const LoopOutcome& outcome) {
@@ -105,9 +109,9 @@ ExitCode code_of(const LoopOutcome& outcome) {
 /// What went wrong, on the standard error.
 ExitCode print_troubles(const LoopOutcome& outcome) {
   ExitCode code = code_of(outcome);
-  if (const auto fault = outcome.loop.simulation().fault()) fmt::print(stderr, "{}\n", fault->fault.text());
+  if (const auto fault = outcome.loop.simulation().fault()) complain("{}\n", fault->fault.text());
   if (!outcome.rows || outcome.rows->trouble.empty()) return code;
-  fmt::print(stderr, "{}; {} rows are lost\n", outcome.rows->trouble, outcome.rows->lost_to_disk);
+  complain("{}; {} rows are lost\n", outcome.rows->trouble, outcome.rows->lost_to_disk);
   return worst(code, ExitCode::surroundings);
 }
 
@@ -118,9 +122,10 @@ ExitCode run_loop(const LoopCommand& command, const Registry& registry) {
   const Plan plan = plan_for_loop(command, registry, settings);
   std::optional<Cyclictest> baseline;
   if (command.baseline) baseline.emplace(settings.rate, settings.policy, settings.cpu);
+  std::optional<OwnedFolder> folder;
   std::unique_ptr<RowsToFolder> recording;
   if (!command.out.empty()) {
-    require_folder(command.out);
+    folder.emplace(command.out, [&] { return files_read(plan); });
     write_replay(command.out, plan);  // of the data files as they are now
     recording = std::make_unique<RowsToFolder>(plan, settings, command.out);
   }
@@ -129,10 +134,12 @@ ExitCode run_loop(const LoopCommand& command, const Registry& registry) {
   const std::vector<CompiledPlan> compiled = code_for(plan, command.engine);
   const LoopOptions options{settings.rate, settings.deadlines, settings.overrun, &interrupted(),
                             compiled.empty() ? nullptr : &compiled.front()};
+  const OrderlyEnd orderly;
   Loop loop(plan, options, device, clock, recording ? &recording->recorder() : nullptr);
   LoopOutcome outcome{loop, settings, serve_all(loop, settings, baseline), {}, std::move(baseline)};
   if (recording) outcome.rows = recording->finish();
-  fmt::print("{}", loop_text(outcome));
+  processes_stop() = false;  // of an interrupted loop there is a picture, too
+  put_text(loop_text(outcome));
   const ExitCode code = print_troubles(outcome);
   if (recording) write_results(command.out, outcome);
   return code;

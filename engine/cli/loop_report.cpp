@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/base/characters.hpp"
 #include "engine/cli/version.hpp"
 #include "engine/realtime/machine.hpp"
 
@@ -26,8 +27,9 @@ std::string head_text(const LoopOutcome& outcome) {
       "{}\n  {}: {} blocks, {} states, step {:.6g} s, {}; {:.6g} Hz for {:.6g} s, {}\n"
       "  {}: {} of {} deadlines, {} steps, diagram time {:.6g} s\n"
       "  missed {}: {} late, {} dropped; the longest row {}\n",
-      plan.diagram.title.empty() ? plan.diagram.file : plan.diagram.title, plan.diagram.file,
-      plan.diagram.blocks.size(), plan.layout.state_count + plan.layout.discrete_count, plan.diagram.step,
+      visible(plan.diagram.title.empty() ? plan.diagram.file : plan.diagram.title),
+      visible(plan.diagram.file), plan.diagram.blocks.size(),
+      plan.layout.state_count + plan.layout.discrete_count, plan.diagram.step,
       outcome.loop.simulation().compiled() ? "compiled" : "interpreted", outcome.settings.rate,
       outcome.settings.duration, outcome.served.policy, end_word(outcome.loop.end()), deadlines.index(),
       outcome.settings.deadlines, outcome.loop.steps(), outcome.loop.simulation().time(), deadlines.missed(),
@@ -81,7 +83,8 @@ std::string rows_text(const LoopRows& rows) {
 std::string notes_text(const LoopOutcome& outcome) {
   std::string text;
   for (const RaisedNotice& notice : outcome.loop.simulation().notices())
-    text += fmt::format("  note {}: {} (first at {:.6g} s)\n", notice.block, notice.text, notice.time);
+    text += fmt::format("  note {}: {} (first at {:.6g} s)\n", visible(notice.block), visible(notice.text),
+                        notice.time);
   for (const std::string& line : outcome.served.refused) text += fmt::format("  note {}\n", line);
   if (diagram_of(outcome).stop < outcome.settings.duration)
     text += fmt::format("  note the file's stop of {:.6g} s does not end a loop\n", diagram_of(outcome).stop);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "engine/base/characters.hpp"
+
 namespace stepwire {
 
 namespace {
@@ -14,10 +16,10 @@ constexpr int width = 32;
 
 }  // namespace
 
-Progress::Progress(std::string label) : label_(std::move(label)), on_terminal_(isatty(STDERR_FILENO) == 1) {}
+Progress::Progress(const std::string& label) : label_(visible(label)), on_terminal_(isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
-  if (on_terminal_ && last_permille_ >= 0) fmt::print(stderr, "\r\x1b[K");
+  if (on_terminal_ && last_permille_ >= 0) std::fputs("\r\x1b[K", stderr);
 }
 
 void Progress::show(double fraction, const std::string& what) {
@@ -26,8 +28,9 @@ void Progress::show(double fraction, const std::string& what) {
   if (!on_terminal_ || (permille == last_permille_ && what.empty())) return;
   last_permille_ = std::max(permille, last_permille_);
   const int full = width * last_permille_ / 1000;
-  fmt::print(stderr, "\r\x1b[K{} [{:=<{}}{: <{}}] {:3} % {}", label_, "", full, "", width - full,
-             last_permille_ / 10, what);
+  const std::string bar = fmt::format("\r\x1b[K{} [{:=<{}}{: <{}}] {:3} % {}", label_, "", full, "",
+                                      width - full, last_permille_ / 10, visible(what));
+  std::fputs(bar.c_str(), stderr);
   std::fflush(stderr);
 }
 

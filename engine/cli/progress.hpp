@@ -8,7 +8,7 @@ namespace stepwire {
 /// A bar on the standard error while something takes long; silent where that is no terminal.
 class Progress {
  public:
-  explicit Progress(std::string label);
+  explicit Progress(const std::string& label);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;

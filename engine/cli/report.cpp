@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <new>
 #include <stdexcept>
-#include <system_error>
+#include <string_view>
 
+#include "engine/base/characters.hpp"
+#include "engine/cli/console.hpp"
 #include "engine/document/error.hpp"
+#include "engine/process/process.hpp"
 #include "engine/table/file.hpp"
 
 namespace stepwire {
@@ -20,8 +23,14 @@ std::string verdict_line(const Verdict& verdict) {
       verdict.holds     ? "ok  "
       : verdict.fails() ? "FAIL"
                         : "note",
-      verdict.that, verdict.shown, verdict.check, verdict.note.empty() ? "" : "; " + verdict.note,
-      verdict.disagrees.empty() ? "" : fmt::format("; {}: {}", verdict.word(), verdict.disagrees));
+      visible(verdict.that), visible(verdict.shown), visible(verdict.check),
+      verdict.note.empty() ? "" : "; " + visible(verdict.note),
+      verdict.disagrees.empty() ? "" : fmt::format("; {}: {}", verdict.word(), visible(verdict.disagrees)));
+}
+
+ExitCode refused(std::string_view why, ExitCode code) {
+  complain("{}\n", why);
+  return code;
 }
 
 }  // namespace
@@ -29,10 +38,10 @@ std::string verdict_line(const Verdict& verdict) {
 std::string outcome_text(const Work& work, const Outcome& outcome) {
   const Diagram& diagram = work.job.plan.diagram;
   const std::size_t runs = std::max<std::size_t>(1, work.job.points.size());
-  std::string text =
-      fmt::format("{}\n  {}: {} blocks, {}{} ticks, {:.3g} s\n",
-                  diagram.title.empty() ? work.file : diagram.title, work.file, diagram.blocks.size(),
-                  runs > 1 ? fmt::format("{} runs, ", runs) : "", outcome.result.ticks, outcome.seconds);
+  std::string text = fmt::format(
+      "{}\n  {}: {} blocks, {}{} ticks, {:.3g} s\n",
+      visible(diagram.title.empty() ? work.file : diagram.title), visible(work.file), diagram.blocks.size(),
+      runs > 1 ? fmt::format("{} runs, ", runs) : "", outcome.result.ticks, outcome.seconds);
   std::size_t held = 0;
   for (const Verdict& verdict : outcome.verdicts) {
     if (verdict.kind == Claim::Kind::invariant && verdict.holds)
@@ -43,7 +52,8 @@ std::string outcome_text(const Work& work, const Outcome& outcome) {
   if (held > 0)
     text += fmt::format("  ok   held throughout: {} {}\n", held, held == 1 ? "invariant" : "invariants");
   for (const RaisedNotice& notice : outcome.result.notices)
-    text += fmt::format("  note {}: {} (first at {:.6g} s)\n", notice.block, notice.text, notice.time);
+    text += fmt::format("  note {}: {} (first at {:.6g} s)\n", visible(notice.block), visible(notice.text),
+                        notice.time);
   return text;
 }
 
@@ -55,7 +65,7 @@ std::string units_text(const Diagram& diagram) {
       const auto& dimension = diagram.output_dimensions[b][o];
       const std::string port =
           block.type().outputs.size() == 1 ? block.name : block.name + "." + block.type().outputs[o].name;
-      text += fmt::format("  {:<40} {}\n", port, dimension ? si_name(*dimension) : "not known");
+      text += fmt::format("  {:<40} {}\n", visible(port), dimension ? si_name(*dimension) : "not known");
     }
   }
   return text;
@@ -65,33 +75,28 @@ void print_faults(const RunResult& result) {
   constexpr std::size_t most_shown = 10;
   const auto& faults = result.faults;
   for (std::size_t i = 0; i < std::min(faults.size(), most_shown); ++i)
-    fmt::print(stderr, "{}\n", faults[i].fault.text());
+    complain("{}\n", faults[i].fault.text());
   if (faults.size() > most_shown)
-    fmt::print(stderr, "and {} more runs of the sweep ended early\n", faults.size() - most_shown);
+    complain("and {} more runs of the sweep ended early\n", faults.size() - most_shown);
 }
 
 ExitCode guarded(const std::function<ExitCode()>& action) {
   try {
     return action();
   } catch (const Error& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return ExitCode::wrong;
+    return refused(error.what(), ExitCode::wrong);
   } catch (const TableError& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return ExitCode::wrong;
-  } catch (const SurroundingsError& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return ExitCode::surroundings;
-  } catch (const std::system_error& error) {  // of files and of threads
-    fmt::print(stderr, "{}\n", error.what());
-    return ExitCode::surroundings;
+    return refused(visible(error.what()), ExitCode::wrong);
+  } catch (const ProcessStopped&) {
+    return ExitCode::interrupted;
   } catch (const std::length_error&) {  // a container that was asked for more than any memory has
-    fmt::print(stderr, "this run needs more memory than there can be\n");
-    return ExitCode::surroundings;
+    return refused("this run needs more memory than there can be", ExitCode::surroundings);
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr,
-               "there is not enough memory for this run; record fewer signals or give 'record' an 'every'\n");
-    return ExitCode::surroundings;
+    return refused(
+        "there is not enough memory for this run; record fewer signals or give 'record' an 'every'",
+        ExitCode::surroundings);
+  } catch (const std::exception& error) {  // SurroundingsError, system_error of files and threads, and others
+    return refused(error.what(), ExitCode::surroundings);
   }
 }
 

@@ -2,8 +2,12 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
+#include <set>
+#include <utility>
 
 #include "engine/cli/commands.hpp"
+#include "engine/cli/console.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/output.hpp"
 #include "engine/cli/profile_report.hpp"
@@ -13,6 +17,7 @@
 #include "engine/generate/generated_code.hpp"
 #include "engine/replay/replay_folder.hpp"
 #include "engine/table/file.hpp"
+#include "engine/table/owned_folder.hpp"
 
 namespace stepwire {
 
@@ -30,8 +35,8 @@ bool folders_differ(const RunCommand& command) {
   for (const std::string& file : command.files) {
     const auto [first, is_new] = files.emplace(folder_of(command, file), file);
     if (is_new || command.out.empty()) continue;
-    fmt::print(stderr, "{} and {} would both be written to {}; give each a call with its own --out\n",
-               first->second, file, first->first);
+    complain("{} and {} would both be written to {}; give each a call with its own --out\n", first->second,
+             file, first->first);
     return false;
   }
   return true;
@@ -47,16 +52,16 @@ ExitCode check(const Work& work, const RunCommand& command, Json& results) {
     results.push(result.set("figures", work.figures.size()));
     return ExitCode::done;
   }
-  if (command.units) fmt::print("{}", units_text(diagram));
-  fmt::print("{}: {} blocks, {} claims, {} figures: nothing wrong\n", work.file, diagram.blocks.size(),
-             work.claims.size(), work.figures.size());
+  if (command.units) put_text(units_text(diagram));
+  say("{}: {} blocks, {} claims, {} figures: nothing wrong\n", work.file, diagram.blocks.size(),
+      work.claims.size(), work.figures.size());
   return ExitCode::done;
 }
 
 /// Says once why nothing is compiled.
 void tell_problem(GeneratedCode& code) {
   const std::string problem = code.take_problem();
-  if (!problem.empty()) fmt::print(stderr, "interpreted, since {}\n", problem);
+  if (!problem.empty()) complain("interpreted, since {}\n", problem);
 }
 
 Outcome carry_out_visibly(const Work& work, Engine engine, GeneratedCode& code) {
@@ -92,7 +97,6 @@ ExitCode fit_first(Work& work, const RunCommand& command, const Registry& regist
     throw Error(
         Fault{{work.file, {}}, "", "asks for no fit; a section 'fit' names parameters and records", {}});
   if (!work.fit) return ExitCode::done;
-  if (!command.out.empty()) require_folder(folder_of(command, work.file));
   const bool compiles =
       command.engine == Engine::compiled || (command.engine == Engine::automatic && worth_compiling(work));
   const FitResult result =
@@ -102,7 +106,7 @@ ExitCode fit_first(Work& work, const RunCommand& command, const Registry& regist
   if (command.json)
     results.push(Json::object().set("fit", fit_json(work, result)));
   else
-    fmt::print("{}", fit_text(result));
+    put_text(fit_text(result));
   if (code_of(result) == ExitCode::done)
     work = prepare(registry, work.file, with_fitted(command.options, result));
   return code_of(result);
@@ -112,7 +116,6 @@ ExitCode fit_first(Work& work, const RunCommand& command, const Registry& regist
 ExitCode study(Work& work, const RunCommand& command, const Registry& registry, Studies& studies,
                Json& results) {
   const std::string folder = command.out.empty() ? "" : folder_of(command, work.file);
-  if (!folder.empty()) require_folder(folder);
   const StudyCall call{command.engine, command.study_threads, true};
   if (command.study_repeats > 0)
     return repeat_study(registry, work, command.options, call, command.study_repeats, folder);
@@ -128,8 +131,8 @@ ExitCode study(Work& work, const RunCommand& command, const Registry& registry, 
     results.push(result.set("study", study_json(work, *experiments)));
     return outcome.code;
   }
-  fmt::print("{}{}", study_text(work, *experiments), outcome_text(work, outcome));
-  if (!folder.empty()) fmt::print("  written to {}\n", folder);
+  say("{}{}", study_text(work, *experiments), outcome_text(work, outcome));
+  if (!folder.empty()) say("  written to {}\n", folder);
   return outcome.code;
 }
 
@@ -139,12 +142,23 @@ void require_study(const Work& work, const RunCommand& command) {
         {work.file, {}}, "", "asks for no study; a section 'study' names task, people and conditions", {}});
 }
 
+/// The folder of a file's results, from now on this run's alone. What the file itself reads may lie there,
+/// and experiments that took hours stay for the call that goes on with them.
+std::optional<OwnedFolder> own_folder(const RunCommand& command, const Work& work) {
+  if (command.out.empty()) return std::nullopt;
+  const std::string folder = folder_of(command, work.file);
+  return std::optional<OwnedFolder>(std::in_place, folder, [&] {
+    std::set<std::string> files = files_read(work.job);
+    files.insert({folder + "/experiments.csv", folder + "/experiments.json"});
+    if (work.study) files.insert(work.study->trials);
+    return files;
+  });
+}
+
 ExitCode run(const Work& work, const RunCommand& command, GeneratedCode& code, Json& results) {
   const std::string folder = command.out.empty() ? "" : folder_of(command, work.file);
-  if (!folder.empty()) {  // better now than after an hour, in which data files may change
-    require_folder(folder);
-    write_replay(folder, work.job);
-  }
+  // Better now than after an hour, in which data files may change.
+  if (!folder.empty()) write_replay(folder, work.job);
   const Outcome outcome = carry_out_visibly(work, command.engine, code);
   print_faults(outcome.result);
   if (!folder.empty()) write_outputs(folder, work, outcome);
@@ -156,10 +170,10 @@ ExitCode run(const Work& work, const RunCommand& command, GeneratedCode& code, J
     results.push(std::move(result));
     return outcome.code;
   }
-  if (command.units) fmt::print("{}", units_text(work.job.plan.diagram));
-  fmt::print("{}", outcome_text(work, outcome));
-  if (profile) fmt::print("{}", profile_text(work, *profile));
-  if (!folder.empty()) fmt::print("  written to {}\n", folder);
+  if (command.units) put_text(units_text(work.job.plan.diagram));
+  put_text(outcome_text(work, outcome));
+  if (profile) put_text(profile_text(work, *profile));
+  if (!folder.empty()) say("  written to {}\n", folder);
   return outcome.code;
 }
 
@@ -177,12 +191,13 @@ ExitCode run_files(const RunCommand& command, const Registry& registry) {
                    Work work = prepare(registry, file, command.options);
                    if (command.check_only) return check(work, command, results);
                    require_study(work, command);
+                   const auto folder = own_folder(command, work);
                    if (work.study) return study(work, command, registry, studies, results);
                    const ExitCode fitted = fit_first(work, command, registry, compiler, results);
                    return fitted == ExitCode::done ? run(work, command, compiler, results) : fitted;
                  }));
   }
-  if (command.json) fmt::print("{}\n", results.text());
+  if (command.json) say("{}\n", results.text());
   return interrupted() ? ExitCode::interrupted : code;
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <mutex>
 
+#include "engine/cli/console.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/studying.hpp"
@@ -82,7 +83,6 @@ ExitCode repeat_study(const Registry& registry, const Work& work, const WorkOpti
                           "{}; leave one of them with --set",
                           studies),
               {}});
-  require_folder(folder);
   Repetition repetition(outcome_columns(request));
   ExperimentFile file(folder, work, repetition);
   std::vector<std::uint64_t> missing;
@@ -90,13 +90,13 @@ ExitCode repeat_study(const Registry& registry, const Work& work, const WorkOpti
     if (!repetition.has(seed)) missing.push_back(seed);
   perform_missing(registry, work, options, call, missing, file);
   if (interrupted()) {
-    fmt::print("{} experiments are done; the same call goes on\n", repetition.size());
+    say("{} experiments are done; the same call goes on\n", repetition.size());
     return ExitCode::interrupted;
   }
   const TextTable table = repetition.table(request);
   write_file(folder + "/experiments.svg", repetition.picture(request));
   write_file(folder + "/experiments.txt", text(table));
-  fmt::print("{}  written to {}\n", text(table), folder);
+  say("{}  written to {}\n", text(table), folder);
   return ExitCode::done;
 }
 

@@ -1,6 +1,7 @@
 // What a study found, for people and for programs.
 #include <fmt/format.h>
 
+#include "engine/base/characters.hpp"
 #include "engine/cli/recorded_study.hpp"
 #include "engine/cli/studying.hpp"
 #include "engine/replay/replay_folder.hpp"
@@ -163,8 +164,8 @@ std::string study_text(const Work& work, const Experiments& experiments) {
                   experiments.size() == 1 ? "" : fmt::format(", {} studies of a sweep", experiments.size()));
   for (const Experiment& experiment : experiments)
     for (const std::string& remark : experiment.remarks)
-      result += fmt::format("  note {}{}{}\n", remark, experiment.sets.empty() ? "" : "; with ",
-                            settings_text(experiment.sets));
+      result += fmt::format("  note {}{}{}\n", visible(remark), experiment.sets.empty() ? "" : "; with ",
+                            visible(settings_text(experiment.sets)));
   for (const NamedTable& one : work.tables)
     if (one.name == "means" || one.name == "significance") result += "\n" + text(*one.table);
   return result + "\n";

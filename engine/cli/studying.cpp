@@ -7,6 +7,7 @@
 #include <optional>
 #include <thread>
 
+#include "engine/cli/console.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/generate/generated_code.hpp"
@@ -36,7 +37,7 @@ Experiments make_experiments(const Registry& registry, const Work& work, const W
                                     [&] { progress.show(static_cast<double>(++done) / all); });
   runs.reset();  // so that nothing is compiled any more, which may have a problem to tell
   const std::string problem = code.take_problem();
-  if (!problem.empty()) fmt::print(stderr, "interpreted, since {}\n", problem);
+  if (!problem.empty()) complain("interpreted, since {}\n", problem);
   return experiments;
 }
 

@@ -6,7 +6,9 @@
 #include <thread>
 #include <utility>
 
+#include "engine/base/characters.hpp"
 #include "engine/cli/commands.hpp"
+#include "engine/cli/console.hpp"
 #include "engine/cli/fitting.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/output.hpp"
@@ -18,7 +20,9 @@
 #include "engine/figure/gallery.hpp"
 #include "engine/generate/generated_code.hpp"
 #include "engine/replay/replay_folder.hpp"
+#include "engine/run/parallel.hpp"
 #include "engine/table/file.hpp"
+#include "engine/table/owned_folder.hpp"
 
 namespace stepwire {
 
@@ -53,10 +57,10 @@ class Maker {
         codes_(files_.size(), ExitCode::done) {}
 
   void run() {
-    std::vector<std::jthread> threads;
     const std::size_t count =
         std::min<std::size_t>(files_.size(), std::max(1u, std::thread::hardware_concurrency()));
-    for (std::size_t i = 0; i < count; ++i) threads.emplace_back([this] { work(); });
+    const auto others = begin_threads(count, [this] { work(); });
+    work();
   }
 
   /// In the order of the thesis.
@@ -150,8 +154,8 @@ void summarise(const std::vector<GalleryEntry>& entries) {
   for (const GalleryEntry& entry : entries)
     for (const Verdict& verdict : entry.verdicts)
       if (!verdict.holds)
-        fmt::print("{}: {}: {}: {} ({})\n", entry.folder, verdict.word(), verdict.that, verdict.shown,
-                   verdict.check);
+        say("{}: {}: {}: {} ({})\n", visible(entry.folder), verdict.word(), visible(verdict.that),
+            visible(verdict.shown), visible(verdict.check));
 }
 
 constexpr const char* introduction =
@@ -173,18 +177,17 @@ ExitCode run_thesis(const ThesisCommand& command, const Registry& registry) {
   return guarded([&] {
     const auto files = figure_files(command);
     if (files.empty()) {
-      fmt::print(stderr, "no diagram file in {} begins with {}\n", command.diagrams,
-                 fmt::join(command.only, " or "));
+      complain("no diagram file in {} begins with {}\n", command.diagrams, fmt::join(command.only, " or "));
       return ExitCode::wrong;
     }
-    require_folder(command.out);
+    const OwnedFolder folder(command.out);
     Maker maker(command, registry, files);
     maker.run();
     std::vector<GalleryEntry> entries = maker.entries();
     summarise(entries);
     if (!interrupted()) print_chapters(command.out, entries);
     const std::string page = write_gallery(command.out, entries);
-    fmt::print("{} diagram files; see {}\n{}\n", files.size(), page, gallery_verdict(entries));
+    say("{} diagram files; see {}\n{}\n", files.size(), page, gallery_verdict(entries));
     return interrupted() ? ExitCode::interrupted : maker.code();
   });
 }

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "engine/cli/commands.hpp"
+#include "engine/cli/console.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/recorded_study.hpp"
 #include "engine/cli/report.hpp"
@@ -13,9 +14,8 @@ namespace {
 /// Trials that were recorded cannot be replayed; they are analysed again.
 ExitCode verify_analysis(const std::string& folder, const Registry& registry) {
   const std::string difference = verify_recorded(folder, registry);
-  fmt::print("{}\n", difference.empty()
-                         ? folder + ": errors and tables of the recorded trials: all bits agree"
-                         : difference);
+  say("{}\n", difference.empty() ? folder + ": errors and tables of the recorded trials: all bits agree"
+                                 : difference);
   return difference.empty() ? ExitCode::done : ExitCode::fails;
 }
 
@@ -24,10 +24,10 @@ ExitCode verify_folder(const std::string& folder, const Registry& registry) {
   const Verification verification = verify(folder, registry, &interrupted());
   if (verification.interrupted) return ExitCode::interrupted;
   if (verification.difference.empty()) {
-    fmt::print("{}: {}\n", folder, verification_text(verification));
+    say("{}: {}\n", folder, verification_text(verification));
     return ExitCode::done;
   }
-  fmt::print("{}\n", verification_text(verification));
+  say("{}\n", verification_text(verification));
   return ExitCode::fails;
 }
 

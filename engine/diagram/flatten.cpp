@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <set>
 
+#include "engine/base/hash.hpp"
 #include "engine/diagram/block_keys.hpp"
 #include "engine/diagram/external_input.hpp"
 #include "engine/diagram/written.hpp"
@@ -17,12 +17,6 @@
 namespace stepwire {
 
 namespace {
-
-std::string hash_of(std::string_view text) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-  return fmt::format("{:016x}", hash);
-}
 
 constexpr Dimension time_dimension{{0.0, 0.0, 1.0}};
 

@@ -6,6 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "engine/base/characters.hpp"
+
 namespace stepwire {
 namespace {
 
@@ -13,13 +15,6 @@ std::string text_of(const Place& place) {
   if (place.mark.line == 0) return place.file;
   const std::string in_file = fmt::format("{}:{}", place.mark.line, place.mark.column);
   return place.file.empty() ? in_file : place.file + ":" + in_file;
-}
-
-// What a user wrote may hold line breaks, and a fault is one line.
-std::string on_one_line(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
-  return text;
 }
 
 bool same(const Place& a, const Place& b) {
@@ -70,7 +65,7 @@ std::string Fault::text() const {
   if (!subject.empty()) line += subject + ": ";
   line += message;
   for (const Place& user : used_by) line += " (used by " + text_of(user) + ")";
-  return on_one_line(std::move(line));
+  return visible(line);  // what a user wrote may hold line breaks, and a fault is one line
 }
 
 Error::Error(Fault fault) : Error(std::vector<Fault>{std::move(fault)}) {}

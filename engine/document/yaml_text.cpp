@@ -7,6 +7,8 @@
 #include <string_view>
 #include <utility>
 
+#include "engine/base/characters.hpp"
+
 namespace stepwire {
 namespace {
 
@@ -29,15 +31,10 @@ bool is_plain(const std::string& text) {
 std::string in_quotes(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte == 0x7f) {
-      result += fmt::format("\\x{:02x}", byte);
-    } else {
-      if (c == '"' || c == '\\') result += '\\';
-      result += c;
-    }
+    if (c == '"' || c == '\\') result += '\\';
+    result += c;
   }
-  return result + '"';
+  return visible(result) + '"';  // what visible() writes is what YAML reads as these characters
 }
 
 std::string scalar_text(const Node& node) {

@@ -1,15 +1,14 @@
 #include "engine/draw/draw.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <optional>
 
+#include "engine/base/hash.hpp"
 #include "engine/diagram/report.hpp"
 #include "engine/diagram/units.hpp"
 #include "engine/diagram/written.hpp"
-#include "engine/process/filter.hpp"
+#include "engine/process/process.hpp"
 #include "engine/table/cache.hpp"
 #include "engine/table/file.hpp"
 #include "engine/table/surroundings.hpp"
@@ -61,32 +60,15 @@ Diagram with_units(Diagram diagram) {
   return diagram;
 }
 
-/// What a picture follows from beside what is drawn: the modules that draw, and the version of elkjs.
-std::uint64_t hash_of_modules() {
+/// Of what a picture follows from: what is drawn, the modules that draw, and the version of elkjs.
+std::string hash_of_picture(const std::string& drawn) {
   std::vector<std::filesystem::path> files{STEPWIRE_DRAW "/package-lock.json"};
   for (const auto& entry : std::filesystem::directory_iterator(STEPWIRE_DRAW))
     if (entry.path().extension() == ".mjs") files.push_back(entry.path());
   std::sort(files.begin(), files.end());
-  std::uint64_t hash = hash_of("");
-  for (const std::filesystem::path& file : files) hash = hash_of(read_file(file.string()), hash);
-  return hash;
-}
-
-/// The picture that a former call has made; nothing where there is none.
-std::optional<std::string> kept_picture(const std::string& path) {
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) return std::nullopt;
-  std::filesystem::last_write_time(path, std::filesystem::file_time_type::clock::now(),
-                                   error);  // used just now
-  return read_file(path);
-}
-
-/// Where nothing can be kept, each call draws.
-void keep_picture(const std::string& path, const std::string& picture) {
-  try {
-    write_file(path, picture);
-  } catch (const SurroundingsError&) {
-  }
+  Hash hash;
+  for (const std::filesystem::path& file : files) hash.add(read_file(file.string()));
+  return hash.add(drawn).text();
 }
 
 void add_names(const Sheet& sheet, const std::string& above, bool signals, std::vector<std::string>& names) {
@@ -143,11 +125,12 @@ std::string draw_picture(const Json& drawn) {
   const std::string node = find_program("node");
   if (node.empty()) throw SurroundingsError("node is not installed; on Debian it is the package nodejs");
   const std::string text = drawn.text(-1);
-  const std::string path = fmt::format("{}/{:016x}.svg", cache_folder(), hash_of(text, hash_of_modules()));
-  if (std::optional<std::string> picture = kept_picture(path)) return *std::move(picture);
-  const FilterAnswer answer = run_filter(node, {STEPWIRE_DRAW "/main.mjs"}, text);
-  if (answer.status != 0) throw SurroundingsError(answer.complaints);
-  keep_picture(path, answer.output);
+  const Cache cache;
+  const std::string name = hash_of_picture(text) + ".svg";
+  if (std::optional<std::string> picture = cache.find(name)) return *std::move(picture);
+  const ProcessResult answer =
+      run_helper("node", {.command = {node, STEPWIRE_DRAW "/main.mjs"}, .input = text});
+  cache.keep(name, answer.output);
   return answer.output;
 }
 

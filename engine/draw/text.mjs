@@ -39,9 +39,13 @@ export const isQuantity = (name) => /^\p{L}{1,2}(_(\{[^}]*\}|[\p{L}\p{N}]+))?$/u
 export const nameSize = (name) => (isQuantity(name) ? 15 : 12);
 export const widthOfName = (name) => (isQuantity(name) ? widthOfPieces : widthOf)(name, nameSize(name));
 
-/** A text as it may stand in XML; what XML does not allow at all becomes a blank. */
+// Controls, separators of lines, marks of direction, annotations and tags; the same as in engine/base/characters.cpp.
+const unseen =
+  // eslint-disable-next-line no-control-regex
+  /[\u0000-\u0008\u000b-\u001f\u007f-\u009f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ufdd0-\ufdef\ufeff\ufff9-\ufffb\ufffe\uffff\u{e0000}-\u{e007f}]|\p{Cs}/gu;
+
+/** A text as it may stand in XML; what XML does not allow, or what is not seen, becomes a blank. */
 export function escaped(text) {
   const names = {"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;"};
-  // eslint-disable-next-line no-control-regex
-  return text.replace(/[\u0000-\u0008\u000b\u000c\u000e-\u001f\ufffe\uffff]/g, " ").replace(/[&<>"]/g, (c) => names[c]);
+  return text.replace(unseen, " ").replace(/[&<>"]/g, (c) => names[c]);
 }

@@ -30,7 +30,7 @@ std::vector<double> places(const std::vector<Bar>& bars) {
 std::string labels(const std::vector<Bar>& bars, const std::vector<double>& at) {
   std::vector<std::string> list;
   for (std::size_t i = 0; i < bars.size(); ++i)
-    list.push_back(fmt::format("{} {}", quoted(bars[i].label), at[i]));
+    list.push_back(fmt::format("{} {}", quoted_tic(bars[i].label), at[i]));
   return fmt::format("set ytics ({})\n", fmt::join(list, ", "));
 }
 

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "engine/figure/svg.hpp"
-#include "engine/process/filter.hpp"
+#include "engine/process/process.hpp"
 #include "engine/table/surroundings.hpp"
 
 namespace stepwire {
@@ -53,10 +53,11 @@ GnuplotAnswer run_gnuplot(const std::string& script) {
     throw SurroundingsError("gnuplot is not installed; on Debian it is the package gnuplot-nox");
   // Its standard input it would read letter by letter, with a call of the system for each.
   const ScriptFile file(script);
-  FilterAnswer answer = run_filter(program, {"-d", file.path()}, "");
-  replace_all(answer.complaints, file.path(), "script");
-  if (answer.status != 0) throw SurroundingsError("gnuplot failed: " + answer.complaints);
-  return {std::move(answer.output), std::move(answer.complaints)};
+  ProcessResult result = run_process({.command = {program, "-d", file.path()}});
+  replace_all(result.errors, file.path(), "script");
+  if (result.end == ProcessResult::End::stopped) throw ProcessStopped("gnuplot was stopped");
+  if (!result.succeeded()) throw SurroundingsError("gnuplot failed: " + result.problem("gnuplot"));
+  return {std::move(result.output), std::move(result.errors)};
 }
 
 }  // namespace stepwire

@@ -28,7 +28,7 @@ std::string cells(const MatrixChart& chart, bool known) {
 std::string labels(const MatrixChart& chart) {
   std::vector<std::string> list;
   for (std::size_t i = 0; i < chart.names.size(); ++i)
-    list.push_back(fmt::format("{} {}", quoted(chart.names[i]), i));
+    list.push_back(fmt::format("{} {}", quoted_tic(chart.names[i]), i));
   const std::string all = fmt::format("{}", fmt::join(list, ", "));
   return fmt::format("set xtics ({}) rotate by 45 right scale 0\nset ytics ({}) scale 0\n", all, all);
 }

@@ -79,7 +79,7 @@ Boxes boxes_of(const Panel& panel, std::span<const Recording> recordings) {
 std::string tics(const std::vector<Group>& groups) {
   std::vector<std::string> list;
   for (std::size_t i = 0; i < groups.size(); ++i)
-    list.push_back(fmt::format("{} {}", quoted(groups[i].label), i + 1));
+    list.push_back(fmt::format("{} {}", quoted_tic(groups[i].label), i + 1));
   // Many or long labels would run into each other.
   std::size_t letters = 0;
   for (const Group& group : groups) letters += group.label.size() + 2;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "engine/base/characters.hpp"
 #include "engine/figure/svg.hpp"
 
 namespace stepwire {
@@ -123,11 +124,17 @@ std::string Script::text() const {
 
 std::string quoted(const std::string& text) {
   std::string result = "'";
-  for (const char c : text) {
+  for (const char c : printable(text)) {
     if (c == '\'') result += '\'';
     result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
   }
   return result + "'";
+}
+
+std::string quoted_tic(const std::string& text) {
+  std::string result = quoted(text);
+  replace_all(result, "%", "%%");
+  return result;
 }
 
 std::string printed_unit(const std::string& unit) {

@@ -73,8 +73,11 @@ class Script {
   std::size_t blocks_ = 0, titles_ = 0;
 };
 
-/// A text as gnuplot takes it literally: 'it''s'.
+/// A text as gnuplot takes it literally: 'it''s'. All that a diagram says goes through this, or through
+/// quoted_tic().
 std::string quoted(const std::string& text);
+/// The same for a label at a tic, which gnuplot takes for a format of numbers.
+std::string quoted_tic(const std::string& text);
 
 /// A unit as people print it: mm, N m, m/s², °; "-" where there is none.
 std::string printed_unit(const std::string& unit);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "engine/base/characters.hpp"
+
 namespace stepwire {
 namespace {
 
@@ -87,7 +89,7 @@ std::string animated(const Frames& frames, double seconds) {
 
 std::string markup_escaped(const std::string& text) {
   std::string result;
-  for (const char c : text) {
+  for (const char c : printable(text)) {
     if (c == '&')
       result += "&amp;";
     else if (c == '<')

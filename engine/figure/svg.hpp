@@ -5,7 +5,8 @@
 
 namespace stepwire {
 
-/// A text as it stands in SVG and HTML, in attributes as well: & < > " are replaced.
+/// A text as it stands in SVG and HTML, in attributes as well: & < > " are replaced, control characters are
+/// blanks.
 std::string markup_escaped(const std::string& text);
 
 void replace_all(std::string& text, const std::string& from, const std::string& to);

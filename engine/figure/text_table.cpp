@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/base/characters.hpp"
 #include "engine/figure/svg.hpp"
 
 namespace stepwire {
@@ -139,7 +140,10 @@ class TableDrawing {
 
 }  // namespace
 
-std::string text(const TextTable& table) {
+std::string text(const TextTable& given) {
+  TextTable table = given;
+  for (auto& row : table.rows)
+    for (std::string& cell : row) cell = visible(cell);
   const auto columns = columns_of(table);
   std::size_t width = 0;
   for (const ColumnLook& column : columns) width += column.width + (width > 0 ? 2 : 0);

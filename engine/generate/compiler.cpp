@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "engine/generate/process.hpp"
+#include "engine/process/process.hpp"
 #include "engine/table/file.hpp"
 
 namespace stepwire {
@@ -23,6 +23,12 @@ constexpr const char* included[] = {"algorithm",  "array",  "cmath",  "complex",
                                     "functional", "limits", "map",    "memory",  "numbers",
                                     "optional",   "span",   "string", "variant", "vector"};
 
+/// Empty where the compiler has done its work, or was stopped.
+std::string problem_of(const ProcessCall& call) {
+  const ProcessResult result = run_process(call);
+  return result.end == ProcessResult::End::stopped ? "" : result.problem("the compiler");
+}
+
 }  // namespace
 
 Compiler::Compiler() {
@@ -30,8 +36,8 @@ Compiler::Compiler() {
   const char* chosen = std::getenv("CXX");
   if (chosen && *chosen) candidates.insert(candidates.begin(), chosen);
   for (const std::string& candidate : candidates) {
-    const ProcessResult result = run_process({candidate, "--version"});
-    if (result.status != 0) continue;
+    const ProcessResult result = run_process({.command = {candidate, "--version"}});
+    if (!result.succeeded()) continue;
     path_ = candidate;
     version_ = result.output.substr(0, result.output.find('\n'));
     return;
@@ -66,9 +72,7 @@ std::string Compiler::compile(const std::string& source, const std::string& libr
   if (is_gcc() && std::filesystem::exists(headers)) command.insert(command.end(), {"-include", headers});
   command.insert(command.end(),
                  {"-shared", "-I", source_folder(), "-isystem", STEPWIRE_EIGEN, "-o", library, source});
-  const ProcessResult result = run_process(command, stop);
-  if (result.status == 0) return "";
-  return result.output.empty() ? "the compiler could not be run, or was stopped" : result.output;
+  return problem_of({.command = command, .stop = stop, .limit = compiler_limit()});
 }
 
 std::string Compiler::precompile(const std::string& folder, const std::vector<std::string>& more) const {
@@ -82,8 +86,7 @@ std::string Compiler::precompile(const std::string& folder, const std::vector<st
   write_file(header, text);
   std::vector<std::string> command = this->command(more);
   command.insert(command.end(), {"-x", "c++-header", header, "-o", header + ".gch/" + name});
-  const ProcessResult result = run_process(command);
-  return result.status == 0 ? "" : result.output;
+  return problem_of({.command = command, .limit = compiler_limit()});
 }
 
 std::string source_folder() {

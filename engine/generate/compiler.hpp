@@ -23,7 +23,7 @@ class Compiler {
   static constexpr const char* native = "-march=native";
 
   /// Compiles a source into a shared library, with further flags. Empty if that went well, else what the
-  /// compiler said. A stop kills the compiler.
+  /// compiler said. A stop ends the compiler, and there is no library then.
   std::string compile(const std::string& source, const std::string& library,
                       const std::vector<std::string>& more, const std::stop_token& stop) const;
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <vector>
 
+#include "engine/generate/cpp_words.hpp"
 #include "engine/generate/literals.hpp"
 #include "engine/generate/names.hpp"
 #include "engine/solve/solver.hpp"
@@ -27,7 +28,7 @@ std::string unit_text(const Plan& plan, const SignalRef& signal) {
 std::vector<Member> inputs_of(const Plan& plan) {
   std::vector<Member> members;
   for (const DiagramInput& input : plan.diagram.inputs)
-    members.push_back({identifier(input.name) + "_", input.doc + unit_text(plan, {input.block, 0, -1}),
+    members.push_back({cpp_identifier(input.name) + "_", input.doc + unit_text(plan, {input.block, 0, -1}),
                        plan.blocks[static_cast<std::size_t>(input.block)].outputs.front()});
   return members;
 }
@@ -35,7 +36,7 @@ std::vector<Member> inputs_of(const Plan& plan) {
 std::vector<Member> outputs_of(const Plan& plan) {
   std::vector<Member> members;
   for (const DiagramOutput& output : plan.diagram.outputs)
-    members.push_back({identifier(output.name) + "_", output.doc + unit_text(plan, output.signal),
+    members.push_back({cpp_identifier(output.name) + "_", output.doc + unit_text(plan, output.signal),
                        plan.slot(output.signal)});
   return members;
 }
@@ -70,7 +71,7 @@ std::string group_text(const std::string& type, const std::string& name, const s
   if (members.empty()) return "";
   std::string text = fmt::format("  /// {}\n  struct {} {{\n", doc, type);
   for (const Member& member : members)
-    text += fmt::format("    {};  ///< {}\n", type_text(member, "{}"), member.meaning);
+    text += fmt::format("    {};  ///< {}\n", type_text(member, "{}"), cpp_comment(member.meaning));
   return text + fmt::format("  }} {};\n\n", name);
 }
 
@@ -94,9 +95,8 @@ std::string fault_text(const Plan& plan) {
     const DiagramBlock& block = plan.diagram.blocks[b];
     for (std::size_t n = 0; n < block.type().notices.size(); ++n)
       if (block.type().notices[n].ends_run)
-        text +=
-            fmt::format("  if (w_[{}] != Notice::never) return \"{}: {}\";\n",
-                        plan.blocks[b].notices[n].offset, comment_of(plan, b), block.type().notices[n].doc);
+        text += fmt::format("  if (w_[{}] != Notice::never) return {};\n", plan.blocks[b].notices[n].offset,
+                            cpp_string(comment_of(plan, b) + ": " + block.type().notices[n].doc));
   }
   if (plan.layout.state_count > 0 && find_implicit(plan.diagram.solver))
     text += fmt::format("  if (w_[{}] != 0.0) return \"the step is too large for the solver\";\n",
@@ -115,7 +115,7 @@ std::string stop_text(const Plan& plan) {
 }  // namespace
 
 std::string recorded_member(const RecordedSignal& signal) {
-  return identifier(signal.name) + "_";
+  return cpp_identifier(signal.name) + "_";
 }
 
 std::string struct_text(const Plan& plan, const std::string& name) {
@@ -127,7 +127,7 @@ std::string struct_text(const Plan& plan, const std::string& name) {
              "advance(),\n/// which goes on by {2} s; step() is both. Nothing allocates, throws, locks or "
              "calls the "
              "system.\nstruct Diagram {{\n",
-             name, plan.diagram.title, number_text(plan.diagram.step)) +
+             name, cpp_comment(plan.diagram.title), number_text(plan.diagram.step)) +
          group_text("Inputs", "inputs", "Written before evaluate().", inputs_of(plan)) +
          group_text("Outputs", "outputs", "As of the last evaluate().", outputs_of(plan)) +
          group_text("Recorded", "recorded", "What the diagram records, as of the last evaluate().",

@@ -1,15 +1,17 @@
 #include "engine/generate/library.hpp"
 
 #include <dlfcn.h>
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
+#include "engine/base/hash.hpp"
 #include "engine/generate/headers.hpp"
-#include "engine/table/cache.hpp"
+#include "engine/process/scratch_folder.hpp"
 #include "engine/table/file.hpp"
 
 namespace stepwire {
@@ -28,16 +30,54 @@ std::string processor() {
   return text;
 }
 
-StepFunctions open_library(const std::string& path, std::string& problem) {
-  void* library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+/// A file in memory with these bytes, which nothing can change any more; -1 where there is none.
+int sealed_file(std::string_view bytes) {
+  const int file = ::memfd_create("stepwire", MFD_CLOEXEC | MFD_ALLOW_SEALING);
+  while (file >= 0 && !bytes.empty()) {
+    const ssize_t written = ::write(file, bytes.data(), bytes.size());
+    if (written <= 0) {
+      ::close(file);
+      return -1;
+    }
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  ::fcntl(file, F_ADD_SEALS, F_SEAL_WRITE | F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL);
+  return file;
+}
+
+/// What is loaded are these very bytes, whatever becomes of the file that they were read from. The file in
+/// memory stays open, since the loader takes another one of its number for it.
+StepFunctions open_library(const std::string& bytes, std::string& problem) {
+  const int file = sealed_file(bytes);
+  void* library = ::dlopen(fmt::format("/proc/self/fd/{}", file).c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!library) {
     problem = ::dlerror();
+    if (file >= 0) ::close(file);
     return {};
   }
   StepFunctions functions;
   functions.evaluate = reinterpret_cast<decltype(functions.evaluate)>(::dlsym(library, "stepwire_evaluate"));
   functions.advance = reinterpret_cast<decltype(functions.advance)>(::dlsym(library, "stepwire_advance"));
   return functions;
+}
+
+std::string key(const std::string& source, const GeneratedProgram& program, const Compiler& compiler) {
+  Hash hash;
+  hash.add(source);
+  for (const std::string& header : with_included(program.headers)) hash.add(header_text(header));
+  for (const std::string& flag : Compiler::flags()) hash.add(flag);
+  for (const std::string& flag : flags_for_this_machine(program.headers)) hash.add(flag).add(processor());
+  return hash.add(compiler.version()).text() + ".so";
+}
+
+/// The bytes of the compiled library; none where that fails.
+std::string compiled(const std::string& source, const std::vector<std::string>& flags,
+                     const Compiler& compiler, const std::stop_token& stop, std::string& problem) {
+  const ScratchFolder folder;
+  const std::string library = folder.path() + "/program.so";
+  write_file(folder.path() + "/program.cpp", source);
+  problem = compiler.compile(folder.path() + "/program.cpp", library, flags, stop);
+  return problem.empty() && fs::exists(library) ? read_file(library) : "";
 }
 
 }  // namespace
@@ -62,65 +102,19 @@ std::string library_source(const GeneratedProgram& program) {
   return source;
 }
 
-CodeCache::CodeCache() : CodeCache(cache_folder()) {}
-
-std::string CodeCache::key(const std::string& source, const GeneratedProgram& program,
-                           const Compiler& compiler) const {
-  std::uint64_t hash = hash_of(source);
-  const std::vector<std::string> headers = with_included(program.headers);
-  for (const std::string& header : headers) hash = hash_of(header_text(header), hash);
-  for (const std::string& flag : Compiler::flags()) hash = hash_of(flag, hash);
-  for (const std::string& flag : flags_for_this_machine(program.headers))
-    hash = hash_of(flag + processor(), hash);
-  hash = hash_of(compiler.version(), hash);
-  return fmt::format("{:016x}{:08x}", hash, source.size());
-}
-
 StepFunctions CodeCache::load(const GeneratedProgram& program, const Compiler& compiler,
                               const std::stop_token& stop, std::string& problem) const {
   try {
-    const std::string source = library_source(program);
-    const std::string path = fmt::format("{}/{}.so", folder_, key(source, program, compiler));
-    const std::vector<std::string> flags = flags_for_this_machine(program.headers);
-    if (!fs::exists(path) && !make(source, path, flags, compiler, stop, problem)) return {};
-    fs::last_write_time(path, fs::file_time_type::clock::now());  // used just now
-    return open_library(path, problem);
+    const std::string source = library_source(program), name = key(source, program, compiler);
+    if (const auto kept = cache_.find(name)) return open_library(*kept, problem);
+    const std::string made =
+        compiled(source, flags_for_this_machine(program.headers), compiler, stop, problem);
+    if (made.empty()) return {};
+    cache_.keep(name, made);
+    return open_library(made, problem);
   } catch (const std::exception& error) {  // no folder, no room, no sources: the run goes on without
     problem = error.what();
     return {};
-  }
-}
-
-bool CodeCache::make(const std::string& source, const std::string& library,
-                     const std::vector<std::string>& flags, const Compiler& compiler,
-                     const std::stop_token& stop, std::string& problem) const {
-  fs::create_directories(folder_);
-  drop_old();
-  const std::string own = fmt::format("{}.{}", library, ::getpid());  // two runs may make the same at a time
-  write_file(own + ".cpp", source);
-  problem = compiler.compile(own + ".cpp", own, flags, stop);
-  fs::remove(own + ".cpp");
-  if (problem.empty()) {
-    fs::rename(own, library);
-  } else {
-    fs::remove(own);
-  }
-  return problem.empty();
-}
-
-void CodeCache::drop_old() const {
-  std::vector<std::pair<fs::file_time_type, fs::path>> files;
-  std::uintmax_t bytes = 0;
-  std::error_code none;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder_, none)) {
-    bytes += entry.file_size(none);
-    files.emplace_back(entry.last_write_time(none), entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  for (const auto& [time, path] : files) {
-    if (bytes <= most_bytes_) return;
-    bytes -= std::min(bytes, fs::file_size(path, none));
-    fs::remove(path, none);
   }
 }
 

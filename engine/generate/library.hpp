@@ -2,10 +2,12 @@
 
 #include <stop_token>
 #include <string>
+#include <utility>
 
 #include "engine/generate/compiler.hpp"
 #include "engine/generate/program.hpp"
 #include "engine/plan/compiled_plan.hpp"
+#include "engine/table/cache.hpp"
 
 namespace stepwire {
 
@@ -17,29 +19,18 @@ std::vector<std::string> flags_for_this_machine(const std::vector<std::string>& 
 /// The source of a shared library with a program's functions.
 std::string library_source(const GeneratedProgram& program);
 
-/// A folder that keeps compiled programs, so that the same diagram is compiled once. Several processes may
-/// use it at a time: a library appears whole or not at all. The least recently used ones go when there are
-/// too many.
+/// Compiled programs, kept so that the same diagram is compiled once.
 class CodeCache {
  public:
-  /// In cache_folder().
-  CodeCache();
-  explicit CodeCache(std::string folder, std::uintmax_t most_bytes = 256u << 20u)
-      : folder_(std::move(folder)), most_bytes_(most_bytes) {}
+  explicit CodeCache(Cache cache = Cache()) : cache_(std::move(cache)) {}
 
   /// The functions of a program, from the cache or compiled; they stay loaded. On failure they are null and
-  /// `problem` says why.
+  /// `problem` says why, but for that of a stop.
   StepFunctions load(const GeneratedProgram& program, const Compiler& compiler, const std::stop_token& stop,
                      std::string& problem) const;
 
  private:
-  std::string key(const std::string& source, const GeneratedProgram& program, const Compiler& compiler) const;
-  bool make(const std::string& source, const std::string& library, const std::vector<std::string>& flags,
-            const Compiler& compiler, const std::stop_token& stop, std::string& problem) const;
-  void drop_old() const;
-
-  std::string folder_;
-  std::uintmax_t most_bytes_;
+  Cache cache_;
 };
 
 }  // namespace stepwire

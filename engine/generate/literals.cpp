@@ -50,7 +50,8 @@ std::string Literals::numbers(const double* values, Index size) {
   in_lists_.insert(in_lists_.end(), values, values + size);
   const std::string place = parameter(0.0);  // known when all single numbers are
   if (!place.empty()) return fmt::format("parameters + static_cast<Index>({})", place);
-  const std::string name = in_name_++ == 0 ? name_ : fmt::format("{}_{}", name_, in_name_);
+  std::string name = name_;
+  for (int number = 2; !names_.insert(name).second; ++number) name = fmt::format("{}_{}", name_, number);
   tables_.push_back({name, lists_.size() - 1});
   return "table::" + name;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -42,10 +43,7 @@ class Literals : public LiteralWriter {
   std::string whole(std::int64_t value) override;
 
   /// What the next table is called.
-  void name_tables(std::string name) {
-    name_ = std::move(name);
-    in_name_ = 0;
-  }
+  void name_tables(std::string name) { name_ = std::move(name); }
   /// Definitions of all tables so far.
   std::string tables() const;
   /// Every number written; parameters[i] is the i-th.
@@ -67,7 +65,7 @@ class Literals : public LiteralWriter {
   std::vector<ProgramNumbers::List> lists_;  ///< first counts in in_lists_
   std::vector<Table> tables_;
   std::string name_;
-  int in_name_ = 0;
+  std::set<std::string> names_;  ///< of tables
 };
 
 /// A double as C++ that reads back to the same bits: "5.0", "-unlimited".

@@ -3,16 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 
-namespace stepwire {
+#include "engine/generate/cpp_words.hpp"
 
-std::string identifier(std::string name) {
-  for (char& c : name)
-    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-  return std::isdigit(static_cast<unsigned char>(name.front())) ? "_" + name : name;
-}
+namespace stepwire {
 
 namespace {
 
@@ -25,16 +20,17 @@ std::string line_of(const Plan& plan, const Origin& origin) {
 
 std::string comment_of(const Plan& plan, std::size_t block) {
   const DiagramBlock& from = plan.diagram.blocks[block];
-  return fmt::format("{}: {}, {}", from.name, from.type().name, line_of(plan, from.origin));
+  return cpp_comment(fmt::format("{}: {}, {}", from.name, from.type().name, line_of(plan, from.origin)));
 }
 
 PlaceNames::PlaceNames(const Plan& plan) {
-  for (const DiagramBlock& block : plan.diagram.blocks) blocks_.push_back(identifier(block.name));
+  for (const DiagramBlock& block : plan.diagram.blocks) blocks_.push_back(free(cpp_identifier(block.name)));
+  taken_.clear();  // places have a member's name behind that of their block
   places_.push_back({Layout::time, 1, "time", "of the evaluation [s]"});
   places_.push_back({Layout::timed, 1, "timed", "for which `timed` was computed last [s]"});
   for (const NamedPlace& place : places_) {
     by_offset_[place.offset] = 0;
-    taken_[place.name] = 1;
+    taken_.insert(place.name);
   }
   for (int block : plan.memory_order) add_block(plan, static_cast<std::size_t>(block));
   for (int block : plan.memory_order) add_constants(plan, static_cast<std::size_t>(block));
@@ -43,14 +39,19 @@ PlaceNames::PlaceNames(const Plan& plan) {
   for (std::size_t i = 0; i < places_.size(); ++i) by_offset_[places_[i].offset] = i;
 }
 
+/// The name, with a number behind it where it is taken.
+std::string PlaceNames::free(const std::string& name) {
+  std::string own = name;
+  for (int number = 2; !taken_.insert(own).second; ++number) own = fmt::format("{}_{}", name, number);
+  return own;
+}
+
 void PlaceNames::add(const Plan& plan, std::size_t block, const std::string& member, const SignalSlot& slot) {
   if (slot.size == 0 || !by_offset_.emplace(slot.offset, 0).second) return;  // an output may be a state
   const DiagramBlock& from = plan.diagram.blocks[block];
-  std::string name = blocks_[block] + "_" + member;
-  if (const int before = taken_[name]++; before > 0) name += fmt::format("_{}", before + 1);
-  places_.push_back(
-      {slot.offset, slot.size, std::move(name),
-       fmt::format("{}.{}, {}, {}", from.name, member, from.type().name, line_of(plan, from.origin))});
+  places_.push_back({slot.offset, slot.size, free(blocks_[block] + "_" + member),
+                     cpp_comment(fmt::format("{}.{}, {}, {}", from.name, member, from.type().name,
+                                             line_of(plan, from.origin)))});
 }
 
 void PlaceNames::add_block(const Plan& plan, std::size_t block) {

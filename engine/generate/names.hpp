@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,7 @@ struct NamedPlace {
   std::size_t offset;
   Index size;
   std::string name;     ///< "rig_carriage_position"
-  std::string meaning;  ///< "rig.carriage.position, Mass, platform-1d.yaml:31"
+  std::string meaning;  ///< "rig.carriage.position, Mass, platform-1d.yaml:31", as part of a comment
 };
 
 /// What generated code calls the numbers of a workspace.
@@ -32,17 +33,15 @@ class PlaceNames {
   void add_block(const Plan& plan, std::size_t block);
   void add_constants(const Plan& plan, std::size_t block);
 
+  std::string free(const std::string& name);
+
   std::vector<std::string> blocks_;
   std::vector<NamedPlace> places_;
   std::map<std::size_t, std::size_t> by_offset_;
-  std::map<std::string, int> taken_;
+  std::set<std::string> taken_;
 };
 
-/// A name of a diagram as one of C++: "rig.carriage" is rig_carriage. A program puts a member's name behind
-/// it or a struct around it, so that no word of the language stands alone.
-std::string identifier(std::string name);
-
-/// "carriage: Mass, platform-1d.yaml:31"
+/// "carriage: Mass, platform-1d.yaml:31", as part of a comment.
 std::string comment_of(const Plan& plan, std::size_t block);
 
 }  // namespace stepwire

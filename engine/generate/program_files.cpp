@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include "engine/generate/compiler.hpp"
+#include "engine/generate/cpp_words.hpp"
 #include "engine/generate/diagram_struct.hpp"
 #include "engine/generate/headers.hpp"
-#include "engine/generate/names.hpp"
 #include "engine/generate/program.hpp"
 #include "engine/generate/program_main.hpp"
 
@@ -13,7 +13,21 @@ namespace stepwire {
 
 namespace {
 
-std::string cmake_text(const std::string& name) {
+/// What a program is called in its own files. Each is a word that is none of C++, of a library or of CMake.
+struct OwnNames {
+  explicit OwnNames(const std::string& of_file)
+      : stem(cpp_identifier(of_file)),
+        space(stem + "_diagram"),
+        header(stem + ".hpp"),
+        main(stem + "-main.cpp") {}
+
+  std::string stem;   ///< "rig", of files and of the program
+  std::string space;  ///< the namespace
+  std::string header;
+  std::string main;  ///< no identifier has a '-'
+};
+
+std::string cmake_text(const OwnNames& names) {
   std::string flags;
   for (const std::string& flag : Compiler::flags()) flags += " " + flag;
   return fmt::format(
@@ -21,22 +35,25 @@ std::string cmake_text(const std::string& name) {
       "project({0} LANGUAGES CXX)\n\n"
       "if(NOT CMAKE_BUILD_TYPE)\n  set(CMAKE_BUILD_TYPE Release)\nendif()\n"
       "set(CMAKE_CXX_FLAGS_RELEASE \"\")  # the flags below are all there is to it\n\n"
-      "add_executable({0} main.cpp {0}.cpp)\n"
-      "target_include_directories({0} PRIVATE ${{CMAKE_SOURCE_DIR}} ${{CMAKE_SOURCE_DIR}}/stepwire)\n"
+      "add_executable({0} {3} {1}.cpp)\n"
+      "set_target_properties({0} PROPERTIES OUTPUT_NAME {1} RUNTIME_OUTPUT_DIRECTORY "
+      "${{CMAKE_CURRENT_BINARY_DIR}}/bin)\n"
+      "target_include_directories({0} PRIVATE ${{CMAKE_CURRENT_SOURCE_DIR}} "
+      "${{CMAKE_CURRENT_SOURCE_DIR}}/stepwire)\n"
       "# The same bits as the interpreter's: no contraction, and no rounding by the compiler.\n"
-      "target_compile_options({0} PRIVATE{1})\n"
+      "target_compile_options({0} PRIVATE{2})\n"
       "if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)  # passes that find little in straight-line code\n"
       "  target_compile_options({0} PRIVATE -fno-tree-pta -fno-tree-slp-vectorize)\n"
       "endif()\n",
-      name, flags);
+      names.space, names.stem, flags, names.main);
 }
 
-std::string source_text(const Plan& plan, const GeneratedProgram& program, const std::string& name) {
+std::string source_text(const Plan& plan, const GeneratedProgram& program, const OwnNames& names) {
   std::string text =
-      fmt::format("#include \"{}.hpp\"\n\n#include <bit>\n#include <cmath>\n#include <limits>\n\n", name);
+      fmt::format("#include \"{}\"\n\n#include <bit>\n#include <cmath>\n#include <limits>\n\n", names.header);
   for (const std::string& header : program.headers) text += fmt::format("#include \"{}\"\n", header);
   text += "\nnamespace {\n\nusing namespace stepwire;\n\n" + program.text + "\n}  // namespace\n\n";
-  return text + struct_definitions(plan, name);
+  return text + struct_definitions(plan, names.space);
 }
 
 }  // namespace
@@ -44,13 +61,14 @@ std::string source_text(const Plan& plan, const GeneratedProgram& program, const
 std::map<std::string, std::string> program_files(const Plan& plan, const std::string& name,
                                                  const std::string& made_by) {
   const GeneratedProgram program = make_program(plan);
-  const std::string own = identifier(name);
-  const std::string note = fmt::format("// {} made this from {}.\n\n", made_by, plan.diagram.file);
+  const OwnNames names(name);
+  const std::string note =
+      fmt::format("// {}\n\n", cpp_comment(fmt::format("{} made this from {}", made_by, plan.diagram.file)));
   std::map<std::string, std::string> files;
-  files[own + ".hpp"] = note + struct_text(plan, own);
-  files[own + ".cpp"] = note + source_text(plan, program, own);
-  files["main.cpp"] = note + main_text(plan, own);
-  files["CMakeLists.txt"] = cmake_text(own);
+  files[names.header] = note + struct_text(plan, names.space);
+  files[names.stem + ".cpp"] = note + source_text(plan, program, names);
+  files[names.main] = note + main_text(plan, names.header, names.space);
+  files["CMakeLists.txt"] = cmake_text(names);
   for (const std::string& header : with_included(program.headers))
     files["stepwire/" + header] = header_text(header);
   return files;

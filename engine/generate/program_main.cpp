@@ -4,8 +4,10 @@
 
 #include <cmath>
 
+#include "engine/generate/cpp_words.hpp"
 #include "engine/generate/diagram_struct.hpp"
 #include "engine/record/recorder.hpp"
+#include "engine/table/file.hpp"
 
 namespace stepwire {
 
@@ -21,12 +23,6 @@ const char* const tools = R"cpp(
     std::fwrite(digits, 1, static_cast<std::size_t>(end - digits), file);
   }
 )cpp";
-
-std::string title_of(const RecordedColumn& column) {
-  const std::string unit = column.dimension ? si_name(*column.dimension) : "";
-  const std::string title = unit.empty() ? column.name : fmt::format("{} [{}]", column.name, unit);
-  return title.find(',') == std::string::npos ? title : "\\\"" + title + "\\\"";
-}
 
 /// A function that writes one row of a recording.
 std::string row_function(const RecordRequest& request, const Plan& plan, std::size_t number) {
@@ -45,16 +41,14 @@ std::string row_function(const RecordRequest& request, const Plan& plan, std::si
   return text + "  std::fputc('\\n', file);\n}\n\n";
 }
 
-std::string file_name(std::size_t number) {
-  return number == 0 ? "signals.csv" : fmt::format("signals-{}.csv", number + 1);
-}
-
 std::string open_text(const RecordRequest& request, const Plan& plan, std::size_t number) {
-  std::string titles;
+  std::vector<Column> columns;
   for (const RecordedColumn& column : recorded_columns(plan, request))
-    titles += (titles.empty() ? "" : ",") + title_of(column);
-  return fmt::format("  std::FILE* file_{0} = open(folder, \"{1}\", \"{2}\");\n", number, file_name(number),
-                     titles);
+    columns.push_back({column.name, column.dimension ? si_name(*column.dimension) : "", {}});
+  std::string titles;
+  append_csv_head(titles, columns);
+  return fmt::format("  std::FILE* file_{0} = open(folder, {1}, {2});\n", number,
+                     cpp_string(numbered("signals", number, ".csv")), cpp_string(titles));
 }
 
 std::int64_t ticks_between(const RecordRequest& request, const Plan& plan) {
@@ -63,17 +57,17 @@ std::int64_t ticks_between(const RecordRequest& request, const Plan& plan) {
 
 }  // namespace
 
-std::string main_text(const Plan& plan, const std::string& name) {
+std::string main_text(const Plan& plan, const std::string& header, const std::string& space) {
   std::string text = fmt::format(
       "#include <charconv>\n#include <cmath>\n#include <cstdio>\n#include <cstdlib>\n"
-      "#include <string>\n\n#include \"{0}.hpp\"\n\nnamespace {{\n\nusing {0}::Diagram;\n",
-      name);
+      "#include <string>\n\n#include {0}\n\nnamespace {{\n\nusing {1}::Diagram;\n",
+      cpp_string(header), space);
   text += tools;
   text +=
       "\nstd::FILE* open(const std::string& folder, const char* name, const char* titles) {\n"
       "  std::FILE* file = std::fopen((folder + \"/\" + name).c_str(), \"w\");\n"
       "  if (!file) {\n    std::perror((folder + \"/\" + name).c_str());\n    std::exit(3);\n  }\n"
-      "  std::fprintf(file, \"%s\\n\", titles);\n  return file;\n}\n\n";
+      "  std::fputs(titles, file);\n  return file;\n}\n\n";
   std::string opening, rows, closing;
   for (std::size_t i = 0; i < plan.diagram.records.size(); ++i) {
     const RecordRequest& request = plan.diagram.records[i];

@@ -1,14 +1,13 @@
 #include "engine/realtime/cyclictest.hpp"
 
 #include <fmt/format.h>
-#include <sys/wait.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <sstream>
 
+#include "engine/process/process.hpp"
 #include "engine/table/surroundings.hpp"
 
 namespace stepwire {
@@ -17,19 +16,8 @@ namespace {
 
 constexpr int most_us = 20'000;  // that its histogram tells apart
 
-/// What a shell gives where it finds no such program.
-constexpr int not_found = 127;
-
-/// Calls `each` with the lines that a command prints; returns its exit code.
-template <class Each>
-int read_lines(const std::string& command, const Each& each) {
-  std::FILE* pipe = ::popen(command.c_str(), "r");
-  if (!pipe) return -1;
-  std::array<char, 4096> line{};
-  while (std::fgets(line.data(), line.size(), pipe)) each(std::string(line.data()));
-  const int status = ::pclose(pipe);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
+/// Beyond the time that it measures.
+constexpr std::chrono::seconds patience{30};
 
 }  // namespace
 
@@ -58,20 +46,34 @@ std::int64_t CyclictestHistogram::quantile(double fraction) const {
 }
 
 Cyclictest::Cyclictest(double rate, const ThreadPolicy& policy, std::optional<int> cpu)
-    : command_(fmt::format("cyclictest -q -m -t1 -p{} --policy={} -i{} -h{}{}", policy.fifo.value_or(0),
-                           policy.fifo ? "fifo" : "other", std::llround(1e6 / rate), most_us,
-                           cpu ? fmt::format(" -a{}", *cpu) : "")) {
-  if (read_lines("command -v cyclictest", [](const std::string&) {}) == not_found)
+    : words_{"cyclictest",
+             "-q",
+             "-m",
+             "-t1",
+             fmt::format("-p{}", policy.fifo.value_or(0)),
+             fmt::format("--policy={}", policy.fifo ? "fifo" : "other"),
+             fmt::format("-i{}", std::llround(1e6 / rate)),
+             fmt::format("-h{}", most_us)},
+      period_(1.0 / rate) {
+  if (cpu) words_.push_back(fmt::format("-a{}", *cpu));
+  command_ = fmt::format("{}", fmt::join(words_, " "));
+  if (find_program(words_.front()).empty())
     throw SurroundingsError("cyclictest is not installed; on Debian it is in the package rt-tests");
 }
 
 void Cyclictest::run(std::int64_t wake_ups) {
   const std::int64_t before = histogram_.count();
-  const int code = read_lines(fmt::format("{} -l{} 2>/dev/null", command_, wake_ups),
-                              [&](const std::string& line) { histogram_.add_line(line); });
-  if (code != 0 || histogram_.count() == before)
+  ProcessCall call{.command = words_};
+  call.command.push_back(fmt::format("-l{}", wake_ups));
+  call.limit =
+      patience + std::chrono::milliseconds(std::llround(1e3 * period_ * static_cast<double>(wake_ups)));
+  const ProcessResult result = run_process(call);
+  if (result.end == ProcessResult::End::stopped) return;  // an interruption; the loop will see it, too
+  std::istringstream lines(result.output);
+  for (std::string line; std::getline(lines, line);) histogram_.add_line(line);
+  if (!result.succeeded() || histogram_.count() == before)
     throw SurroundingsError(
-        fmt::format("cyclictest fails (exit code {}); to see why: {} -l1", code, command_));
+        fmt::format("cyclictest fails ({}); to see why: {} -l1", result.problem("it"), command_));
 }
 
 }  // namespace stepwire

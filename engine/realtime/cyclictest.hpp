@@ -41,7 +41,9 @@ class Cyclictest {
   const std::string& command() const { return command_; }
 
  private:
+  std::vector<std::string> words_;
   std::string command_;
+  double period_;  ///< [s]
   CyclictestHistogram histogram_;
 };
 

@@ -25,6 +25,19 @@ void write_replay(const std::string& folder, const Job& job) {
   copies.write(folder + "/inputs");
 }
 
+std::set<std::string> files_read(const Plan& plan) {
+  std::set<std::string> files;
+  for (const ScopeInfo& scope : plan.diagram.scopes) files.insert(scope.file);
+  flattened_text(plan.diagram, [&](const std::string& path) { return *files.insert(path).first; });
+  return files;
+}
+
+std::set<std::string> files_read(const Job& job) {
+  std::set<std::string> files = files_read(job.plan);
+  for (const SweepPoint& point : job.points) files.merge(files_read(point.plan));
+  return files;
+}
+
 std::string flattened_name_of(std::size_t run) {
   return fmt::format("diagrams/{:04}.yaml", run + 1);
 }

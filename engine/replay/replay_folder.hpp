@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 
 #include "engine/run/run.hpp"
@@ -11,6 +12,10 @@ namespace stepwire {
 void write_replay(const std::string& folder, const Job& job);
 /// The same for one plan, such as that of a real-time loop.
 void write_replay(const std::string& folder, const Plan& plan);
+
+/// The files that a job reads: diagrams, parts and data.
+std::set<std::string> files_read(const Job& job);
+std::set<std::string> files_read(const Plan& plan);
 
 /// Name of the flattened diagram in such a folder.
 inline constexpr const char* flattened_name = "diagram.yaml";

@@ -1,6 +1,7 @@
 #include "engine/run/changeover.hpp"
 
 #include <algorithm>
+#include <system_error>
 
 namespace stepwire {
 
@@ -42,7 +43,10 @@ bool Changeover::is_worth_it(std::int64_t done) const {
 void Changeover::done(std::int64_t ticks) {
   const std::int64_t done = done_ += ticks;
   if (begun_.load(std::memory_order_relaxed) || !is_worth_it(done) || begun_.exchange(true)) return;
-  thread_ = std::jthread([this](const std::stop_token& stop) { compile(stop); });
+  try {
+    thread_ = std::jthread([this](const std::stop_token& stop) { compile(stop); });
+  } catch (const std::system_error&) {  // without a thread for it nothing is compiled
+  }
 }
 
 }  // namespace stepwire

@@ -4,10 +4,18 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
-#include <thread>
-#include <vector>
+#include <system_error>
 
 namespace stepwire {
+
+std::vector<std::jthread> begin_threads(std::size_t wanted, const std::function<void()>& work) {
+  std::vector<std::jthread> threads;
+  try {
+    while (threads.size() + 1 < wanted) threads.emplace_back(work);
+  } catch (const std::system_error&) {  // the system gives no more: those that are there do the work
+  }
+  return threads;
+}
 
 void in_parallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& task) {
   std::atomic<std::size_t> next = 0;
@@ -23,8 +31,7 @@ void in_parallel(std::size_t count, unsigned threads, const std::function<void(s
   };
   const std::size_t wanted = threads ? threads : std::max(1u, std::thread::hardware_concurrency());
   {
-    std::vector<std::jthread> others;
-    for (std::size_t i = 1; i < std::min(wanted, count); ++i) others.emplace_back(work);
+    const std::vector<std::jthread> others = begin_threads(std::min(wanted, count), work);
     work();
   }
   if (failure) std::rethrow_exception(failure);

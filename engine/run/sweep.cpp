@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "engine/run/memory.hpp"
+#include "engine/run/parallel.hpp"
 #include "engine/run/pooling.hpp"
 #include "engine/run/run.hpp"
 
@@ -37,10 +38,10 @@ class Pool {
   std::vector<RunResult> run() {
     const std::size_t wanted =
         options_.threads ? options_.threads : std::max(1u, std::thread::hardware_concurrency());
-    std::vector<std::jthread> threads;
-    for (std::size_t i = 0; i < std::min(wanted, job_.points.size()); ++i)
-      threads.emplace_back([this] { work(); });
-    threads.clear();
+    {
+      const auto others = begin_threads(std::min(wanted, job_.points.size()), [this] { work(); });
+      work();
+    }
     if (failure_) std::rethrow_exception(failure_);
     return std::move(results_);
   }

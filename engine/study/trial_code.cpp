@@ -1,18 +1,26 @@
 #include "engine/study/trial_code.hpp"
 
+#include <system_error>
+
 namespace stepwire {
 
 TrialCode::TrialCode(CodeSource& source, std::vector<Plan> probes, bool ahead)
     : source_(source), probes_(std::move(probes)), busy_(ahead) {
   if (!ahead) return;
-  thread_ = std::jthread([this](const std::stop_token& stop) {
-    source_.compile(with_probes({}), stop);
-    {
-      const std::lock_guard lock(mutex_);
-      busy_ = false;
-    }
-    finished_.notify_all();
-  });
+  try {
+    thread_ = std::jthread([this](const std::stop_token& stop) { compile_ahead(stop); });
+  } catch (const std::system_error&) {  // without a thread for it nothing is compiled ahead
+    busy_ = false;
+  }
+}
+
+void TrialCode::compile_ahead(const std::stop_token& stop) {
+  source_.compile(with_probes({}), stop);
+  {
+    const std::lock_guard lock(mutex_);
+    busy_ = false;
+  }
+  finished_.notify_all();
 }
 
 std::vector<CompiledPlan> TrialCode::compile(const std::vector<const Plan*>& plans,

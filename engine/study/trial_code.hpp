@@ -24,6 +24,7 @@ class TrialCode : public CodeSource {
   std::vector<double> numbers(const Plan& plan) const override { return source_.numbers(plan); }
 
  private:
+  void compile_ahead(const std::stop_token& stop);
   std::vector<const Plan*> with_probes(std::vector<const Plan*> plans) const;
 
   CodeSource& source_;

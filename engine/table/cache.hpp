@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace stepwire {
@@ -9,7 +10,29 @@ namespace stepwire {
 /// $XDG_CACHE_HOME/stepwire, else ~/.cache/stepwire. It need not be there.
 std::string cache_folder();
 
-/// Of a text, by which a kept result is found again (FNV-1a); `hash` is that of what went before.
-std::uint64_t hash_of(const std::string& text, std::uint64_t hash = 0xcbf29ce484222325u);
+/// A folder of such results, each under the hash of what it follows from. Folder and entries belong to the
+/// caller alone (0700, 0600); any other is refused, and nothing is kept. Several processes may use it at a
+/// time: an entry appears whole or not at all, and one that has been damaged since is known by its hash. The
+/// least recently used ones go when there are too many.
+class Cache {
+ public:
+  explicit Cache(std::string folder = cache_folder(), std::uintmax_t most_bytes = 256u << 20u)
+      : folder_(std::move(folder)), most_bytes_(most_bytes) {}
+
+  /// What was kept under a name; nothing where there is none, or none that can be trusted.
+  std::optional<std::string> find(const std::string& name) const;
+  /// Keeps a result, in the place of what has the name.
+  void keep(const std::string& name, const std::string& content) const;
+
+ private:
+  void write(int folder, const std::string& name, const std::string& content) const;
+  void drop_old() const;
+
+  std::string folder_;
+  std::uintmax_t most_bytes_;
+};
+
+/// The first reason for which a cache of this process kept or gave nothing; empty once told.
+std::string take_cache_problem();
 
 }  // namespace stepwire

@@ -8,6 +8,8 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "engine/base/characters.hpp"
+#include "engine/table/csv_cell.hpp"
 #include "engine/table/file.hpp"
 
 namespace stepwire {
@@ -37,18 +39,6 @@ bool is_large(std::string_view text) {
   double shift = 0.0;
   for (const char digit : power) shift = 10.0 * shift + (digit - '0');
   return before + (negative ? -shift : shift) > 0.0;
-}
-
-/// A number that fills the whole text. What is too small to be a double is 0; nothing for what is too large.
-std::optional<double> number(std::string_view text) {
-  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
-  const char* const end = text.data() + text.size();
-  double value = 0.0;
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
-  if (rest != end || error == std::errc::invalid_argument) return std::nullopt;
-  if (error == std::errc{}) return value;
-  if (is_large(text)) return std::nullopt;
-  return text.starts_with('-') ? -0.0 : 0.0;
 }
 
 /// "name [unit]" apart. "x[2]" without a blank is a name with its index.
@@ -170,12 +160,12 @@ class Csv {
   void header() {
     if (only_blanks_left()) throw TableError(fmt::format("{}: the file is empty", path_));
     const std::vector<std::string> titles = fields();
-    if (std::all_of(titles.begin(), titles.end(), [](const auto& t) { return number(t).has_value(); })) {
+    if (std::all_of(titles.begin(), titles.end(), [](const auto& t) { return csv_number(t).has_value(); })) {
       fail("the first line holds numbers; it must name the columns");
     }
     std::unordered_set<std::string> names;
     for (const std::string& title : titles) {
-      table_.columns.push_back(column(title));
+      table_.columns.push_back(column(csv_word(title)));
       const std::string& name = table_.columns.back().name;
       if (name.empty()) fail(fmt::format("column {} has no name", table_.columns.size()));
       if (!names.insert(name).second) fail(fmt::format("two columns are named '{}'", shown(name)));
@@ -218,7 +208,7 @@ class Csv {
                        wanted));
     }
     for (std::size_t i = 0; i < wanted; ++i) {
-      const auto value = numberings_[i].texts ? numberings_[i](texts[i]) : number(texts[i]);
+      const auto value = numberings_[i].texts ? numberings_[i](csv_word(texts[i])) : csv_number(texts[i]);
       if (!value)
         fail(fmt::format("'{}' is no number (column '{}')", shown(texts[i]), shown(table_.columns[i].name)));
       table_.columns[i].values.resize(rows_);
@@ -229,10 +219,8 @@ class Csv {
 
   /// A text as it may stand in a message, whatever the file holds.
   static std::string shown(const std::string& text) {
-    std::string result = text.substr(0, 40);
-    std::replace_if(
-        result.begin(), result.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, '?');
-    return text.size() > result.size() ? result + "..." : result;
+    constexpr std::size_t most = 40;
+    return text.size() > most ? visible(text.substr(0, most)) + "..." : visible(text);
   }
 
   const std::string& path_;
@@ -247,6 +235,21 @@ class Csv {
 };
 
 }  // namespace
+
+std::optional<double> csv_number(std::string_view text) {
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  const char* const end = text.data() + text.size();
+  double value = 0.0;
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  if (rest != end || error == std::errc::invalid_argument) return std::nullopt;
+  if (error == std::errc{}) return value;
+  if (is_large(text)) return std::nullopt;
+  return text.starts_with('-') ? -0.0 : 0.0;
+}
+
+std::string csv_word(const std::string& cell) {
+  return cell.starts_with('\'') && csv_cell(cell.substr(1)) == cell ? cell.substr(1) : cell;
+}
 
 Table read_csv(const std::string& path) {
   ColumnWords none;

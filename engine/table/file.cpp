@@ -1,5 +1,6 @@
 #include "engine/table/file.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -10,6 +11,9 @@
 #include <memory>
 #include <system_error>
 
+#include "engine/base/descriptor.hpp"
+#include "engine/base/leftovers.hpp"
+#include "engine/table/owned_folder.hpp"
 #include "engine/table/temporary.hpp"
 
 namespace stepwire {
@@ -38,8 +42,15 @@ void write_all(const std::string& path, const char* mode, std::string_view conte
   if (std::fclose(file.release()) != 0) refuse_file(shown, errno);
 }
 
+/// To open a pipe that nobody reads would not come to an end.
+void require_reader(const std::string& path) {
+  const Descriptor pipe(::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC));
+  if (!pipe.open()) refuse_file(path, errno);
+}
+
 void write_and_rename(const fs::path& target, std::string_view content, const std::string& shown) {
   const std::string temporary = temporary_beside(target.string());
+  const Leftover leftover(temporary);
   try {
     write_all(temporary, "wbx", content, shown);
     std::error_code error;
@@ -103,7 +114,9 @@ void write_file(const std::string& path, std::string_view content) {
   const fs::path target = fs::weakly_canonical(path, error);
   if (error) refuse_file(path, error.value());
   const fs::file_status status = fs::status(target, error);
+  if (fs::is_fifo(status)) require_reader(path);
   if (fs::exists(status) && !fs::is_regular_file(status)) return write_all(path, "wb", content, path);
+  note_written(path);
   write_and_rename(target, content, path);
 }
 

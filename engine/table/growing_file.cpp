@@ -9,17 +9,19 @@
 #include <system_error>
 #include <utility>
 
+#include "engine/table/owned_folder.hpp"
 #include "engine/table/temporary.hpp"
 
 namespace stepwire {
 
 namespace fs = std::filesystem;
 
-GrowingFile::GrowingFile(const std::string& path) : path_(path), temporary_(temporary_beside(path)) {
+GrowingFile::GrowingFile(const std::string& path) : path_(path), temporary_(temporary_beside(path)), leftover_(temporary_) {
   std::error_code error;
   const fs::path folder = fs::path(path).parent_path();
   if (!folder.empty()) fs::create_directories(folder, error);
   if (error) refuse_file(folder.string(), error.value());
+  note_written(path);
   file_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (file_ < 0) refuse_file(path_, errno);
 }

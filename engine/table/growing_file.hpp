@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "engine/base/leftovers.hpp"
+
 namespace stepwire {
 
 /// A file that is written piece by piece under a temporary name beside `path`, which it replaces at the end;
@@ -28,6 +30,7 @@ class GrowingFile {
   bool write_all(std::string_view piece);
 
   std::string path_, temporary_, trouble_;
+  Leftover leftover_;
   int file_ = -1;
   std::int64_t size_ = 0;  ///< [bytes] of whole pieces
 };

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "engine/base/characters.hpp"
+
 namespace stepwire {
 
 /// What the library writes, made of ours.
@@ -65,7 +67,8 @@ Json& Json::set(std::string key, Json value) {
 }
 
 std::string Json::text(int indent) const {
-  return JsonText::of(*this).dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  return json_escaped(
+      JsonText::of(*this).dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
 }  // namespace stepwire

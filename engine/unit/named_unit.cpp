@@ -43,7 +43,7 @@ System read_system() {
   ut_set_error_message_handler(ut_ignore);
   System system(ut_read_xml(nullptr));
   if (!system)
-    throw std::runtime_error("the unit database of udunits2 cannot be read; is udunits2 installed?");
+    throw std::runtime_error("the unit database of udunits2 cannot be read; is libudunits2-data installed?");
   for (const auto& [name, meaning] : added) {
     const Parsed unit(ut_parse(system.get(), meaning, UT_ASCII));
     ut_map_symbol_to_unit(name, UT_ASCII, unit.get());

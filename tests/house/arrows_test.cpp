@@ -13,12 +13,13 @@ using Folders = std::set<std::string>;
 // The arrows of the architecture inside engine/. They are transitive: who may see a folder may see what it
 // sees.
 const std::map<std::string, Folders> arrows{
+    {"base", {}},
     {"signal", {}},
     {"block", {"signal"}},
     {"unit", {}},
     {"expression", {"signal", "unit"}},
-    {"table", {"signal"}},
-    {"document", {}},
+    {"table", {"signal", "base"}},
+    {"document", {"base"}},
     {"diagram", {"block", "document", "expression", "table", "unit"}},
     {"process", {"table"}},
     {"draw", {"diagram", "process"}},
@@ -29,8 +30,8 @@ const std::map<std::string, Folders> arrows{
     {"replay", {"run"}},
     {"statistics", {}},
     {"figure", {"diagram", "draw", "process", "record", "expression", "statistics"}},
-    {"realtime", {"run"}},
-    {"generate", {"solve", "record"}},
+    {"realtime", {"run", "process"}},
+    {"generate", {"solve", "record", "process"}},
     {"identify", {"run", "figure", "statistics"}},
     {"study", {"run", "figure", "statistics"}},
     {"describe", {"diagram", "table", "figure", "solve"}},

@@ -1,8 +1,10 @@
 #include <catch2/catch.hpp>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 
 #include "engine/generate/compiler.hpp"
-#include "engine/generate/process.hpp"
+#include "engine/process/process.hpp"
 #include "tests/engine/cli/program.hpp"
 
 using namespace stepwire;
@@ -51,13 +53,15 @@ TEST_CASE("a generated program is built without us and writes the same bytes as 
   INFO(done.err);
   REQUIRE(done.code == 0);
   const std::string made = folder.path("rig");
-  const ProcessResult configured = run_process({"cmake", "-S", made, "-B", made + "/build", "-G", "Ninja"});
-  INFO(configured.output);
+  const ProcessResult configured =
+      run_process({.command = {"cmake", "-S", made, "-B", made + "/build", "-G", "Ninja"}});
+  INFO(configured.errors);
   REQUIRE(configured.status == 0);
-  const ProcessResult built = run_process({"cmake", "--build", made + "/build"});
+  const ProcessResult built =
+      run_process({.command = {"cmake", "--build", made + "/build"}, .limit = compiler_limit()});
   INFO(built.output);
   REQUIRE(built.status == 0);
-  REQUIRE(run_process({made + "/build/rig", made}).status == 0);
+  REQUIRE(run_process({.command = {made + "/build/bin/rig", made}}).succeeded());
   CHECK(content_of(made + "/signals.csv") == content_of(folder.path("out/signals.csv")));
   CHECK(content_of(made + "/signals-2.csv") == content_of(folder.path("out/signals-2.csv")));
   CHECK(lines_of(content_of(made + "/signals.csv")).size() > 100);
@@ -101,18 +105,76 @@ TEST_CASE("without a compiler a run says so once and goes on interpreted") {
   CHECK(done.err == "interpreted, since no C++ compiler is there (c++, g++ or clang++, or what CXX names)\n");
 }
 
-TEST_CASE("the cache keeps compiled code, and goes on where nothing can be kept") {
+TEST_CASE("the cache keeps compiled code, and a run goes on compiled where nothing can be kept") {
   if (!there_is_a_compiler()) return;
   const Scratch folder;
   folder.file("lag.yaml", lag_yaml);
   const auto run_with = [&](const std::string& cache) {
-    return run_program(folder, {.arguments = {"run", "lag.yaml", "--engine", "compiled"},
+    return run_program(folder, {.arguments = {"run", "lag.yaml", "--engine", "compiled", "--out", "out"},
                                 .environment = {{"STEPWIRE_CACHE", cache}}});
   };
-  CHECK(run_with(folder.path("cache")).code == 0);
-  const auto kept = std::filesystem::directory_iterator(folder.path("cache"));
-  CHECK(std::distance(begin(kept), end(kept)) == 1);
-  const Done done = run_with("/proc/nowhere");
+  const auto compiled = [&] {
+    return content_of(folder.path("out/run.json")).find("\"compiled_ticks\": 0,") == std::string::npos;
+  };
+  Done done = run_with(folder.path("cache"));
   CHECK(done.code == 0);
-  CHECK_THAT(done.err, Contains("interpreted, since "));
+  CHECK(done.err.empty());
+  CHECK(compiled());
+  const std::filesystem::path kept = std::filesystem::directory_iterator(folder.path("cache"))->path();
+  const std::string signals = content_of(folder.path("out/signals.csv")), entry = content_of(kept);
+  // Whatever became of the entry: it is made anew, and no damaged code is loaded.
+  std::string flipped = entry;
+  flipped[flipped.size() / 2] = static_cast<char>(flipped[flipped.size() / 2] ^ 1);
+  for (const std::string& bytes : {std::string(), entry.substr(0, 4096), flipped, std::string("garbage")}) {
+    std::ofstream(kept, std::ios::binary | std::ios::trunc) << bytes;
+    done = run_with(folder.path("cache"));
+    CHECK(done.code == 0);
+    CHECK(done.err.empty());
+    CHECK(compiled());
+    CHECK(content_of(folder.path("out/signals.csv")) == signals);
+    CHECK(content_of(kept).size() == entry.size());
+  }
+  done = run_with("/proc/nowhere");
+  CHECK(done.code == 0);
+  CHECK(compiled());
+  CHECK_THAT(done.err, Catch::StartsWith("the cache keeps nothing: /proc/nowhere: "));
+  std::filesystem::permissions(folder.path("cache"), std::filesystem::perms::others_read,
+                               std::filesystem::perm_options::add);
+  done = run_with(folder.path("cache"));
+  CHECK(done.code == 0);
+  CHECK(compiled());
+  CHECK_THAT(done.err, Contains("is open to other users") && Contains("chmod 700"));
+}
+
+TEST_CASE(
+    "a diagram file of any name becomes a program, whatever the words of C++, CMake and libraries are") {
+  if (!there_is_a_compiler()) return;
+  const Scratch folder;
+  std::string super = "cmake_minimum_required(VERSION 3.16)\nproject(all_of_them LANGUAGES CXX)\n";
+  const std::vector<std::pair<std::string, std::string>> names{
+      {"main", "main"},       {"int", "int"},
+      {"reset", "reset"},     {"all", "all"},
+      {"install", "install"}, {"std", "std"},
+      {"struct", "struct"},   {"1abc", "_1abc"},
+      {"a b.c", "a_b_c"},     {"x;touch executed;\n${y}", "x_touch_executed____y_"}};
+  for (const auto& [file, program] : names) {
+    folder.file(file + ".yaml", lag_yaml);
+    const Done done = run_program(folder, {"generate", file + ".yaml", "-o", "made/" + program});
+    INFO(done.err);
+    REQUIRE(done.code == 0);
+    super += "add_subdirectory(" + program + ")\n";
+  }
+  folder.file("made/CMakeLists.txt", super);
+  const std::string made = folder.path("made");
+  REQUIRE(run_process({.command = {"cmake", "-S", made, "-B", made + "/build", "-G", "Ninja"}}).succeeded());
+  const ProcessResult built =
+      run_process({.command = {"cmake", "--build", made + "/build"}, .limit = compiler_limit()});
+  INFO(built.output);
+  REQUIRE(built.succeeded());
+  REQUIRE(run_program(folder, {"run", "main.yaml", "--out", "out"}).code == 0);
+  for (const auto& [file, program] : names) {
+    REQUIRE(run_process({.command = {made + "/build/" + program + "/bin/" + program, made}}).succeeded());
+    CHECK(content_of(made + "/signals.csv") == content_of(folder.path("out/signals.csv")));
+  }
+  CHECK_FALSE(std::filesystem::exists(folder.path("executed")));
 }

@@ -38,12 +38,16 @@ void close_output() {
     value ? ::setenv(name.c_str(), value->c_str(), 1) : ::unsetenv(name.c_str());
   if (::chdir(folder.path("").c_str()) != 0) ::_exit(99);
   if (call.most_bytes_of_file) {
-    ::signal(SIGXFSZ, SIG_IGN);
     const rlimit limit{*call.most_bytes_of_file, *call.most_bytes_of_file};
     ::setrlimit(RLIMIT_FSIZE, &limit);
   }
   redirect(STDOUT_FILENO, call.out_to.empty() ? folder.path(".out") : call.out_to);
-  redirect(STDERR_FILENO, folder.path(".err"));
+  redirect(STDERR_FILENO, call.err_to.empty() ? folder.path(".err") : call.err_to);
+  for (const int stream : call.closed) ::close(stream);
+  if (call.no_threads) {  // a thread's stack is as large as this allows, and no memory is
+    const rlimit huge{rlim_t{1} << 46, RLIM_INFINITY};
+    ::setrlimit(RLIMIT_STACK, &huge);
+  }
   if (call.closed_pipe) close_output();
   std::vector<char*> arguments{const_cast<char*>("stepwire")};
   for (const std::string& argument : call.arguments) arguments.push_back(const_cast<char*>(argument.c_str()));
@@ -52,14 +56,21 @@ void close_output() {
   ::_exit(99);
 }
 
+bool is_time(const Call& call, double waited) {
+  if (!call.interrupt_when.empty()) return std::filesystem::exists(call.interrupt_when);
+  return call.interrupt_after && waited > *call.interrupt_after;
+}
+
 int await(pid_t child, const Call& call, rusage& usage) {
   const auto start = Clock::now();
   bool interrupted = false;
   int status = 0;
   while (::wait4(child, &status, WNOHANG, &usage) == 0) {
     const double waited = seconds_since(start);
-    if (call.interrupt_after && !interrupted && waited > *call.interrupt_after)
-      interrupted = ::kill(child, SIGINT) == 0;
+    if (!interrupted && is_time(call, waited)) {
+      interrupted = true;
+      for (const int signal : call.signals) ::kill(child, signal);
+    }
     if (waited > longest) ::kill(child, SIGKILL);
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <csignal>
 #include <functional>
 #include <map>
 #include <optional>
@@ -14,9 +15,13 @@ struct Call {
   std::map<std::string, std::optional<std::string>>
       environment;                                    ///< set, or taken away where there is no value
   std::optional<unsigned long> most_bytes_of_file{};  ///< a disk that is full beyond
-  std::optional<double> interrupt_after{};            ///< [s]; SIGINT
-  std::string out_to{};                               ///< where standard output goes; a file of ours if empty
-  bool closed_pipe = false;                           ///< standard output is a pipe that nobody reads
+  std::optional<double> interrupt_after{};            ///< [s]; by these signals, one at once behind the other
+  std::vector<int> signals{SIGINT};
+  std::string interrupt_when{};  ///< once this file is there, instead of after a time
+  std::string out_to{}, err_to{};  ///< where standard output and error go; files of ours if empty
+  std::vector<int> closed{};       ///< streams that are closed
+  bool closed_pipe = false;        ///< standard output is a pipe that nobody reads
+  bool no_threads = false;         ///< no thread can be begun
 };
 
 /// What became of it.

@@ -1,3 +1,4 @@
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
@@ -76,14 +77,92 @@ TEST_CASE("what cannot be printed ends with 3") {
   CHECK_THAT(done.err, Contains("No space left on device"));
 }
 
-TEST_CASE("a reader who leaves early hears nothing") {
+TEST_CASE("where a reader has left, or the output is closed, that is one line and 3") {
   const Scratch folder;
   folder.file("lag.yaml", lag_yaml);
-  Call left = call({"run", "lag.yaml"});
+  Call left = call({"run", "lag.yaml", "--out", "out"});
   left.closed_pipe = true;
-  const Done done = run_program(folder, left);
-  CHECK(done.code == 128 + SIGPIPE);
-  CHECK(done.err.empty());
+  Done done = run_program(folder, left);
+  CHECK(done.code == 3);
+  CHECK(done.err == "what was to be printed is lost: Broken pipe\n");
+  CHECK_THAT(content_of(folder.path("out/figure.svg")), Contains("</svg>"));
+  Call closed = call({"run", "lag.yaml"});
+  closed.closed = {STDOUT_FILENO};
+  done = run_program(folder, closed);
+  CHECK(done.code == 3);
+  CHECK(lines_of(done.err).size() == 1);
+}
+
+TEST_CASE("where the standard error takes nothing the exit code still says what happened") {
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml);
+  folder.file("wrong.yaml", "stepwire: 1\nblocks: 3\n");
+  for (const bool closed : {false, true}) {
+    const auto code = [&](const std::vector<std::string>& arguments) {
+      Call quiet = call(arguments);
+      if (closed) quiet.closed = {STDERR_FILENO};
+      quiet.err_to = "/dev/full";
+      return run_program(folder, quiet).code;
+    };
+    CHECK(code({"run", "lag.yaml"}) == 0);
+    CHECK(code({"run", "wrong.yaml"}) == 2);
+    CHECK(code({"run", "none.yaml"}) == 2);
+    CHECK(code({"no-verb"}) == 2);
+    CHECK(code({"run", "lag.yaml", "--out", "/proc/nowhere"}) == 3);
+  }
+}
+
+TEST_CASE("a thread that cannot be begun costs time, or ends with 3 and a line") {
+  const Scratch folder;
+  folder.file("sweep.yaml", lag_yaml + "sweep: {tau: {from: 0.05 s, to: 0.1 s, count: 20}}\n");
+  Call alone = call({"run", "sweep.yaml", "--out", "out"});
+  alone.no_threads = true;
+  Done done = run_program(folder, alone);
+  INFO(done.err);
+  CHECK(done.code == 0);
+  alone.arguments = {"loop", "sweep.yaml", "--duration", "0.1", "--policy", "other"};
+  done = run_program(folder, alone);
+  CHECK(done.code == 3);
+  CHECK(lines_of(done.err).size() == 1);
+}
+
+TEST_CASE("without the database of units every call ends with 3 and a line") {
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml);
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"run", "lag.yaml"}, {"blocks"}, {"schema"}, {"loop", "lag.yaml"}}) {
+    Call bare = call(arguments);
+    bare.environment["UDUNITS2_XML_PATH"] = folder.path("none.xml");
+    const Done done = run_program(folder, bare);
+    INFO(done.err);
+    CHECK((done.code == 3 || (done.code == 0 && done.err.empty())));
+    CHECK((done.code == 0 || lines_of(done.err).size() == 1));
+  }
+  Call bare = call({"run", "lag.yaml"});
+  bare.environment["UDUNITS2_XML_PATH"] = folder.path("none.xml");
+  CHECK_THAT(run_program(folder, bare).err, Contains("unit database"));
+}
+
+TEST_CASE("a pipe, a device or a folder in the place of a diagram file is refused at once with 2") {
+  const Scratch folder;
+  REQUIRE(::mkfifo(folder.path("pipe.yaml").c_str(), 0600) == 0);
+  for (const std::string verb : {"run", "check", "draw", "flatten", "loop", "fit", "study"})
+    for (const std::string file : {"pipe.yaml", "/dev/zero", "/dev/tty", "."}) {
+      const Done done = run_program(folder, {verb, file});
+      INFO(verb << " " << file << ": " << done.err);
+      CHECK(done.code == 2);
+      CHECK(done.seconds < 5.0);
+      CHECK(lines_of(done.err).size() == 1);
+    }
+}
+
+TEST_CASE("a pipe that nobody reads is no place for a result") {
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml);
+  REQUIRE(::mkfifo(folder.path("pipe").c_str(), 0600) == 0);
+  const Done done = run_program(folder, {"flatten", "lag.yaml", "-o", "pipe"});
+  CHECK(done.code == 3);
+  CHECK(done.seconds < 5.0);
 }
 
 TEST_CASE("without gnuplot a figure ends with 3, and the signals are kept") {

@@ -67,5 +67,5 @@ TEST_CASE("a file above 8 MB is refused by its size, unless the limit is raised"
 TEST_CASE("a device without end is read up to the limit only") {
   DocumentLimits limits;
   limits.bytes = 1 << 20;
-  CHECK_THROWS_WITH(read_document("/dev/zero", limits), Catch::Contains("at most 1.0 MB are read"));
+  CHECK_THROWS_WITH(read_document("/dev/zero", limits), Catch::Contains("no regular file"));
 }

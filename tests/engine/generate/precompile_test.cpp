@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "engine/generate/compiler.hpp"
-#include "engine/generate/process.hpp"
+#include "engine/process/process.hpp"
 #include "engine/table/file.hpp"
 #include "tests/engine/table/scratch.hpp"
 
@@ -24,7 +24,7 @@ TEST_CASE("precompiled headers are taken by a compilation with the same flags, a
                    {flag, "-fno-tree-pta", "-fno-tree-slp-vectorize", "-fPIC", "-H", "-fsyntax-only",
                     "-include", scratch.path("headers/standard.hpp"), source});
     // GCC's manual: -H marks a precompiled header that is used with "!".
-    return run_process(command).output.find("! ") != std::string::npos;
+    return run_process({.command = command}).errors.find("! ") != std::string::npos;
   };
   CHECK(takes(Compiler::native));
   CHECK_FALSE(takes("-fno-exceptions"));

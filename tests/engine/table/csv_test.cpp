@@ -202,3 +202,27 @@ TEST_CASE("a field without end is refused") {
   CHECK_THROWS_WITH(read_csv(scratch.file("a.csv", long_field + "\n1\n")),
                     Catch::Contains("a.csv:1: a field has more than 100000 characters"));
 }
+
+TEST_CASE("Words that a spreadsheet would compute are kept from it and read back as they were") {
+  const std::vector<std::string> words{"=1+2", "+1+2", "-cmd", "@SUM(A1)", "\t=1",   "\r=1", "'=1", "''=1",
+                                       "'",    "plain", "-5",  "+3.5",     "'plain", "=",    "-5 mm"};
+  stepwire::Table table{{{"word", "", {}}, {"=name", "m", {}}}};
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    table.columns[0].values.push_back(static_cast<double>(i));
+    table.columns[1].values.push_back(-1.5);
+  }
+  const std::string text = stepwire::csv_text(table, {{"word", words}});
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const std::string cell = line.substr(line.front() == '"' ? 1 : 0);
+    INFO(line);
+    CHECK((cell.find_first_of("=+-@\t\r") != 0 || cell.starts_with("-5,") || cell.starts_with("+3.5,")));
+  }
+  CHECK(text.find("'=name [m]") != std::string::npos);
+  CHECK(text.find(",-1.5\n") != std::string::npos);
+  const Scratch scratch;
+  stepwire::ColumnWords read{{"word", {}}};
+  const stepwire::Table back = stepwire::read_csv(scratch.file("words.csv", text), read);
+  CHECK(read["word"] == words);
+  CHECK(back.columns[1].name == "=name");
+}

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace stepwire {
+
+/// A number that fills the whole text. What is too small to be a double is 0; nothing for what is too large.
+std::optional<double> csv_number(std::string_view text);
+
+/// A word as it stands in a cell: one that a spreadsheet would take for a formula, since it begins with = + -
+/// @ or a control character and is no number, has an apostrophe in front of it, and so has one that begins
+/// with apostrophes and goes on like that.
+std::string csv_cell(const std::string& word);
+
+/// The word of such a cell.
+std::string csv_word(const std::string& cell);
+
+}  // namespace stepwire

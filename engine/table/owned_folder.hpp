@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <set>
+#include <string>
+
+namespace stepwire {
+
+/// A folder for what one run writes. As long as it is there no other run may write into the folder. Which
+/// files runs have written stands in its file ".stepwire": what the run before left is removed at the
+/// beginning, with pieces of files that were never finished, and nothing else ever is.
+class OwnedFolder {
+ public:
+  using Files = std::set<std::string>;
+
+  /// Files that stay although a run wrote them: their paths as this run knows them.
+  using Spared = std::function<Files()>;
+
+  /// Makes the folder, and those above it. Throws SurroundingsError where another run has it, or the system
+  /// refuses.
+  explicit OwnedFolder(const std::string& path, const Spared& spared = {});
+  ~OwnedFolder();
+  OwnedFolder(const OwnedFolder&) = delete;
+  OwnedFolder& operator=(const OwnedFolder&) = delete;
+
+ private:
+  friend void note_written(const std::string& path);
+  void lock(const std::string& shown);
+  Files listed() const;
+  void clear(const Files& listed, const Spared& spared);
+  void note(const std::string& name);
+
+  std::string path_;  ///< from the root
+  int list_ = -1;     ///< the file ".stepwire", locked
+  Files names_;       ///< in it
+};
+
+/// Whoever writes a file says so before; it is noted where the file lies in a folder that a run owns.
+void note_written(const std::string& path);
+
+}  // namespace stepwire
