@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/process/process.hpp"
+
 namespace stepwire {
 
 namespace {
@@ -57,7 +59,7 @@ std::vector<CompiledPlan> GeneratedCode::compile(const std::vector<const Plan*>&
   try {
     if (compiler_->found()) return load(programs_of(plans), stop);
     tell("no C++ compiler is there (c++, g++ or clang++, or what CXX names)");
-  } catch (const Error& error) {
+  } catch (const std::exception& error) {  // no reason to end a run, which goes on without
     tell(error.what());
   }
   return {};
@@ -79,6 +81,7 @@ std::vector<CompiledPlan> GeneratedCode::load(std::vector<GeneratedProgram> prog
 }
 
 void GeneratedCode::tell(const std::string& problem) {
+  if (processes_stop()) return;  // an interruption explains itself
   if (!std::exchange(told_, true)) problem_ = problem;
 }
 

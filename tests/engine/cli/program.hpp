@@ -17,7 +17,7 @@ struct Call {
   std::optional<unsigned long> most_bytes_of_file{};  ///< a disk that is full beyond
   std::optional<double> interrupt_after{};            ///< [s]; by these signals, one at once behind the other
   std::vector<int> signals{SIGINT};
-  std::string interrupt_when{};  ///< once this file is there, instead of after a time
+  std::string interrupt_when{};    ///< once this file is there, instead of after a time
   std::string out_to{}, err_to{};  ///< where standard output and error go; files of ours if empty
   std::vector<int> closed{};       ///< streams that are closed
   bool closed_pipe = false;        ///< standard output is a pipe that nobody reads

@@ -204,8 +204,8 @@ TEST_CASE("a field without end is refused") {
 }
 
 TEST_CASE("Words that a spreadsheet would compute are kept from it and read back as they were") {
-  const std::vector<std::string> words{"=1+2", "+1+2", "-cmd", "@SUM(A1)", "\t=1",   "\r=1", "'=1", "''=1",
-                                       "'",    "plain", "-5",  "+3.5",     "'plain", "=",    "-5 mm"};
+  const std::vector<std::string> words{"=1+2", "+1+2",  "-cmd", "@SUM(A1)", "\t=1",   "\r=1", "'=1",  "''=1",
+                                       "'",    "plain", "-5",   "+3.5",     "'plain", "=",    "-5 mm"};
   stepwire::Table table{{{"word", "", {}}, {"=name", "m", {}}}};
   for (std::size_t i = 0; i < words.size(); ++i) {
     table.columns[0].values.push_back(static_cast<double>(i));
