@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "engine/base/characters.hpp"
 #include "engine/cli/commands.hpp"
 #include "engine/cli/console.hpp"
 #include "engine/describe/block_json.hpp"
@@ -31,7 +32,7 @@ ExitCode show_blocks(const BlocksCommand& command, const Registry& registry) {
   }
   const BlockType* type = registry.find(command.name);
   if (!type) {
-    complain("there is no block '{}'{}\n", command.name,
+    complain("there is no block '{}'{}\n", visible(command.name),
              did_you_mean(command.name, registry.names(), "'stepwire blocks' lists them"));
     return ExitCode::wrong;
   }

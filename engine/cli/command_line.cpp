@@ -92,7 +92,7 @@ class CommandLine {
   }
 
   ExitCode refuse_verb(const std::string& word) const {
-    complain("stepwire: there is no '{}'{}\n", word,
+    complain("stepwire: there is no '{}'{}\n", visible(word),
              did_you_mean(word, verbs(), fmt::format("There are: {}", fmt::join(verbs(), ", "))));
     return ExitCode::wrong;
   }

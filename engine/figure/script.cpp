@@ -125,8 +125,10 @@ std::string Script::text() const {
 std::string quoted(const std::string& text) {
   std::string result = "'";
   for (const char c : printable(text)) {
-    if (c == '\'') result += '\'';
-    result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+    if (c == '\'')
+      result += "’";  // gnuplot takes two for one, but not at the beginning
+    else
+      result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
   }
   return result + "'";
 }

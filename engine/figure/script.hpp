@@ -73,8 +73,8 @@ class Script {
   std::size_t blocks_ = 0, titles_ = 0;
 };
 
-/// A text as gnuplot takes it literally: 'it''s'. All that a diagram says goes through this, or through
-/// quoted_tic().
+/// A text as gnuplot takes it literally, 'it’s': in these quotes nothing but an apostrophe has a meaning. All
+/// that a diagram says goes through this, or through quoted_tic().
 std::string quoted(const std::string& text);
 /// The same for a label at a tic, which gnuplot takes for a format of numbers.
 std::string quoted_tic(const std::string& text);

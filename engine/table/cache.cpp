@@ -157,7 +157,7 @@ std::optional<std::string> Cache::find(const std::string& name) const {
 void Cache::keep(const std::string& name, const std::string& content) const {
   make_folder(folder_);
   const Descriptor folder = open_folder(folder_);
-  if (!folder.open()) return;
+  if (!folder.open()) return note_problem(folder_, "cannot be used");  // where there is no reason yet
   drop_old();
   write(folder.number(), name, content + seal_of(name, content));
 }

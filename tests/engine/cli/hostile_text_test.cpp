@@ -52,7 +52,7 @@ std::string hostile_yaml(const Scratch& folder, const std::string& title) {
     record += (i == 0 ? "" : ", ") + ("part" + number);
     figures += "  - {plot: lines, title: " + text + ", caption: " + text + ", x: time, y: part" + number +
                ", x_label: " + text + ", y_label: " + text + ", legend: [" + text + "]}\n";
-    claims += "  - {that: " + text + ", final: part" + number + ", at_least: 0, disagrees: " + text + "}\n";
+    claims += "  - {that: " + text + ", final: part" + number + ", at_most: -1, disagrees: " + text + "}\n";
   }
   return "stepwire: 1\ntitle: " + in_yaml(title) + "\ncaption: " + in_yaml(title) +
          "\nstep: 1 ms\nstop: 0.05 s\nsolver: rk4\n" + inputs + outputs + blocks + record + "]\n" + figures +

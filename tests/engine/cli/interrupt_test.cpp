@@ -167,7 +167,7 @@ TEST_CASE("a loop ends with its recording written, however many signals come") {
     Call call;
     call.arguments = {"loop",     "device.yaml", "--rate",   "200",         "--duration", "100",
                       "--policy", "other",       "--engine", "interpreted", "--out",      "out"};
-    call.interrupt_after = 0.7;
+    call.interrupt_after = 2.0;
     call.signals = signals;
     const Done done = run_program(folder, call);
     INFO(done.err);

@@ -46,7 +46,7 @@ TEST_CASE("the axes reach as far as the marks") {
 
 TEST_CASE("a mark lies in front of all curves, with its name aslant above it where nothing is in the way") {
   const Panel panel = panel_of("{" + plane + ", marks: {\"it's\": [1 mm, 2 mm/s]}}");
-  CHECK_THAT(drawn(panel), Contains("set label 'it''s' at 1,2 left offset 0.7,0.6 front textcolor"));
+  CHECK_THAT(drawn(panel), Contains("set label 'it’s' at 1,2 left offset 0.7,0.6 front textcolor"));
 }
 
 TEST_CASE("a name stays clear of a curve, of other marks and of the frame") {
