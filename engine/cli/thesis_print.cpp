@@ -6,9 +6,10 @@
 #include <cctype>
 #include <map>
 #include <optional>
-#include <thread>
 
-#include "engine/process/filter.hpp"
+#include "engine/base/hash.hpp"
+#include "engine/process/process.hpp"
+#include "engine/run/parallel.hpp"
 #include "engine/table/cache.hpp"
 #include "engine/table/file.hpp"
 
@@ -18,33 +19,17 @@ namespace {
 
 constexpr const char* printer = "rsvg-convert";
 
-/// What a former call has made of the same pictures; nothing where there is none or it is not whole.
-std::optional<std::string> kept_print(const std::string& path) {
-  try {
-    std::string text = read_file(path);
-    if (text.starts_with("%PDF") && text.ends_with("%%EOF\n")) return text;
-  } catch (const SurroundingsError&) {
-  }
-  return std::nullopt;
-}
-
-void keep_print(const std::string& path, const std::string& text) {
-  try {
-    write_file(path, text);
-  } catch (const SurroundingsError&) {
-  }
-}
-
 std::string printed(const std::string& program, const std::vector<std::string>& files) {
-  std::uint64_t hash = hash_of(printer);
-  for (const std::string& file : files) hash = hash_of(read_file(file), hash);
-  const std::string path = fmt::format("{}/{:016x}.pdf", cache_folder(), hash);
-  if (std::optional<std::string> text = kept_print(path)) return *std::move(text);
-  std::vector<std::string> arguments{"--format=pdf"};
-  arguments.insert(arguments.end(), files.begin(), files.end());
-  FilterAnswer answer = run_filter(program, arguments, "");
-  if (answer.status != 0) throw SurroundingsError(fmt::format("{}: {}", printer, answer.complaints));
-  keep_print(path, answer.output);
+  Hash hash;
+  hash.add(printer);
+  for (const std::string& file : files) hash.add(read_file(file));
+  const Cache cache;
+  const std::string name = hash.text() + ".pdf";
+  if (std::optional<std::string> text = cache.find(name)) return *std::move(text);
+  ProcessCall call{.command = {program, "--format=pdf"}};
+  call.command.insert(call.command.end(), files.begin(), files.end());
+  const ProcessResult answer = run_helper(printer, call);
+  cache.keep(name, answer.output);
   return answer.output;
 }
 
@@ -74,7 +59,7 @@ struct Chapter {
           "There is no PDF, since {} is not installed; on Debian it is the package librsvg2-bin.", printer));
     try {
       write_file(out + "/" + file, printed(program, pictures));
-    } catch (const SurroundingsError& error) {
+    } catch (const std::exception& error) {  // also where an interruption has ended the printer
       leave_out(fmt::format("There is no PDF: {}", error.what()));
     }
   }
@@ -99,9 +84,9 @@ void print_chapters(const std::string& out, std::vector<GalleryEntry>& entries) 
     chapter.add(out, entry);
   }
   const std::string program = find_program(printer);
-  std::vector<std::jthread> threads;
-  for (auto& [name, chapter] : chapters)
-    threads.emplace_back([&chapter = chapter, &program, &out] { chapter.print(program, out); });
+  std::vector<Chapter*> all;
+  for (auto& [name, chapter] : chapters) all.push_back(&chapter);
+  in_parallel(all.size(), 0, [&](std::size_t i) { all[i]->print(program, out); });
 }
 
 }  // namespace stepwire
