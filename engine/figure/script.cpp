@@ -130,6 +130,7 @@ std::string quoted(const std::string& text) {
     else
       result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
   }
+  replace_all(result, "]]>", "]] >");  // which gnuplot would leave as it is, and XML refuses
   return result + "'";
 }
 

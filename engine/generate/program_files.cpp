@@ -36,7 +36,7 @@ std::string cmake_text(const OwnNames& names) {
       "if(NOT CMAKE_BUILD_TYPE)\n  set(CMAKE_BUILD_TYPE Release)\nendif()\n"
       "set(CMAKE_CXX_FLAGS_RELEASE \"\")  # the flags below are all there is to it\n\n"
       "add_executable({0} {3} {1}.cpp)\n"
-      "set_target_properties({0} PROPERTIES OUTPUT_NAME {1} RUNTIME_OUTPUT_DIRECTORY "
+      "set_target_properties({0} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "
       "${{CMAKE_CURRENT_BINARY_DIR}}/bin)\n"
       "target_include_directories({0} PRIVATE ${{CMAKE_CURRENT_SOURCE_DIR}} "
       "${{CMAKE_CURRENT_SOURCE_DIR}}/stepwire)\n"

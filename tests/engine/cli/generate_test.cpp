@@ -61,7 +61,7 @@ TEST_CASE("a generated program is built without us and writes the same bytes as 
       run_process({.command = {"cmake", "--build", made + "/build"}, .limit = compiler_limit()});
   INFO(built.output);
   REQUIRE(built.status == 0);
-  REQUIRE(run_process({.command = {made + "/build/bin/rig", made}}).succeeded());
+  REQUIRE(run_process({.command = {made + "/build/bin/rig_diagram", made}}).succeeded());
   CHECK(content_of(made + "/signals.csv") == content_of(folder.path("out/signals.csv")));
   CHECK(content_of(made + "/signals-2.csv") == content_of(folder.path("out/signals-2.csv")));
   CHECK(lines_of(content_of(made + "/signals.csv")).size() > 100);
@@ -173,7 +173,8 @@ TEST_CASE(
   REQUIRE(built.succeeded());
   REQUIRE(run_program(folder, {"run", "main.yaml", "--out", "out"}).code == 0);
   for (const auto& [file, program] : names) {
-    REQUIRE(run_process({.command = {made + "/build/" + program + "/bin/" + program, made}}).succeeded());
+    REQUIRE(run_process({.command = {made + "/build/" + program + "/bin/" + program + "_diagram", made}})
+                .succeeded());
     CHECK(content_of(made + "/signals.csv") == content_of(folder.path("out/signals.csv")));
   }
   CHECK_FALSE(std::filesystem::exists(folder.path("executed")));

@@ -93,7 +93,7 @@ TEST_CASE(
       run_process({.command = {"cmake", "--build", made + "/build"}, .limit = compiler_limit()});
   INFO(built.output);
   REQUIRE(built.succeeded());
-  REQUIRE(run_process({.command = {made + "/build/bin/all", made}}).succeeded());
+  REQUIRE(run_process({.command = {made + "/build/bin/all_diagram", made}}).succeeded());
   CHECK(content_of(made + "/signals.csv") == content_of(folder.path("interpreted/signals.csv")));
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path("")))
     CHECK(entry.path().filename() != "executed");
