@@ -18,7 +18,8 @@ const Channel* PlotKind::channel(std::string_view key) const {
 
 bool PlotKind::takes(std::string_view panel_key) const {
   if (panel_key == "boundary") return plane;
-  const bool is_over_both = panel_key == "marks" || panel_key == "texts" || panel_key == "motion" || panel_key == "rose";
+  const bool is_over_both =
+      panel_key == "marks" || panel_key == "texts" || panel_key == "motion" || panel_key == "rose";
   return !is_over_both || (plane && channel("x") && channel("y"));
 }
 
