@@ -25,7 +25,14 @@ void MRDamper::declare(Declare<MRDamper>& is) {
                          .alpha = "N/m",
                          .c = "N s/m"});
   is.output<&MRDamper::force>({.unit = "N", .doc = "force that resists the motion, in the direction of v"});
-  is.preset<rd_1097_01>("rd-1097-01", "Lord RD-1097-01 as identified in the thesis, 0 to 0.35 A");
+  const std::string rating = "; of the data sheet, for figures and claims: no run depends on it";
+  is.parameter<&MRDamper::compressed_length>({.unit = "m", .doc = "length when pushed in" + rating});
+  is.parameter<&MRDamper::extended_length>({.unit = "m", .doc = "length when pulled out" + rating});
+  is.parameter<&MRDamper::continuous_current>({.unit = "A", .doc = "highest current for long" + rating});
+  is.parameter<&MRDamper::intermittent_current>({.unit = "A", .doc = "highest current for a while" + rating});
+  is.preset<rd_1097_01>("rd-1097-01",
+                        "Lord RD-1097-01 as identified in the thesis, 0 to 0.35 A, with the ratings of its "
+                        "data sheet (thesis table 1)");
 }
 
 }  // namespace stepwire

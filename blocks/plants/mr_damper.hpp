@@ -6,6 +6,8 @@ namespace stepwire {
 
 /// Linear magnetorheological damper: F = k0 x + c(i) v + alpha(i) z + f0.
 struct MRDamper : MRDamperCore {
+  double compressed_length = 0.0, extended_length = 0.0;  ///< ratings, on which no run depends
+  double continuous_current = 0.0, intermittent_current = 0.0;
   Output<1> force{};
 
   MRDamper();
@@ -38,6 +40,10 @@ inline void rd_1097_01(MRDamper& damper) {
   damper.alpha = {72.8 * per_mm, -42.88 * per_mm, 14.83 * per_mm, 0.29 * per_mm};
   damper.c = {-9.37 * per_mm, 10.22 * per_mm, -4.33 * per_mm, 0.89 * per_mm, 0.02 * per_mm};
   damper.current_range = {0.0, 0.35};
+  damper.compressed_length = 0.195;
+  damper.extended_length = 0.253;
+  damper.continuous_current = 0.5;
+  damper.intermittent_current = 1.0;
 }
 
 inline MRDamper::MRDamper() {

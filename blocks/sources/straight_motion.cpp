@@ -22,6 +22,9 @@ void StraightMotion::configure(Configure& is) {
   if (from.size() != direction.size())
     is.refuse<&StraightMotion::from>(
         fmt::format("has {} elements, and 'direction' {}; give both as many", from.size(), direction.size()));
+  if (is.connected<&StraightMotion::turn>() && direction.size() != 2)
+    is.refuse<&StraightMotion::direction>(fmt::format(
+        "has {} elements, but 'turn' is wired, which turns a direction in the plane", direction.size()));
 }
 
 void StraightMotion::prepare() {
@@ -42,6 +45,10 @@ void StraightMotion::declare(Declare<StraightMotion>& is) {
   is.parameter<&StraightMotion::rise>(
       {.unit = "s", .doc = "time in which the speed is reached; 0: at once", .at_least = 0.0});
   is.parameter<&StraightMotion::start_>({.unit = "s", .doc = "instant until which it rests"});
+  is.input<&StraightMotion::turn>(
+      {.unit = "rad",
+       .doc = "added to the angle of a direction in the plane; a constant, as the velocity takes it for one",
+       .optional = true});
   is.output<&StraightMotion::position>({.unit = "m", .shape = "d", .doc = "position"});
   is.output<&StraightMotion::velocity>({.unit = "m/s", .shape = "d", .doc = "its derivative"});
   is.output<&StraightMotion::acceleration>(

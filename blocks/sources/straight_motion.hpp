@@ -9,10 +9,12 @@
 namespace stepwire {
 
 /// A motion along a straight line that starts smoothly and goes on at constant speed: with t from `start` on,
-/// v(t) = speed (1 - cos(pi t / rise)) / 2 up to t = rise, and speed from there.
+/// v(t) = speed (1 - cos(pi t / rise)) / 2 up to t = rise, and speed from there. In the plane `turn` is added
+/// to the angle of its direction.
 struct StraightMotion {
   Numbers from{0.0}, direction{1.0};
   double speed = 0.01, rise = 0.0, start_ = 0.0;
+  Input<1> turn{};
   Output<> position{}, velocity{}, acceleration{};
   Output<1> distance{};
   Time time{};
@@ -24,15 +26,26 @@ struct StraightMotion {
     distance = speed * (t < rise ? rising(t) : t - 0.5 * rise);
     const double v = time < start_ ? 0.0 : t < rise ? 0.5 * speed * (1.0 - std::cos(angle(t))) : speed;
     const double a = t < rise ? 0.5 * speed * std::numbers::pi / rise * std::sin(angle(t)) : 0.0;
-    position.each([&](Index i) { return from[i] + distance * unit[i]; });
-    velocity.each([&](Index i) { return v * unit[i]; });
-    acceleration.each([&](Index i) { return a * unit[i]; });
+    const Turn by = turn.connected() ? Turn{std::cos(turn), std::sin(turn)} : Turn{};
+    position.each([&](Index i) { return from[i] + distance * turned(i, by); });
+    velocity.each([&](Index i) { return v * turned(i, by); });
+    acceleration.each([&](Index i) { return a * turned(i, by); });
   }
 
   void configure(Configure& is);
   static void declare(Declare<StraightMotion>& is);
 
  private:
+  struct Turn {
+    double cos = 1.0, sin = 0.0;
+  };
+
+  /// An element of the unit vector, turned in the plane.
+  double turned(Index i, const Turn& by) const {
+    if (!turn.connected()) return unit[i];
+    return i == 0 ? by.cos * unit[0] - by.sin * unit[1] : by.sin * unit[0] + by.cos * unit[1];
+  }
+
   double angle(double t) const { return std::numbers::pi * t / rise; }
   /// Distance at unit speed while the speed rises.
   double rising(double t) const { return 0.5 * (t - rise / std::numbers::pi * std::sin(angle(t))); }

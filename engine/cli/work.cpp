@@ -50,6 +50,29 @@ void add_outlines(const Diagram& diagram, Names& names) {
   }
 }
 
+/// A number of a block as an expression has it; empty where the unit is that of what is wired to it.
+std::string number_text(const ParameterSpec& spec, double value) {
+  const auto unit = parse_unit(spec.unit);
+  if (!unit) return {};
+  std::string name = unit->dimension == Dimension{} ? "" : " " + si_name(unit->dimension);
+  std::replace(name.begin() + (name.empty() ? 0 : 1), name.end(), ' ', '.');
+  return fmt::format("{}{}", value, name);
+}
+
+/// Numbers that blocks were given, by their file, a preset or as defaults: "rig.damper.beta".
+void add_numbers_of_blocks(const Diagram& diagram, Names& names) {
+  for (const DiagramBlock& block : diagram.blocks)
+    for (const ParameterSpec& spec : block.type().parameters) {
+      const Value value = spec.get(block.block.get());
+      const double* number = std::get_if<double>(&value.content);
+      const std::string name = block.name + "." + spec.name;
+      const bool is_free = !names.find(name) && !std::ranges::count(names.signals, name);
+      if (!number || !std::isfinite(*number) || !is_free) continue;
+      if (std::string text = number_text(spec, *number); !text.empty())
+        names.drawn.push_back({name, std::move(text)});
+    }
+}
+
 /// What figures and claims of a file may name.
 Names names_of(const Job& job) {
   const Diagram& diagram = job.plan.diagram;
@@ -66,6 +89,7 @@ Names names_of(const Job& job) {
       names.parameters.push_back({parameter.name, *number, parameter.dimension});
   add_signals(diagram, names);
   add_outlines(diagram, names);
+  add_numbers_of_blocks(diagram, names);
   return names;
 }
 
@@ -106,7 +130,7 @@ std::shared_ptr<const Scene> read_scene_of(const Diagram& diagram, Names& names,
 
 /// Claims and invariants may name what the figures draw and the scene shows.
 void read_all_claims(const Diagram& diagram, Work& work, Names& names, Faults& faults) {
-  names.drawn = drawn_quantities(work.figures);
+std::ranges::move(drawn_quantities(work.figures), std::back_inserter(names.drawn));
   if (work.scene) std::ranges::move(shown_quantities(*work.scene), std::back_inserter(names.drawn));
   const auto read = [&](const Node& section, Claim::Kind kind) {
     if (section.kind == Node::Kind::empty) return;

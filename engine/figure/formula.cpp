@@ -49,8 +49,12 @@ std::string unknown_parameter(const std::string& name, const Names& names) {
 std::string unknown_column(const std::string& name, const Names& names) {
   std::vector<std::string> all;
   for (const auto& column : names.columns) all.push_back(column.name);
-  if (name.starts_with("figure.") || name.starts_with("scene."))
-    for (const auto& drawn : names.drawn) all.push_back(drawn.name);
+  const bool is_shown = name.starts_with("figure.") || name.starts_with("scene.");
+  const auto beginning = [&](const std::string& of) {
+    return of.substr(0, is_shown ? of.find('.') : of.rfind('.'));
+  };
+  for (const auto& drawn : names.drawn)
+    if (beginning(drawn.name) == beginning(name)) all.push_back(drawn.name);
   if (!names.unknown.empty())
     return fmt::format("'{}' {}{}", name, names.unknown, nearest_or_all(name, all, "there are"));
   const bool is_vector = names.find(name + ".1") != nullptr;
@@ -105,14 +109,15 @@ std::size_t append_word(std::string_view text, std::size_t begin, const Names& n
 
 Substituted substitute(std::string_view text, const Names& names);
 
-/// Replaces the name of something drawn that starts at `begin` by its expression; returns the position behind
-/// it, or `begin` where there is none.
+/// Replaces the name of something drawn, or of a number of a block, that starts at `begin` by its expression;
+/// returns the position behind it, or `begin` where there is none. What is recorded under that name comes
+/// first.
 std::size_t append_drawn(std::string_view text, std::size_t begin, const Names& names, Substituted& result) {
   if (names.drawn.empty() || (begin > 0 && (is_word(text[begin - 1]) || text[begin - 1] == '.')))
     return begin;
   const std::string name = name_at(text, begin);
   const auto found = std::ranges::find(names.drawn, name, &NamedFormula::name);
-  if (found == names.drawn.end()) return begin;
+  if (found == names.drawn.end() || names.find(name)) return begin;
   result.append("(" + substitute(found->text, names).text + ")", begin);
   return begin + name.size();
 }

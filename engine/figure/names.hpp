@@ -61,7 +61,7 @@ struct Names {
   const DiagramView* diagram = nullptr;  ///< the diagram itself; null where it cannot be drawn
   std::vector<NamedOutline> outlines{};
   std::vector<NamedTable> tables{};
-  std::vector<NamedFormula> drawn{};     ///< what the figures draw; claims may name it
+  std::vector<NamedFormula> drawn{};     ///< what the figures draw, and numbers of blocks
   std::shared_ptr<const Scene> scene{};  ///< what the file shows; null where it has none
 
   const RecordedName* find(std::string_view name) const;

@@ -4,11 +4,13 @@
 
 #include "engine/figure/number.hpp"
 #include "engine/figure/plot_kind.hpp"
+#include "engine/figure/table_rows.hpp"
 
 namespace stepwire {
 namespace {
 
-Picture read_table_plot(const Node& node, const Names& names, Faults& faults) {
+/// A table that a study makes.
+Picture read_named_table(const Node& node, const Names& names, Faults& faults) {
   const auto fault = [&](const Mark& mark, const std::string& message) {
     faults.add({{names.file, mark}, "figure.of", message, {}});
     return Picture{};
@@ -18,7 +20,9 @@ Picture read_table_plot(const Node& node, const Names& names, Faults& faults) {
   const Node* of = node.find("of");
   if (!of)
     return fault(node.mark,
-                 fmt::format("a plot 'table' needs 'of', the name of a table: {}", fmt::join(all, ", ")));
+                 fmt::format("a plot 'table' needs 'rows' with 'headings', or in a file with a study 'of', "
+                             "the name of a table: {}",
+                             fmt::join(all, ", ")));
   const auto found = std::find(all.begin(), all.end(), of->text);
   if (all.empty()) return fault(of->mark, "this file makes no tables; one with a section 'study' does");
   if (found == all.end())
@@ -33,19 +37,41 @@ Picture read_table_plot(const Node& node, const Names& names, Faults& faults) {
   };
 }
 
+Picture read_table_plot(const Node& node, const Names& names, Faults& faults) {
+  if (!node.find("rows") && !node.find("headings")) return read_named_table(node, names, faults);
+  if (const Node* of = node.find("of"))
+    faults.add({{names.file, of->mark}, "figure.of", "a table has 'of' or 'rows', not both", {}});
+  return [rows = read_table_rows(node, names, faults)](std::span<const Recording> recordings) {
+    return draw(filled(rows, recordings));
+  };
+}
+
 }  // namespace
 
 PlotKind table_plot() {
   PlotKind kind;
   kind.name = "table";
-  kind.doc = "a table that a study makes, with its notes";
+  kind.doc = "a table of expressions, or one that a study makes, with its notes";
   kind.options = {
       {"of",
        "which table: errors by condition, or by condition and subject; the analyses of variance; or "
        "means and significance beside the thesis'",
        "",
        false,
-       {"errors", "subjects", "anova", "anova_with_subject", "repeated_measures", "means", "significance"}}};
+       {"errors", "subjects", "anova", "anova_with_subject", "repeated_measures", "means", "significance"}},
+      {"headings", "texts, the first above the names of the rows", "", false, {}, Option::Form::names},
+      {"rows",
+       "map of name: an expression for each further column, or a list: {NAME: [rig.x in mm]}",
+       "",
+       false,
+       {},
+       Option::Form::tree},
+      {"where",
+       "cells have the values of the first row for which this is true; without it of the first",
+       "",
+       false,
+       {},
+       Option::Form::tree}};
   kind.plane = false;
   kind.read = read_table_plot;
   return kind;

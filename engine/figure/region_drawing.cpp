@@ -1,6 +1,7 @@
 #include "engine/figure/region_drawing.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "engine/figure/thinning.hpp"
 
@@ -22,13 +23,42 @@ Curve curve_of(const Panel& panel, const Outline& outline, const Outline::Line& 
   return curve;
 }
 
+/// Does a point lie within the ranges that the file gives for its axes?
+bool is_shown(const Panel& panel, const Curve& curve, std::size_t row) {
+  const char* axes[] = {"x_range", "y_range", "z_range"};
+  for (std::size_t i = 0; i < curve.columns.size(); ++i) {
+    const auto range = panel.ranges.find(axes[i]);
+    if (range == panel.ranges.end()) continue;
+    const double hair = 1e-6 * (range->second[1] - range->second[0]), value = curve.columns[i][row];
+    if (value < range->second[0] - hair || value > range->second[1] + hair) return false;
+  }
+  return true;
+}
+
+/// The pieces of a line in space that are shown; gnuplot does not cut lines there.
+std::vector<Curve> shown_pieces(const Panel& panel, const Curve& curve) {
+  std::vector<Curve> pieces;
+  bool inside = false;
+  for (std::size_t row = 0; row < curve.size(); ++row) {
+    const bool shown = is_shown(panel, curve, row);
+    if (shown && !inside) pieces.push_back({std::vector<std::vector<double>>(curve.columns.size()), 0});
+    for (std::size_t i = 0; shown && i < curve.columns.size(); ++i)
+      pieces.back().columns[i].push_back(curve.columns[i][row]);
+    inside = shown;
+  }
+  return pieces;
+}
+
 /// The lines of an outline; in the plane without points that cannot be told apart in the frame.
 std::vector<Curve> curves_of(const Panel& panel, const Outline& outline, const Script& script) {
   const std::vector<double> widths{script.x.high - script.x.low, script.y.high - script.y.low};
   std::vector<Curve> curves;
   for (const Outline::Line& line : outline.lines) {
-    curves.push_back(curve_of(panel, outline, line));
-    if (!outline.space) curves.back() = simplify(curves.back(), widths, unseen, false);
+    const Curve curve = curve_of(panel, outline, line);
+    if (outline.space)
+      std::ranges::move(shown_pieces(panel, curve), std::back_inserter(curves));
+    else
+      curves.push_back(simplify(curve, widths, unseen, false));
   }
   return curves;
 }
@@ -86,7 +116,8 @@ void draw_regions(const Panel& panel, Script& script) {
   for (const Outline& outline : panel.regions) {
     const std::vector<Curve> curves = curves_of(panel, outline, script);
     const std::string columns = outline.space ? "1:2:3" : "1:2";
-    script.plot(script.data(curves) + " using " + columns + " with lines lc rgb '#111111' lw 1.6" + dashes);
+    if (!curves.empty())
+      script.plot(script.data(curves) + " using " + columns + " with lines lc rgb '#111111' lw 1.6" + dashes);
     if (outline.space) continue;
     const Curve shade = within(one_of(curves), script);
     if (shade.size() > 2)

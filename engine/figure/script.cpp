@@ -38,7 +38,7 @@ Extent Extent::padded(double share) const {
   return {low - room, high + room};
 }
 
-std::string Script::data(const std::vector<Curve>& curves) {
+std::string Script::data(const std::vector<Curve>& curves, const char* gap) {
   if (!panel_.marks.empty()) std::ranges::copy(curves, std::back_inserter(drawn_));
   const std::string block = fmt::format("${}{}", name_, blocks_++);
   commands_ += block + " << EOD\n";
@@ -47,8 +47,8 @@ std::string Script::data(const std::vector<Curve>& curves) {
     for (std::size_t row = 0; row < curve.size(); ++row)
       for (std::size_t i = 0; i < curve.columns.size(); ++i)
         fmt::format_to(out, "{:.7g}{}", curve.columns[i][row], i + 1 < curve.columns.size() ? ' ' : '\n');
-    // Two empty lines make gnuplot lift its pen; after one alone it would tie curves in space to a net.
-    if (&curve != &curves.back()) commands_ += "\n\n";
+    // Two empty lines make gnuplot lift its pen; after one alone it ties curves in space to a net.
+    if (&curve != &curves.back()) commands_ += gap;
   }
   commands_ += "EOD\n";
   return block;

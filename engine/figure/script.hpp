@@ -29,7 +29,9 @@ class Script {
 
   void set(const std::string& command) { commands_ += command + "\n"; }
   /// Writes curves as a data block, with a gap between them, and returns its name.
-  std::string data(const std::vector<Curve>& curves);
+  std::string data(const std::vector<Curve>& curves) { return data(curves, "\n\n"); }
+  /// The same with lines that are tied to a net.
+  std::string net(const std::vector<Curve>& lines) { return data(lines, "\n"); }
   /// Takes the first two columns of curves into the extent of the plane.
   void cover(const std::vector<Curve>& curves);
   /// Adds something to be plotted: "$a0 using 1:2 with lines", with its text in the legend or none.
@@ -63,6 +65,8 @@ class Script {
   std::string text() const;
 
  private:
+  std::string data(const std::vector<Curve>& curves, const char* gap);
+
   void name_more_than_decades(const std::string& axis, const Extent& shown);
 
   const Panel& panel_;

@@ -69,3 +69,26 @@ TEST_CASE("A straight motion without direction is refused") {
   CHECK_THAT(error("from: [0, 0], direction: [0, 0]"), Catch::Contains("push.direction"));
   CHECK_THAT(error("from: [0, 0], direction: [1, 0, 0]"), Catch::Contains("push.from"));
 }
+
+TEST_CASE("A turn is added to the angle of a straight motion in the plane") {
+  const Table table = run_text(R"(
+step: 10 ms
+stop: 1 s
+solver: rk4
+blocks:
+  turned: {block: StraightMotion, from: [1, 2], direction: [3, 4], speed: 2 m/s, rise: 0.1 s, turn: 40 deg}
+  angle:  {block: StraightMotion, from: [1, 2], direction: [= cos(atan2(4, 3) + 40 deg), = sin(atan2(4, 3) + 40 deg)],
+           speed: 2 m/s, rise: 0.1 s}
+record: [turned.position, turned.velocity, turned.acceleration, angle.position, angle.velocity, angle.acceleration]
+)");
+  for (const std::string what :
+       {"position.1", "position.2", "velocity.1", "velocity.2", "acceleration.1", "acceleration.2"})
+    for (std::size_t k = 0; k < table.rows(); ++k)
+      CHECK(column(table, "turned." + what)[k] == Approx(column(table, "angle." + what)[k]).margin(1e-12));
+}
+
+TEST_CASE("A turn is refused where a straight motion is not in the plane") {
+  CHECK_THAT(error_of("step: 1 ms\nstop: 1 s\nblocks: {a: {block: StraightMotion, from: [0, 0, 0], "
+                      "direction: [1, 0, 0], turn: 0.1}}\n"),
+             Catch::Matchers::Contains("a direction in the plane"));
+}

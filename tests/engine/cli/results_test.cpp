@@ -196,6 +196,34 @@ TEST_CASE("the option --set reaches into parts and blocks, and the last one coun
         0);
 }
 
+TEST_CASE(
+    "claims and figures may name numbers that blocks were given, by the file, a preset or as defaults") {
+  const Scratch folder;
+  folder.file(
+      "a.yaml",
+      "stepwire: 1\nstep: 10 ms\nstop: 1 s\nblocks:\n  lag: {block: Lag, u: 1, tau: 40 ms}\n"
+      "  push: {block: Step, after: 3 N, time: 250 ms}\n"
+      "  damper: {block: MRDamper, preset: rd-1097-01, velocity: 10 mm/s, current: 0 A}\n"
+      "record: [push, damper.force]\n"
+      "figure: {plot: table, headings: [of, number], rows: {start: push.time in ms, beta: damper.beta in "
+      "1/mm}}\n"
+      "claims:\n"
+      "  - {that: of the file, final: push.time, equals: 250 ms}\n"
+      "  - {that: of the preset, final: damper.extended_length - damper.compressed_length, equals: 58 mm, "
+      "within: 1e-12 m}\n"
+      "  - {that: the law, where: time > 0.9 s, max: \"abs(damper.force - 1000*damper.A/(damper.beta + "
+      "damper.gamma)*0.29 N/m - 0.2 N)\", at_most: 1e-3 N}\n");
+  const Done done = run_program(folder, {"run", "a.yaml", "--out", "out"});
+  INFO(done.out << done.err);
+  CHECK(done.code == 0);
+  CHECK_THAT(content_of(folder.path("out/figure.svg")), Contains(">250 ms<") && Contains(">10.61 1/mm<"));
+  CHECK(run_program(folder, {"run", "a.yaml", "--set", "push.time=260ms"}).code == 1);
+  folder.file("b.yaml",
+              "stepwire: 1\nstep: 10 ms\nstop: 1 s\nblocks: {lag: {block: Step, time: 1 s}}\nrecord: lag\n"
+              "claims: [{that: unit, final: lag.time, equals: 1 mm}]\n");
+  CHECK_THAT(run_program(folder, {"run", "b.yaml"}).err, Contains("1 mm is in m"));
+}
+
 TEST_CASE("a file with a scene leaves its animation, and claims and figures see what it shows") {
   const Scratch folder;
   folder.file(

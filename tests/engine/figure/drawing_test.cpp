@@ -62,6 +62,8 @@ const std::vector<std::string> every_kind{
     "{plot: field, x: rig.x in mm, y: current in mA, u: rig.v, v: rig.v}",
     "{plot: 3d, x: rig.x in mm, y: rig.v in mm/s, z: current, color: time}",
     "{plot: 3d, x: rig.x in mm, y: rig.v in mm/s, z: current, style: points, equal: true}",
+    "{plot: 3d, x: rig.x in mm, y: rig.v in mm/s, z: current, color: time, sheets: [current < 0.25, current "
+    "> 0.15]}",
     "{plot: box, y: rig.x in mm, by: current}",
     "{plot: box, y: rig.x in mm, by: current, beside: {signal: rig.v > 0, label: forth}, whiskers: tukey}",
     "{plot: histogram, x: rig.x in mm}"};
