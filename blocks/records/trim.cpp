@@ -14,6 +14,8 @@ std::vector<double> rows_of(const Record& record, const StepOptions& given) {
   const std::string name = given.text("trim");
   const Column* column = record.table->find(name);
   if (!column) given.refuse("trim", no_column(record.file, *record.table, name));
+  if (const auto problem = record.table->problems.find(name); problem != record.table->problems.end())
+    given.refuse("trim", problem->second);
   const std::size_t first = static_cast<std::size_t>(record.first), rows = record.file_times.size();
   if (column->values.size() < first + rows)
     given.refuse("trim", fmt::format("{}: {} has {} rows, fewer than the record", record.file, name,

@@ -93,8 +93,9 @@ void FromFile::declare(Declare<FromFile>& is) {
   is.parameter<&FromFile::unit>(
       {.doc = "of the columns: one for all or one for each; left out: as the header says "
               "(`x [mm]`), SI where it says nothing"});
-  is.parameter<&FromFile::time>(
-      {.doc = "column with the times, which must increase; in s unless its header says else"});
+  is.parameter<&FromFile::time>({.doc = "column with the times, which must increase; in s unless its header "
+                                        "says else. Left out: `time`, or `t` "
+                                        "where there is none"});
   is.parameter<&FromFile::sample_time>(
       {.unit = "s",
        .doc = "time between rows, the first one being at 0, in place of a column of "

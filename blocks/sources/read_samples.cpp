@@ -38,6 +38,8 @@ const Column& find_column(const FromFile& asked, const Configure& is, const Tabl
                           const std::string& name, const char* cure) {
   const Column* column = table.find(name);
   if (!column) is.refuse<parameter>(no_column(asked.file.string(), table, name) + cure);
+  if (const auto problem = table.problems.find(name); problem != table.problems.end())
+    is.refuse<parameter>(problem->second);
   for (std::size_t row = 0; row < column->values.size(); ++row)
     if (!std::isfinite(column->values[row]))
       is.refuse<parameter>(fmt::format("{} is {}; every row must be a finite number",
@@ -66,12 +68,18 @@ std::string unit_in_name(const std::string& name) {
   return unit && (unit->scale != 1.0L || unit->offset != 0.0L) ? ending : "";
 }
 
+/// The column with the times: as the block says, else `time`, or `t` where there is none.
+std::string time_name(const FromFile& asked, const Table& table) {
+  const std::string name(asked.time);
+  return name == "time" && !table.find(name) && table.find("t") ? "t" : name;
+}
+
 /// Times of all rows [s]. A column without a unit is in seconds.
 std::vector<double> times(const FromFile& asked, const Configure& is, const Table& table, std::size_t rows) {
   std::vector<double> result(rows);
   for (std::size_t row = 0; row < rows; ++row) result[row] = asked.sample_time * static_cast<double>(row);
   if (asked.sample_time > 0.0) return result;
-  const Column& column = find_column<&FromFile::time>(asked, is, table, std::string(asked.time),
+  const Column& column = find_column<&FromFile::time>(asked, is, table, time_name(asked, table),
                                                       "; name the one with the times, or give sample_time");
   if (const std::string told = unit_in_name(column.name); column.unit.empty() && !told.empty())
     is.refuse<&FromFile::time>(
@@ -140,7 +148,7 @@ Record read_record(const FromFile& asked, const Configure& is, const Table& tabl
   const std::vector<double> time = times(asked, is, table, columns.front()->values.size());
   Record record;
   record.file = asked.file.string();
-  record.time_name = std::string(asked.time);
+  record.time_name = time_name(asked, table);
   record.table = &table;
   for (const Column* column : columns)
     if (column->values.size() != time.size())

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "engine/cli/fitting.hpp"
@@ -56,15 +57,17 @@ std::string si_of(const std::optional<Dimension>& dimension) {
   return dimension && *dimension != Dimension{} ? si_name(*dimension) : "";
 }
 
-/// Worst, middle and best of the records in a comparison, by number.
+/// Worst, middle and best of the records in a comparison, by number; what is constant counts as the best.
 std::vector<std::size_t> telling(const FitResult& result, std::size_t comparison) {
+  const auto agreement = [&](std::size_t record) {
+    const double found = result.records[record].comparisons[comparison].agreement;
+    return std::isfinite(found) ? found : 100.0;
+  };
   std::vector<std::size_t> all;
   for (std::size_t i = 0; i < result.records.size(); ++i)
     if (comparison < result.records[i].comparisons.size()) all.push_back(i);
-  std::stable_sort(all.begin(), all.end(), [&](std::size_t a, std::size_t b) {
-    return result.records[a].comparisons[comparison].agreement <
-           result.records[b].comparisons[comparison].agreement;
-  });
+  std::stable_sort(all.begin(), all.end(),
+                   [&](std::size_t a, std::size_t b) { return agreement(a) < agreement(b); });
   if (all.size() <= 3) return all;
   return {all.front(), all[all.size() / 2], all.back()};
 }
@@ -88,7 +91,7 @@ void add_panels(const FitComparison& comparison, const FittedRecord& record, con
   asked.text += fmt::format(
       "  - {{plot: lines, x: time{} in s, {}, x_label: time, x_range: [{:.9g} s, {:.9g} s], title: {}}}\n",
       number, both, begin, end,
-      text_of(fmt::format("{}{}{:.2f} %{}", record.label, record.label.empty() ? "" : ": ", rows.agreement,
+      text_of(fmt::format("{}{}{}{}", record.label, record.label.empty() ? "" : ": ", agreement_text(rows),
                           record.held_out ? ", held out" : "")));
   asked.text += fmt::format(
       "  - {{plot: lines, x: time{0} in s, y: model{0} - measured{0}{1}, x_label: time, y_label: "

@@ -56,7 +56,8 @@ std::string correlations(const FitResult& result) {
 std::string record_line(const FittedRecord& record, std::size_t width) {
   std::string text =
       fmt::format("  {:<{}}", record.label.empty() ? "the record" : visible(record.label), width);
-  for (const ComparedRows& rows : record.comparisons) text += fmt::format("  {:6.2f} %", rows.agreement);
+  for (const ComparedRows& rows : record.comparisons) text += "  " + agreement_text(rows, 6);
+  if (record.comparisons.empty()) text += "  not predicted";
   return text + (record.held_out ? "  held out\n" : "\n");
 }
 
@@ -65,6 +66,8 @@ std::string summary(const FitResult& result) {
                                       [](const FittedStart& start) { return start.finished; });
   std::size_t rows = 0;
   for (const FittedRecord& record : result.records) rows += record.held_out ? 0 : record.rows;
+  if (result.numbers.empty())
+    return fmt::format("fit: the call sets all parameters, by which {} rows are predicted\n", rows);
   std::string text = fmt::format("fit: {} numbers, {} rows, {:.3g} s{}", result.numbers.size(), rows,
                                  result.seconds, result.compiled ? ", compiled" : "");
   if (result.starts.size() > 1)
@@ -87,7 +90,8 @@ Json number_json(const FittedNumber& number) {
 
 Json agreements_json(const FittedRecord& record) {
   Json list = Json::list();
-  for (const ComparedRows& rows : record.comparisons) list.push(rows.agreement);
+  for (const ComparedRows& rows : record.comparisons)
+    list.push(std::isfinite(rows.agreement) ? Json(rows.agreement) : Json());
   return list;
 }
 
@@ -117,6 +121,11 @@ Json matrix_json(const Eigen::MatrixXd& matrix) {
 }
 
 }  // namespace
+
+std::string agreement_text(const ComparedRows& rows, int width) {
+  return std::isfinite(rows.agreement) ? fmt::format("{:{}.2f} %", rows.agreement, width)
+                                       : "constant (no agreement in percent)";
+}
 
 std::string fit_text(const FitResult& result) {
   std::size_t names = 0, labels = 10;

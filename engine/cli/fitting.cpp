@@ -50,7 +50,7 @@ WorkOptions with_fitted(WorkOptions options, const FitResult& result) {
 
 std::vector<std::string> write_fit(const std::string& folder, const Work& work, const FitResult& result) {
   write_file(folder + "/fit.json", fit_json(work, result).text() + "\n");
-  write_file(folder + "/parameters.yaml", parameters_text(work, result));
+  if (!result.numbers.empty()) write_file(folder + "/parameters.yaml", parameters_text(work, result));
   std::vector<std::string> names;
   for (const FitPicture& picture : fit_pictures(*work.fit, result)) {
     names.push_back(picture.file);

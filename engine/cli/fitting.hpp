@@ -46,6 +46,8 @@ std::vector<FitPicture> fit_pictures(const FitRequest& request, const FitResult&
 /// SurroundingsError.
 std::vector<std::string> write_fit(const std::string& folder, const Work& work, const FitResult& result);
 
+/// How well a record is described, in percent; of what is constant in the record there is no such number.
+std::string agreement_text(const ComparedRows& rows, int width = 0);
 /// What was found, for people.
 std::string fit_text(const FitResult& result);
 Json fit_json(const Work& work, const FitResult& result);

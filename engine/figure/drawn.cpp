@@ -54,8 +54,7 @@ void add_places(const SceneObject& object, const Scene& scene, std::vector<Named
   for (std::size_t point = 0; point < object.points.size(); ++point)
     for (const std::string& name : numbered_names({"scene." + object.name}, point + 1))
       for (const std::size_t axis : {0u, 1u})
-        shown.push_back(
-            {name + (axis == 0 ? ".x" : ".y"), scene.formulas[object.points[point][axis]].text});
+        shown.push_back({name + (axis == 0 ? ".x" : ".y"), scene.formulas[object.points[point][axis]].text});
 }
 
 }  // namespace

@@ -27,8 +27,10 @@ class Fit {
         residuals_(runs_, request, options.threads) {}
 
   FitResult result() {
-    refuse_idle_parameters();
-    search();
+    if (request_.parameters.empty())
+      take_as_it_is();
+    else
+      search_parameters();
     describe_records();
     result_.compiled = runs_.compiled() || runs_.planned();
     result_.in_part = runs_.in_part();
@@ -40,6 +42,18 @@ class Fit {
   }
 
  private:
+  void search_parameters() {
+    refuse_idle_parameters();
+    search();
+  }
+
+  /// Where the call sets all parameters, records are only predicted.
+  void take_as_it_is() {
+    Eigen::VectorXd r;
+    if (residuals_.evaluate(best_.x, r)) best_.cost = cost_of(r, request_);
+    best_.converged = result_.converged = true;
+  }
+
   bool interrupted() const { return source_.interrupt && *source_.interrupt; }
 
   void tell(double fraction, const std::string& what) const {
@@ -196,7 +210,9 @@ class Fit {
     for (std::size_t i = 0; i < residuals_.unknowns().size(); ++i) result_.numbers.push_back(number(i));
     Eigen::VectorXd r;
     Jacobian slopes;
-    if (interrupted() || !residuals_.evaluate(best_.x, r, slopes, Residuals::Differences::central)) return;
+    if (result_.numbers.empty() || interrupted() ||
+        !residuals_.evaluate(best_.x, r, slopes, Residuals::Differences::central))
+      return;
     count(request_, r, slopes);
     if (!runs_.compiled()) tell_slope(r, slopes);
     Eigen::VectorXd sizes = best_.x;
@@ -275,9 +291,6 @@ std::string FittedNumber::title() const {
 
 FitResult fit(const ModelSource& source, const Job& job, const FitRequest& request,
               const FitOptions& options) {
-  if (request.parameters.empty())
-    throw Error(
-        Fault{request.place, "fit", "every parameter of the fit is set by the call; nothing is left", {}});
   return Fit(source, job, request, options).result();
 }
 

@@ -1,6 +1,7 @@
 #include "engine/identify/least_squares.hpp"
 
 #include <ceres/ceres.h>
+#include <glog/logging.h>
 
 #include <algorithm>
 #include <cmath>
@@ -129,10 +130,16 @@ ceres::Solver::Options solver_options(const Phase& phase, std::size_t iterations
   return result;
 }
 
+/// What Ceres writes of points that cannot be evaluated is not for people: a fit says what it found.
+void keep_log_inside() {
+  FLAGS_minloglevel = google::GLOG_FATAL;
+}
+
 }  // namespace
 
 Minimum minimise(const Residuals& residuals, const FitRequest& request, const Eigen::VectorXd& start,
                  const LeastSquaresOptions& options) {
+  keep_log_inside();
   const auto count = static_cast<std::size_t>(start.size());
   Eigen::VectorXd scales(start.size());
   for (std::size_t i = 0; i < count; ++i) scales[static_cast<Eigen::Index>(i)] = residuals.parameter(i).scale;

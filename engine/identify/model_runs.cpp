@@ -90,7 +90,7 @@ ModelRuns::ModelRuns(ModelSource source, const Job& job, const FitRequest& reque
   const Planner planner = [this](std::size_t record, const Values& values) {
     return plan_run(record, values);
   };
-  if (!source_.code) return;
+  if (!source_.code || request.parameters.empty()) return;
   SharedCode code = share_code(at_start_, request.parameters, planner, *source_.code);
   codes_ = std::move(code.records);
   planned_ = std::move(code.planned);

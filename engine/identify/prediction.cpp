@@ -1,5 +1,6 @@
 // How single records are predicted, for people and pictures.
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "engine/identify/residuals.hpp"
@@ -8,6 +9,8 @@
 namespace stepwire {
 
 namespace {
+
+constexpr double rounding = 1e-13;  // of a mean, beside the values
 
 double norm(const std::vector<double>& values) {
   return std::sqrt(std::inner_product(values.begin(), values.end(), values.begin(), 0.0));
@@ -61,8 +64,11 @@ ComparedRows Residuals::compare(const FitComparison& comparison, const Selection
     for (std::size_t i = 0; i < error.size(); ++i) rows.model[i] -= offset;
     subtract(offset, error);
   }
+  const double size = norm(spread);
   subtract(mean_of(spread), spread);
-  rows.agreement = 100.0 * (1.0 - norm(error) / norm(spread));
+  const bool constant = norm(spread) <= rounding * size;
+  rows.agreement =
+      constant ? std::numeric_limits<double>::quiet_NaN() : 100.0 * (1.0 - norm(error) / norm(spread));
   return rows;
 }
 

@@ -34,8 +34,9 @@ double value_of(const Formula& formula, const std::vector<Column>& swept) {
 
 Residuals::Residuals(const ModelRuns& runs, const FitRequest& request, unsigned threads)
     : runs_(runs), request_(request), threads_(threads) {
+  const bool sought = !request.parameters.empty();  // else nothing is held out of anything
   for (std::size_t record = 0; record < runs.records(); ++record) {
-    const bool held = request.hold_out && is_true(value_of(*request.hold_out, runs.swept(record)));
+    const bool held = sought && request.hold_out && is_true(value_of(*request.hold_out, runs.swept(record)));
     held_out_.push_back(held);
     if (!held) fitted_.push_back(record);
   }
@@ -50,7 +51,7 @@ Residuals::Residuals(const ModelRuns& runs, const FitRequest& request, unsigned 
     count_ += rows_of(record);
     for (const FitComparison& comparison : request.comparisons) free_offsets_ += comparison.free_offset;
   }
-  if (static_cast<std::size_t>(count_) <= unknowns_.size() + free_offsets_)
+  if (sought && static_cast<std::size_t>(count_) <= unknowns_.size() + free_offsets_)
     throw Error(Fault{request.place,
                       "fit",
                       fmt::format("{} rows are compared, too few for {} unknown numbers", count_,

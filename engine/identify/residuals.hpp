@@ -20,7 +20,7 @@ struct Unknown {
 /// What a comparison of one record came to: its compared rows, in SI. Where the offset is free, the model has
 /// it.
 struct ComparedRows {
-  double agreement = 0.0;  ///< 100 (1 - |e| / |y - mean y|) [%]
+  double agreement = 0.0;  ///< 100 (1 - |e| / |y - mean y|) [%]; nan where y is constant
   std::vector<double> time{}, model{}, measured{};
   std::vector<std::vector<double>> against{};
 };

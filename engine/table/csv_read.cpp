@@ -4,13 +4,16 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <unordered_map>
 #include <unordered_set>
 
 #include "engine/base/characters.hpp"
 #include "engine/table/csv_cell.hpp"
+#include "engine/table/csv_problems.hpp"
 #include "engine/table/file.hpp"
+#include "engine/table/record_table.hpp"
 
 namespace stepwire {
 namespace {
@@ -24,21 +27,6 @@ bool is_blank(char c) {
 std::string trimmed(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t");
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
-/// Of a decimal number with an exponent: is it 1 or above? Digits and exponent may be too many for any type.
-bool is_large(std::string_view text) {
-  const std::size_t digits = text.find_first_not_of("+-0.");
-  if (digits == std::string_view::npos) return false;
-  const std::size_t exponent = std::min(text.find_first_of("eE"), text.size());
-  const std::size_t point = std::min({text.find('.'), exponent});
-  const double before = static_cast<double>(point) - static_cast<double>(digits);  // digits before the point
-  std::string_view power = text.substr(std::min(exponent + 1, text.size()));
-  const bool negative = power.starts_with('-');
-  if (negative || power.starts_with('+')) power.remove_prefix(1);
-  double shift = 0.0;
-  for (const char digit : power) shift = 10.0 * shift + (digit - '0');
-  return before + (negative ? -shift : shift) > 0.0;
 }
 
 /// "name [unit]" apart. "x[2]" without a blank is a name with its index.
@@ -65,8 +53,9 @@ struct Numbering {
 
 class Csv {
  public:
-  Csv(const std::string& path, std::string_view text, ColumnWords& words)
-      : path_(path), at_(text.data()), end_(at_ + text.size()), words_(words) {
+  /// `tolerant`: as read_record_table().
+  Csv(const std::string& path, std::string_view text, ColumnWords& words, bool tolerant = false)
+      : path_(path), at_(text.data()), end_(at_ + text.size()), words_(words), tolerant_(tolerant) {
     if (text.starts_with("\xEF\xBB\xBF")) at_ += 3;
     separator_ = separator();
   }
@@ -75,6 +64,12 @@ class Csv {
     header();
     for (; !only_blanks_left(); ++rows_) row();
     return std::move(table_);
+  }
+
+  RecordTable read_record() {
+    RecordTable record{read()};
+    problems_.settle(record, filled_rows_);
+    return record;
   }
 
   Table read_header() {
@@ -167,8 +162,9 @@ class Csv {
     for (const std::string& title : titles) {
       table_.columns.push_back(column(csv_word(title)));
       const std::string& name = table_.columns.back().name;
-      if (name.empty()) fail(fmt::format("column {} has no name", table_.columns.size()));
-      if (!names.insert(name).second) fail(fmt::format("two columns are named '{}'", shown(name)));
+      if (name.empty() && !tolerant_) fail(fmt::format("column {} has no name", table_.columns.size()));
+      if (!name.empty() && !names.insert(name).second)
+        fail(fmt::format("two columns are named '{}'", shown(name)));
       const auto words = words_.find(name);
       numberings_.push_back({words == words_.end() ? nullptr : &words->second});
     }
@@ -185,6 +181,7 @@ class Csv {
       table_.columns[i].values.push_back(*value);
     }
     skip_line_end();
+    filled_rows_ = rows_ + 1;
   }
 
   /// Nearly every field: plain digits up to the separator.
@@ -201,20 +198,42 @@ class Csv {
   /// Reads a row again from its start: quoted numbers, a plus sign, or the reason why it cannot be read.
   void row_slowly(const char* start) {
     at_ = start;
-    const std::vector<std::string> texts = fields();
-    const std::size_t wanted = table_.columns.size();
-    if (texts.size() != wanted) {
-      fail(fmt::format("{} value{} where the header names {}", texts.size(), texts.size() == 1 ? "" : "s",
-                       wanted));
-    }
-    for (std::size_t i = 0; i < wanted; ++i) {
+    const std::vector<std::string> texts = cells();
+    filled_rows_ = std::ranges::all_of(texts, &std::string::empty) ? filled_rows_ : rows_ + 1;
+    for (std::size_t i = 0; i < texts.size(); ++i) {
       const auto value = numberings_[i].texts ? numberings_[i](csv_word(texts[i])) : csv_number(texts[i]);
-      if (!value)
-        fail(fmt::format("'{}' is no number (column '{}')", shown(texts[i]), shown(table_.columns[i].name)));
+      if (!value) tell_problem(texts[i], table_.columns[i].name);
       table_.columns[i].values.resize(rows_);
-      table_.columns[i].values.push_back(*value);
+      table_.columns[i].values.push_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));
     }
     skip_line_end();
+  }
+
+  /// The fields of a row, one for each column.
+  std::vector<std::string> cells() {
+    std::vector<std::string> texts = fields();
+    const std::size_t wanted = table_.columns.size(), count = texts.size();
+    if (count != wanted &&
+        !(tolerant_ && (count > wanted ? is_empty_from(texts, wanted) : is_unnamed_from(count))))
+      fail(fmt::format("{} value{} where the header names {}", count, count == 1 ? "" : "s", wanted));
+    texts.resize(wanted);
+    return texts;
+  }
+
+  static bool is_empty_from(const std::vector<std::string>& texts, std::size_t first) {
+    return std::all_of(texts.begin() + static_cast<std::ptrdiff_t>(first), texts.end(),
+                       [](const std::string& text) { return text.empty(); });
+  }
+
+  bool is_unnamed_from(std::size_t first) const {
+    return std::all_of(table_.columns.begin() + static_cast<std::ptrdiff_t>(first), table_.columns.end(),
+                       [](const Column& one) { return one.name.empty(); });
+  }
+
+  void tell_problem(const std::string& text, const std::string& column) {
+    const std::string problem = fmt::format("'{}' is no number (column '{}')", shown(text), shown(column));
+    if (!tolerant_) fail(problem);
+    problems_.add(rows_, column, fmt::format("{}:{}: {}", path_, line_, problem));
   }
 
   /// A text as it may stand in a message, whatever the file holds.
@@ -232,24 +251,12 @@ class Csv {
   Table table_;
   ColumnWords& words_;
   std::vector<Numbering> numberings_;  ///< of each column
+  bool tolerant_;
+  std::size_t filled_rows_ = 0;  ///< up to the last one with anything in it
+  CsvProblems problems_;
 };
 
 }  // namespace
-
-std::optional<double> csv_number(std::string_view text) {
-  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
-  const char* const end = text.data() + text.size();
-  double value = 0.0;
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
-  if (rest != end || error == std::errc::invalid_argument) return std::nullopt;
-  if (error == std::errc{}) return value;
-  if (is_large(text)) return std::nullopt;
-  return text.starts_with('-') ? -0.0 : 0.0;
-}
-
-std::string csv_word(const std::string& cell) {
-  return cell.starts_with('\'') && csv_cell(cell.substr(1)) == cell ? cell.substr(1) : cell;
-}
 
 Table read_csv(const std::string& path) {
   ColumnWords none;
@@ -261,6 +268,15 @@ Table read_csv(const std::string& path) {
 Table read_csv(const std::string& path, ColumnWords& words) {
   const std::string text = read_file(path);
   return Csv(path, text, words).read();
+}
+
+RecordTable read_record_table(const std::string& path) {
+  if (!path.ends_with(".csv") && !path.ends_with(".CSV")) return {read_table(path)};
+  const std::string text = read_file(path);
+  ColumnWords none;
+  RecordTable table = Csv(path, text, none, true).read_record();
+  if (table.rows() == 0) throw TableError(fmt::format("{}: there are no rows below the header", path));
+  return table;
 }
 
 Table read_csv_header(const std::string& path) {

@@ -12,14 +12,6 @@
 namespace stepwire {
 namespace {
 
-/// Would a spreadsheet compute this, or this without an apostrophe in front of it? Numbers are what they are.
-bool begins_formula(const std::string& word) {
-  const std::size_t start = std::min(word.find_first_not_of('\''), word.size());
-  if (start == word.size() || std::string_view("=+-@\t\r").find(word[start]) == std::string_view::npos)
-    return false;
-  return start > 0 || !csv_number(word);
-}
-
 void append_word(std::string& text, const std::string& given) {
   const std::string word = csv_cell(given);
   if (word.find_first_of(",;\t\"\n\r") == std::string::npos) {
@@ -68,10 +60,6 @@ void check_lengths(const Table& table) {
 }
 
 }  // namespace
-
-std::string csv_cell(const std::string& word) {
-  return begins_formula(word) ? "'" + word : word;
-}
 
 void append_csv_head(std::string& text, const std::vector<Column>& columns) {
   for (const Column& column : columns) {

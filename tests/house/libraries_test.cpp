@@ -19,7 +19,8 @@ const std::vector<Home> homes{
     {"yaml-cpp/", "engine/document"},     {"udunits2", "engine/unit"},
     {"muParser", "engine/expression"},    {"matio", "engine/table"},
     {"nlohmann/", "engine/table"},        {"CLI/", "engine/cli"},
-    {"ceres/", "engine/identify"},        {"xxhash", "engine/base"},
+    {"ceres/", "engine/identify"},        {"glog/", "engine/identify"},
+    {"xxhash", "engine/base"},
 };
 
 const Home* home_of(const std::string& header) {

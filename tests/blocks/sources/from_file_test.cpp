@@ -69,6 +69,48 @@ TEST_CASE("a record may end the run, be held, or be repeated") {
                {0, 0, 4, 4, 2, 2, 0, 0, 4});
 }
 
+TEST_CASE("what nobody reads of a record may be no numbers, and times may be called t") {
+  const Folder folder;
+  const std::string file =
+      folder.file("press.csv", "t,x [mm],by,F [N],\n1,0,Ann,,\n1.2,4000,Ann,off,\n1.4,2000,,9,\n,,,,\n");
+  require_near(played(file, "column: x", "0.4 s"), {0, 2, 4, 3, 2});
+  REQUIRE_THAT(refused(file, "column: F"), Catch::Contains("press.csv:2: '' is no number (column 'F')"));
+  REQUIRE_THAT(refused(file, "column: x, prepare: [{trim: by}]"),
+               Catch::Contains("press.csv:2: 'Ann' is no number (column 'by')"));
+}
+
+TEST_CASE("the example of the README plays a record with its header") {
+  const std::string readme = read_file(STEPWIRE_SOURCE_DIR "/README.md");
+  const std::string header = "t [s],x [mm],F [N]";
+  REQUIRE(readme.find("`" + header + "`") != std::string::npos);
+  const std::size_t begin = readme.find("velocity:\n  {block: FromFile"), end = readme.find("```", begin);
+  REQUIRE(end != std::string::npos);
+  std::string blocks = "  " + readme.substr(begin, end - begin);
+  for (std::size_t at = blocks.find('\n'); at + 1 < blocks.size(); at = blocks.find('\n', at + 3))
+    blocks.insert(at + 1, "  ");
+  const double w = 2.0 * std::acos(-1.0);
+  std::string text = header + "\n";  // at rest for a second, two periods of 1 Hz, and at rest again
+  for (int row = 0; row <= 4000; ++row) {
+    const double t = 1e-3 * row, x = t > 1.0 && t < 3.0 ? 5.0 * std::sin(w * t) : 0.0;
+    text += std::to_string(t) + "," + std::to_string(x) + "," + std::to_string(10.0 * x + 3.0) + "\n";
+  }
+  const Folder folder;
+  folder.file("press.csv", text);
+  const std::string yaml = "step: 1 ms\nstop: 1.9 s\nblocks:\n" + blocks + "record: [velocity, force]\n";
+  std::string placed = yaml;
+  for (std::size_t at = placed.find("press.csv"); at != std::string::npos;
+       at = placed.find("press.csv", at + 99))
+    placed.replace(at, 9, (folder.path / "press.csv").string());
+  const Table table = run_text(placed);
+  const auto &v = column(table, "velocity"), &F = column(table, "force");
+  // Both are trimmed by x, to where it has moved by its threshold (velocity: 2 % of its range, force: 1 %).
+  for (const std::size_t k : {300u, 800u, 1300u}) {
+    const double t = 1.0 + std::asin(0.04) / w + 1e-3 * static_cast<double>(k);
+    CHECK(v[k] == Approx(5e-3 * w * std::cos(w * t)).margin(1e-3));
+    CHECK(F[k] == Approx(50.0 * std::sin(w * t)).margin(2.0));
+  }
+}
+
 TEST_CASE("a run may begin inside of a record, and a part of it may be used") {
   const Folder folder;
   const std::string file = folder.file("press.csv", record);

@@ -50,13 +50,36 @@ TEST_CASE("fit finds the parameters, writes them, and judges the claims with the
   CHECK(run_program(folder, {"verify", "out"}).code == 0);
 }
 
-TEST_CASE("run fits first, and a value that the call gives is not sought") {
+TEST_CASE("run fits first, and where the call sets all that is sought it predicts and judges with that") {
   const Scratch folder;
   folder.file("a.yaml", fit_yaml);
-  CHECK(run_program(folder, {"run", "a.yaml"}).code == 0);
-  const Done given = run_program(folder, {"run", "a.yaml", "--set", "tau=0.3s"});
-  CHECK(given.code == 2);
-  CHECK_THAT(given.err, Contains("every parameter of the fit is set by the call"));
+  REQUIRE(run_program(folder, {"run", "a.yaml", "--out", "out"}).code == 0);
+  const Done predicted = run_program(folder, {"run", "a.yaml", "--set-from", "out/parameters.yaml"});
+  INFO(predicted.err << predicted.out);
+  CHECK(predicted.code == 0);
+  CHECK_THAT(predicted.out,
+             StartsWith("fit: the call sets all parameters, by which 201 rows are predicted") &&
+                 Contains("the record  100.00 %"));
+  const Done given = run_program(folder, {"fit", "a.yaml", "--set", "tau=0.3s", "--out", "other"});
+  CHECK(given.code == 1);  // the claim does not hold
+  // Of a sine the lag gives gain 1/sqrt(1 + (w tau)^2) and phase -atan(w tau): 0.3 s is far from 0.2 s.
+  const double agreement = json_file(folder, "other/fit.json")["records"][0]["fit"][0].get<double>();
+  CHECK(agreement > 50.0);
+  CHECK(agreement < 75.0);
+  CHECK(run_program(folder, {"verify", "other"}).code == 0);
+}
+
+TEST_CASE("a fit says of a constant record that it is constant, and Ceres says nothing") {
+  const Scratch folder;
+  std::string text = fit_yaml;
+  text.replace(text.find("measured: truth"), 15, "measured: flat ");
+  text.replace(text.find("truth: {block: Lag, u: sine, tau: 0.2 s}"), 40,
+               "truth: {block: Lag, u: sine, tau: 0.2 s}\n  flat: {block: Constant, value: 0.1}");
+  text.replace(text.find("record: [lag, truth]"), 20, "record: [lag, flat]");
+  folder.file("a.yaml", text);
+  const Done done = run_program(folder, {"fit", "a.yaml"});
+  CHECK_THAT(done.out, Contains("the record  constant"));
+  CHECK_THAT(done.out, !Contains("e+") && !Contains("nan"));
 }
 
 TEST_CASE("any diagram takes what a fit wrote") {
@@ -107,7 +130,7 @@ TEST_CASE("an interrupted fit ends with 130 and writes the best so far") {
   const Done done = run_program(folder, call);
   INFO(done.err << done.out);
   CHECK(done.code == 130);
-  CHECK_THAT(done.out, Contains("interrupted: this is the best so far"));
+  CHECK_THAT(done.out, Contains("interrupted: this is the best so far") && Contains("  tau  "));
   CHECK(json_file(folder, "out/fit.json")["interrupted"] == true);
   CHECK_THAT(content_of(folder.path("out/parameters.yaml")), Contains("tau: "));
 }

@@ -116,6 +116,25 @@ TEST_CASE("what is wrong in a CSV file is said with its line") {
         "press.csv:2: '" + std::string(40, 'y') + "...' is no number (column 'a')");
 }
 
+TEST_CASE("in a record as other programs leave it only what is read must be numbers") {
+  const Scratch scratch;
+  const Table table = stepwire::read_record_csv(scratch.file(
+      "press.csv",
+      ",t [s],x [mm],note,\n0,0,1,begins,\n1,0.1,2,\"\",\n2,0.2,off,,\n3,0.3,4,ends\n,,,,\n,,\n"));
+  REQUIRE(table.columns.size() == 3);  // that of the row numbers and that of the trailing comma have no names
+  CHECK(table.find("t")->values == Values{0.0, 0.1, 0.2, 0.3});
+  CHECK(table.find("x")->values.at(3) == 4.0);
+  CHECK(std::isnan(table.find("x")->values.at(2)));
+  CHECK_THAT(table.problems.at("x"), Catch::EndsWith("press.csv:4: 'off' is no number (column 'x')"));
+  CHECK_THAT(table.problems.at("note"),
+             Catch::EndsWith("press.csv:2: 'begins' is no number (column 'note')"));
+  CHECK(table.problems.count("t") == 0);
+  CHECK_THROWS_WITH(stepwire::read_record_csv(scratch.file("a.csv", "a,b\n1,2,3\n")),
+                    Catch::Contains("a.csv:2: 3 values where the header names 2"));
+  CHECK_THROWS_WITH(stepwire::read_record_csv(scratch.file("a.csv", "a,b\n1\n")),
+                    Catch::Contains("a.csv:2: 1 value where the header names 2"));
+}
+
 TEST_CASE("a missing file is a matter of the surroundings and keeps the system's reason") {
   const Scratch scratch;
   CHECK_THROWS_WITH(read_csv(scratch.path("none.csv")),
