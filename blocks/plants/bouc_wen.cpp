@@ -18,6 +18,12 @@ void BoucWen::declare(Declare<BoucWen>& is) {
                                        "where z is a length and n is 1)"});
   is.parameter<&BoucWen::gamma>(
       {.unit = "*", .doc = "factor of v |z|^n, in the unit of beta; may be negative"});
+  is.parameter<&BoucWen::z_max>(
+      {.unit = "'A 'v s",
+       .doc = "the limit of z in a steady motion, in the place of beta and gamma, whose "
+              "unit hangs on n; 0: they are given",
+       .at_least = 0.0});
+  is.parameter<&BoucWen::ratio>({.doc = "gamma/beta, where z_max is given", .above = -1.0});
   is.parameter<&BoucWen::n>({.doc = "sharpness of the knee", .above = 0.0});
   is.input<&BoucWen::velocity>({.unit = "'v", .doc = "velocity of the motion", .feedthrough = false});
   is.output<&BoucWen::z, &BoucWen::z_>({.unit = "'A 'v s", .doc = "hysteretic variable"});

@@ -31,6 +31,12 @@ struct BoucWenLaw {
 
   double lost(double v, double z) const { return power(z) * (beta * std::abs(v * z) + gamma * v * z); }
 
+  /// The same law by where z settles in a steady motion, and by gamma/beta.
+  static BoucWenLaw of_limit(double A, double limit, double ratio, double n) {
+    const double beta = A / std::pow(limit, n) / (1.0 + ratio);
+    return {A, beta, ratio * beta, n};
+  }
+
   /// Where z settles in a steady motion; only for beta + gamma > 0.
   double limit() const { return std::pow(A / (beta + gamma), 1.0 / n); }
 

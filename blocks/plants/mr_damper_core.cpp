@@ -12,7 +12,7 @@ using Core = MRDamperCore;
 
 void refuse_what_gives_energy(const Core& damper, const Configure& is) {
   if (!(damper.A > 0.0)) is.refuse<&Core::A>(fmt::format("{} is not allowed; it must be above 0", damper.A));
-  if (std::abs(damper.gamma) > damper.beta)
+  if (damper.z_max == 0.0 && std::abs(damper.gamma) > damper.beta)
     is.refuse<&Core::gamma>(
         fmt::format("|gamma| = {} is above beta = {}, so the damper would give out energy; it must be "
                     "at most beta",

@@ -21,6 +21,7 @@ struct MRDamperCore {
   enum class Integration { solver, exact };
 
   double A = 1.0, beta = 0.5, gamma = 0.5, n = 1.0;
+  double z_max = 0.0, ratio = 0.0;  ///< of z in a steady motion, and gamma/beta; 0: beta and gamma are given
   Numbers alpha, c, current_range;
   double k0 = 0.0, f0 = 0.0;
   Outside extrapolate = Outside::hold;
@@ -52,7 +53,8 @@ struct MRDamperCore {
 
   /// The parameters as they act: `factor` turns alpha and c into SI, `stiffening` shortens the pre-sliding.
   void scale(double factor, double stiffening) {
-    law = {A * stiffening, beta * stiffening, gamma * stiffening, n};
+    law = z_max > 0.0 ? BoucWenLaw::of_limit(A * stiffening, z_max, ratio, n)
+                      : BoucWenLaw{A * stiffening, beta * stiffening, gamma * stiffening, n};
     scaled_alpha = alpha.map([&](double one) { return one * factor; });
     scaled_c = c.map([&](double one) { return one * factor; });
   }

@@ -32,6 +32,13 @@ void declare_mr_damper(Declare<Damper>& is, const MRDamperUnits& units) {
   is.template parameter<&Damper::gamma>(
       {.unit = units.per_displacement,
        .doc = "factor of v |z|^n, in the unit of beta; |gamma| must not exceed beta"});
+  is.template parameter<&Damper::z_max>({.unit = units.displacement,
+                                         .doc = "the limit of z in a steady motion, (A/(beta + "
+                                                "gamma))^(1/n), in the place of beta and gamma, whose "
+                                                "unit hangs on n; 0: they are given",
+                                         .at_least = 0.0});
+  is.template parameter<&Damper::ratio>(
+      {.doc = "gamma/beta, where z_max is given", .above = -1.0, .at_most = 1.0});
   is.template parameter<&Damper::n>({.doc = "sharpness of the knee", .at_least = 1.0});
   is.template parameter<&Damper::alpha>(
       {.unit = units.alpha, .doc = "alpha(i), a polynomial in the current in amperes, highest power first"});

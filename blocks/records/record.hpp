@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/signal/index.hpp"
-#include "engine/table/table.hpp"
+#include "engine/table/record_table.hpp"
 #include "engine/unit/unit.hpp"
 
 namespace stepwire {
@@ -28,9 +28,9 @@ struct Record {
   std::vector<double> time;           ///< of each row [s], increasing; two rows or more
   std::vector<RecordColumn> columns;  ///< as long as `time` each
 
-  const Table* table = nullptr;    ///< the whole file
-  Index first = 0;                 ///< row of the table that was the record's first one
-  std::vector<double> file_times;  ///< of the rows from there on that the record was made of [s]
+  const RecordTable* table = nullptr;  ///< the whole file
+  Index first = 0;                     ///< row of the table that was the record's first one
+  std::vector<double> file_times;      ///< of the rows from there on that the record was made of [s]
 
   Index rows() const { return static_cast<Index>(time.size()); }
   /// Mean time between rows [s].

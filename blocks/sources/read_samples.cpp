@@ -20,7 +20,7 @@ namespace {
 constexpr double longest = 1e12,
                  shortest = 1e-12;  // [s]; far beyond, places in the record would not be numbers
 
-std::shared_ptr<const Table> read_file(const FromFile& asked, const Configure& is) {
+std::shared_ptr<const RecordTable> read_file(const FromFile& asked, const Configure& is) {
   std::error_code none;
   if (!std::filesystem::exists(asked.file.view(), none))
     is.refuse<&FromFile::file>(fmt::format("there is no file {}", asked.file.string()));
@@ -34,7 +34,7 @@ std::shared_ptr<const Table> read_file(const FromFile& asked, const Configure& i
 }
 
 template <auto parameter>
-const Column& find_column(const FromFile& asked, const Configure& is, const Table& table,
+const Column& find_column(const FromFile& asked, const Configure& is, const RecordTable& table,
                           const std::string& name, const char* cure) {
   const Column* column = table.find(name);
   if (!column) is.refuse<parameter>(no_column(asked.file.string(), table, name) + cure);
@@ -69,13 +69,14 @@ std::string unit_in_name(const std::string& name) {
 }
 
 /// The column with the times: as the block says, else `time`, or `t` where there is none.
-std::string time_name(const FromFile& asked, const Table& table) {
+std::string time_name(const FromFile& asked, const RecordTable& table) {
   const std::string name(asked.time);
   return name == "time" && !table.find(name) && table.find("t") ? "t" : name;
 }
 
 /// Times of all rows [s]. A column without a unit is in seconds.
-std::vector<double> times(const FromFile& asked, const Configure& is, const Table& table, std::size_t rows) {
+std::vector<double> times(const FromFile& asked, const Configure& is, const RecordTable& table,
+                          std::size_t rows) {
   std::vector<double> result(rows);
   for (std::size_t row = 0; row < rows; ++row) result[row] = asked.sample_time * static_cast<double>(row);
   if (asked.sample_time > 0.0) return result;
@@ -141,7 +142,7 @@ void cut(const FromFile& asked, const Configure& is, const std::vector<double>& 
 }
 
 /// What the file holds, cut to its range.
-Record read_record(const FromFile& asked, const Configure& is, const Table& table) {
+Record read_record(const FromFile& asked, const Configure& is, const RecordTable& table) {
   std::vector<const Column*> columns;
   for (const std::string& name : asked.column)
     columns.push_back(&find_column<&FromFile::column>(asked, is, table, name, ""));
@@ -180,7 +181,7 @@ Samples samples_of(const Record& record) {
 }  // namespace
 
 Samples read_samples(const FromFile& asked, Configure& is) {
-  const std::shared_ptr<const Table> table = read_file(asked, is);
+  const std::shared_ptr<const RecordTable> table = read_file(asked, is);
   Record record = read_record(asked, is, *table);
   prepare_record(record, asked.prepare_.value(), [&](const std::string& message, const Value& where) {
     is.refuse<&FromFile::prepare_>(message, where);

@@ -10,6 +10,27 @@
 
 namespace stepwire {
 
+namespace {
+
+/// What of the file is no part of the program, as words; empty where it is all there.
+std::string left_out(const Work& work) {
+  std::vector<std::string> parts;
+  if (const auto& sweep = work.job.plan.diagram.sweep) {
+    std::vector<std::string> names;
+    for (const Sweep::Axis& axis : sweep->axes) names.push_back(axis.parameter);
+    parts.push_back(fmt::format("the sweep of {} (it has the file's own values, and --set gives others)",
+                                fmt::join(names, ", ")));
+  }
+  if (work.study) parts.emplace_back("the study");
+  if (work.fit) parts.emplace_back("the fit");
+  if (work.scene) parts.emplace_back("the scene");
+  if (!work.figures.empty()) parts.emplace_back("figures");
+  if (!work.claims.empty()) parts.emplace_back("claims");
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+}  // namespace
+
 ExitCode generate_files(const GenerateCommand& command, const Registry& registry) {
   const Work work = prepare(registry, command.file, command.options);
   const std::string name = std::filesystem::path(command.file).stem().string();
@@ -21,6 +42,9 @@ ExitCode generate_files(const GenerateCommand& command, const Registry& registry
   }
   say("{}: {} blocks written to {}; cmake -S {} -B {}/build && cmake --build {}/build makes a program\n",
       command.file, work.job.plan.blocks.size(), command.out, command.out, command.out, command.out);
+  if (const std::string parts = left_out(work); !parts.empty()) fmt::print("  left out: {}\n", parts);
+  fmt::print(
+      "  the flags -ffp-contract=off and -fno-builtin-... of its CMakeLists.txt keep the bits of a run\n");
   return ExitCode::done;
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/table/table.hpp"
+#include "engine/table/record_table.hpp"
 
 namespace stepwire {
 
@@ -17,7 +17,7 @@ class CsvProblems {
 
   /// Leaves out columns without a name and all rows from `rows` on, and tells the table of the problems
   /// before these.
-  void settle(Table& table, std::size_t rows) const {
+  void settle(RecordTable& table, std::size_t rows) const {
     std::erase_if(table.columns, [](const Column& column) { return column.name.empty(); });
     for (Column& column : table.columns) column.values.resize(rows);
     for (const auto& [column, problem] : first_)

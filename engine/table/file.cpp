@@ -122,7 +122,7 @@ void write_file(const std::string& path, std::string_view content) {
 
 Table read_table(const std::string& path) {
   const std::string ending = fs::path(path).extension().string();
-  if (ending == ".csv" || ending == ".CSV") return read_record_csv(path);
+  if (ending == ".csv" || ending == ".CSV") return read_csv(path);
   if (ending == ".mat" || ending == ".MAT") return read_mat(path);
   throw TableError(fmt::format("{}: a table is a .csv or a .mat file, not '{}'", path, ending));
 }

@@ -30,11 +30,6 @@ Table read_csv(const std::string& path);
 /// these are numbered in the order in which they come up, and are then in `words`.
 Table read_csv(const std::string& path, ColumnWords& words);
 
-/// A CSV file as other programs and people leave them. What is wrong in a column stands among the problems of
-/// the table, and is nan there: a text, or a cell that is empty or missing. Columns without a name, as that
-/// of trailing commas, and empty rows at the end are left out.
-Table read_record_csv(const std::string& path);
-
 /// Its columns alone, without values.
 Table read_csv_header(const std::string& path);
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,8 +16,6 @@ struct Column {
 /// Columns of equal length.
 struct Table {
   std::vector<Column> columns;
-  std::map<std::string, std::string>
-      problems{};  ///< of columns with a cell that is no number: where, and what it is
 
   std::size_t rows() const { return columns.empty() ? 0 : columns.front().values.size(); }
   const Column* find(std::string_view name) const;

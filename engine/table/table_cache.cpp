@@ -34,17 +34,17 @@ TableCache::Stamp TableCache::stamp_of(const std::string& path) {
   return stamp;
 }
 
-std::shared_ptr<const Table> TableCache::read(const std::string& path) {
+std::shared_ptr<const RecordTable> TableCache::read(const std::string& path) {
   const Stamp stamp = stamp_of(path);
   if (auto known = find(path, stamp)) return known;
-  const auto table = std::make_shared<const Table>(read_table(path));
+  const auto table = std::make_shared<const RecordTable>(read_record_table(path));
   const bool may_change_unseen =
       stamp.changed + coarsest_clock > std::filesystem::file_time_type::clock::now();
   if (!may_change_unseen && stamp_of(path) == stamp) keep({path, stamp, table});
   return table;
 }
 
-std::shared_ptr<const Table> TableCache::find(const std::string& path, const Stamp& stamp) {
+std::shared_ptr<const RecordTable> TableCache::find(const std::string& path, const Stamp& stamp) {
   const std::lock_guard lock(mutex_);
   const auto entry =
       std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.path == path; });

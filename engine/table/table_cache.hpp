@@ -7,7 +7,7 @@
 #include <mutex>
 #include <string>
 
-#include "engine/table/table.hpp"
+#include "engine/table/record_table.hpp"
 
 namespace stepwire {
 
@@ -18,10 +18,10 @@ class TableCache {
  public:
   explicit TableCache(std::size_t most_numbers) : most_numbers_(most_numbers) {}
 
-  /// The table in a .csv or .mat file, as read_table reads it and with its errors. What was read before is
-  /// given as long as the file has the same size and time of change; a file that changed within the last two
-  /// seconds is read anew, since clocks of file systems are coarse.
-  std::shared_ptr<const Table> read(const std::string& path);
+  /// The table in a .csv or .mat file, as read_record_table() reads it and with its errors. What was read
+  /// before is given as long as the file has the same size and time of change; a file that changed within the
+  /// last two seconds is read anew, since clocks of file systems are coarse.
+  std::shared_ptr<const RecordTable> read(const std::string& path);
   /// Of this process, for 64 MB of numbers.
   static TableCache& of_process();
 
@@ -36,11 +36,11 @@ class TableCache {
   struct Entry {
     std::string path;
     Stamp stamp;
-    std::shared_ptr<const Table> table;
+    std::shared_ptr<const RecordTable> table;
   };
 
   static Stamp stamp_of(const std::string& path);
-  std::shared_ptr<const Table> find(const std::string& path, const Stamp& stamp);
+  std::shared_ptr<const RecordTable> find(const std::string& path, const Stamp& stamp);
   void keep(Entry entry);
   void drop(std::list<Entry>::iterator entry);
 

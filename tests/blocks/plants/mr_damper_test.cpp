@@ -197,6 +197,28 @@ TEST_CASE("Parameters in millimetres, newtons and seconds are those of the prese
   CHECK(steady_force("10 mm/s", "0.3 A", printed) == Approx(steady_force("10 mm/s", "0.3 A")).epsilon(1e-14));
 }
 
+TEST_CASE("A damper given by the limit of z is the one of beta and gamma") {
+  // 10.614 - 7.0773 = 3.5367 per mm: z settles at 36.2095/3.5367 mm; for n = 2 at the root
+  // of 36.2095/3.5367e6 m^2.
+  const Table table = run_text(R"(
+step: 0.1 ms
+stop: 1 s
+solver: rk4
+blocks:
+  velocity: {block: Sine, amplitude: 100 mm/s, frequency: 3 Hz}
+  one:  {block: MRDamper, velocity: velocity, current: 0.2 A}
+  same: {block: MRDamper, velocity: velocity, current: 0.2 A, z_max: = 36.2095/3.5367*1 mm, ratio: = -7.0773/10.614}
+  two:  {block: MRDamper, velocity: velocity, current: 0.2 A, beta: 10.614e6, gamma: -7.0773e6, n: 2, integration: exact}
+  too:  {block: MRDamper, velocity: velocity, current: 0.2 A, z_max: = sqrt(36.2095/3.5367)*1 mm, ratio: = -7.0773/10.614, n: 2,
+         integration: exact}
+record: [one.force, same.force, two.force, too.force]
+)");
+  for (std::size_t k = 0; k < table.rows(); k += 10) {
+    CHECK(column(table, "same.force")[k] == Approx(column(table, "one.force")[k]).margin(1e-9));
+    CHECK(column(table, "too.force")[k] == Approx(column(table, "two.force")[k]).margin(1e-9));
+  }
+}
+
 TEST_CASE("What is no damper is refused with the reason") {
   const auto error = [](const std::string& parameters) {
     return error_of(
@@ -206,6 +228,9 @@ TEST_CASE("What is no damper is refused with the reason") {
   };
   CHECK_THAT(error("A: 0"), Catch::Contains("damper.A"));
   CHECK_THAT(error("gamma: -11 1/mm"), Catch::Contains("damper.gamma") && Catch::Contains("above beta"));
+  CHECK_THAT(error("z_max: 3 mm, ratio: -1"), Catch::Contains("damper.ratio"));
+  CHECK_THAT(error("z_max: -1 mm"), Catch::Contains("damper.z_max"));
+  CHECK(error("z_max: 3 mm, gamma: -11 1/mm").empty());  // which then is of no use
   CHECK_THAT(error("current_range: [0 A, 0.7 A]"), Catch::Contains("damper.c") && Catch::Contains("push"));
   CHECK_THAT(error("current_range: [0.3 A, 0.1 A]"), Catch::Contains("damper.current_range"));
   CHECK(error("n: 2, integration: exact").empty());

@@ -67,6 +67,26 @@ TEST_CASE("a generated program is built without us and writes the same bytes as 
   CHECK(lines_of(content_of(made + "/signals.csv")).size() > 100);
 }
 
+TEST_CASE("generate says what of a file it leaves out, and what keeps the bits") {
+  const Scratch folder;
+  folder.file("lags.yaml",
+              "stepwire: 1\nstep: 1 ms\nstop: 10 ms\nsolver: rk4\nparameters: {tau: {value: 1 s, doc: x}}\n"
+              "sweep: {tau: [1 s, 2 s]}\nblocks: {lag: {block: Lag, u: 1, tau: $tau}}\nrecord: lag\n"
+              "claims: [{that: it rises, final: lag, at_least: 0}]\n");
+  const Done done = run_program(folder, {"generate", "lags.yaml", "-o", "lags"});
+  REQUIRE(done.code == 0);
+  CHECK_THAT(done.out,
+             Contains("left out: the sweep of tau (it has the file's own values, and --set gives others), "
+                      "claims\n") &&
+                 Contains("-ffp-contract=off"));
+  CHECK_THAT(content_of(folder.path("lags/CMakeLists.txt")),
+             Contains("What keeps the bits of `stepwire run`"));
+  folder.file("one.yaml",
+              "stepwire: 1\nstep: 1 ms\nstop: 10 ms\nblocks: {one: {block: Constant, value: 1}}\n"
+              "record: one\n");
+  CHECK_THAT(run_program(folder, {"generate", "one.yaml", "-o", "one"}).out, !Contains("left out"));
+}
+
 TEST_CASE("the struct of a generated program has inputs, outputs and recorded signals as members") {
   const Scratch folder;
   folder.file("rig.yaml", rig_yaml);

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "engine/table/file.hpp"
+#include "engine/table/record_table.hpp"
 #include "tests/engine/table/scratch.hpp"
 
 using stepwire::Column;
@@ -118,7 +119,7 @@ TEST_CASE("what is wrong in a CSV file is said with its line") {
 
 TEST_CASE("in a record as other programs leave it only what is read must be numbers") {
   const Scratch scratch;
-  const Table table = stepwire::read_record_csv(scratch.file(
+  const stepwire::RecordTable table = stepwire::read_record_table(scratch.file(
       "press.csv",
       ",t [s],x [mm],note,\n0,0,1,begins,\n1,0.1,2,\"\",\n2,0.2,off,,\n3,0.3,4,ends\n,,,,\n,,\n"));
   REQUIRE(table.columns.size() == 3);  // that of the row numbers and that of the trailing comma have no names
@@ -129,9 +130,9 @@ TEST_CASE("in a record as other programs leave it only what is read must be numb
   CHECK_THAT(table.problems.at("note"),
              Catch::EndsWith("press.csv:2: 'begins' is no number (column 'note')"));
   CHECK(table.problems.count("t") == 0);
-  CHECK_THROWS_WITH(stepwire::read_record_csv(scratch.file("a.csv", "a,b\n1,2,3\n")),
+  CHECK_THROWS_WITH(stepwire::read_record_table(scratch.file("a.csv", "a,b\n1,2,3\n")),
                     Catch::Contains("a.csv:2: 3 values where the header names 2"));
-  CHECK_THROWS_WITH(stepwire::read_record_csv(scratch.file("a.csv", "a,b\n1\n")),
+  CHECK_THROWS_WITH(stepwire::read_record_table(scratch.file("a.csv", "a,b\n1\n")),
                     Catch::Contains("a.csv:2: 1 value where the header names 2"));
 }
 
