@@ -213,8 +213,9 @@ class Csv {
   std::vector<std::string> cells() {
     std::vector<std::string> texts = fields();
     const std::size_t wanted = table_.columns.size(), count = texts.size();
-    if (count != wanted &&
-        !(tolerant_ && (count > wanted ? is_empty_from(texts, wanted) : is_unnamed_from(count))))
+    const bool fits =
+        count > wanted ? is_empty_from(texts, wanted) : is_empty_from(texts, 0) || is_unnamed_from(count);
+    if (count != wanted && !(tolerant_ && fits))
       fail(fmt::format("{} value{} where the header names {}", count, count == 1 ? "" : "s", wanted));
     texts.resize(wanted);
     return texts;

@@ -13,6 +13,7 @@ using stepwire::Column;
 using stepwire::csv_text;
 using stepwire::read_csv;
 using stepwire::Table;
+using stepwire::TableError;
 
 namespace {
 
