@@ -29,6 +29,8 @@ Json option_schema(const Option& option) {
   if (option.form == Option::Form::lists)
     return explained(map_of(one_or_list_of(schema_ref("text"))), option.doc);
   if (option.form == Option::Form::tree) return Json::object().set("description", option.doc);
+  if (option.words == std::vector<std::string>{"true", "false"})
+    return explained(typed("boolean"), option.doc);
   if (!option.words.empty() && option.list)
     return explained(one_or_list_of(one_word_of(option.words)), option.doc);
   if (!option.words.empty()) return explained(one_word_of(option.words), option.doc);

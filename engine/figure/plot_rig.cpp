@@ -118,7 +118,7 @@ PlotKind rig_plot() {
                    {},
                    Option::Form::names},
                   {"up", "the axis that points upwards in space (y)", "", false, {"y", "z"}},
-                  {"schematic", "without axes and scale", "", false, {"false", "true"}},
+                  {"schematic", "without axes and scale", "", false, {"true", "false"}},
                   {"where",
                    "the first row for which this is true is drawn; without it the first of all",
                    "",

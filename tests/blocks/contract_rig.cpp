@@ -57,6 +57,8 @@ const std::map<std::string, std::string> contract_values{
     {"Pusher.points", "[[0, 0], [3 mm, 1 mm], [0, 2 mm]]"},
     {"Proportionality.offset", "1"},
     {"Proportionality.slope", "2"},
+    {"StraightMotion.direction", "[3, 4]"},
+    {"StraightMotion.from", "[1, 2]"},
     {"Region.shape", "{union: [{center: [0.5, 0.7], radius: 0.1}, {polygon: [[2, 0], [4, 0], [4, 1]]}]}"},
     {"StateMachine.states",
      "{idle: {output: [1], to: {busy: \"after >= 3 ms\"}}, "

@@ -77,7 +77,7 @@ stop: 1 s
 solver: rk4
 blocks:
   turned: {block: StraightMotion, from: [1, 2], direction: [3, 4], speed: 2 m/s, rise: 0.1 s, turn: 40 deg}
-  angle:  {block: StraightMotion, from: [1, 2], direction: [= cos(atan2(4, 3) + 40 deg), = sin(atan2(4, 3) + 40 deg)],
+  angle:  {block: StraightMotion, from: [1, 2], direction: ["= cos(atan2(4, 3) + 40 deg)", "= sin(atan2(4, 3) + 40 deg)"],
            speed: 2 m/s, rise: 0.1 s}
 record: [turned.position, turned.velocity, turned.acceleration, angle.position, angle.velocity, angle.acceleration]
 )");

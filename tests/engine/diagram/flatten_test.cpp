@@ -148,7 +148,7 @@ blocks:
 record: {signals: {rig.x: rig.body.position}}
 )");
   const std::string hash = diagram_hash(folder.plan("main.yaml").diagram);
-  CHECK(hash.size() == 16);
+  CHECK(hash.size() == 32);
   CHECK(diagram_hash(folder.plan("hand.yaml").diagram) == hash);
   CHECK(diagram_hash(folder.plan("main.yaml", {{"rig.mass", "2.1 kg"}}).diagram) != hash);
   CHECK(diagram_hash(folder.plan("main.yaml", {{"stop", "4 s"}}).diagram) != hash);

@@ -55,7 +55,7 @@ class Maker {
     const unsigned kind = random_() % 4;
     if (kind < 2) return any(ones_) + "(" + formula(depth) + ")";
     std::string values = formula(depth);
-    const unsigned count = kind == 2 ? 2 : 1 + random_() % 4;
+    const unsigned count = kind == 2 ? 2 : 2 + random_() % 3;
     for (unsigned i = 1; i < count; ++i) values += ", " + formula(depth);
     return (kind == 2 ? any(twos_) : any(lists_)) + "(" + values + ")";
   }
