@@ -71,7 +71,7 @@ TEST_CASE("A straight motion without direction is refused") {
 }
 
 TEST_CASE("A turn is added to the angle of a straight motion in the plane") {
-  const Table table = run_text(R"(
+  const Table table = run_text(R"yaml(
 step: 10 ms
 stop: 1 s
 solver: rk4
@@ -80,7 +80,7 @@ blocks:
   angle:  {block: StraightMotion, from: [1, 2], direction: ["= cos(atan2(4, 3) + 40 deg)", "= sin(atan2(4, 3) + 40 deg)"],
            speed: 2 m/s, rise: 0.1 s}
 record: [turned.position, turned.velocity, turned.acceleration, angle.position, angle.velocity, angle.acceleration]
-)");
+)yaml");
   for (const std::string what :
        {"position.1", "position.2", "velocity.1", "velocity.2", "acceleration.1", "acceleration.2"})
     for (std::size_t k = 0; k < table.rows(); ++k)
