@@ -28,9 +28,14 @@ function openEnds(nodes) {
 /** The picture of what is in a part; parts that differ in their own name only are laid out once. */
 async function pictureOf(node, elk, known, room) {
   const own = `"${node.id}.`, any = '"\u0001', general = (drawn) => JSON.stringify(drawn).replaceAll(own, any);
-  const key = `${room.frame} ${general(node.graph)}`;
+  const text = general(node.graph), keyOf = (frame) => `${frame} ${text}`, drawn = (key) => JSON.parse(known.get(key).replaceAll(any, own));
+  if (known.has(keyOf(Infinity))) {
+    const picture = drawn(keyOf(Infinity));
+    if (picture.width <= room.frame) return picture;  // and so is every frame in it
+  }
+  const key = keyOf(room.frame);
   if (!known.has(key)) known.set(key, general(await arrangeIn(node.graph, elk, false, known, room)));
-  return JSON.parse(known.get(key).replaceAll(any, own));
+  return drawn(key);
 }
 
 /** An opened part is a frame around its own picture, whose ports lie where its words for them are. */
@@ -88,6 +93,9 @@ function embed(block, picture) {
   picture.wires = block.isGroup ? joinAtEdge(block, picture.wires, wires) : [...picture.wires, ...wires];
 }
 
+/** How wide a row of these nodes is at most, with generous room between them. */
+const widthAtMost = (nodes) => nodes.reduce((sum, {width}) => sum + width + 100, 0);
+
 /** The nodes of a graph with their sizes; opened parts have their picture. */
 async function sizedNodes(graph, isRoot, elk, known, room) {
   const {nodes, wires} = nodesAndWires(graph, isRoot);
@@ -127,21 +135,26 @@ const isTooWide = ({width, height}, room) => width > room || (width > band.width
  * Frames that become wider than `room.frame` are drawn in two rows, and so is the whole beyond `room.whole`.
  */
 async function arrangeIn(graph, elk, isRoot, known, room) {
-  const whole = grouped(graph), sized = () => sizedNodes(whole, isRoot, elk, known, room), task = await sized();
-  const size = await sizeOfLayout(task.nodes, task.wires, elk);
-  if (isRoot ? isTooWide(size, room.whole) : size.width > room.frame) {
-    const two = await inTwoRows(whole, task, elk, isRoot, known, room);
-    if (two && two.width < worthwhile * size.width) return two;
+  const whole = grouped(graph), sized = () => sizedNodes(whole, isRoot, elk, known, room);
+  const limit = isRoot ? Math.min(room.whole, band.width) : room.frame, task = await sized();
+  if (widthAtMost(task.nodes) > limit) {
+    const size = await sizeOfLayout(task.nodes, task.wires, elk);
+    if (isRoot ? isTooWide(size, room.whole) : size.width > room.frame) {
+      const two = await inTwoRows(whole, task, elk, isRoot, known, room);
+      if (two && two.width < worthwhile * size.width) return two;
+    }
   }
   return inOneRow(await sized(), elk);
 }
 
 /** The same, narrow enough to be read on a page if that can be had; `known` keeps pictures of parts for further calls. */
 export async function arrange(graph, elk, known = new Map()) {
-  let best;
+  let best, last;
   for (const frame of [Infinity, 1000, 600]) {
-    const picture = await arrangeIn(graph, elk, true, known, {whole: widest, frame});
-    if (!best || picture.width < best.width) best = picture;
+    const hasWider = last?.blocks.some(({inner, width}) => inner && width > frame) ?? true;
+    if (!hasWider) continue;
+    last = await arrangeIn(graph, elk, true, known, {whole: widest, frame});
+    if (!best || last.width < best.width) best = last;
     if (best.width <= widest) break;
   }
   return best;
