@@ -59,17 +59,26 @@ std::string number_text(const ParameterSpec& spec, double value) {
   return fmt::format("{}{}", value, name);
 }
 
-/// Numbers that blocks were given, by their file, a preset or as defaults: "rig.damper.beta".
+/// Adds a number of a block where its name is free.
+void add_number(const std::string& name, const ParameterSpec& spec, double value, Names& names) {
+  const bool is_free = !names.find(name) && !std::ranges::count(names.signals, name);
+  if (!std::isfinite(value) || !is_free) return;
+  if (std::string text = number_text(spec, value); !text.empty())
+    names.drawn.push_back({name, std::move(text)});
+}
+
+/// Numbers that blocks were given, by their file, a preset or as defaults: "rig.damper.beta"; of a list
+/// "rig.damper.alpha.2".
 void add_numbers_of_blocks(const Diagram& diagram, Names& names) {
   for (const DiagramBlock& block : diagram.blocks)
     for (const ParameterSpec& spec : block.type().parameters) {
       const Value value = spec.get(block.block.get());
-      const double* number = std::get_if<double>(&value.content);
       const std::string name = block.name + "." + spec.name;
-      const bool is_free = !names.find(name) && !std::ranges::count(names.signals, name);
-      if (!number || !std::isfinite(*number) || !is_free) continue;
-      if (std::string text = number_text(spec, *number); !text.empty())
-        names.drawn.push_back({name, std::move(text)});
+      if (const auto* number = std::get_if<double>(&value.content)) add_number(name, spec, *number, names);
+      const auto* list = std::get_if<Eigen::VectorXd>(&value.content);
+      if (list && list->size() == 1) add_number(name, spec, (*list)[0], names);
+      for (Eigen::Index k = 0; list && list->size() > 1 && k < list->size(); ++k)
+        add_number(fmt::format("{}.{}", name, k + 1), spec, (*list)[k], names);
     }
 }
 
@@ -130,7 +139,7 @@ std::shared_ptr<const Scene> read_scene_of(const Diagram& diagram, Names& names,
 
 /// Claims and invariants may name what the figures draw and the scene shows.
 void read_all_claims(const Diagram& diagram, Work& work, Names& names, Faults& faults) {
-std::ranges::move(drawn_quantities(work.figures), std::back_inserter(names.drawn));
+  std::ranges::move(drawn_quantities(work.figures), std::back_inserter(names.drawn));
   if (work.scene) std::ranges::move(shown_quantities(*work.scene), std::back_inserter(names.drawn));
   const auto read = [&](const Node& section, Claim::Kind kind) {
     if (section.kind == Node::Kind::empty) return;

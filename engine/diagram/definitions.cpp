@@ -14,6 +14,8 @@ namespace {
 const std::vector<std::string> definition_keys = {"value", "unit",  "doc",      "assumed",
                                                   "above", "below", "at_least", "at_most"};
 
+constexpr std::size_t longest_chain = 1000;  // of parameters that each use one further down
+
 /// Evaluates definitions on demand, so that they may stand in any order.
 class Definitions {
  public:
@@ -43,6 +45,11 @@ class Definitions {
     if (const auto circle = std::find(open_.begin(), open_.end(), name); circle != open_.end())
       return fail(entry,
                   fmt::format("depends on itself: {} -> {}", fmt::join(circle, open_.end(), " -> "), name));
+    if (open_.size() >= longest_chain)
+      return fail(entry,
+                  fmt::format("is reached from '{}' through more than {} parameters that use each other; "
+                              "write what others use above them",
+                              open_.front(), longest_chain));
     open_.push_back(name);
     define_what_it_uses(entry.value);
     open_.pop_back();

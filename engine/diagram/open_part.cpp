@@ -110,6 +110,7 @@ bool Opener::refuse_nesting(Scope& scope, const Entry& entry, const Node& path, 
                      fmt::join(circle, open_files_.end(), " -> "), file));
   } else if (open_files_.size() >= deepest_nesting) {
     fail(scope, entry, path.mark, fmt::format("parts are nested more than {} deep here", deepest_nesting));
+    report_.faults().throw_if_any();  // parts that use parts twice would say so without end
   } else if (report_.diagram().scopes.size() > most_parts) {
     fail(scope, entry, path.mark, fmt::format("the diagram has more than {} parts here", most_parts));
     report_.faults().throw_if_any();  // each of the rest would say the same

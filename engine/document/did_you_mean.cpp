@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstdlib>
 #include <vector>
@@ -15,21 +16,25 @@ std::string lower(std::string word) {
   return word;
 }
 
-// Optimal string alignment: inserts, deletes, replacements and swaps of neighbours cost one each.
-std::size_t distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
+// Optimal string alignment: inserts, deletes, replacements and swaps of neighbours cost one each. Words have
+// at most longest_word letters; `most` stands for all that is more.
+std::size_t distance(const std::string& a, const std::string& b, std::size_t most) {
+  if (std::max(a.size(), b.size()) - std::min(a.size(), b.size()) >= most) return most;
+  std::array<std::array<std::size_t, longest_word + 1>, 3> rows;
+  const auto row = [&](std::size_t i) -> auto& {
+    return rows[i % 3];
+  };
+  for (std::size_t j = 0; j <= b.size(); ++j) row(0)[j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
-    row[0] = i;
+    row(i)[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      row(i)[j] = std::min(
+          {row(i - 1)[j] + 1, row(i)[j - 1] + 1, row(i - 1)[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
       const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
-      if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
+      if (swapped) row(i)[j] = std::min(row(i)[j], row(i - 2)[j - 2] + 1);
     }
-    before.swap(last);
-    last.swap(row);
   }
-  return last[b.size()];
+  return std::min(row(a.size())[b.size()], most);
 }
 
 /// "zoh" of "ZeroOrderHold"; empty for what is no such name.
@@ -57,7 +62,7 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
   std::size_t least = near + 1;
   for (const std::string& name : names) {
     if (name == word || name.size() > longest_word) continue;
-    std::size_t far = distance(wanted, lower(name));
+    std::size_t far = distance(wanted, lower(name), near + 1);
     if (far > near && abbreviates(wanted, name)) far = near;
     // A word of which no letter is right is no near miss.
     if (far >= least || far >= std::max(word.size(), name.size())) continue;

@@ -11,6 +11,8 @@
 namespace stepwire {
 namespace {
 
+constexpr std::size_t most_faults = 100;
+
 std::string text_of(const Place& place) {
   if (place.mark.line == 0) return place.file;
   const std::string in_file = fmt::format("{}:{}", place.mark.line, place.mark.column);
@@ -72,6 +74,16 @@ Error::Error(Fault fault) : Error(std::vector<Fault>{std::move(fault)}) {}
 
 Error::Error(std::vector<Fault> faults) : faults_(in_order(std::move(faults))) {
   for (const Fault& fault : faults_) text_ += (text_.empty() ? "" : "\n") + fault.text();
+}
+
+void Faults::add(Fault fault) {
+  faults_.push_back(std::move(fault));
+  if (faults_.size() < most_faults) return;
+  faults_.push_back({.place = {},
+                     .subject = "",
+                     .message = fmt::format("there may be more than these {} faults", most_faults),
+                     .used_by = {}});
+  throw Error(faults_);
 }
 
 void Faults::throw_if_any() const {

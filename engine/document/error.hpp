@@ -37,7 +37,8 @@ class Error : public std::exception {
 /// Gathers faults of one pass, so that a user sees all of them at once.
 class Faults {
  public:
-  void add(Fault fault) { faults_.push_back(std::move(fault)); }
+  /// Throws Error with what there is where one more would be too many to read.
+  void add(Fault fault);
   bool empty() const { return faults_.empty(); }
   std::size_t size() const { return faults_.size(); }
   /// Throws Error with all faults if there are any.

@@ -9,7 +9,6 @@
 namespace stepwire {
 namespace {
 
-constexpr std::size_t most_faults = 1000;
 constexpr std::size_t characters_per_node = 32;  // so that copies of one long text cost what they take
 constexpr std::size_t nodes_per_anchor = 8;      // about what keeping the way to it takes
 
@@ -115,7 +114,6 @@ Mark GrowingTree::innermost() const {
 
 void GrowingTree::fault(Mark mark, std::string message) {
   faults_.add({.place = {file_, mark}, .subject = "", .message = std::move(message), .used_by = {}});
-  if (faults_.size() >= most_faults) faults_.throw_if_any();
 }
 
 void GrowingTree::fail(Mark mark, std::string message) {

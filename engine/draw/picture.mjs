@@ -13,6 +13,8 @@ import {straightened} from "./wires.mjs";
 const frame = {head: 22, margin: 12};
 /** On a page of 1400 pixels names of ports are 9 high in a picture of this width. */
 const widest = (1400 * sizes.port) / 9;
+/** What is so many times as wide does not become readable in narrower frames. */
+const hopeless = 3;
 /** Two rows are drawn where they are that much less wide than one. */
 const worthwhile = 0.85;
 const band = {width: 1000, ratio: 3.5};
@@ -155,7 +157,7 @@ export async function arrange(graph, elk, known = new Map()) {
     if (!hasWider) continue;
     last = await arrangeIn(graph, elk, true, known, {whole: widest, frame});
     if (!best || last.width < best.width) best = last;
-    if (best.width <= widest) break;
+    if (best.width <= widest || best.width > hopeless * widest) break;
   }
   return best;
 }

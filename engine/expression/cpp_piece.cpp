@@ -9,7 +9,7 @@
 namespace stepwire {
 namespace {
 
-/// Those of language.hpp; all others are in <cmath>.
+/// Those of language.hpp that formulas name; all others are in <cmath>.
 constexpr std::array<std::string_view, 6> own_functions{"sign", "mod", "min", "max", "uniform", "lognormal"};
 
 /// In parentheses where it binds weaker than its place asks for.
@@ -18,7 +18,7 @@ std::string in(Binding least, const CppPiece& piece) {
 }
 
 CppPiece number(const CppPiece& piece) {
-  return piece.truth ? CppPiece{"double(" + piece.text + ")"} : piece;
+  return piece.truth ? CppPiece{"language::number(" + piece.text + ")"} : piece;
 }
 
 /// && inside of || stands in parentheses, or compilers take it for a mistake.

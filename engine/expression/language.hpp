@@ -8,6 +8,12 @@
 /// and programs written in C++.
 namespace stepwire::language {
 
+/// A truth as 1 or 0. Not written as double(x < y): GCC 12 takes 0.0 - double(x < y) for the negative of it,
+/// which has another zero.
+inline double number(bool truth) {
+  return truth;
+}
+
 inline double sign(double x) {
   return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : x;
 }

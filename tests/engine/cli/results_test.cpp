@@ -209,6 +209,7 @@ TEST_CASE(
       "1/mm}}\n"
       "claims:\n"
       "  - {that: of the file, final: push.time, equals: 250 ms}\n"
+      "  - {that: of a list, final: damper.current_range.2, equals: 0.35 A}\n"
       "  - {that: of the preset, final: damper.extended_length - damper.compressed_length, equals: 58 mm, "
       "within: 1e-12 m}\n"
       "  - {that: the law, where: time > 0.9 s, max: \"abs(damper.force - 1000*damper.A/(damper.beta + "

@@ -200,13 +200,13 @@ TEST_CASE("an expression reads as C++ does, with the parentheses that C++ needs"
   const auto cpp = [](const std::string& text) { return Expression(text).cpp(); };
   CHECK(cpp("u1 > 5 mm && after >= 2 s") == "v[0] > 0.005 && v[1] >= 2.0");
   CHECK(cpp("-2^2 + x*(y - 1)") == "-std::pow(2.0, 2.0) + v[0] * (v[1] - 1.0)");
-  CHECK(cpp("x < y < 1") == "double(v[0] < v[1]) < 1.0");
+  CHECK(cpp("x < y < 1") == "language::number(v[0] < v[1]) < 1.0");
   CHECK(cpp("x && y || z") == "(v[0] != 0.0 && v[1] != 0.0) || v[2] != 0.0");
-  CHECK(cpp("- -x - !-y") == "v[0] - double(v[1] == 0.0)");
-  CHECK(cpp("!!x + !(x < y)") == "double(!(v[0] == 0.0)) + double(!(v[0] < v[1]))");
+  CHECK(cpp("- -x - !-y") == "v[0] - language::number(v[1] == 0.0)");
+  CHECK(cpp("!!x + !(x < y)") == "language::number(!(v[0] == 0.0)) + language::number(!(v[0] < v[1]))");
   CHECK(cpp("-(-x)") == "-(-v[0])");
   CHECK(cpp("x ? y ? 1 : x < 2 : max(x, mod(y, pi))") ==
-        "v[0] != 0.0 ? (v[1] != 0.0 ? 1.0 : double(v[0] < 2.0)) : "
+        "v[0] != 0.0 ? (v[1] != 0.0 ? 1.0 : language::number(v[0] < 2.0)) : "
         "language::max({v[0], language::mod(v[1], 3.141592653589793)})");
   CHECK(Expression("x * y").cpp_condition() == "v[0] * v[1] != 0.0");
   CHECK(Expression("x < y").cpp_condition() == "v[0] < v[1]");
