@@ -28,6 +28,11 @@ using Four = double __attribute__((vector_size(32)));
     c += read_c * 0.0;
     d += read_d * 0.0;
   }
+  for (; i + 4 <= count; i += 4) {
+    Four read;
+    std::memcpy(&read, numbers + i, sizeof(Four));
+    a += read * 0.0;
+  }
   double rest = 0.0;
   for (; i < count; ++i) rest += numbers[i] * 0.0;
   const Four sum = (a + b) + (c + d);
