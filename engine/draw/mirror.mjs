@@ -10,7 +10,7 @@ function mirroredPort(port, width) {
 function mirroredBlock(block, width) {
   const ports = (list) => list.map((port) => mirroredPort(port, block.width));
   return {
-    ...block, x: width - block.x - block.width, flipped: !block.flipped, shift: block.shift && -block.shift,
+    ...block, x: width - block.x - block.width, flipped: !block.flipped,
     inputs: ports(block.inputs), outputs: ports(block.outputs),
   };
 }

@@ -41,8 +41,8 @@ const shapes = {
 
 /** Middle of what is written inside: a triangle's weight lies towards its base. */
 function middle(block) {
-  const shift = block.outline === "triangle" ? (block.flipped ? 0.12 : -0.12) * block.width : 0;
-  return [block.x + block.width / 2 + shift + (block.shift ?? 0), block.y + block.height / 2];
+  const forward = (block.outline === "triangle" ? -0.12 * block.width : 0) + (block.shift ?? 0);
+  return [block.x + block.width / 2 + (block.flipped ? -forward : forward), block.y + block.height / 2];
 }
 
 const fractionStep = 9.5, lineStep = 16;
@@ -78,13 +78,16 @@ function portTexts(block) {
 }
 
 /** What signals are called where they begin, and their units. */
+/** The name of a signal and its unit side by side, from the end that is nearer to the block: fonts differ in width. */
 function notes(block) {
   return block.outputs.filter((port) => port.noteAt).map((port) => {
-    const [dx, dy] = port.noteAt, x = block.x + port.x + dx + markGap / 2, top = block.y + port.y + dy;
-    const height = port.mark ? sizes.mark : sizes.unit, style = {size: sizes.unit, anchor: "start", fill: "#666"};
-    const unitX = x + (port.mark ? widthOfPieces(port.mark, sizes.mark) + markGap : 0);
-    return (port.mark ? quantity(x, top + height / 2, port.mark, {size: sizes.mark}) : "") +
-      (port.unit ? text(unitX, top + height / 2, port.unit, style) : "");
+    const [dx, dy, width] = port.noteAt, left = block.x + port.x + dx, middle = block.y + port.y + dy + (port.mark ? sizes.mark : sizes.unit) / 2;
+    const anchor = port.side === "WEST" ? "end" : "start", both = port.mark && port.unit;
+    const [x, away] = anchor === "end" ? [left + width - markGap / 2, -1] : [left + markGap / 2, 1];
+    const beyond = (written, size) => (both ? away * (widthOfPieces(written, size) + markGap) : 0);
+    const markX = x + (anchor === "end" ? beyond(port.unit, sizes.unit) : 0), unitX = x + (anchor === "start" ? beyond(port.mark, sizes.mark) : 0);
+    return (port.mark ? quantity(markX, middle, port.mark, {size: sizes.mark, anchor}) : "") +
+      (port.unit ? text(unitX, middle, port.unit, {size: sizes.unit, anchor, fill: "#666"}) : "");
   }).join("");
 }
 
