@@ -1,8 +1,8 @@
 // Repeats the fit of a file with other noise and tells how often its intervals hold the truth:
 //   fit_study FILE [--seeds 100] [--parameter seed] NAME=TRUTH...
-// NAME is a parameter that the file fits, TRUTH its true value in the file's notation ("model.beta=10.614 1/mm"). Each
-// repetition sets the file's parameter `seed` to 1, 2, ... Exit status 1 where an interval of 95 % holds the truth in less
-// than 90 or more than 99 of 100 repetitions, 2 for a wrong call or file.
+// NAME is a parameter that the file fits, TRUTH its true value in the file's notation ("model.beta=10.614
+// 1/mm"). Each repetition sets the file's parameter `seed` to 1, 2, ... Exit status 1 where an interval of 95
+// % holds the truth in less than 90 or more than 99 of 100 repetitions, 2 for a wrong call or file.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -88,7 +88,8 @@ std::map<std::string, Tally> study(const Call& call) {
 /// Are all shares from 90 to 99 of 100?
 bool tell(const Call& call, const std::map<std::string, Tally>& tallies) {
   bool good = true;
-  fmt::print("| number | truth (SI) | bias / spread | mean standard error / spread | interval holds the truth |\n");
+  fmt::print(
+      "| number | truth (SI) | bias / spread | mean standard error / spread | interval holds the truth |\n");
   fmt::print("|---|---|---|---|---|\n");
   for (const auto& [name, tally] : tallies) {
     const double mean = tally.sum / tally.fits;

@@ -46,9 +46,10 @@ void RotaryMRDamper::declare(Declare<RotaryMRDamper>& is) {
       {.unit = "N m", .doc = "torque that resists the motion, in the direction of v"});
   is.notice<&RotaryMRDamper::assumed>(
       {.doc = "below the lowest tested current (0.50 A) the identified polynomials are assumed to hold"});
-  is.preset<rd_2087_01>("rd-2087-01",
-                        "Lord RD-2087-01 as identified in the thesis, 0.50 to 0.75 A (0 to 0.50 A assumed), with the "
-                        "ratings of its data sheet (thesis table 2)");
+  is.preset<rd_2087_01>(
+      "rd-2087-01",
+      "Lord RD-2087-01 as identified in the thesis, 0.50 to 0.75 A (0 to 0.50 A assumed), with the "
+      "ratings of its data sheet (thesis table 2)");
 }
 
 }  // namespace stepwire

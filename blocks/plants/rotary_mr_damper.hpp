@@ -11,7 +11,8 @@ struct RotaryMRDamper : MRDamperCore {
   TorqueUnit torque_unit = TorqueUnit::lbf_in;
   double presliding_scale = 1.0;
   double assumed_below = 0.0;
-  double highest_current = 0.0, highest_speed = 0.0, rated_torque = 0.0;  ///< ratings, on which no run depends
+  double highest_current = 0.0, highest_speed = 0.0,
+         rated_torque = 0.0;  ///< ratings, on which no run depends
   double lowest_temperature = 0.0, highest_temperature = 0.0;
   Output<1> torque{};
   Notice assumed{};

@@ -16,7 +16,8 @@ namespace stepwire {
 /// How a parameter of C++ type T is written in a file, and moved between it and a Value.
 template <class T>
 struct ParameterAccess {
-  static_assert(std::is_enum_v<T>, "a parameter is a double, int64, bool, enum, Text, FilePath, Numbers, ...");
+  static_assert(std::is_enum_v<T>,
+                "a parameter is a double, int64, bool, enum, Text, FilePath, Numbers, ...");
   static constexpr ParameterKind kind = ParameterKind::word;
   static void set(T& member, const Value& value) { member = static_cast<T>(std::get<double>(value.content)); }
   static Value get(const T& member) { return {static_cast<double>(member)}; }

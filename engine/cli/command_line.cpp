@@ -192,7 +192,8 @@ class CommandLine {
     verb->add_option("--depth", draw_.options.depth, "open all parts down to so many levels")
         ->check(CLI::Range(0, 32))
         ->capture_default_str();
-    verb->add_option("--hide", draw_.options.hide, "blocks, parts and signals left out: work, rig.energy, 'peak*'")
+    verb->add_option("--hide", draw_.options.hide,
+                     "blocks, parts and signals left out: work, rig.energy, 'peak*'")
         ->delimiter(',');
     verb->add_flag("--units", draw_.options.units, "write the unit of its signal on each wire");
     verb->add_flag("--json", draw_.json, "give the graph that is drawn, as JSON");

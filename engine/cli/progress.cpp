@@ -16,7 +16,8 @@ constexpr int width = 32;
 
 }  // namespace
 
-Progress::Progress(const std::string& label) : label_(visible(label)), on_terminal_(isatty(STDERR_FILENO) == 1) {}
+Progress::Progress(const std::string& label)
+    : label_(visible(label)), on_terminal_(isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
   if (on_terminal_ && last_permille_ >= 0) std::fputs("\r\x1b[K", stderr);

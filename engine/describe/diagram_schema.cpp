@@ -40,7 +40,8 @@ Json thesis_schema() {
       .set("section", text("section in which it stands"))
       .set("caption", text("caption of the figure, as the thesis prints it"))
       .set("says", text("what its text says of the figure, word for word"))
-      .set("departures", explained(list_of(schema_ref("text")), "what is done otherwise here, a sentence each"));
+      .set("departures",
+           explained(list_of(schema_ref("text")), "what is done otherwise here, a sentence each"));
   return explained(closed_map(std::move(keys)), "what of the thesis this file shows");
 }
 
@@ -99,9 +100,10 @@ void add_run_keys(Json& keys) {
   keys.set("step", explained(schema_ref("time"), "time between ticks: 1 ms"));
   keys.set("stop", explained(schema_ref("time"), "end of the run, a whole multiple of the step: 5 s"));
   keys.set("solver", solver_schema());
-  keys.set("tolerance",
-           explained(schema_ref("number"),
-                     "error of a step, in sizes of its state, beyond which rosenbrock and sdirk end the run: 2"));
+  keys.set(
+      "tolerance",
+      explained(schema_ref("number"),
+                "error of a step, in sizes of its state, beyond which rosenbrock and sdirk end the run: 2"));
   keys.set("stop_when",
            explained(schema_ref("expression"),
                      "ends the run early where this is true: rig.x > 5 mm, rig.position.1 > 5 mm"));

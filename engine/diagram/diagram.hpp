@@ -180,8 +180,8 @@ struct Diagram {
   std::optional<Sweep> sweep;
   std::optional<StopCondition> stop_when;
   Node figure, claims, invariants;  ///< as written, read by the figure room; empty where absent
-  Node scene;           ///< as written, read by the figure room; empty where absent
-  Node fit;             ///< as written, read by the identify room; empty where absent
+  Node scene;                       ///< as written, read by the figure room; empty where absent
+  Node fit;                         ///< as written, read by the identify room; empty where absent
 
   Place place(const Origin& origin) const {
     return {scopes[static_cast<std::size_t>(origin.scope)].file, origin.mark};

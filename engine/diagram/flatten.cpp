@@ -49,7 +49,8 @@ class Flattener {
     add_key(root, "step", written_numbers(one(diagram_.step), time));
     add_key(root, "stop", written_numbers(one(diagram_.stop), time));
     if (!diagram_.solver.empty()) add_key(root, "solver", written_text(diagram_.solver));
-    if (diagram_.tolerance != Diagram{}.tolerance) add_key(root, "tolerance", written_numbers(one(diagram_.tolerance), std::nullopt));
+    if (diagram_.tolerance != Diagram{}.tolerance)
+      add_key(root, "tolerance", written_numbers(one(diagram_.tolerance), std::nullopt));
     if (diagram_.stop_when) add_key(root, "stop_when", stop_condition(*diagram_.stop_when));
   }
 

@@ -12,9 +12,9 @@ namespace stepwire {
 namespace {
 
 const std::vector<std::string> head_keys = {
-    "stepwire",   "title",  "caption", "thesis", "step",       "stop",      "solver",
-    "tolerance",    "parameters", "inputs", "outputs", "units",  "blocks",     "stop_when", "record",
-    "sweep",      "figure", "scene",   "claims", "invariants", "fit",       "study"};
+    "stepwire",   "title",  "caption", "thesis",     "step",   "stop",      "solver", "tolerance",
+    "parameters", "inputs", "outputs", "units",      "blocks", "stop_when", "record", "sweep",
+    "figure",     "scene",  "claims",  "invariants", "fit",    "study"};
 
 constexpr double most_steps = 9e15;  // whole numbers beyond are not exact in a double
 

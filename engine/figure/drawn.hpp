@@ -15,8 +15,8 @@ namespace stepwire {
 /// its own number, "figure.motion.x", "figure.rose.2.value".
 std::vector<NamedFormula> drawn_quantities(const std::vector<Figure>& figures);
 
-/// Where the objects of a scene are, under the names that claims may use: "scene.ball.x", "scene.guide.2.y" of
-/// the second of several points, and "scene.circle.radius".
+/// Where the objects of a scene are, under the names that claims may use: "scene.ball.x", "scene.guide.2.y"
+/// of the second of several points, and "scene.circle.radius".
 std::vector<NamedFormula> shown_quantities(const Scene& scene);
 
 }  // namespace stepwire

@@ -50,8 +50,8 @@ struct Motion {
 
 /// What happens at one point in each direction: spokes of a disc, as long and as coloured as a value is.
 struct Rose {
-  Series x, y;           ///< the point, in the units of the axes
-  Series angle, value;   ///< direction of a spoke in radians, and what is shown there
+  Series x, y;          ///< the point, in the units of the axes
+  Series angle, value;  ///< direction of a spoke in radians, and what is shown there
   std::optional<Formula> where{};
   std::optional<std::array<double, 2>> at{};  ///< middle of the disc; none: the point itself
   double radius = 0.0;                        ///< of the disc, in the unit of x

@@ -30,10 +30,12 @@ const std::vector<FigureKey>& panel_keys() {
       {"marks", "points with names, drawn on top: {A: [0 mm, 20 mm]}; a list of points numbers them"},
       {"texts", "texts in the plane, each about its point: {authorized region: [0 mm, 200 mm]}"},
       {"motion",
-       "the way of a point (or a list), drawn as a line with arrow heads: {x: hand.1, y: hand.2, where: time < "
+       "the way of a point (or a list), drawn as a line with arrow heads: {x: hand.1, y: hand.2, where: time "
+       "< "
        "2 s, heads: 8, color: red}"},
       {"rose",
-       "what happens at a point in each direction (or a list), drawn as a disc with spokes as long as `value`: "
+       "what happens at a point in each direction (or a list), drawn as a disc with spokes as long as "
+       "`value`: "
        "{x: at.1, y: at.2, angle: phi, value: force in N, where: time > 1 s, at: [5 mm, 0 mm], radius: 4 mm, "
        "name: D2}"}};
   return keys;

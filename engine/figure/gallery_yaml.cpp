@@ -14,7 +14,8 @@ bool is_digit(char c) {
 
 /// Bytes of letters beyond ASCII stay together, since half a letter is none.
 bool is_of_word(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || static_cast<unsigned char>(c) >= 0x80;
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' ||
+         static_cast<unsigned char>(c) >= 0x80;
 }
 
 /// Goes through a text line by line. What lies across lines, a quoted text or a block of text, is kept.

@@ -93,8 +93,7 @@ void draw_rose(const DrawnRose& one, double full, Script& script) {
   const std::string disc = script.data({one.circle()});
   script.plot(disc + " using 1:2 with filledcurves closed fc rgb '#ffffff' fs solid noborder");
   script.plot(disc + " using 1:2 with lines lw 1 lc rgb '#555555'");
-  if (const auto leader = one.leader())
-    draw_leader(*leader, script);
+  if (const auto leader = one.leader()) draw_leader(*leader, script);
   const std::string spokes = script.data({one.spokes(full)});
   script.plot(fmt::format("{} using 1:2:3:4{} with vectors nohead lw 1.6 lc {}", spokes,
                           has_colors ? ":5" : "", has_colors ? "palette" : "rgb '" + curve_color(0) + "'"));

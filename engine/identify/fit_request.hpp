@@ -82,7 +82,7 @@ struct FitRequest {
   std::size_t starts = 1;             ///< the first is the given one, the others are random within the bounds
   std::optional<std::size_t> follow;  ///< how many of them go on after the first steps; a quarter if absent
   std::uint64_t seed = 1;
-  std::size_t iterations = 100;  ///< of one start, at most
+  std::size_t iterations = 100;    ///< of one start, at most
   std::string records = "record";  ///< what pictures call the records: measured, simulated
   std::optional<GlobalSearch> global;
   Place place;

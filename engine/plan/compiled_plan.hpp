@@ -28,8 +28,8 @@ class CodeSource {
   /// Compiles; gives for each of the plans its code, or nothing at all where that cannot be. A stop gives up.
   virtual std::vector<CompiledPlan> compile(const std::vector<const Plan*>& plans,
                                             const std::stop_token& stop) = 0;
-  /// The numbers that code of this plan reads, in the order of `CompiledPlan::parameters`. Throws Error where the plan
-  /// has no code.
+  /// The numbers that code of this plan reads, in the order of `CompiledPlan::parameters`. Throws Error where
+  /// the plan has no code.
   virtual std::vector<double> numbers(const Plan& plan) const = 0;
 };
 

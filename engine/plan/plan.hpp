@@ -32,7 +32,7 @@ struct Layout {
   static constexpr std::size_t timed = 1;  ///< for which time Plan::timed was computed last
   static constexpr std::size_t first = 2;  ///< of what blocks have
   static constexpr std::size_t report_count = 3;
-  static constexpr double never = -1.0;    ///< stands at `timed` before the start
+  static constexpr double never = -1.0;  ///< stands at `timed` before the start
   std::size_t signals = first;
   std::size_t states = first;
   std::size_t state_count = 0;

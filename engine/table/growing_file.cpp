@@ -16,7 +16,8 @@ namespace stepwire {
 
 namespace fs = std::filesystem;
 
-GrowingFile::GrowingFile(const std::string& path) : path_(path), temporary_(temporary_beside(path)), leftover_(temporary_) {
+GrowingFile::GrowingFile(const std::string& path)
+    : path_(path), temporary_(temporary_beside(path)), leftover_(temporary_) {
   std::error_code error;
   const fs::path folder = fs::path(path).parent_path();
   if (!folder.empty()) fs::create_directories(folder, error);

@@ -68,7 +68,8 @@ std::string inflate_all(std::string_view packed, std::size_t size) {
   std::string all(size + 1, '\0');  // one more, so that the end of what is packed is met
   Inflation inflation(packed);
   const std::size_t got = inflation.fill(all.data(), all.size());
-  if (got != size || !inflation.ended()) throw TableError("what is packed has not the size that it should have");
+  if (got != size || !inflation.ended())
+    throw TableError("what is packed has not the size that it should have");
   all.resize(size);
   return all;
 }

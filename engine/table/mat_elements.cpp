@@ -51,8 +51,8 @@ MatElement MatElements::tag() const {
 
 MatElement MatElements::next() {
   MatElement element = tag();
-  const auto first = static_cast<std::uint32_t>(
-      mat_numbers(rest_.substr(0, 4), MatNumber::uint32, swap_).front());
+  const auto first =
+      static_cast<std::uint32_t>(mat_numbers(rest_.substr(0, 4), MatNumber::uint32, swap_).front());
   const bool small = first > 0xFFFF;
   const std::size_t begin = small ? 4 : tag_size;
   if (element.length > (small ? 4 : rest_.size() - tag_size))

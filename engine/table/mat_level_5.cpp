@@ -14,7 +14,14 @@ namespace {
 constexpr std::size_t file_header = 128;
 constexpr std::size_t longest_head = 4096;  // of a matrix: flags, dimensions and name
 
-enum ArrayClass : unsigned { cell = 1, text = 4, first_number = 6, single = 7, first_integer = 8, last_number = 15 };
+enum ArrayClass : unsigned {
+  cell = 1,
+  text = 4,
+  first_number = 6,
+  single = 7,
+  first_integer = 8,
+  last_number = 15
+};
 
 /// What a matrix begins with.
 struct Head {
@@ -106,7 +113,10 @@ auto named(const Head& head, const Action& action) {
 class Level5 {
  public:
   Level5(std::string_view file, bool swap)
-      : swap_(swap), budget_(most_unpacked(file.size())), most_(budget_), elements_(file.substr(file_header), swap) {}
+      : swap_(swap),
+        budget_(most_unpacked(file.size())),
+        most_(budget_),
+        elements_(file.substr(file_header), swap) {}
 
   MatContent read() {
     while (!elements_.empty()) {
@@ -129,8 +139,8 @@ class Level5 {
     if (!head.counts()) return;
     const std::size_t size = 8 + tag.length;
     if (size > budget_)
-      throw TableError(fmt::format("'{}' unpacks to {} MB; a file of this size may unpack to {} MB", head.name,
-                                   size >> 20, most_ >> 20));
+      throw TableError(fmt::format("'{}' unpacks to {} MB; a file of this size may unpack to {} MB",
+                                   head.name, size >> 20, most_ >> 20));
     budget_ -= size;
     const std::string all = named(head, [&] { return inflate_all(packed, size); });
     take(MatElements(std::string_view(all).substr(8), swap_));

@@ -69,14 +69,16 @@ MatNumber kind_of(matio_classes type) {
 }
 
 bool is_real_array(const matvar_t& variable) {
-  return kind_of(variable.class_type) != MatNumber{} && !variable.isComplex && mat_count(size_of(variable)) > 0;
+  return kind_of(variable.class_type) != MatNumber{} && !variable.isComplex &&
+         mat_count(size_of(variable)) > 0;
 }
 
 std::string text_of(const matvar_t* cell) {
   if (!cell || cell->class_type != MAT_C_CHAR || !cell->data) return "";
   const std::string_view bytes(static_cast<const char*>(cell->data), cell->nbytes);
-  const std::uint32_t type =
-      cell->data_size == 1 ? MatElement::utf8 : cell->data_size == 2 ? MatElement::utf16 : MatElement::utf32;
+  const std::uint32_t type = cell->data_size == 1   ? MatElement::utf8
+                             : cell->data_size == 2 ? MatElement::utf16
+                                                    : MatElement::utf32;
   return mat_text({"", false}, {type, bytes.size(), bytes});
 }
 
@@ -114,7 +116,8 @@ class Level7 {
       fail(fmt::format("'{}' unpacks to {} MB; a file of this size may unpack to {} MB", name, bytes >> 20,
                        most_ >> 20));
     budget_ -= bytes;
-    if (Mat_VarReadDataAll(file_.get(), &variable) != 0 || !variable.data || !Library::the().complaint.empty())
+    if (Mat_VarReadDataAll(file_.get(), &variable) != 0 || !variable.data ||
+        !Library::the().complaint.empty())
       fail(fmt::format("'{}' cannot be read", name));
   }
 

@@ -46,7 +46,8 @@ void append_columns(Table& table, MatVariable& variable) {
                                  most_columns));
   for (std::size_t first = 0; first < all.size(); first += rows) {
     const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
-    table.columns.push_back({fmt::format("{}({})", variable.name, first / rows + 1), "",
+    table.columns.push_back({fmt::format("{}({})", variable.name, first / rows + 1),
+                             "",
                              {begin, begin + static_cast<std::ptrdiff_t>(rows)}});
   }
 }

@@ -14,12 +14,18 @@ struct Home {
 
 // The first that fits counts. Eigen, fmt and the standard library are at home everywhere.
 const std::vector<Home> homes{
-    {"boost/math/", "engine/statistics"}, {"boost/lockfree/", "engine/realtime"},
-    {"boost/geometry", "blocks/haptics"}, {"boost/", "engine/plan"},
-    {"yaml-cpp/", "engine/document"},     {"udunits2", "engine/unit"},
-    {"muParser", "engine/expression"},    {"matio", "engine/table"},
-    {"nlohmann/", "engine/table"},        {"CLI/", "engine/cli"},
-    {"ceres/", "engine/identify"},        {"glog/", "engine/identify"},
+    {"boost/math/", "engine/statistics"},
+    {"boost/lockfree/", "engine/realtime"},
+    {"boost/geometry", "blocks/haptics"},
+    {"boost/", "engine/plan"},
+    {"yaml-cpp/", "engine/document"},
+    {"udunits2", "engine/unit"},
+    {"muParser", "engine/expression"},
+    {"matio", "engine/table"},
+    {"nlohmann/", "engine/table"},
+    {"CLI/", "engine/cli"},
+    {"ceres/", "engine/identify"},
+    {"glog/", "engine/identify"},
     {"xxhash", "engine/base"},
 };
 

@@ -11,7 +11,8 @@ namespace {
 /// coefficients, the one of this tick first.
 std::vector<double> impulse_answer(const std::string& keys, std::size_t count) {
   const Table table = run_text(
-      "step: 1 ms\nstop: 40 ms\nblocks:\n  u: {block: Expression, u: clock, expression: \"abs(u - 0.01) < 1e-4 ? 1 "
+      "step: 1 ms\nstop: 40 ms\nblocks:\n  u: {block: Expression, u: clock, expression: \"abs(u - 0.01) < "
+      "1e-4 ? 1 "
       ": "
       "0\"}\n  clock: {block: Clock}\n  y: {block: SavitzkyGolay, u: u, every: 1 ms, " +
       keys + "}\nrecord: [y]\n");

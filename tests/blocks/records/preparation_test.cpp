@@ -55,8 +55,8 @@ TEST_CASE("a smooth record is resampled between its rows as its signal without f
   const Scratch scratch;
   const auto wave = [](double t) { return std::sin(2.0 * M_PI * t) + 3.0 * t + 2.0; };
   const std::string file = scratch.file("wave.csv", record_text(21, 0.1, wave));
-  const auto y = played(file, "prepare: [{resample: 25 ms, method: band_limited}], interpolation: hold",
-                        "25 ms", "2 s");
+  const auto y =
+      played(file, "prepare: [{resample: 25 ms, method: band_limited}], interpolation: hold", "25 ms", "2 s");
   for (std::size_t i = 0; i < y.size(); ++i)
     CHECK(y[i] == Approx(1e-3 * wave(static_cast<double>(i) * 0.025)).margin(1e-12));
 }

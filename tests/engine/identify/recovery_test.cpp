@@ -74,7 +74,9 @@ TEST_CASE("differential evolution may go ahead") {
   CHECK(found(result, "gain").value == Approx(3.0).epsilon(1e-7));
 }
 
-TEST_CASE("a parameter that no straight line describes is planned for each run, of the one compilation, to the same result") {
+TEST_CASE(
+    "a parameter that no straight line describes is planned for each run, of the one compilation, to the "
+    "same result") {
   GeneratedCode code;
   std::string text = lag(both);
   text.replace(text.find("tau: $tau"), 9, "tau: = tau^2 / 1 s");

@@ -14,8 +14,8 @@
 using stepwire::read_mat;
 using stepwire::Table;
 using stepwire::TableError;
-using stepwire::testing::write_by_library;
 using stepwire::write_mat;
+using stepwire::testing::write_by_library;
 
 namespace {
 
