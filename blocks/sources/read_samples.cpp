@@ -117,6 +117,10 @@ RecordColumn read_column(const FromFile& asked, const Configure& is, const Colum
                          Index first, Index rows) {
   const std::string text = unit_of(asked, is, column, index);
   const Unit unit = read_unit<&FromFile::unit>(is, text);
+  if (const auto header = parse_unit(column.unit);
+      !column.unit.empty() && header && header->dimension != unit.dimension)
+    is.refuse<&FromFile::unit>(fmt::format("'{}' is not what the header of {} says of '{}', which is in {}",
+                                           text, asked.file.string(), column.name, column.unit));
   RecordColumn result{column.name, std::nullopt, {}};
   if (!text.empty()) result.dimension = unit.dimension;
   for (Index row = first; row < first + rows; ++row)

@@ -45,6 +45,7 @@ char32_t code_of(std::string_view character) {
 /// A text with `other` in the place of what is unseen; its arguments are the code and the bytes.
 template <class Other>
 std::string replaced(std::string_view text, const Other& other) {
+  if (std::ranges::all_of(text, [](char c) { return ' ' <= c && c <= '~'; })) return std::string(text);
   std::string result;
   result.reserve(text.size());
   while (!text.empty()) {
@@ -122,6 +123,15 @@ std::string json_escaped(std::string_view text) {
     const auto above = static_cast<unsigned>(code - 0x10000);
     return fmt::format("\\u{:04x}\\u{:04x}", 0xd800 + (above >> 10), 0xdc00 + (above & 0x3ff));
   });
+}
+
+std::string shell_word(std::string_view text) {
+  constexpr std::string_view plain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./=:@%+,-";
+  if (!text.empty() && text.find_first_not_of(plain) == std::string_view::npos) return std::string(text);
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
 }
 
 }  // namespace stepwire

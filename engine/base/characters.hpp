@@ -24,4 +24,7 @@ std::string printable(std::string_view text);
 /// The control characters of a text in JSON as its escapes, \u0085; they can only stand in its strings.
 std::string json_escaped(std::string_view text);
 
+/// A text as one word of a POSIX shell: in quotes where it has to be.
+std::string shell_word(std::string_view text);
+
 }  // namespace stepwire

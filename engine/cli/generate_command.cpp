@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "engine/base/characters.hpp"
 #include "engine/cli/commands.hpp"
 #include "engine/cli/console.hpp"
 #include "engine/cli/version.hpp"
@@ -18,8 +19,9 @@ std::string left_out(const Work& work) {
   if (const auto& sweep = work.job.plan.diagram.sweep) {
     std::vector<std::string> names;
     for (const Sweep::Axis& axis : sweep->axes) names.push_back(axis.parameter);
-    parts.push_back(fmt::format("the sweep of {} (it has the file's own values, and --set gives others)",
-                                fmt::join(names, ", ")));
+    parts.push_back(
+        fmt::format("the sweep of {0} (what is made has one value of each, the file's or that of --set)",
+                    fmt::join(names, ", ")));
   }
   if (work.study) parts.emplace_back("the study");
   if (work.fit) parts.emplace_back("the fit");
@@ -40,8 +42,9 @@ ExitCode generate_files(const GenerateCommand& command, const Registry& registry
     require_folder(target.parent_path().string());
     write_file(target.string(), text);
   }
-  say("{}: {} blocks written to {}; cmake -S {} -B {}/build && cmake --build {}/build makes a program\n",
-      command.file, work.job.plan.blocks.size(), command.out, command.out, command.out, command.out);
+  const std::string folder = shell_word(command.out), build = shell_word(command.out + "/build");
+  say("{}: {} blocks written to {}; cmake -S {} -B {} && cmake --build {} makes a program\n", command.file,
+      work.job.plan.blocks.size(), command.out, folder, build, build);
   if (const std::string parts = left_out(work); !parts.empty()) fmt::print("  left out: {}\n", parts);
   fmt::print(
       "  the flags -ffp-contract=off and -fno-builtin-... of its CMakeLists.txt keep the bits of a run\n");

@@ -11,12 +11,13 @@ namespace {
 
 // A signal handler can reach nothing else.
 std::atomic<bool> flag = false;
-std::atomic<int> orderly = 0;
+std::atomic<int> graceful = 0, orderly = 0;
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
 void handle(int signal) {
   processes_stop() = true;
-  if (!flag.exchange(true) || orderly > 0) return;
+  const bool is_first = !flag.exchange(true);
+  if ((is_first && graceful > 0) || orderly > 0) return;
   remove_leftovers();
   std::signal(signal, SIG_DFL);
   std::raise(signal);
@@ -45,6 +46,14 @@ void catch_signals() {
   if (known.sa_handler != SIG_IGN) catch_signal(SIGHUP);  // nohup
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
+}
+
+GracefulEnd::GracefulEnd() {
+  ++graceful;
+}
+
+GracefulEnd::~GracefulEnd() {
+  --graceful;
 }
 
 OrderlyEnd::OrderlyEnd() {

@@ -18,11 +18,12 @@ namespace stepwire {
 namespace {
 
 std::string verdict_line(const Verdict& verdict) {
+  const bool surprises = verdict.holds && !verdict.disagrees.empty();
   return fmt::format(
       "  {} {}: {} ({}){}{}\n",
-      verdict.holds     ? "ok  "
-      : verdict.fails() ? "FAIL"
-                        : "note",
+      surprises || verdict.fails() ? "FAIL"
+      : verdict.holds              ? "ok  "
+                                   : "note",
       visible(verdict.that), visible(verdict.shown), visible(verdict.check),
       verdict.note.empty() ? "" : "; " + visible(verdict.note),
       verdict.disagrees.empty() ? "" : fmt::format("; {}: {}", verdict.word(), visible(verdict.disagrees)));

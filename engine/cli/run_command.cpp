@@ -191,6 +191,7 @@ ExitCode run_files(const RunCommand& command, const Registry& registry) {
                    Work work = prepare(registry, file, command.options);
                    if (command.check_only) return check(work, command, results);
                    require_study(work, command);
+                   const GracefulEnd graceful;
                    const auto folder = own_folder(command, work);
                    if (work.study) return study(work, command, registry, studies, results);
                    const ExitCode fitted = fit_first(work, command, registry, compiler, results);

@@ -19,6 +19,7 @@
 #include "engine/cli/thesis_print.hpp"
 #include "engine/figure/gallery.hpp"
 #include "engine/generate/generated_code.hpp"
+#include "engine/process/process.hpp"
 #include "engine/replay/replay_folder.hpp"
 #include "engine/run/parallel.hpp"
 #include "engine/table/file.hpp"
@@ -29,6 +30,8 @@ namespace stepwire {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* not_made = "was interrupted before it was made";
 
 bool wanted(const std::string& stem, const std::vector<std::string>& only) {
   return only.empty() || std::any_of(only.begin(), only.end(),
@@ -54,7 +57,12 @@ class Maker {
         registry_(registry),
         files_(std::move(files)),
         entries_(files_.size()),
-        codes_(files_.size(), ExitCode::done) {}
+        codes_(files_.size(), ExitCode::done) {
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+      entries_[i].title = entries_[i].folder = files_[i].stem().string();
+      entries_[i].error = not_made;
+    }
+  }
 
   void run() {
     const std::size_t count =
@@ -85,27 +93,37 @@ class Maker {
   }
 
   ExitCode make(const fs::path& file, GalleryEntry& entry) {
-    const std::string stem = file.stem().string(), folder = (fs::path(command_.out) / stem).string();
-    entry.title = stem;
-    entry.folder = stem;
     entry.sources = {source_of(file.string(), root())};
-    entry.error = "could not be run; the terminal says why";
     return guarded([&] {
-      Work work = prepare(registry_, file.string(), {});
-      std::vector<std::string> fitted;
-      if (work.fit) fitted = fit_first(work, folder);
-      describe_entry(work, entry);
-      entry.sources = sources_of(work, root());
-      const Outcome outcome = work.study ? study(work, folder) : run(work, folder);
-      print_faults(outcome.result);
-      entry.verdicts = outcome.verdicts;
-      std::vector<std::string> pictures = write_outputs(folder, work, outcome);
-      pictures.insert(pictures.end(), fitted.begin(), fitted.end());
-      add_pictures(work, pictures, command_.out, entry);
-      add_downloads(command_.out, entry);
-      entry.error = outcome.result.faults.empty() ? "" : outcome.result.faults.front().fault.message;
-      return outcome.code;
+      try {
+        return fill(file, entry);
+      } catch (const ProcessStopped&) {
+        throw;
+      } catch (const std::exception& error) {
+        const std::string_view reason = error.what();
+        entry.error = reason.substr(0, reason.find('\n'));
+        throw;
+      }
     });
+  }
+
+  ExitCode fill(const fs::path& file, GalleryEntry& entry) {
+    const std::string folder = (fs::path(command_.out) / file.stem()).string();
+    Work work = prepare(registry_, file.string(), {});
+    std::vector<std::string> fitted;
+    if (work.fit) fitted = fit_first(work, folder);
+    describe_entry(work, entry);
+    entry.sources = sources_of(work, root());
+    const Outcome outcome = work.study ? study(work, folder) : run(work, folder);
+    print_faults(outcome.result);
+    if (outcome.result.interrupted) return outcome.code;
+    entry.verdicts = outcome.verdicts;
+    std::vector<std::string> pictures = write_outputs(folder, work, outcome);
+    pictures.insert(pictures.end(), fitted.begin(), fitted.end());
+    add_pictures(work, pictures, command_.out, entry);
+    add_downloads(command_.out, entry);
+    entry.error = outcome.result.faults.empty() ? "" : outcome.result.faults.front().fault.message;
+    return outcome.code;
   }
 
   /// What diagram files and their parts lie in.
@@ -159,9 +177,10 @@ void summarise(const std::vector<GalleryEntry>& entries) {
 }
 
 constexpr const char* introduction =
-    "Every picture was computed by the diagram file on its page. Claims are what the thesis says of a "
-    "figure, "
-    "checked on the recorded signals; invariants are what must hold throughout: limits, energy, safety.";
+    "Every picture was computed by the diagram file on its page. Claims are checked on the recorded signals: "
+    "what "
+    "the thesis says of a figure, and what its pictures are said to show; invariants are what must hold "
+    "throughout: limits, energy, safety.";
 
 /// Where the front page is.
 std::string write_gallery(const std::string& out, std::vector<GalleryEntry> entries) {
@@ -181,6 +200,7 @@ ExitCode run_thesis(const ThesisCommand& command, const Registry& registry) {
       return ExitCode::wrong;
     }
     const OwnedFolder folder(command.out);
+    const GracefulEnd graceful;
     Maker maker(command, registry, files);
     maker.run();
     std::vector<GalleryEntry> entries = maker.entries();

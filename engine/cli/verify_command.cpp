@@ -34,6 +34,7 @@ ExitCode verify_folder(const std::string& folder, const Registry& registry) {
 }  // namespace
 
 ExitCode verify_folders(const VerifyCommand& command, const Registry& registry) {
+  const GracefulEnd graceful;
   ExitCode code = ExitCode::done;
   for (const std::string& folder : command.folders) {
     if (interrupted()) break;

@@ -164,7 +164,7 @@ struct Diagram {
   Origin step_origin, stop_origin;
   std::string solver;  ///< empty if the file names none
   Origin solver_origin;
-  double tolerance = 2.0;  ///< largest error of a step of an implicit solver, in sizes of its state
+  double tolerance = 1.0;  ///< largest error of a step of an implicit solver, in sizes of its state
   ThesisReference thesis;
 
   std::vector<ScopeInfo> scopes;

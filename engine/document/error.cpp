@@ -12,6 +12,7 @@ namespace stepwire {
 namespace {
 
 constexpr std::size_t most_faults = 100;
+constexpr std::size_t longest_line = 4000;  // [bytes]
 
 std::string text_of(const Place& place) {
   if (place.mark.line == 0) return place.file;
@@ -67,6 +68,12 @@ std::string Fault::text() const {
   if (!subject.empty()) line += subject + ": ";
   line += message;
   for (const Place& user : used_by) line += " (used by " + text_of(user) + ")";
+  if (line.size() > longest_line) {
+    std::size_t end = longest_line;
+    while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xc0) == 0x80)
+      --end;  // within a letter of UTF-8
+    line = fmt::format("{} ... and {} bytes more", line.substr(0, end), line.size() - end);
+  }
   return visible(line);  // what a user wrote may hold line breaks, and a fault is one line
 }
 

@@ -1,5 +1,7 @@
 #include "engine/draw/graph.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 
 #include "engine/draw/selection.hpp"
@@ -30,6 +32,8 @@ std::string signs_of(const DiagramBlock& block) {
   return value.text() ? *value.text() : "";
 }
 
+constexpr std::size_t most_drawn = 2000;  // a layout of more takes minutes
+
 class GraphWriter {
  public:
   GraphWriter(const Diagram& diagram, const Sheet& sheet, const GraphOptions& options)
@@ -50,12 +54,22 @@ class GraphWriter {
   const std::vector<std::string>& signals() const { return signals_; }
 
  private:
+  void require_few(const Sheet& sheet) {
+    drawn_ += sheet.children.size();
+    if (drawn_ > most_drawn)
+      throw Error(Fault{{diagram_.file, {}},
+                        "",
+                        fmt::format("more than {} blocks would be drawn; open fewer parts", most_drawn),
+                        {}});
+  }
+
   /// `outputs` are those of the file itself that are drawn.
   Json graph(const Sheet& sheet, const std::vector<std::string>& inputs, const std::vector<int>& outputs,
              int depth) {
     const auto shown = selection_.shown(sheet, outputs);
     Json own_inputs = Json::list(), own_outputs = Json::list(), nodes = Json::list(), wires = Json::list();
     for (const std::string& input : inputs) own_inputs.push(marked(port(input, input), sheet, input));
+    require_few(sheet);
     for (std::size_t i = 0; i < sheet.children.size(); ++i) {
       if (shown[i].hidden) continue;
       nodes.push(node(sheet, i, shown[i].outputs, depth));
@@ -219,6 +233,7 @@ class GraphWriter {
   const GraphOptions& options_;
   Selection selection_;
   std::vector<std::string> signals_;
+  std::size_t drawn_ = 0;  ///< blocks and parts
 };
 
 }  // namespace

@@ -89,6 +89,9 @@ class MakeDrawn {
                       function, i == 0 ? "seed" : "stream", *value),
           place};
     }
+    if (function != "lognormal" || result.wrong || !drawn[2].value || !(*drawn[2].value < 0.0)) return;
+    result.wrong = Complaint{
+        fmt::format("'lognormal' takes a standard deviation, and {} is below 0", *drawn[2].value), place};
   }
 
   const Program& program_;

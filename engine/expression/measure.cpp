@@ -78,6 +78,7 @@ class MakeMeasure {
     if (function == "abs") return {first.measure, first.bare};
     if (function == "sqrt") return to_the(first, {{}, true, 0.5});
     if (function == "cbrt") return to_the(first, {{}, true, 1.0 / 3.0});
+    require_pure_number(function, first, place);
     return of_a_pure_number(first);
   }
 
@@ -112,6 +113,18 @@ class MakeMeasure {
     if (dimension == Dimension{}) return {a.measure};
     if (!dimension || !b.number) return {};
     return {{power(*dimension, *b.number), a.measure.sure}};
+  }
+
+  /// A length has neither a sine nor an exponential. Times may stand there, see below; roundings take all.
+  static void require_pure_number(std::string_view function, const Piece& value, std::size_t place) {
+    const Measure& measure = value.measure;
+    const bool rounds = is_one_of(function, {"floor", "ceil", "round"});
+    if (rounds || value.bare || !measure.sure || !measure.dimension) return;
+    if (*measure.dimension == Dimension{} || *measure.dimension == Dimension{{0, 0, 1}}) return;
+    throw ExpressionError(
+        fmt::format("'{}' takes a pure number, and this one is in {}; divide it by a value of that unit",
+                    function, si_name(*measure.dimension)),
+        place);
   }
 
   /// Of seconds as well: "exp(-time)" stands for a time constant of one second, and is of no unit that is

@@ -43,7 +43,7 @@ std::string axes_of(const Panel& panel) {
 /// What has no axes.
 std::string kind_in_words(const std::string& kind) {
   static const std::map<std::string, std::string> words{{"diagram", "the diagram as blocks and wires"},
-                                                        {"rig", "the mechanism, to scale"},
+                                                        {"rig", "the mechanism"},
                                                         {"scene", "what is on the screen"},
                                                         {"table", "a table of results"}};
   const auto found = words.find(kind);

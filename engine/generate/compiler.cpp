@@ -16,6 +16,8 @@ constexpr const char* library_functions[] = {"sin",  "cos",   "tan",  "asin", "a
                                              "sinh", "cosh",  "tanh", "exp",  "expm1", "log",  "log1p",
                                              "log2", "log10", "pow",  "cbrt", "hypot", "fmod"};
 
+constexpr std::chrono::seconds longest_answer{5};  // to a question for the version
+
 constexpr const char* standard_headers = "standard.hpp";
 
 /// What headers of blocks include of the standard library.
@@ -36,7 +38,11 @@ Compiler::Compiler() {
   const char* chosen = std::getenv("CXX");
   if (chosen && *chosen) candidates.insert(candidates.begin(), chosen);
   for (const std::string& candidate : candidates) {
-    const ProcessResult result = run_process({.command = {candidate, "--version"}});
+    const ProcessResult result = run_process({.command = {candidate, "--version"}, .limit = longest_answer});
+    if (result.end == ProcessResult::End::overdue) {
+      problem_ = candidate + " --version does not answer";
+      return;
+    }
     if (!result.succeeded()) continue;
     path_ = candidate;
     version_ = result.output.substr(0, result.output.find('\n'));

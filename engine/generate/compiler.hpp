@@ -13,6 +13,8 @@ class Compiler {
   Compiler();
 
   bool found() const { return !path_.empty(); }
+  /// Why there is none.
+  const std::string& problem() const { return problem_; }
   /// Name and version, as the compiler tells them.
   const std::string& version() const { return version_; }
   /// How generated code is compiled: the same bits as the interpreter, so no contraction of multiply and add,
@@ -38,6 +40,7 @@ class Compiler {
   bool is_gcc() const;
 
   std::string path_, version_;
+  std::string problem_ = "no C++ compiler is there (c++, g++ or clang++, or what CXX names)";
 };
 
 /// The folder in which headers of blocks lie.

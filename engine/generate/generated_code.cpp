@@ -58,7 +58,7 @@ std::vector<CompiledPlan> GeneratedCode::compile(const std::vector<const Plan*>&
   if (!compiler_) compiler_.emplace();
   try {
     if (compiler_->found()) return load(programs_of(plans), stop);
-    tell("no C++ compiler is there (c++, g++ or clang++, or what CXX names)");
+    tell(compiler_->problem());
   } catch (const std::exception& error) {  // no reason to end a run, which goes on without
     tell(error.what());
   }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "engine/generate/compiler.hpp"
 #include "engine/generate/cpp_words.hpp"
 #include "engine/generate/diagram_struct.hpp"
@@ -27,7 +29,12 @@ struct OwnNames {
   std::string main;  ///< no identifier has a '-'
 };
 
-std::string cmake_text(const OwnNames& names) {
+bool uses_eigen(const std::map<std::string, std::string>& files) {
+  return std::ranges::any_of(
+      files, [](const auto& file) { return file.second.find("#include <Eigen/") != std::string::npos; });
+}
+
+std::string cmake_text(const OwnNames& names, bool uses_eigen) {
   std::string flags;
   for (const std::string& flag : Compiler::flags()) flags += " " + flag;
   return fmt::format(
@@ -35,7 +42,7 @@ std::string cmake_text(const OwnNames& names) {
       "project({0} LANGUAGES CXX)\n\n"
       "if(NOT CMAKE_BUILD_TYPE)\n  set(CMAKE_BUILD_TYPE Release)\nendif()\n"
       "set(CMAKE_CXX_FLAGS_RELEASE \"\")  # the flags below are all there is to it\n\n"
-      "add_executable({0} {3} {1}.cpp)\n"
+      "{4}add_executable({0} {3} {1}.cpp)\n"
       "set_target_properties({0} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "
       "${{CMAKE_CURRENT_BINARY_DIR}}/bin)\n"
       "target_include_directories({0} PRIVATE ${{CMAKE_CURRENT_SOURCE_DIR}} "
@@ -47,8 +54,10 @@ std::string cmake_text(const OwnNames& names) {
       "target_compile_options({0} PRIVATE{2})\n"
       "if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)  # passes that find little in straight-line code\n"
       "  target_compile_options({0} PRIVATE -fno-tree-pta -fno-tree-slp-vectorize)\n"
-      "endif()\n",
-      names.space, names.stem, flags, names.main);
+      "endif()\n{5}",
+      names.space, names.stem, flags, names.main,
+      uses_eigen ? "find_package(Eigen3 REQUIRED NO_MODULE)  # of the solver\n" : "",
+      uses_eigen ? fmt::format("target_link_libraries({} PRIVATE Eigen3::Eigen)\n", names.space) : "");
 }
 
 std::string source_text(const Plan& plan, const GeneratedProgram& program, const OwnNames& names) {
@@ -71,9 +80,9 @@ std::map<std::string, std::string> program_files(const Plan& plan, const std::st
   files[names.header] = note + struct_text(plan, names.space);
   files[names.stem + ".cpp"] = note + source_text(plan, program, names);
   files[names.main] = note + main_text(plan, names.header, names.space);
-  files["CMakeLists.txt"] = cmake_text(names);
   for (const std::string& header : with_included(program.headers))
     files["stepwire/" + header] = header_text(header);
+  files["CMakeLists.txt"] = cmake_text(names, uses_eigen(files));
   return files;
 }
 

@@ -38,9 +38,9 @@ std::optional<RunFault> Simulation::wrong_step() const {
                 time(), report[1])
           : fmt::format(
                 "the step to {:.12g} s errs by {:.2g} of the size of this state, and 'tolerance' is "
-                "{:g}; the run ends here. A smaller step{} or a larger 'tolerance' helps",
+                "{:g}; the run ends here. A smaller step{} helps",
                 time(), report[1], plan_.diagram.tolerance,
-                plan_.diagram.solver == "sdirk" ? "" : ", solver: sdirk");
+                plan_.diagram.solver == "sdirk" ? "" : " or solver: sdirk");
   const std::size_t place = plan_.layout.states + static_cast<std::size_t>(report[2]);
   for (std::size_t b = 0; b < plan_.blocks.size(); ++b) {
     const auto& slots = plan_.blocks[b].states;

@@ -84,6 +84,7 @@ bool is_own(int descriptor, const std::string& path, bool folder) {
 
 /// The folder, where it is there and belongs to the caller alone.
 Descriptor open_folder(const std::string& path) {
+  if (path.empty()) note_problem("the cache", "has no place; HOME or STEPWIRE_CACHE name one");
   Descriptor folder(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (!folder.open() && errno != ENOENT) note_errno(path);
   return folder.open() && is_own(folder.number(), path, true) ? std::move(folder) : Descriptor();
@@ -129,8 +130,10 @@ std::string cache_folder() {
     return value ? value : "";
   };
   if (!variable("STEPWIRE_CACHE").empty()) return variable("STEPWIRE_CACHE");
-  if (!variable("XDG_CACHE_HOME").empty()) return variable("XDG_CACHE_HOME") + "/stepwire";
-  return variable("HOME") + "/.cache/stepwire";
+  // A path that is not absolute has to be ignored (XDG Base Directory Specification).
+  if (variable("XDG_CACHE_HOME").starts_with('/')) return variable("XDG_CACHE_HOME") + "/stepwire";
+  if (variable("HOME").starts_with('/')) return variable("HOME") + "/.cache/stepwire";
+  return "";
 }
 
 std::string take_cache_problem() {

@@ -139,8 +139,10 @@ class Level5 {
     if (!head.counts()) return;
     const std::size_t size = 8 + tag.length;
     if (size > budget_)
-      throw TableError(fmt::format("'{}' unpacks to {} MB; a file of this size may unpack to {} MB",
-                                   head.name, size >> 20, most_ >> 20));
+      throw TableError(
+          fmt::format("'{}' unpacks to {} MB, and what lies before it to {} MB; a file of this size may "
+                      "unpack to {} MB in all",
+                      head.name, size >> 20, (most_ - budget_) >> 20, most_ >> 20));
     budget_ -= size;
     const std::string all = named(head, [&] { return inflate_all(packed, size); });
     take(MatElements(std::string_view(all).substr(8), swap_));

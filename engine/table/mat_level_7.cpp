@@ -113,8 +113,10 @@ class Level7 {
 
   void load(matvar_t& variable, const std::string& name, std::size_t bytes) {
     if (bytes > budget_)
-      fail(fmt::format("'{}' unpacks to {} MB; a file of this size may unpack to {} MB", name, bytes >> 20,
-                       most_ >> 20));
+      fail(
+          fmt::format("'{}' unpacks to {} MB, and what lies before it to {} MB; a file of this size may "
+                      "unpack to {} MB in all",
+                      name, bytes >> 20, (most_ - budget_) >> 20, most_ >> 20));
     budget_ -= bytes;
     if (Mat_VarReadDataAll(file_.get(), &variable) != 0 || !variable.data ||
         !Library::the().complaint.empty())

@@ -125,9 +125,19 @@ void OwnedFolder::clear(const Files& listed, const Spared& spared) {
     if (*folder != path_) fs::remove(*folder, none);  // where it is empty
 }
 
+/// What the run before left is gone by now, so what is there and is not of this run belongs to somebody else.
+void OwnedFolder::refuse_foreign(const std::string& name, const std::string& shown) const {
+  if (!leads_inside(path_, name))
+    throw SurroundingsError(fmt::format("{}: a link leads out of the folder of the results", shown));
+  std::error_code none;
+  if (names_.contains(name) || !fs::exists(fs::symlink_status(fs::path(path_) / name, none))) return;
+  throw SurroundingsError(fmt::format(
+      "{}: there is one already that no run wrote; give --out another folder, or move it away", shown));
+}
+
 /// A name that would be two lines of the list is in none.
 void OwnedFolder::note(const std::string& name) {
-  if (visible(name) != name || name.starts_with('#') || !names_.insert(name).second) return;
+  if (!names_.insert(name).second || visible(name) != name || name.starts_with('#')) return;
   const std::string text = (names_.size() == 1 ? list_head : "") + name + "\n";
   [[maybe_unused]] const ssize_t written =
       ::write(list_, text.data(), text.size());  // a full disk shows at the file itself
@@ -139,7 +149,11 @@ void note_written(const std::string& path) {
   if (owned.folders.empty()) return;
   const std::string file = normal(path);
   for (OwnedFolder* folder : owned.folders)
-    if (file.starts_with(folder->path_ + "/")) folder->note(file.substr(folder->path_.size() + 1));
+    if (file.starts_with(folder->path_ + "/")) {
+      const std::string name = file.substr(folder->path_.size() + 1);
+      folder->refuse_foreign(name, path);
+      folder->note(name);
+    }
 }
 
 }  // namespace stepwire

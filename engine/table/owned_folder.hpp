@@ -29,13 +29,15 @@ class OwnedFolder {
   Files listed() const;
   void clear(const Files& listed, const Spared& spared);
   void note(const std::string& name);
+  void refuse_foreign(const std::string& name, const std::string& shown) const;
 
   std::string path_;  ///< from the root
   int list_ = -1;     ///< the file ".stepwire", locked
   Files names_;       ///< in it
 };
 
-/// Whoever writes a file says so before; it is noted where the file lies in a folder that a run owns.
+/// Whoever writes a file says so before; it is noted where the file lies in a folder that a run owns. Throws
+/// SurroundingsError where a file that no run wrote is in its place there, or a link leads out of the folder.
 void note_written(const std::string& path);
 
 }  // namespace stepwire

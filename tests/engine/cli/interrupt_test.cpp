@@ -1,3 +1,5 @@
+#include <sys/stat.h>
+
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <csignal>
@@ -112,6 +114,21 @@ record: [wave]
 )";
 
 }  // namespace
+
+TEST_CASE("what still reads its files ends at the first signal") {
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml);
+  REQUIRE(::mkfifo(folder.path("units").c_str(), 0600) == 0);
+  for (const std::string verb : {"run", "check", "draw", "flatten"}) {
+    Call call;
+    call.arguments = {verb, "lag.yaml"};
+    call.environment["UDUNITS2_XML_PATH"] = folder.path("units");  // nobody writes into it
+    call.interrupt_after = 0.2;
+    const auto start = std::chrono::steady_clock::now();
+    CHECK(run_program(folder, call).code != 0);
+    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
+  }
+}
 
 TEST_CASE(
     "a compiler, gnuplot or node that hangs is ended by an interruption with what it began, and nothing "

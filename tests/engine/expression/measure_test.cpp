@@ -46,6 +46,13 @@ TEST_CASE("the unit of an expression follows from those of its variables and num
   CHECK(found("2 N * a", {metre}) == newton * metre);
 }
 
+TEST_CASE("a length has neither a sine nor an exponential, a time may stand for a pure number") {
+  CHECK_THAT(refusal("sin(a)", {metre}), Catch::Contains("'sin' takes a pure number, and this one is in m"));
+  CHECK_THAT(refusal("2 + exp(1 N)", {}), Catch::Contains("'exp' takes a pure number"));
+  CHECK_FALSE(found("exp(-a)", {second}));
+  CHECK_FALSE(found("round(a)", {metre}));
+}
+
 TEST_CASE("a bare number is of the unit that it meets in a sum") {
   CHECK(found("a + 1", {metre}) == metre);
   CHECK(found("min(1, a)", {metre}) == metre);

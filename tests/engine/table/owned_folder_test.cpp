@@ -52,6 +52,26 @@ TEST_CASE("What the run before left goes, and what it did not write stays") {
   CHECK_FALSE(there(folder, "out/run.json"));
 }
 
+TEST_CASE("What no run wrote is not written over, nor is a link followed") {
+  const Scratch folder;
+  folder.file("out/signals.csv", "mine");
+  folder.file("elsewhere/kept.csv", "mine");
+  std::filesystem::create_symlink(folder.path("elsewhere/kept.csv"), folder.path("out/linked.csv"));
+  std::filesystem::create_directory_symlink(folder.path("elsewhere"), folder.path("out/inputs"));
+  const OwnedFolder own(folder.path("out"));
+  for (const char* name : {"out/signals.csv", "out/linked.csv"}) {
+    CHECK_THROWS_WITH(write_file(folder.path(name), "new"),
+                      Contains("there is one already that no run wrote"));
+    CHECK_THROWS_WITH(GrowingFile(folder.path(name)), Contains("there is one already that no run wrote"));
+  }
+  CHECK_THROWS_WITH(write_file(folder.path("out/inputs/kept.csv"), "new"),
+                    Contains("a link leads out of the folder"));
+  CHECK(read_file(folder.path("out/signals.csv")) == "mine");
+  CHECK(read_file(folder.path("elsewhere/kept.csv")) == "mine");
+  write_file(folder.path("out/own.csv"), "new");
+  CHECK_NOTHROW(write_file(folder.path("out/own.csv"), "newer"));
+}
+
 TEST_CASE("Files that a run spares stay, and go with a later one that does not") {
   const Scratch folder;
   {
