@@ -35,6 +35,8 @@ std::string number_line(const FittedNumber& number, std::size_t width) {
   const Shown shown(number);
   const std::string unit = shown.unit().empty() ? "" : " " + shown.unit();
   const std::string value = short_number(shown.value(number.value), 6) + unit;
+  if (number.at_bound)  // an interval would reach beyond what was allowed
+    return fmt::format("  {:<{}}  {:<22} at its bound\n", number.title(), width, value);
   if (!std::isfinite(number.standard_error))
     return fmt::format("  {:<{}}  {}\n", number.title(), width, value);
   return fmt::format("  {:<{}}  {:<22} +- {:.2g} (95 %: {} to {})\n", number.title(), width, value,

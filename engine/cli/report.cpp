@@ -18,10 +18,9 @@ namespace stepwire {
 namespace {
 
 std::string verdict_line(const Verdict& verdict) {
-  const bool surprises = verdict.holds && !verdict.disagrees.empty();
   return fmt::format(
       "  {} {}: {} ({}){}{}\n",
-      surprises || verdict.fails() ? "FAIL"
+      verdict.surprises() || verdict.fails() ? "FAIL"
       : verdict.holds              ? "ok  "
                                    : "note",
       visible(verdict.that), visible(verdict.shown), visible(verdict.check),

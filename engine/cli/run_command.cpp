@@ -144,15 +144,18 @@ void require_study(const Work& work, const RunCommand& command) {
 
 /// The folder of a file's results, from now on this run's alone. What the file itself reads may lie there,
 /// and experiments that took hours stay for the call that goes on with them.
-std::optional<OwnedFolder> own_folder(const RunCommand& command, const Work& work) {
-  if (command.out.empty()) return std::nullopt;
+void own_folder(const RunCommand& command, const Work& work, std::optional<OwnedFolder>& own) {
+  if (command.out.empty()) return;
   const std::string folder = folder_of(command, work.file);
-  return std::optional<OwnedFolder>(std::in_place, folder, [&] {
+  own.emplace(folder, [&] {
     std::set<std::string> files = files_read(work.job);
     files.insert({folder + "/experiments.csv", folder + "/experiments.json"});
     if (work.study) files.insert(work.study->trials);
     return files;
   });
+  // Better now than behind the run.
+  for (const char* name : {"signals.csv", "signals.mat", "claims.json", "run.json"})
+    note_written(folder + "/" + name);
 }
 
 ExitCode run(const Work& work, const RunCommand& command, GeneratedCode& code, Json& results) {
@@ -192,7 +195,8 @@ ExitCode run_files(const RunCommand& command, const Registry& registry) {
                    if (command.check_only) return check(work, command, results);
                    require_study(work, command);
                    const GracefulEnd graceful;
-                   const auto folder = own_folder(command, work);
+                   std::optional<OwnedFolder> folder;
+                   own_folder(command, work, folder);
                    if (work.study) return study(work, command, registry, studies, results);
                    const ExitCode fitted = fit_first(work, command, registry, compiler, results);
                    return fitted == ExitCode::done ? run(work, command, compiler, results) : fitted;

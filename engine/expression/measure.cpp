@@ -115,11 +115,13 @@ class MakeMeasure {
     return {{power(*dimension, *b.number), a.measure.sure}};
   }
 
-  /// A length has neither a sine nor an exponential. Times may stand there, see below; roundings take all.
+  /// A length has neither a sine nor an exponential. Times may stand there, see below; logarithms and
+  /// roundings take all.
   static void require_pure_number(std::string_view function, const Piece& value, std::size_t place) {
     const Measure& measure = value.measure;
-    const bool rounds = is_one_of(function, {"floor", "ceil", "round"});
-    if (rounds || value.bare || !measure.sure || !measure.dimension) return;
+    const bool takes_all = !is_one_of(
+        function, {"sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "expm1"});
+    if (takes_all || value.bare || !measure.sure || !measure.dimension) return;
     if (*measure.dimension == Dimension{} || *measure.dimension == Dimension{{0, 0, 1}}) return;
     throw ExpressionError(
         fmt::format("'{}' takes a pure number, and this one is in {}; divide it by a value of that unit",

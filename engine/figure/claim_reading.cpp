@@ -119,7 +119,14 @@ class Reader {
   }
 
   void add_value(const Node* node) {
-    if (auto value = formula(*node, subject_)) claim_.values.push_back(std::move(*value));
+    auto value = formula(*node, subject_);
+    if (!value) return;
+    const bool counts = claim_.reduction == Reduction::fraction || claim_.reduction == Reduction::count;
+    if (counts && value->dimension && *value->dimension != Dimension{})
+      return fault(node->mark, subject_,
+                   fmt::format("'{}' is in {} and no condition; write what has to hold, such as '{} > 0'",
+                               node->text, si_name(*value->dimension), node->text));
+    claim_.values.push_back(std::move(*value));
   }
 
   void read_pair(const Node& node, const Keys& keys, const std::string& example) {

@@ -74,6 +74,8 @@ TEST_CASE("what nobody reads of a record may be no numbers, and times may be cal
   const std::string file =
       folder.file("press.csv", "t,x [mm],by,F [N],\n1,0,Ann,,\n1.2,4000,Ann,off,\n1.4,2000,,9,\n,,,,\n");
   require_near(played(file, "column: x", "0.4 s"), {0, 2, 4, 3, 2});
+  REQUIRE_THAT(refused(file, "column: x, unit: '1'"),
+               Catch::Contains("'1' is not what the header of") && Catch::Contains("of 'x', which is in mm"));
   REQUIRE_THAT(refused(file, "column: F"), Catch::Contains("press.csv:2: '' is no number (column 'F')"));
   REQUIRE_THAT(refused(file, "column: x, prepare: [{trim: by}]"),
                Catch::Contains("press.csv:2: 'Ann' is no number (column 'by')"));

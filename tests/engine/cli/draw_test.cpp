@@ -61,3 +61,18 @@ TEST_CASE("draw says in one line with 3 that node is missing") {
   CHECK(done.code == 3);
   CHECK(done.err == "node is not installed; on Debian it is the package nodejs\n");
 }
+
+TEST_CASE("a drawing of more blocks than can be laid out is refused, and fewer parts of it are drawn") {
+  const Scratch folder;
+  for (int i = 0; i < 12; ++i) {
+    const std::string next = "{diagram: part" + std::to_string(i + 1) + ".yaml}";
+    folder.file(
+        "part" + std::to_string(i) + ".yaml",
+        "stepwire: 1\nstep: 1 s\nstop: 1 s\noutputs: {y: a.y}\nblocks: {a: " + next + ", b: " + next + "}\n");
+  }
+  folder.file("part12.yaml", "stepwire: 1\noutputs: {y: c}\nblocks: {c: {block: Constant, value: 1}}\n");
+  const Done refused = run_program(folder, {"draw", "part0.yaml", "--depth", "32"});
+  CHECK(refused.code == 2);
+  CHECK_THAT(refused.err, Contains("part0.yaml: more than 2000 blocks would be drawn; open fewer parts"));
+  CHECK(run_program(folder, {"draw", "part0.yaml", "--depth", "2"}).code == 0);
+}

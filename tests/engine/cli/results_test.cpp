@@ -149,13 +149,19 @@ TEST_CASE("files of one name do not write over each other") {
   CHECK(run_program(folder, {"run", "a.yaml", "x/a.yaml"}).code == 0);
 }
 
-TEST_CASE("an old result is replaced file by file, and what is not ours stays") {
+TEST_CASE(
+    "an old result is replaced file by file, and what is not ours stays, or is refused before the run") {
   const Scratch folder;
   folder.file("lag.yaml", lag_yaml);
   std::filesystem::create_directory(folder.path("out"));
-  folder.file("out/signals.csv", "old");
+  folder.file("out/signals.csv", "mine");
   folder.file("out/notes.txt", "mine");
-  REQUIRE(run_program(folder, {"run", "lag.yaml", "--out", "out"}).code == 0);
+  const Done refused = run_program(folder, {"run", "lag.yaml", "--out", "out"});
+  CHECK(refused.code == 3);
+  CHECK_THAT(refused.err, Contains("out/signals.csv: there is one already that no run wrote"));
+  CHECK(content_of(folder.path("out/signals.csv")) == "mine");
+  std::filesystem::remove(folder.path("out/signals.csv"));
+  for (int k = 0; k < 2; ++k) REQUIRE(run_program(folder, {"run", "lag.yaml", "--out", "out"}).code == 0);
   CHECK_THAT(content_of(folder.path("out/signals.csv")), Catch::StartsWith("time [s],"));
   CHECK(content_of(folder.path("out/notes.txt")) == "mine");
 }

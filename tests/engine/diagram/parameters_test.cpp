@@ -154,4 +154,8 @@ TEST_CASE("a parameter that is drawn by a seed that is not whole is refused wher
   CHECK_THAT(refused[0],
              Catch::StartsWith("test.yaml:3:") &&
                  Catch::Contains("'lognormal' draws by a seed that is a whole number, and 1.5 is none"));
+  const auto negative = faults_of(
+      "parameters: {reach: \"= lognormal(1, 0, -1)\"}\nblocks: {y: {block: Constant, value: $reach}}\n");
+  REQUIRE(negative.size() == 1);
+  CHECK_THAT(negative[0], Catch::Contains("'lognormal' takes a standard deviation, and -1 is below 0"));
 }

@@ -128,7 +128,7 @@ TEST_CASE("what is not a number never holds") {
   const auto records = record_of({0, 1}, {NAN, 3});
   for (const std::string reduction : {"max", "min", "mean", "rms", "spread", "count"}) {
     INFO(reduction);
-    const Verdict verdict = verdict_of(reduction + ": rig.x, at_least: -1e300", records);
+    const Verdict verdict = verdict_of(reduction + ": rig.x/1 m, at_least: -1e300", records);
     CHECK_FALSE(verdict.holds);
     CHECK(verdict.note == "the value is not a number");
   }
@@ -159,4 +159,9 @@ TEST_CASE("a small length has a small unit where the file gives none") {
   CHECK(verdict_of("max: rig.x, at_most: $reach", records).shown == "14.3 mm");
   CHECK(verdict_of("max: rig.x, at_most: 1 m", records).shown == "0.0143 m");
   CHECK(verdict_of("max: 100*rig.x, at_most: 2*$reach", records).shown == "1.43 m");
+}
+
+TEST_CASE("a length is no condition whose share could be taken") {
+  CHECK_THAT(claims_of("- {that: a, fraction: rig.x, at_most: 1}").faults,
+             Catch::Contains("'rig.x' is in m and no condition; write what has to hold"));
 }

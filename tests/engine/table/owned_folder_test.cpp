@@ -54,6 +54,7 @@ TEST_CASE("What the run before left goes, and what it did not write stays") {
 
 TEST_CASE("What no run wrote is not written over, nor is a link followed") {
   const Scratch folder;
+  for (const char* name : {"out", "elsewhere"}) std::filesystem::create_directory(folder.path(name));
   folder.file("out/signals.csv", "mine");
   folder.file("elsewhere/kept.csv", "mine");
   std::filesystem::create_symlink(folder.path("elsewhere/kept.csv"), folder.path("out/linked.csv"));
