@@ -1,6 +1,7 @@
 #include "engine/generate/generated_code.hpp"
 
-#include <algorithm>
+#include <cstring>
+#include <map>
 
 #include "engine/process/process.hpp"
 
@@ -8,46 +9,49 @@ namespace stepwire {
 
 namespace {
 
-bool equal(const ProgramNumbers& one, const ProgramNumbers& other, std::size_t list) {
-  const ProgramNumbers::List &a = one.lists[list], &b = other.lists[list];
-  const auto at = [](const ProgramNumbers& all, std::size_t i) {
-    return all.numbers.begin() + static_cast<std::ptrdiff_t>(i);
-  };
-  return std::equal(at(one, a.first), at(one, a.first + a.size), at(other, b.first),
-                    at(other, b.first + b.size));
+/// The bits count: 0.0 and -0.0 are two numbers.
+bool same_numbers(const double* a, const double* b, std::size_t count) {
+  return std::memcmp(a, b, count * sizeof(double)) == 0;
 }
 
-/// Numbers in which the plans differ; empty where they differ in nothing, or have not the same numbers at
-/// all.
-Varying differences(const std::vector<const Plan*>& plans) {
-  if (plans.size() == 1) return {};
-  const ProgramNumbers first = numbers_of(*plans.front());
-  Varying varying(first.singles(), false);
-  for (const Plan* plan : plans) {
-    const ProgramNumbers own = numbers_of(*plan);
-    if (own.singles() != first.singles() || own.lists.size() != first.lists.size()) return {};
-    for (std::size_t i = 0; i < own.singles(); ++i)
-      if (own.numbers[i] != first.numbers[i]) varying[i] = true;
-    for (std::size_t list = 0; list < own.lists.size(); ++list)
-      if (!equal(own, first, list)) varying[own.lists[list].place] = true;
+/// Plans whose programs differ in numbers alone.
+struct Kind {
+  const Plan* first;
+  ProgramNumbers numbers;  ///< of the first
+  Varying varying;         ///< in which the others differ from it
+};
+
+void note_differences(const ProgramNumbers& own, Kind& kind) {
+  const ProgramNumbers& first = kind.numbers;
+  for (std::size_t i = 0; i < own.singles(); ++i)
+    if (!same_numbers(&own.numbers[i], &first.numbers[i], 1)) kind.varying[i] = true;
+  for (std::size_t list = 0; list < own.lists.size(); ++list) {
+    const ProgramNumbers::List &a = own.lists[list], &b = first.lists[list];
+    if (a.size != b.size ||
+        !same_numbers(own.numbers.data() + a.first, first.numbers.data() + b.first, a.size))
+      kind.varying[a.place] = true;
   }
-  return std::find(varying.begin(), varying.end(), true) == varying.end() ? Varying{} : varying;
 }
 
-/// The plans' programs, with what varies between them as parameters. A text that is that of the plan before
-/// is left out: a sweep may have very many points.
+/// The plans' programs, with what varies between those of a kind as parameters. A text that is that of the
+/// plan before is left out: a sweep may have very many points.
 std::vector<GeneratedProgram> programs_of(const std::vector<const Plan*>& plans) {
-  const Varying varying = differences(plans);
+  std::vector<Kind> kinds;
+  std::map<std::string, std::size_t> kind_of_outline;
+  std::vector<std::size_t> kind_of;
   std::vector<GeneratedProgram> programs;
-  std::string last;
   for (const Plan* plan : plans) {
-    programs.push_back(make_program(*plan, varying.empty() ? nullptr : &varying));
-    if (programs.back().text == last) {
-      programs.back().text.clear();
-    } else {
-      last = programs.back().text;
-    }
+    GeneratedProgram outline = outline_of(*plan);
+    const auto [known, is_new] = kind_of_outline.emplace(std::move(outline.text), kinds.size());
+    if (is_new) kinds.push_back({plan, outline.parameters, Varying(outline.parameters.singles(), false)});
+    note_differences(outline.parameters, kinds[known->second]);
+    kind_of.push_back(known->second);
+    programs.push_back({"", std::move(outline.headers), std::move(outline.parameters)});
   }
+  std::vector<std::string> texts;
+  for (const Kind& kind : kinds) texts.push_back(make_program(*kind.first, &kind.varying).text);
+  for (std::size_t i = 0; i < plans.size(); ++i)
+    if (i == 0 || kind_of[i] != kind_of[i - 1]) programs[i].text = texts[kind_of[i]];
   return programs;
 }
 

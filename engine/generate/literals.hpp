@@ -35,6 +35,12 @@ class Literals : public LiteralWriter {
   Literals() = default;
   /// With `parameters[i]` for what varies.
   explicit Literals(const Varying& varying) : varying_(&varying) {}
+  /// With `parameters[i]` for every number.
+  static Literals all_varying() {
+    Literals literals;
+    literals.all_vary_ = true;
+    return literals;
+  }
 
   std::string number(double value) override;
   std::string flag(bool value) override;
@@ -57,9 +63,10 @@ class Literals : public LiteralWriter {
 
   /// "parameters[i]" for the next number where it varies, else nothing.
   std::string parameter(double value);
-  bool varies(std::size_t index) const { return varying_ && (*varying_)[index]; }
+  bool varies(std::size_t index) const { return all_vary_ || (varying_ && (*varying_)[index]); }
 
   const Varying* varying_ = nullptr;
+  bool all_vary_ = false;
   std::vector<double> singles_;
   std::vector<double> in_lists_;             ///< one list behind the other
   std::vector<ProgramNumbers::List> lists_;  ///< first counts in in_lists_

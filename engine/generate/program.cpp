@@ -257,6 +257,17 @@ std::vector<std::string> headers_of(const Plan& plan) {
   return {headers.begin(), headers.end()};
 }
 
+GeneratedProgram program_with(const Plan& plan, Literals literals) {
+  require_headers(plan);
+  GeneratedProgram program;
+  Maker maker(plan, literals);
+  maker.write();
+  program.text = maker.text();
+  program.headers = headers_of(plan);
+  program.parameters = literals.all();
+  return program;
+}
+
 }  // namespace
 
 ProgramNumbers numbers_of(const Plan& plan) {
@@ -266,16 +277,12 @@ ProgramNumbers numbers_of(const Plan& plan) {
   return literals.all();
 }
 
+GeneratedProgram outline_of(const Plan& plan) {
+  return program_with(plan, Literals::all_varying());
+}
+
 GeneratedProgram make_program(const Plan& plan, const Varying* varying) {
-  require_headers(plan);
-  Literals literals = varying ? Literals(*varying) : Literals();
-  GeneratedProgram program;
-  Maker maker(plan, literals);
-  maker.write();
-  program.text = maker.text();
-  program.headers = headers_of(plan);
-  program.parameters = literals.all();
-  return program;
+  return program_with(plan, varying ? Literals(*varying) : Literals());
 }
 
 }  // namespace stepwire

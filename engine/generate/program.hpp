@@ -25,6 +25,10 @@ struct GeneratedProgram {
 /// Throws as make_program does.
 ProgramNumbers numbers_of(const Plan& plan);
 
+/// The program with every number as a parameter: plans for which its text is the same differ in numbers
+/// alone.
+GeneratedProgram outline_of(const Plan& plan);
+
 /// Throws Error for blocks that no program can have, with their lines. `varying` says which numbers are
 /// parameters; without it none is.
 GeneratedProgram make_program(const Plan& plan, const Varying* varying = nullptr);
