@@ -22,7 +22,7 @@ ExitCode draw_file(const DrawCommand& command, const Registry& registry) {
   Loader loader(registry);
   const DrawnFile file(loader, command.file);
   require_names(command, file.view());
-  const GracefulEnd graceful;
+  const EndDelay delay(EndDelay::Signals::first);
   const Json graph = file.view().graph(command.options);
   const std::string text = command.json ? graph.text() + "\n" : draw_picture(graph);
   if (command.out.empty()) {

@@ -11,13 +11,13 @@ namespace {
 
 // A signal handler can reach nothing else.
 std::atomic<bool> flag = false;
-std::atomic<int> graceful = 0, orderly = 0;
+std::atomic<int> delays_of_first = 0, delays_of_all = 0;
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
 void handle(int signal) {
   processes_stop() = true;
   const bool is_first = !flag.exchange(true);
-  if ((is_first && graceful > 0) || orderly > 0) return;
+  if ((is_first && delays_of_first > 0) || delays_of_all > 0) return;
   remove_leftovers();
   std::signal(signal, SIG_DFL);
   std::raise(signal);
@@ -48,20 +48,12 @@ void catch_signals() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-GracefulEnd::GracefulEnd() {
-  ++graceful;
+EndDelay::EndDelay(Signals signals) : count_(signals == Signals::first ? delays_of_first : delays_of_all) {
+  ++count_;
 }
 
-GracefulEnd::~GracefulEnd() {
-  --graceful;
-}
-
-OrderlyEnd::OrderlyEnd() {
-  ++orderly;
-}
-
-OrderlyEnd::~OrderlyEnd() {
-  --orderly;
+EndDelay::~EndDelay() {
+  --count_;
 }
 
 }  // namespace stepwire

@@ -4,31 +4,26 @@
 
 namespace stepwire {
 
-/// Set by SIGINT (Ctrl-C), SIGTERM and SIGHUP after catch_signals(). They end the programs that run for this
-/// one, and this process, without its temporary files, at once: but for the first one while there is a
-/// GracefulEnd, and for all while there is an OrderlyEnd.
+/// Set by SIGINT (Ctrl-C), SIGTERM and SIGHUP after catch_signals(). Each of them ends the programs that run
+/// for this one, and then this process without its temporary files, unless an EndDelay exists.
 const std::atomic<bool>& interrupted();
 
 /// Catches these signals, and has a broken pipe and a limit of file size show where something is written.
 void catch_signals();
 
-/// As long as it is there, the first signal ends nothing: whoever made it looks at interrupted() now and
-/// then, and keeps what is worth it.
-class GracefulEnd {
+/// As long as one exists, signals set interrupted(), which the code in its scope polls, and do not end the
+/// process: the first signal only, so that results are kept, or all of them, so that outputs are made safe.
+class EndDelay {
  public:
-  GracefulEnd();
-  ~GracefulEnd();
-  GracefulEnd(const GracefulEnd&) = delete;
-  GracefulEnd& operator=(const GracefulEnd&) = delete;
-};
+  enum class Signals { first, all };
 
-/// As long as it is there, no signal ends the process: there are outputs to be made safe.
-class OrderlyEnd {
- public:
-  OrderlyEnd();
-  ~OrderlyEnd();
-  OrderlyEnd(const OrderlyEnd&) = delete;
-  OrderlyEnd& operator=(const OrderlyEnd&) = delete;
+  explicit EndDelay(Signals signals);
+  ~EndDelay();
+  EndDelay(const EndDelay&) = delete;
+  EndDelay& operator=(const EndDelay&) = delete;
+
+ private:
+  std::atomic<int>& count_;  ///< of those that exist for these signals
 };
 
 }  // namespace stepwire

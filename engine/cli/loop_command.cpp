@@ -134,7 +134,7 @@ ExitCode run_loop(const LoopCommand& command, const Registry& registry) {
   const std::vector<CompiledPlan> compiled = code_for(plan, command.engine);
   const LoopOptions options{settings.rate, settings.deadlines, settings.overrun, &interrupted(),
                             compiled.empty() ? nullptr : &compiled.front()};
-  const OrderlyEnd orderly;
+  const EndDelay delay(EndDelay::Signals::all);
   Loop loop(plan, options, device, clock, recording ? &recording->recorder() : nullptr);
   LoopOutcome outcome{loop, settings, serve_all(loop, settings, baseline), {}, std::move(baseline)};
   if (recording) outcome.rows = recording->finish();

@@ -144,16 +144,19 @@ void require_study(const Work& work, const RunCommand& command) {
 
 /// The folder of a file's results, from now on this run's alone. What the file itself reads may lie there,
 /// and experiments that took hours stay for the call that goes on with them.
-void own_folder(const RunCommand& command, const Work& work, std::optional<OwnedFolder>& own) {
-  if (command.out.empty()) return;
+std::optional<OwnedFolder> own_folder(const RunCommand& command, const Work& work) {
+  if (command.out.empty()) return std::nullopt;
   const std::string folder = folder_of(command, work.file);
-  own.emplace(folder, [&] {
+  return std::optional<OwnedFolder>(std::in_place, folder, [&] {
     std::set<std::string> files = files_read(work.job);
     files.insert({folder + "/experiments.csv", folder + "/experiments.json"});
     if (work.study) files.insert(work.study->trials);
     return files;
   });
-  // Better now than behind the run.
+}
+
+/// Throws where the folder holds files of these names that no run wrote: before the run, not behind it.
+void reserve_results(const std::string& folder) {
   for (const char* name : {"signals.csv", "signals.mat", "claims.json", "run.json"})
     note_written(folder + "/" + name);
 }
@@ -194,9 +197,9 @@ ExitCode run_files(const RunCommand& command, const Registry& registry) {
                    Work work = prepare(registry, file, command.options);
                    if (command.check_only) return check(work, command, results);
                    require_study(work, command);
-                   const GracefulEnd graceful;
-                   std::optional<OwnedFolder> folder;
-                   own_folder(command, work, folder);
+                   const EndDelay delay(EndDelay::Signals::first);
+                   const auto folder = own_folder(command, work);
+                   if (folder) reserve_results(folder_of(command, file));
                    if (work.study) return study(work, command, registry, studies, results);
                    const ExitCode fitted = fit_first(work, command, registry, compiler, results);
                    return fitted == ExitCode::done ? run(work, command, compiler, results) : fitted;

@@ -200,7 +200,7 @@ ExitCode run_thesis(const ThesisCommand& command, const Registry& registry) {
       return ExitCode::wrong;
     }
     const OwnedFolder folder(command.out);
-    const GracefulEnd graceful;
+    const EndDelay delay(EndDelay::Signals::first);
     Maker maker(command, registry, files);
     maker.run();
     std::vector<GalleryEntry> entries = maker.entries();

@@ -34,7 +34,7 @@ ExitCode verify_folder(const std::string& folder, const Registry& registry) {
 }  // namespace
 
 ExitCode verify_folders(const VerifyCommand& command, const Registry& registry) {
-  const GracefulEnd graceful;
+  const EndDelay delay(EndDelay::Signals::first);
   ExitCode code = ExitCode::done;
   for (const std::string& folder : command.folders) {
     if (interrupted()) break;

@@ -1,11 +1,14 @@
 #include "engine/describe/diagram_schema.hpp"
 
+#include <fmt/format.h>
+
 #include "engine/describe/schema_blocks.hpp"
 #include "engine/describe/schema_figure.hpp"
 #include "engine/describe/schema_fit.hpp"
 #include "engine/describe/schema_scene.hpp"
 #include "engine/describe/schema_study.hpp"
 #include "engine/describe/schema_values.hpp"
+#include "engine/diagram/diagram.hpp"
 #include "engine/solve/solver.hpp"
 
 namespace stepwire {
@@ -100,10 +103,11 @@ void add_run_keys(Json& keys) {
   keys.set("step", explained(schema_ref("time"), "time between ticks: 1 ms"));
   keys.set("stop", explained(schema_ref("time"), "end of the run, a whole multiple of the step: 5 s"));
   keys.set("solver", solver_schema());
-  keys.set(
-      "tolerance",
-      explained(schema_ref("number"),
-                "error of a step, in sizes of its state, beyond which rosenbrock and sdirk end the run: 2"));
+  keys.set("tolerance",
+           explained(schema_ref("number"),
+                     fmt::format("error of a step, in sizes of its state, beyond which rosenbrock and sdirk "
+                                 "end the run: {:g} where it is left out",
+                                 Diagram{}.tolerance)));
   keys.set("stop_when",
            explained(schema_ref("expression"),
                      "ends the run early where this is true: rig.x > 5 mm, rig.position.1 > 5 mm"));

@@ -77,7 +77,6 @@ function portTexts(block) {
   }).join("");
 }
 
-/** What signals are called where they begin, and their units. */
 /** The name of a signal and its unit side by side, from the end that is nearer to the block: fonts differ in width. */
 function notes(block) {
   return block.outputs.filter((port) => port.noteAt).map((port) => {

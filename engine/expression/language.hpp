@@ -8,8 +8,8 @@
 /// and programs written in C++.
 namespace stepwire::language {
 
-/// A truth as 1 or 0. Not written as double(x < y): GCC 12 takes 0.0 - double(x < y) for the negative of it,
-/// which has another zero.
+/// A truth as 1 or 0. In the place of double(x < y), since GCC 12 compiles 0.0 - double(x < y) as -double(x <
+/// y), which is -0.0 for false.
 inline double number(bool truth) {
   return truth;
 }

@@ -119,8 +119,8 @@ class MakeMeasure {
   /// roundings take all.
   static void require_pure_number(std::string_view function, const Piece& value, std::size_t place) {
     const Measure& measure = value.measure;
-    const bool takes_all = !is_one_of(
-        function, {"sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "expm1"});
+    const bool takes_all =
+        !is_one_of(function, {"sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp"});
     if (takes_all || value.bare || !measure.sure || !measure.dimension) return;
     if (*measure.dimension == Dimension{} || *measure.dimension == Dimension{{0, 0, 1}}) return;
     throw ExpressionError(

@@ -1,5 +1,7 @@
 #include "engine/generate/compiler.hpp"
 
+#include <fmt/format.h>
+
 #include <cstdlib>
 #include <filesystem>
 
@@ -16,7 +18,7 @@ constexpr const char* library_functions[] = {"sin",  "cos",   "tan",  "asin", "a
                                              "sinh", "cosh",  "tanh", "exp",  "expm1", "log",  "log1p",
                                              "log2", "log10", "pow",  "cbrt", "hypot", "fmod"};
 
-constexpr std::chrono::seconds longest_answer{5};  // to a question for the version
+constexpr std::chrono::seconds version_limit{5};  // of a compiler that prints its version
 
 constexpr const char* standard_headers = "standard.hpp";
 
@@ -38,9 +40,9 @@ Compiler::Compiler() {
   const char* chosen = std::getenv("CXX");
   if (chosen && *chosen) candidates.insert(candidates.begin(), chosen);
   for (const std::string& candidate : candidates) {
-    const ProcessResult result = run_process({.command = {candidate, "--version"}, .limit = longest_answer});
+    const ProcessResult result = run_process({.command = {candidate, "--version"}, .limit = version_limit});
     if (result.end == ProcessResult::End::overdue) {
-      problem_ = candidate + " --version does not answer";
+      problem_ = fmt::format("{} --version did not end within {} s", candidate, version_limit.count());
       return;
     }
     if (!result.succeeded()) continue;

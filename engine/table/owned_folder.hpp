@@ -36,7 +36,7 @@ class OwnedFolder {
   Files names_;       ///< in it
 };
 
-/// Whoever writes a file says so before; it is noted where the file lies in a folder that a run owns. Throws
+/// Notes a file that is about to be written, where it lies in a folder that a run owns. Throws
 /// SurroundingsError where a file that no run wrote is in its place there, or a link leads out of the folder.
 void note_written(const std::string& path);
 

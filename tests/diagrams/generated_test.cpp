@@ -19,7 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::int64_t ticks = 10'000;
-constexpr std::size_t large = 60;  // blocks
 
 /// A program's own functions, loaded: of the very text that stands in a generated source.
 struct Loaded {
@@ -37,9 +36,8 @@ Loaded load(const Job& job, const Compiler& compiler, const std::string& stem) {
   source += "extern \"C\" void stepwire_reset(double* w, const double* p) { reset(w, p); }\n";
   std::ofstream(stem + ".cpp") << source;
   std::vector<std::string> flags = flags_for_this_machine(program.headers);
-  // Sweeps are compared as the compiler optimises them below, and of large diagrams its time grows with the
-  // square.
-  if (!job.points.empty() || plan.blocks.size() > large) flags.push_back("-O0");
+  if (!job.points.empty())
+    flags.push_back("-O0");  // sweeps are compared as the compiler optimises them below
   loaded.problem = compiler.compile(stem + ".cpp", stem + ".so", flags, {});
   void* library = loaded.problem.empty() ? ::dlopen((stem + ".so").c_str(), RTLD_NOW | RTLD_LOCAL) : nullptr;
   if (!library) return loaded;

@@ -66,9 +66,9 @@ TEST_CASE("a generated program is built without us and writes the same bytes as 
   INFO(built.output);
   REQUIRE(built.status == 0);
   REQUIRE(run_process({.command = {made + "/build/bin/rig_diagram", made}}).succeeded());
-  const ProcessResult asked = run_process({.command = {made + "/build/bin/rig_diagram", "--help"}});
-  CHECK(asked.status == 2);
-  CHECK_THAT(asked.errors, Contains("usage: "));
+  const ProcessResult misused = run_process({.command = {made + "/build/bin/rig_diagram", "--help"}});
+  CHECK(misused.status == 2);
+  CHECK_THAT(misused.errors, Contains("usage: "));
   CHECK(content_of(made + "/signals.csv") == content_of(folder.path("out/signals.csv")));
   CHECK(content_of(made + "/signals-2.csv") == content_of(folder.path("out/signals-2.csv")));
   CHECK(lines_of(content_of(made + "/signals.csv")).size() > 100);

@@ -122,7 +122,7 @@ TEST_CASE("what still reads its files ends at the first signal") {
   for (const std::string verb : {"run", "check", "draw", "flatten"}) {
     Call call;
     call.arguments = {verb, "lag.yaml"};
-    call.environment["UDUNITS2_XML_PATH"] = folder.path("units");  // nobody writes into it
+    call.environment["UDUNITS2_XML_PATH"] = folder.path("units");  // a pipe without a writer
     call.interrupt_after = 0.2;
     const auto start = std::chrono::steady_clock::now();
     CHECK(run_program(folder, call).code != 0);
