@@ -61,8 +61,8 @@ void go(Simulation& simulation, int steps) {
 /// The same with compiled code.
 void go_compiled(Simulation& simulation, int steps) {
   static GeneratedCode source;
-  const std::vector<CompiledPlan> code = source.compile({&simulation.plan()}, {});
-  if (!code.empty()) simulation.use(code.front());
+  const std::optional<CompiledPlan> code = source.compile(simulation.plan(), {}, {});
+  if (code) simulation.use(*code);
   go(simulation, steps);
 }
 

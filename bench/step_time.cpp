@@ -58,11 +58,11 @@ class Steps : public benchmark::ConsoleReporter {
              [by_hand_O3](benchmark::State& bench) { run_by_hand(bench, by_hand_O3); });
     add_loop({workload, "interpreted", "ns per step", 0.0, blocks},
              [&plan](benchmark::State& bench) { run_diagram(bench, plan); });
-    const std::vector<CompiledPlan> code = source_.compile({&plan}, {});
-    if (code.empty()) fmt::print(stderr, "{} is not generated: {}\n", workload, source_.take_problem());
-    if (!code.empty())
+    const std::optional<CompiledPlan> code = source_.compile(plan, {}, {});
+    if (!code) fmt::print(stderr, "{} is not generated: {}\n", workload, source_.take_problem());
+    if (code)
       add_loop({workload, "generated", "ns per step", 0.0, blocks},
-               [&plan, code](benchmark::State& bench) { run_diagram(bench, plan, &code[0]); });
+               [&plan, code](benchmark::State& bench) { run_diagram(bench, plan, &*code); });
   }
 
   const std::vector<Result>& results() const { return results_; }

@@ -22,6 +22,19 @@ class ParameterRefused : public std::runtime_error {
   int line, column;  ///< of the piece of a tree that is wrong; 0: the parameter as a whole
 };
 
+/// What a block says of itself in configure(): two blocks that say the same fit into the same plan.
+struct Configuration {
+  std::map<std::string, Eigen::Index> sizes, least_sizes;
+  std::map<std::string, std::string> units;
+  std::map<std::pair<std::string, std::string>, bool> feedthrough;
+  std::vector<std::pair<std::string, std::string>> required;  ///< inputs, and why
+  /// State and input, where one is the other's derivative; both empty where there are none.
+  std::pair<std::string, std::string> slope_source;
+  bool skips_outputs = false, skips_update = false;
+
+  bool operator==(const Configuration&) const = default;
+};
+
 /// Passed to a block's optional configure() once its parameters, connections and period are known and before
 /// shapes, order and memory are: here a block checks its parameters against each other, and says what its
 /// declaration left open.
@@ -45,31 +58,31 @@ class Configure {
   double period() const { return period_; }
 
   /// Gives a size that no port or parameter determines, by its letter in the declared shapes.
-  void size(const std::string& symbol, Eigen::Index elements) { sizes_[symbol] = elements; }
+  void size(const std::string& symbol, Eigen::Index elements) { answers_.sizes[symbol] = elements; }
   /// Refuses a size, which comes from a wire, below this: there is no element `elements` to work on.
-  void size_at_least(const std::string& symbol, Eigen::Index elements) { least_sizes_[symbol] = elements; }
+  void size_at_least(const std::string& symbol, Eigen::Index elements) { answers_.least_sizes[symbol] = elements; }
   /// Says what a unit variable of the declaration is in this instance, e.g. ("'u", "mm") from a file's
   /// header.
-  void unit(const std::string& variable, const std::string& unit) { units_[variable] = unit; }
+  void unit(const std::string& variable, const std::string& unit) { answers_.units[variable] = unit; }
   /// Says whether this instance's output depends on this input at the same instant.
   template <auto input, auto output>
   void feedthrough(bool depends) {
-    feedthrough_[{std::string(member_name<input>()), std::string(member_name<output>())}] = depends;
+    answers_.feedthrough[{std::string(member_name<input>()), std::string(member_name<output>())}] = depends;
   }
   /// Requires an input that the declaration calls optional.
   template <auto input>
   void require(const std::string& reason) {
-    if (!connected<input>()) required_.emplace_back(member_name<input>(), reason);
+    if (!connected<input>()) answers_.required.emplace_back(member_name<input>(), reason);
   }
   /// Outputs that are states need no call of outputs() in this instance.
-  void skip_outputs() { skips_outputs_ = true; }
+  void skip_outputs() { answers_.skips_outputs = true; }
   /// This instance has nothing to do in update().
-  void skip_update() { skips_update_ = true; }
+  void skip_update() { answers_.skips_update = true; }
   /// The slope of this state is this input as it stands, and derivatives() does nothing else: where the plan
   /// lets the input's source write into the slope's place, nothing needs to be called.
   template <auto state, auto input>
   void slope_is_input() {
-    slope_source_ = {std::string(member_name<state>()), std::string(member_name<input>())};
+    answers_.slope_source = {std::string(member_name<state>()), std::string(member_name<input>())};
   }
   /// Refuses a parameter: what is wrong and what would be right.
   template <auto parameter>
@@ -81,26 +94,13 @@ class Configure {
     throw ParameterRefused(std::string(member_name<parameter>()), message, where.line, where.column);
   }
 
-  const std::map<std::string, Eigen::Index>& sizes() const { return sizes_; }
-  const std::map<std::string, Eigen::Index>& least_sizes() const { return least_sizes_; }
-  const std::map<std::string, std::string>& units() const { return units_; }
-  const std::map<std::pair<std::string, std::string>, bool>& feedthrough() const { return feedthrough_; }
-  const std::vector<std::pair<std::string, std::string>>& required() const { return required_; }
-  /// State and input; both empty where there are none.
-  const std::pair<std::string, std::string>& slope_source() const { return slope_source_; }
-  bool skips_outputs() const { return skips_outputs_; }
-  bool skips_update() const { return skips_update_; }
+  const Configuration& answers() const { return answers_; }
 
  private:
   std::set<std::string> connected_;
   double period_;
   std::map<std::string, Eigen::Index> counts_;
-  std::map<std::string, Eigen::Index> sizes_, least_sizes_;
-  std::map<std::string, std::string> units_;
-  std::map<std::pair<std::string, std::string>, bool> feedthrough_;
-  std::vector<std::pair<std::string, std::string>> required_;
-  std::pair<std::string, std::string> slope_source_;
-  bool skips_outputs_ = false, skips_update_ = false;
+  Configuration answers_;
 };
 
 }  // namespace stepwire

@@ -146,8 +146,11 @@ class Declare {
     if (Access::kind == ParameterKind::per_element && spec.shape.empty()) spec.shape.assign(1, 'n');
     spec.set = [](void* block, const Value& value) { Access::set(of<member>(block), value); };
     spec.get = [](const void* block) { return Access::get(static_cast<const Block*>(block)->*member); };
+    if constexpr (has_literal<MemberType<member>>) {
+      derived<member>();
+      spec.member = static_cast<int>(type_.members.size()) - 1;
+    }
     type_.parameters.push_back(std::move(spec));
-    if constexpr (has_literal<MemberType<member>>) derived<member>();
   }
 
   /// A member that configure() or prepare() compute from the parameters, and a run reads.

@@ -34,7 +34,8 @@ class LiteralWriter {
   /// A pointer to these numbers, one behind the other.
   virtual std::string numbers(const double* values, Index size) = 0;
   /// A whole number, such as a seed or how many rows there are.
-  virtual std::string whole(std::int64_t value) { return std::to_string(value); }
+  virtual std::string whole(std::int64_t value) = 0;
+  virtual std::string natural(std::uint64_t value) = 0;
 };
 
 /// How the value of a member of type T is written as an expression of C++ that can be assigned to it. A type
@@ -57,10 +58,9 @@ struct Literal<T> {
   static std::string text(T value, LiteralWriter& writer) { return writer.whole(value); }
 };
 
-/// These are literals, since no signed number holds all of them.
 template <std::unsigned_integral T>
 struct Literal<T> {
-  static std::string text(T value, LiteralWriter&) { return std::to_string(value) + "u"; }
+  static std::string text(T value, LiteralWriter& writer) { return writer.natural(value); }
 };
 
 template <class T>

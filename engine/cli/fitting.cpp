@@ -9,13 +9,13 @@
 namespace stepwire {
 
 bool worth_compiling(const Work& work) {
-  // What an interpreted block takes per tick, planning a run anew, a compilation [s], and a search in steps.
-  constexpr double per_block = 5e-8, planning = 2e-3, compilation = 1.5, steps = 10.0;
+  // What an interpreted block takes per tick, a compilation [s], and a search in steps.
+  constexpr double per_block = 5e-8, compilation = 1.5, steps = 10.0;
   const Job& job = work.job;
   double ticks = job.points.empty() ? static_cast<double>(job.plan.steps) : 0.0;
-  for (const SweepPoint& point : job.points) ticks += static_cast<double>(point.plan.steps);
-  const double run = per_block * ticks * static_cast<double>(job.plan.diagram.blocks.size()) +
-                     planning * static_cast<double>(job.points.size());
+  for (std::size_t point = 0; point < job.points.size(); ++point)
+    ticks += static_cast<double>(job.plan_of(point).steps);
+  const double run = per_block * ticks * static_cast<double>(job.plan.diagram.blocks.size());
   const auto runs = static_cast<double>((work.fit->parameters.size() + 1) * work.fit->starts);
   return run * runs * steps > compilation;
 }

@@ -63,10 +63,10 @@ class RowsToFolder {
 
 /// Compiled code, where that is asked for and can be; with `auto`, too, since a loop has no time for it
 /// later.
-std::vector<CompiledPlan> code_for(const Plan& plan, Engine engine) {
-  if (engine == Engine::interpreted) return {};
+std::optional<CompiledPlan> code_for(const Plan& plan, Engine engine) {
+  if (engine == Engine::interpreted) return std::nullopt;
   GeneratedCode source;
-  std::vector<CompiledPlan> code = source.compile({&plan}, {});
+  std::optional<CompiledPlan> code = source.compile(plan, {}, {});
   const std::string problem = source.take_problem();
   if (!problem.empty()) complain("interpreted, since {}\n", problem);
   return code;
@@ -131,9 +131,9 @@ ExitCode run_loop(const LoopCommand& command, const Registry& registry) {
   }
   NoDevice device;
   SystemClock clock(settings.spin);
-  const std::vector<CompiledPlan> compiled = code_for(plan, command.engine);
+  const std::optional<CompiledPlan> compiled = code_for(plan, command.engine);
   const LoopOptions options{settings.rate, settings.deadlines, settings.overrun, &interrupted(),
-                            compiled.empty() ? nullptr : &compiled.front()};
+                            compiled ? &*compiled : nullptr};
   const EndDelay delay(EndDelay::Signals::all);
   Loop loop(plan, options, device, clock, recording ? &recording->recorder() : nullptr);
   LoopOutcome outcome{loop, settings, serve_all(loop, settings, baseline), {}, std::move(baseline)};

@@ -37,7 +37,7 @@ Json trials_json(const Experiment& experiment) {
                      .set("points", row.points);
     if (!experiment.runs.empty()) {
       trial.set("attempts", experiment.runs[i].attempts)
-          .set("sets", settings_json(experiment.runs[i].point.settings));
+          .set("sets", settings_json(experiment.runs[i].point.own));
     }
     list.push(std::move(trial));
   }

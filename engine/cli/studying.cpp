@@ -85,7 +85,8 @@ std::string study_key(const Work& work, bool with_seed) {
     for (const Setting& setting : condition.settings)
       key += fmt::format(",{}={}", setting.name, setting.value);
   }
-  for (const SweepPoint& point : work.job.points) key += fmt::format(" ({})", settings_text(point.settings));
+  for (std::size_t point = 0; point < work.job.points.size(); ++point)
+    key += fmt::format(" ({})", settings_text(work.job.settings_of(point)));
   if (request.circle)
     key += fmt::format(" {} {} {} {}", request.circle->of, request.circle->x, request.circle->y,
                        request.circle->radius);
@@ -127,6 +128,8 @@ Outcome carry_out_study(Work& work, const Experiments& experiments) {
     outcome.result.recordings = study_recordings(experiments, *work.study, work.job);
     work.job.plan.diagram.sweep = axes_of(work);
     work.job.points.clear();
+    work.job.family = experiments.front().family;
+    work.job.trials = true;
   }
   for (const Experiment& experiment : experiments) {
     outcome.result.ticks += experiment.ticks;

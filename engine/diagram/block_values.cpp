@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "engine/diagram/parameters.hpp"
+#include "engine/diagram/report.hpp"
 #include "engine/table/surroundings.hpp"
 
 namespace stepwire {
@@ -69,6 +70,22 @@ bool is_text(ParameterKind kind) {
 }
 
 }  // namespace
+
+std::optional<Dimension> demanded_dimension(const ParameterSpec& spec) {
+  if (spec.unit.find('\'') != std::string::npos || spec.unit == "*") return std::nullopt;
+  const auto unit = parse_unit(spec.unit);
+  return unit ? std::optional(unit->dimension) : std::nullopt;
+}
+
+const ParameterSpec& numbers_of_any_unit() {
+  static const ParameterSpec spec = [] {
+    ParameterSpec numbers;
+    numbers.kind = ParameterKind::per_element;
+    numbers.unit = "*";
+    return numbers;
+  }();
+  return spec;
+}
 
 std::optional<WrittenValue> ValueReader::read_for(const ParameterSpec& spec,
                                                   const std::optional<Dimension>& demanded, const Node& node,
@@ -201,12 +218,10 @@ std::string ValueReader::resolve_file(const std::string& text, const Node& node,
     const std::string why = folder.empty() ? "set STEPWIRE_DATA to that folder"
                                            : fmt::format("STEPWIRE_DATA is '{}', which is no folder", folder);
     throw SurroundingsError(
-        report_.diagram()
-            .fault(at(node.mark), subject, fmt::format("'{}' is in the data folder; {}", text, why))
+        report_.fault(at(node.mark), subject, fmt::format("'{}' is in the data folder; {}", text, why))
             .text());
   }
-  const std::string& file = report_.diagram().scopes[static_cast<std::size_t>(scope_)].file;
-  return (fs::path(file).parent_path() / path).string();
+  return (fs::path(report_.file_of(scope_)).parent_path() / path).string();
 }
 
 }  // namespace stepwire

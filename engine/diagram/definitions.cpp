@@ -6,6 +6,7 @@
 #include <set>
 
 #include "engine/diagram/keys.hpp"
+#include "engine/diagram/report.hpp"
 
 namespace stepwire {
 
@@ -55,12 +56,15 @@ class Definitions {
     open_.pop_back();
     if (failed_.contains(name)) return;
     if (auto value = evaluate(entry)) {
-      scope_.parameters.define(name, std::move(*value));
+      scope_.parameters.define(name, std::move(*value), last_index());
     } else {
       failed_.insert(name);
       scope_.parameters.define(name, {{1.0}, {}, "", true});
     }
   }
+
+  /// Of the parameter that was listed last.
+  int last_index() const { return static_cast<int>(report_.diagram().parameters.size()) - 1; }
 
   void fail(const Entry& entry, const std::string& message) {
     if (failed_.insert(entry.key).second) report_.add(scope_.at(entry.mark), entry.key, message);
@@ -100,20 +104,20 @@ class Definitions {
         return std::nullopt;
       }
     }
-    ValueReader reader(scope_.parameters, report_, scope_.index);
-    auto written = reader.read(stripped(entry.value), full);
+    ParameterUses own;
+    ValueReader reader(scope_.parameters, report_, scope_.index, &own);
+    Definition made{entry.key, scope_.index, {stripped(entry.value), scope_.index, scope_.index}, {}, {}, own};
+    auto written = reader.read(made.text.node, full);
+    made.uses = std::move(own);
     settings_.offer(full);
-    const auto file_dimension = written ? written->dimension : std::nullopt;
-    const bool set = replace(entry, full, written);
+    if (written) made.dimension = written->dimension;
+    const bool set = replace(entry, full, made, written);
     if (!written) return std::nullopt;
-    if (!written->dimension) written->dimension = file_dimension;
-    const std::string complaint = unit_complaint(written->dimension, file_dimension);
-    if (!complaint.empty()) {
-      report_.add(value_origin_, full, fmt::format("{} {}", written->text, complaint));
-      written->dimension = file_dimension;  // so that it is not told again at every use
-    }
-    if (!in_range(entry, *written, full)) return std::nullopt;
+    made.bounds = bounds_of(entry.value);
+    if (!accepts(made, scope_.parameters, *written, value_origin_, full, made.uses, report_))
+      return std::nullopt;
     list(full, entry, *written, set);
+    report_.bindings().definitions.push_back(std::move(made));
     return written;
   }
 
@@ -126,61 +130,29 @@ class Definitions {
     return result;
   }
 
-  bool replace(const Entry& entry, const std::string& full, std::optional<WrittenValue>& written) {
+  static std::vector<Entry> bounds_of(const Node& node) {
+    std::vector<Entry> bounds;
+    for (const std::string& key : bound_keys)
+      if (const Node* limit = node.is_map() ? node.find(key) : nullptr) bounds.push_back({key, {}, *limit});
+    return bounds;
+  }
+
+  /// Reads what the using file and the call put in the place of the file's own value; says whether the call
+  /// did.
+  bool replace(const Entry& entry, const std::string& full, Definition& made,
+               std::optional<WrittenValue>& written) {
     value_origin_ = scope_.at(definition(entry).mark);
-    if (const auto given = overrides_.values.find(entry.key); given != overrides_.values.end()) {
-      ValueReader reader(overrides_.from->parameters, report_, overrides_.from->index);
-      value_origin_ = overrides_.from->at(given->second->mark);
-      written = reader.read(*given->second, full);
-    }
-    if (Settings::Entry* setting = settings_.take(full)) {
-      ValueReader reader(scope_.parameters, report_, setting->origin.scope);
-      value_origin_ = setting->origin;
-      written = reader.read(setting->document.root, full);
-      return true;
-    }
-    return false;
-  }
-
-  bool in_range(const Entry& entry, const WrittenValue& written, const std::string& full) {
-    if (!entry.value.is_map()) return true;
-    const auto holds = [&](const char* key, auto compare) {
-      const Node* bound = entry.value.find(key);
-      if (!bound) return true;
-      const auto limit = read_bound(*bound, written, full + "." + key);
-      if (!limit) return false;
-      if (all_of_numbers(written.value, [&](double number) { return compare(number, *limit); })) return true;
-      const char* words = std::string_view(key) == "at_least"  ? "at least"
-                          : std::string_view(key) == "at_most" ? "at most"
-                                                               : key;
-      report_.add(value_origin_, full,
-                  fmt::format("{} is not allowed; it must be {} {}", written.text, words, bound->text));
-      return false;
+    const auto read = [&](const Node& node, const Scope& names, const Origin& origin) {
+      value_origin_ = origin;
+      made.text = {node, names.index, origin.scope};
+      made.uses.clear();
+      written = ValueReader(names.parameters, report_, origin.scope, &made.uses).read(node, full);
     };
-    return holds("above", std::greater<>()) && holds("at_least", std::greater_equal<>()) &&
-           holds("below", std::less<>()) && holds("at_most", std::less_equal<>());
-  }
-
-  std::optional<double> read_bound(const Node& bound, const WrittenValue& written,
-                                   const std::string& subject) {
-    const ValueReader reader(scope_.parameters, report_, scope_.index);
-    const auto limit = reader.read(bound, subject);
-    if (!limit) return std::nullopt;
-    const double* number = std::get_if<double>(&limit->value.content);
-    const std::string complaint = number ? unit_complaint(limit->dimension, written.dimension)
-                                         : std::string("is no number, and a bound is one");
-    if (complaint.empty()) return *number;
-    report_.add(scope_.at(bound.mark), subject, fmt::format("'{}' {}", limit->text, complaint));
-    return std::nullopt;
-  }
-
-  template <class Check>
-  static bool all_of_numbers(const Value& value, const Check& check) {
-    if (const auto* number = std::get_if<double>(&value.content)) return check(*number);
-    if (const auto* vector = std::get_if<Eigen::VectorXd>(&value.content))
-      return std::all_of(vector->begin(), vector->end(), check);
-    const auto* matrix = std::get_if<Eigen::MatrixXd>(&value.content);
-    return !matrix || std::all_of(matrix->data(), matrix->data() + matrix->size(), check);
+    if (const auto given = overrides_.values.find(entry.key); given != overrides_.values.end())
+      read(*given->second, *overrides_.from, overrides_.from->at(given->second->mark));
+    Settings::Entry* setting = settings_.take(full);
+    if (setting) read(setting->document.root, scope_, setting->origin);
+    return setting != nullptr;
   }
 
   void list(const std::string& full, const Entry& entry, const WrittenValue& written, bool set) {

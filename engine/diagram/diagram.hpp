@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +12,9 @@
 #include "engine/unit/unit.hpp"
 
 namespace stepwire {
+
+struct Binding;
+struct Bindings;
 
 /// A place in one of the files of a diagram: `scope` says in which file, and who uses it.
 struct Origin {
@@ -32,6 +36,7 @@ struct Source {
   Eigen::VectorXd constant;
   std::optional<Dimension> dimension;  ///< of the constant, if it was written with a unit
   Origin origin;
+  std::shared_ptr<const Binding> text;  ///< of a constant that follows from parameters
 };
 
 /// An initial value that the file gives to a state.
@@ -174,6 +179,7 @@ struct Diagram {
   std::vector<DiagramOutput> outputs;
   std::vector<RecordRequest> records;
   std::vector<DiagramParameter> parameters;
+  std::shared_ptr<const Bindings> bindings;  ///< how its values follow from the parameters
   std::vector<std::vector<std::optional<Dimension>>>
       output_dimensions;  ///< [block][output], where known; see infer_units
   std::vector<std::vector<std::optional<Dimension>>> state_dimensions;  ///< [block][state], where known

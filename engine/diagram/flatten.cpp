@@ -29,6 +29,17 @@ class Flattener {
   Flattener(const Diagram& diagram, const FileName& file_name, Reader reader)
       : diagram_(diagram), file_name_(file_name), reader_(reader) {}
 
+  std::optional<Node> value(const Target& target) const {
+    const DiagramBlock& of = block(target.block);
+    const auto index = static_cast<std::size_t>(target.index);
+    if (target.kind == Target::Kind::parameter) return parameter(of, index, of.parameter_dimensions[index]);
+    if (target.kind == Target::Kind::constant)
+      return source(of.inputs[index][static_cast<std::size_t>(target.element)]);
+    for (const InitialValue& initial : of.initial)
+      if (initial.state == target.index) return written_numbers(initial.value, initial.dimension);
+    return std::nullopt;
+  }
+
   Node run() {
     Node root;
     add_head(root);
@@ -205,6 +216,10 @@ class Flattener {
 
 std::string absolute_path(const std::string& path) {
   return std::filesystem::absolute(path).lexically_normal().string();
+}
+
+std::optional<Node> flattened_value(const Diagram& diagram, const Target& target, const FileName& file_name) {
+  return Flattener(diagram, file_name, Reader::anyone).value(target);
 }
 
 std::string flattened_text(const Diagram& diagram, const FileName& file_name) {

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
-#include "engine/diagram/diagram.hpp"
+#include "engine/diagram/bindings.hpp"
 
 namespace stepwire {
 
@@ -17,6 +18,9 @@ std::string absolute_path(const std::string& path);
 /// expressions replaced by their SI numbers, wires and recorded signals by the full names of blocks. Names
 /// and units of recorded columns stay. What is not of the run is left out: sweep, figure, claims.
 std::string flattened_text(const Diagram& diagram, const FileName& file_name = absolute_path);
+
+/// The value of a block as the flattened diagram has it; nothing where only a default can be.
+std::optional<Node> flattened_value(const Diagram& diagram, const Target& target, const FileName& file_name);
 
 /// Hash of all that decides what a diagram computes, the contents of its data files included; 16 hexadecimal
 /// digits (FNV-1a, 64 bits). The same for two files that differ only in layout, units, names of files, or

@@ -17,7 +17,15 @@ void connect(const PendingInput& pending, const Resolver& resolver, Report& repo
   auto& sources = block.inputs[static_cast<std::size_t>(pending.input)];
   const std::string subject = block.name + "." + spec.name;
   const auto connect_one = [&](const Node& node) {
-    if (auto source = resolver.source(node, *pending.scope, subject)) sources.push_back(std::move(*source));
+    auto source = resolver.source(node, *pending.scope, subject);
+    if (!source) return;
+    if (source->text) {
+      report.bindings().bindings.push_back(*source->text);
+      report.bindings().bindings.back().target = {Target::Kind::constant, pending.block, pending.input,
+                                                  static_cast<int>(sources.size())};
+      source->text.reset();
+    }
+    sources.push_back(std::move(*source));
   };
   const Node& node = *pending.node;
   if (spec.list && node.is_list()) {
@@ -85,14 +93,20 @@ void read_outputs(const Scope& root, const Resolver& resolver, Report& report) {
     if (!signal) continue;
     DiagramOutput output{name, *signal, {}, out.dimension, out.doc, root.at(out.mark)};
     if (out.safe) {
-      ParameterSpec spec;
-      spec.kind = ParameterKind::per_element;
-      const auto safe = ValueReader(root.parameters, report, root.index).read_for(spec, {}, *out.safe, name);
+      const auto safe = ValueReader(root.parameters, report, root.index)
+                            .read_for(numbers_of_any_unit(), {}, *out.safe, name);
       if (safe) output.safe = std::get<Eigen::VectorXd>(safe->value.content);
       if (safe && safe->dimension) output.safe_dimension = safe->dimension;
     }
     report.diagram().outputs.push_back(std::move(output));
   }
+}
+
+/// Takes what the parameters of a file and its parts are, by the index of their scopes.
+void take_parameters(Scope& scope, Bindings& bindings) {
+  bindings.scopes[static_cast<std::size_t>(scope.index)] = std::move(scope.parameters);
+  for (auto& [name, named] : scope.names)
+    if (named.part) take_parameters(*named.part, bindings);
 }
 
 enum class Extent { whole_file, one_run };
@@ -123,6 +137,9 @@ Diagram build(Loader& loader, const Document& document, const std::vector<Settin
     if (report.faults().empty()) refuse_unused_parameters(root, report);  // else it may follow from a fault
   }
   report.faults().throw_if_any();
+  report.bindings().scopes.resize(diagram.scopes.size());
+  take_parameters(root, report.bindings());
+  diagram.bindings = std::make_shared<const Bindings>(std::move(report.bindings()));
   return diagram;
 }
 

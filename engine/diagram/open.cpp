@@ -147,29 +147,41 @@ void Opener::read_settings(Scope& scope, DiagramBlock& block, const std::string&
 void Opener::read_parameter(const Scope& scope, int reader_scope, const Node& node, DiagramBlock& block,
                             std::size_t parameter) {
   const ParameterSpec& spec = block.type().parameters[parameter];
-  const ValueReader reader(scope.parameters, report_, reader_scope);
-  std::optional<Dimension> demanded;
-  if (spec.unit.find('\'') == std::string::npos && spec.unit != "*")
-    if (const auto unit = parse_unit(spec.unit)) demanded = unit->dimension;
-  const auto written = reader.read_for(spec, demanded, node, block.name + "." + spec.name);
+  ParameterUses uses;
+  const ValueReader reader(scope.parameters, report_, reader_scope, &uses);
+  const auto written =
+      reader.read_for(spec, demanded_dimension(spec), node, block.name + "." + spec.name);
   block.parameter_marks[parameter] = node.mark;
   if (!written) return;
   block.parameter_dimensions[parameter] = written->dimension;
   spec.set(block.block.get(), written->value);
+  bind({Target::Kind::parameter, index_of(block), static_cast<int>(parameter)},
+       {node, scope.index, reader_scope}, std::move(uses));
+}
+
+int Opener::index_of(const DiagramBlock& block) {
+  return static_cast<int>(&block - report_.diagram().blocks.data());
+}
+
+void Opener::bind(const Target& target, ValueText text, ParameterUses uses) {
+  auto& bindings = report_.bindings().bindings;
+  for (std::size_t b = bindings.size(); b-- > 0 && bindings[b].target.block == target.block;)
+    if (bindings[b].target == target)
+      bindings.erase(bindings.begin() + static_cast<std::ptrdiff_t>(b));  // a setting comes after the file
+  if (!uses.empty()) bindings.push_back({target, std::move(text), std::move(uses)});
 }
 
 void Opener::read_initial(const Scope& scope, const Node& node, DiagramBlock& block, int state) {
-  ParameterSpec spec;
-  spec.kind = ParameterKind::per_element;
-  spec.unit = "*";
   const StateSpec& declared = block.type().states[static_cast<std::size_t>(state)];
-  const ValueReader reader(scope.parameters, report_, scope.index);
-  const auto written =
-      reader.read_for(spec, {}, node, block.name + "." + initial_key(block.type(), declared));
+  ParameterUses uses;
+  const ValueReader reader(scope.parameters, report_, scope.index, &uses);
+  const auto written = reader.read_for(numbers_of_any_unit(), {}, node,
+                                       block.name + "." + initial_key(block.type(), declared));
   if (!written) return;
   std::erase_if(block.initial, [&](const InitialValue& value) { return value.state == state; });
   block.initial.push_back(
       {state, std::get<Eigen::VectorXd>(written->value.content), written->dimension, scope.at(node.mark)});
+  bind({Target::Kind::initial, index_of(block), state}, {node, scope.index, scope.index}, std::move(uses));
 }
 
 void Opener::read_period(const Scope& scope, const Node& node, DiagramBlock& block) {

@@ -7,6 +7,7 @@
 
 #include "engine/diagram/definitions.hpp"
 #include "engine/diagram/load.hpp"
+#include "engine/diagram/report.hpp"
 #include "engine/diagram/scope.hpp"
 #include "engine/diagram/settings.hpp"
 
@@ -54,6 +55,9 @@ class Opener {
   void read_parameter(const Scope& scope, int reader_scope, const Node& node, DiagramBlock& block,
                       std::size_t parameter);
   void read_initial(const Scope& scope, const Node& node, DiagramBlock& block, int state);
+  int index_of(const DiagramBlock& block);
+  /// Keeps the text of a value that follows from parameters.
+  void bind(const Target& target, ValueText text, ParameterUses uses);
   void read_period(const Scope& scope, const Node& node, DiagramBlock& block);
   void require_parameters(const Scope& scope, const Node& map, const DiagramBlock& block);
   int state_of_key(const BlockType& type, const std::string& key) const;

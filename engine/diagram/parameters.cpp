@@ -5,25 +5,63 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
+
+#include "engine/diagram/report.hpp"
 
 namespace stepwire {
 
-const WrittenValue* ParameterScope::find(const std::string& name) const {
+const WrittenValue* ParameterScope::find(const std::string& name, ParameterUses* uses) const {
   const auto found = values_.find(name);
   if (found == values_.end()) return nullptr;
-  used_.insert(name);
-  return &found->second;
+  const Entry& entry = found->second;
+  entry.used = true;
+  if (uses && entry.index >= 0)
+    uses->push_back(entry.index);
+  else
+    entry.structural = true;
+  return &entry.value;
+}
+
+void ParameterScope::define(const std::string& name, WrittenValue value, int index) {
+  values_[name] = {std::move(value), index};
+}
+
+WrittenValue ParameterScope::replace(const std::string& name, WrittenValue value) {
+  return std::exchange(values_.at(name).value, std::move(value));
+}
+
+const Value* ParameterScope::value(const std::string& name) const {
+  const auto found = values_.find(name);
+  return found == values_.end() ? nullptr : &found->second.value.value;
 }
 
 bool ParameterScope::failed(const std::string& name) const {
   const auto found = values_.find(name);
-  return found != values_.end() && found->second.failed;
+  return found != values_.end() && found->second.value.failed;
+}
+
+bool ParameterScope::used(const std::string& name) const {
+  const auto found = values_.find(name);
+  return found != values_.end() && found->second.used;
+}
+
+bool ParameterScope::is_structural(const std::string& name) const {
+  const auto found = values_.find(name);
+  return found != values_.end() && found->second.structural;
 }
 
 std::vector<std::string> ParameterScope::names() const {
   std::vector<std::string> result;
-  for (const auto& [name, value] : values_) result.push_back(name);
+  for (const auto& [name, entry] : values_) result.push_back(name);
   return result;
+}
+
+const Expression& ParameterScope::expression(const std::string& text) const {
+  const auto found = expressions_.find(text);
+  if (found != expressions_.end()) return found->second;
+  const auto known = [this](std::string_view name) { return defined(std::string(name)); };
+  return expressions_.emplace(text, Expression(text, known)).first->second;
 }
 
 std::string unit_complaint(const std::optional<Dimension>& written,
@@ -62,7 +100,7 @@ std::optional<WrittenValue> ValueReader::read_scalar(const Node& node, const std
   if (node.quoted && !text.starts_with('=')) return WrittenValue{{text}, {}, text};
   if (text.starts_with('$')) {
     if (parameters_.failed(text.substr(1))) return std::nullopt;
-    if (const WrittenValue* parameter = parameters_.find(text.substr(1))) return *parameter;
+    if (const WrittenValue* parameter = parameters_.find(text.substr(1), uses_)) return *parameter;
     return refuse(node, subject,
                   fmt::format("there is no parameter '{}'{}", text.substr(1),
                               did_you_mean(text.substr(1), parameters_.names())));
@@ -79,17 +117,17 @@ std::optional<WrittenValue> ValueReader::read_scalar(const Node& node, const std
 }
 
 std::optional<WrittenValue> ValueReader::read_expression(const Node& node, const std::string& subject) const {
-  const auto known = [this](std::string_view name) { return parameters_.find(std::string(name)) != nullptr; };
   try {
-    const Expression expression(node.text.substr(1), known);
+    const Expression& expression = parameters_.expression(node.text.substr(1));
     std::vector<double> values;
     std::vector<Measure> measures;
     for (const std::string& name : expression.variables()) {
       if (parameters_.failed(name)) return std::nullopt;
-      const double* number = std::get_if<double>(&parameters_.find(name)->value.content);
+      const WrittenValue& parameter = *parameters_.find(name, uses_);
+      const double* number = std::get_if<double>(&parameter.value.content);
       if (!number) return refuse(node, subject, fmt::format("'{}' is no single number", name));
       values.push_back(*number);
-      const auto& dimension = parameters_.find(name)->dimension;
+      const auto& dimension = parameter.dimension;
       measures.push_back({dimension, dimension.has_value()});
     }
     const Measure measure = expression.measure(measures);
@@ -200,7 +238,7 @@ std::optional<std::string> ValueReader::fill_in(const Node& node, const std::str
     while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '_'))
       ++end;
     const std::string name = text.substr(i + 1, end - i - 1);
-    const WrittenValue* parameter = parameters_.find(name);
+    const WrittenValue* parameter = parameters_.find(name, uses_);
     if (parameter && parameter->failed) return std::nullopt;
     if (!parameter)
       return refuse(

@@ -2,14 +2,15 @@
 
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "engine/block/spec.hpp"
-#include "engine/diagram/report.hpp"
+#include "engine/diagram/diagram.hpp"
 
 namespace stepwire {
+
+class FaultReport;
 
 /// A value as a file writes it, before it is known what it is for.
 struct WrittenValue {
@@ -19,28 +20,47 @@ struct WrittenValue {
   bool failed = false;  ///< stands for a definition that was refused; what uses it stays silent
 };
 
+/// Parameters that a value was read from, by their index in Diagram::parameters.
+using ParameterUses = std::vector<int>;
+
 /// The parameters that expressions and `$name` of one file see.
 class ParameterScope {
  public:
-  /// The value of a parameter that something uses; nullptr if there is none.
-  const WrittenValue* find(const std::string& name) const;
+  /// The value of a parameter, and notes that something uses it; nullptr if there is none. `uses` gathers what
+  /// can be evaluated again; without it the parameter decides what the diagram is made of, see is_structural.
+  const WrittenValue* find(const std::string& name, ParameterUses* uses) const;
   bool defined(const std::string& name) const { return values_.contains(name); }
-  void define(const std::string& name, WrittenValue value) { values_[name] = std::move(value); }
+  void define(const std::string& name, WrittenValue value, int index = -1);
+  /// Puts another value in the place of one that is defined, and returns the former.
+  WrittenValue replace(const std::string& name, WrittenValue value);
+  /// The value of a parameter that is defined, which is no use of it; else nullptr.
+  const Value* value(const std::string& name) const;
   std::vector<std::string> names() const;
   bool failed(const std::string& name) const;
-  /// Has it ever been asked for?
-  bool used(const std::string& name) const { return used_.contains(name); }
+  /// Does anything use it?
+  bool used(const std::string& name) const;
+  /// Does anything use it that is not evaluated again: a file's times, records, words of presets?
+  bool is_structural(const std::string& name) const;
+  /// The expression of a text that follows its '='; each text is parsed once. Throws ExpressionError.
+  const Expression& expression(const std::string& text) const;
 
  private:
-  std::map<std::string, WrittenValue> values_;
-  mutable std::set<std::string> used_;  // kept for messages only: no value depends on it
+  struct Entry {
+    WrittenValue value;
+    int index = -1;  ///< in Diagram::parameters
+    mutable bool used = false, structural = false;
+  };
+  std::map<std::string, Entry> values_;
+  mutable std::map<std::string, Expression> expressions_;  // no value depends on what is parsed already
 };
 
 /// Reads values of one file: numbers with units, `$name`, `= expression`, vectors, matrices, text.
 class ValueReader {
  public:
-  ValueReader(const ParameterScope& parameters, Report& report, int scope)
-      : parameters_(parameters), report_(report), scope_(scope) {}
+  /// `uses` gathers the parameters that are read, where the reader of the values keeps how to read them again.
+  ValueReader(const ParameterScope& parameters, FaultReport& report, int scope,
+              ParameterUses* uses = nullptr)
+      : parameters_(parameters), report_(report), scope_(scope), uses_(uses) {}
 
   /// A value whose purpose is open (a parameter's definition). Nothing, and a fault, if it cannot be read.
   std::optional<WrittenValue> read(const Node& node, const std::string& subject) const;
@@ -73,9 +93,16 @@ class ValueReader {
   std::nullopt_t refuse(const Node& node, const std::string& subject, std::string message) const;
 
   const ParameterScope& parameters_;
-  Report& report_;
+  FaultReport& report_;
   int scope_;
+  ParameterUses* uses_;
 };
+
+/// The dimension of a parameter with a fixed unit; nothing where any unit passes, or one that wires decide.
+std::optional<Dimension> demanded_dimension(const ParameterSpec& spec);
+
+/// The form of numbers that a wire or a state has: one or several, of any unit.
+const ParameterSpec& numbers_of_any_unit();
 
 /// Is this how YAML or C writes a number that is not finite (.inf, -nan, 1e999)?
 bool means_not_finite(const std::string& text);

@@ -77,14 +77,16 @@ std::optional<Source> Resolver::element(const Node& node, const Scope& scope, Qu
   if (names_signal(node)) return reference(node.text, scope, std::move(query));
   if (std::any_of(node.items.begin(), node.items.end(), names_signal))
     return refuse(query, "takes one signal, not a list; join signals with a Mux");
-  const ValueReader reader(scope.parameters, report_, scope.index);
-  ParameterSpec spec;
-  spec.kind = ParameterKind::per_element;
-  spec.unit = "*";
-  const auto written = reader.read_for(spec, {}, node, query.subject);
+  ParameterUses uses;
+  const ValueReader reader(scope.parameters, report_, scope.index, &uses);
+  const auto written = reader.read_for(numbers_of_any_unit(), {}, node, query.subject);
   if (!written) return std::nullopt;
-  return Source{-1, -1, std::get<Eigen::VectorXd>(written->value.content), written->dimension,
-                scope.at(node.mark)};
+  Source source{-1, -1, std::get<Eigen::VectorXd>(written->value.content), written->dimension,
+                scope.at(node.mark), nullptr};
+  if (!uses.empty())
+    source.text = std::make_shared<const Binding>(
+        Binding{{}, {node, scope.index, scope.index}, std::move(uses)});
+  return source;
 }
 
 std::optional<Source> Resolver::reference(const std::string& text, const Scope& scope, Query query) const {

@@ -48,6 +48,11 @@ std::string key_text(const std::string& key) {
 
 class Writer {
  public:
+  std::string write_line(const Node& root) {
+    in_brackets(root, std::string::npos);
+    return std::move(text_);
+  }
+
   std::string write(const Node& root) {
     if (root.entries.empty() && root.items.empty()) {
       in_brackets(root, longest_line);
@@ -101,6 +106,10 @@ class Writer {
 
 std::string yaml_text(const Node& root) {
   return Writer().write(root);
+}
+
+std::string yaml_line(const Node& root) {
+  return Writer().write_line(root);
 }
 
 }  // namespace stepwire

@@ -10,4 +10,7 @@ namespace stepwire {
 /// brackets, the rest on lines of its own. A text without quotes gets them where it cannot stand without.
 std::string yaml_text(const Node& root);
 
+/// The same on one line, in brackets: `[1, 2]`.
+std::string yaml_line(const Node& root);
+
 }  // namespace stepwire

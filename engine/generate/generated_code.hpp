@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -8,25 +10,25 @@
 
 namespace stepwire {
 
-/// Compiled code for runs, made by this machine's compiler and kept in a cache. Plans that differ in numbers
-/// of their blocks only, as the points of a sweep do, share one compilation.
+/// Compiled code for runs, made by this machine's compiler and kept in a cache. From any thread.
 class GeneratedCode : public CodeSource {
  public:
-  std::vector<CompiledPlan> compile(const std::vector<const Plan*>& plans,
-                                    const std::stop_token& stop) override;
-  std::vector<double> numbers(const Plan& plan) const override { return numbers_of(plan).numbers; }
+  std::optional<CompiledPlan> compile(const Plan& plan, const std::vector<VariableBlock>& variable,
+                                      const std::stop_token& stop) override;
 
-  /// Why there was no code the first time that there was none; empty once told.
-  std::string take_problem() { return std::exchange(problem_, ""); }
+  /// Why there was no code the first time that there was none; empty once it has been taken.
+  std::string take_problem();
 
  private:
-  std::vector<CompiledPlan> load(std::vector<GeneratedProgram> programs, const std::stop_token& stop);
-  void tell(const std::string& problem);
+  StepFunctions functions_of(const GeneratedProgram& program, const std::stop_token& stop);
+  void note(const std::string& problem);
 
-  std::optional<Compiler> compiler_;  ///< looked for when it is needed
+  std::mutex mutex_;
+  std::optional<Compiler> compiler_;            ///< looked for when it is needed
+  std::map<std::string, StepFunctions> known_;  ///< by the program's text
   CodeCache cache_;
   std::string problem_;
-  bool told_ = false;
+  bool noted_ = false;
 };
 
 }  // namespace stepwire

@@ -95,9 +95,9 @@ std::string library_source(const GeneratedProgram& program) {
   source += "\nnamespace {\n\nusing namespace stepwire;\n\n" + program.text + "\n}  // namespace\n\n";
   for (const char* function : {"evaluate", "advance"})
     source += fmt::format(
-        "extern \"C\" [[gnu::flatten]] void stepwire_{0}(double* w, const double* parameters, std::int64_t "
+        "extern \"C\" [[gnu::flatten]] void stepwire_{0}(double* w, const double* numbers, std::int64_t "
         "tick) "
-        "{{\n  {0}(w, parameters, tick);\n}}\n",
+        "{{\n  {0}(w, numbers, tick);\n}}\n",
         function);
   return source;
 }

@@ -7,6 +7,7 @@
 
 #include "engine/diagram/external_input.hpp"
 #include "engine/generate/functions.hpp"
+#include "engine/generate/literals.hpp"
 #include "engine/generate/solver_text.hpp"
 #include "engine/solve/solver.hpp"
 
@@ -16,9 +17,9 @@ namespace {
 
 constexpr std::size_t most_inlined = 150;  // calls in a stage; beyond, registers are too few anyway
 
-const std::string state_arguments = "w, parameters, tick";
+const std::string state_arguments = "w, numbers, tick";
 const std::string state_parameters =
-    "double* w, [[maybe_unused]] const double* parameters, [[maybe_unused]] std::int64_t tick";
+    "double* w, [[maybe_unused]] const double* numbers, [[maybe_unused]] std::int64_t tick";
 
 bool is_external(const Plan& plan, std::size_t block) {
   return &plan.diagram.blocks[block].type() == &external_input_type();
@@ -42,25 +43,42 @@ void require_headers(const Plan& plan) {
 
 class Maker {
  public:
-  Maker(const Plan& plan, Literals& literals)
+  Maker(const Plan& plan, const std::vector<VariableBlock>& variable)
       : plan_(plan),
         names_(plan),
-        literals_(literals),
-        statements_(plan, names_, literals),
+        statements_(plan, names_, variable, literals_),
         small_(calls(plan.stage) + calls(plan.derivatives) <= most_inlined &&
                !find_implicit(plan.diagram.solver)),
         functions_(small_) {}
 
-  /// Makes the functions, and with them writes every number.
-  void write() {
+  void add_steps() {
     if (!plan_.timed.empty()) add_timed();
     add_outputs();
     add_updates();
     if (plan_.layout.state_count > 0) add_slopes();
     add_advance();
-    add_reset();
   }
-  std::string text() const { return name_text() + table_text() + functions_.text(); }
+
+  void add_reset() {
+    std::vector<Code> code;
+    for (int block : plan_.memory_order) {
+      const auto b = static_cast<std::size_t>(block);
+      add_initial(b, code);
+    }
+    append(code, starts_of(plan_, statements_, at_tick()));
+    append(code, calls_of(plan_, statements_, plan_.once, Phase::outputs, at_tick()));
+    functions_.add("start", "double* w, [[maybe_unused]] const double* numbers", "w, numbers", code);
+    functions_.add_text(
+        fmt::format("inline void reset(double* w, const double* numbers) {{\n"
+                    "  for (int i = 0; i < size; ++i) w[i] = 0.0;\n"
+                    "  w[at::timed] = {3};\n"
+                    "  for (int i = {0}; i < {1}; ++i) w[i] = Notice::never;\n{2}"
+                    "  start(w, numbers);\n}}\n",
+                    plan_.layout.notices, plan_.layout.notices + plan_.layout.notice_count, constants_text(),
+                    number_text(Layout::never)));
+  }
+
+  GeneratedProgram program() const;
 
  private:
   static std::size_t calls(const std::vector<Batch>& batches) {
@@ -77,7 +95,7 @@ class Maker {
     return text + fmt::format(
                       "constexpr double step = {};  // [s]\n"
                       "constexpr int states = {}, dots = {};  // where the first state and slope lie\n"
-                      "constexpr int numbers = {};  // in the workspace\n\n",
+                      "constexpr int size = {};  // of the workspace\n\n",
                       number_text(plan_.diagram.step), plan_.layout.states, plan_.layout.dots,
                       plan_.layout.size);
   }
@@ -90,20 +108,20 @@ class Maker {
   }
 
   void add_timed() {
-    const std::string parameters = "double* w, [[maybe_unused]] const double* parameters";
-    functions_.add("timed", parameters, "w, parameters",
+    const std::string parameters = "double* w, [[maybe_unused]] const double* numbers";
+    functions_.add("timed", parameters, "w, numbers",
                    calls_of(plan_, statements_, plan_.timed, Phase::outputs, at_tick()));
     functions_.add_text(
         fmt::format("/// Computes what follows from the time alone, if it has changed.\n"
                     "{} void follow_time({}) {{\n"
                     "  if (w[at::timed] == w[at::time]) return;\n"
-                    "  w[at::timed] = w[at::time];\n  timed(w, parameters);\n}}\n\n",
+                    "  w[at::timed] = w[at::time];\n  timed(w, numbers);\n}}\n\n",
                     functions_.attribute(), parameters));
   }
 
   void add_outputs() {
     std::vector<Code> code{{"  w[at::time] = static_cast<double>(tick) * step;\n"}};
-    if (!plan_.timed.empty()) code.front().text += "  follow_time(w, parameters);\n";
+    if (!plan_.timed.empty()) code.front().text += "  follow_time(w, numbers);\n";
     append(code, calls_of(plan_, statements_, plan_.outputs, Phase::outputs, at_tick()));
     functions_.add("evaluate", state_parameters, state_arguments, code);
   }
@@ -145,18 +163,18 @@ class Maker {
   void add_slopes() {
     const std::string own = "[[maybe_unused]] double* s, ";
     const std::string before = "double* w, ",
-                      after = "[[maybe_unused]] const double* parameters, double* dot";
+                      after = "[[maybe_unused]] const double* numbers, double* dot";
     Places tick = at_tick();
     tick.dot = "dot";
     std::vector<Code> at_start = given_slopes();
     append(at_start, calls_of(plan_, statements_, plan_.derivatives, Phase::derivatives, tick));
-    functions_.add("derivatives", before + after, "w, parameters, dot", at_start);
+    functions_.add("derivatives", before + after, "w, numbers, dot", at_start);
     Places at_stage = stage_places();
     at_stage.dot = "dot";
     std::vector<Code> code = calls_of(plan_, statements_, plan_.stage, Phase::outputs, at_stage);
     append(code, calls_of(plan_, statements_, plan_.derivatives, Phase::derivatives, at_stage));
     for (Code& piece : code) piece.period = 1;  // a stage computes all that it has
-    functions_.add("slopes", before + own + after, "w, s, parameters, dot", code);
+    functions_.add("slopes", before + own + after, "w, s, numbers, dot", code);
   }
 
   /// Slopes that outputs have written to the workspace, where slopes have a place of their own.
@@ -172,7 +190,7 @@ class Maker {
   }
 
   void add_advance() {
-    std::string body = "  update(w, parameters, tick);\n";
+    std::string body = "  update(w, numbers, tick);\n";
     if (plan_.layout.state_count > 0) {
       body +=
           "  const double now = static_cast<double>(tick) * step;\n"
@@ -186,30 +204,11 @@ class Maker {
         fmt::format("[[gnu::flatten]] inline void advance({}) {{\n{}}}\n\n", state_parameters, body));
   }
 
-  void add_reset() {
-    std::vector<Code> code;
-    for (int block : plan_.memory_order) {
-      const auto b = static_cast<std::size_t>(block);
-      add_initial(b, code);
-    }
-    append(code, starts_of(plan_, statements_, at_tick()));
-    append(code, calls_of(plan_, statements_, plan_.once, Phase::outputs, at_tick()));
-    functions_.add("start", "double* w, [[maybe_unused]] const double* parameters", "w, parameters", code);
-    functions_.add_text(
-        fmt::format("inline void reset(double* w, const double* parameters) {{\n"
-                    "  for (int i = 0; i < numbers; ++i) w[i] = 0.0;\n"
-                    "  w[at::timed] = {3};\n"
-                    "  for (int i = {0}; i < {1}; ++i) w[i] = Notice::never;\n{2}"
-                    "  start(w, parameters);\n}}\n",
-                    plan_.layout.notices, plan_.layout.notices + plan_.layout.notice_count, constants_text(),
-                    number_text(Layout::never)));
-  }
-
   std::string constants_text() {
     std::string text;
     for (std::size_t i = 0; i < plan_.constants.size(); ++i)
       text +=
-          fmt::format("  w[{}] = {};\n", plan_.layout.constants + i, literals_.number(plan_.constants[i]));
+          fmt::format("  w[{}] = {};\n", plan_.layout.constants + i, number_text(plan_.constants[i]));
     return text;
   }
 
@@ -220,7 +219,7 @@ class Maker {
     const auto assign = [&](const SignalSlot& slot, bool always, const auto& value) {
       std::string text;
       for (Index k = 0; k < slot.size; ++k)
-        if (const std::string number = literals_.number(value(k)); always || number != "0.0")
+        if (const std::string number = number_text(value(k)); always || number != "0.0")
           text += fmt::format("  w[{} + {}] = {};\n", names_.at(slot.offset), k, number);
       if (!text.empty()) code.push_back({std::move(text)});
     };
@@ -241,7 +240,7 @@ class Maker {
 
   const Plan& plan_;
   PlaceNames names_;
-  Literals& literals_;
+  Literals literals_;
   Statements statements_;
   bool small_;
   Functions functions_;
@@ -257,32 +256,25 @@ std::vector<std::string> headers_of(const Plan& plan) {
   return {headers.begin(), headers.end()};
 }
 
-GeneratedProgram program_with(const Plan& plan, Literals literals) {
-  require_headers(plan);
-  GeneratedProgram program;
-  Maker maker(plan, literals);
-  maker.write();
-  program.text = maker.text();
-  program.headers = headers_of(plan);
-  program.parameters = literals.all();
-  return program;
+GeneratedProgram Maker::program() const {
+  return {name_text() + table_text() + functions_.text(), headers_of(plan_)};
 }
 
 }  // namespace
 
-ProgramNumbers numbers_of(const Plan& plan) {
+GeneratedProgram make_program(const Plan& plan) {
   require_headers(plan);
-  Literals literals;
-  Maker(plan, literals).write();
-  return literals.all();
+  Maker maker(plan, {});
+  maker.add_steps();
+  maker.add_reset();
+  return maker.program();
 }
 
-GeneratedProgram outline_of(const Plan& plan) {
-  return program_with(plan, Literals::all_varying());
-}
-
-GeneratedProgram make_program(const Plan& plan, const Varying* varying) {
-  return program_with(plan, varying ? Literals(*varying) : Literals());
+GeneratedProgram make_steps(const Plan& plan, const std::vector<VariableBlock>& variable) {
+  require_headers(plan);
+  Maker maker(plan, variable);
+  maker.add_steps();
+  return maker.program();
 }
 
 }  // namespace stepwire

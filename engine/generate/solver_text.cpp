@@ -23,7 +23,7 @@ class ExplicitText {
     for (int place = 0; place < places_of(stages_); ++place)
       text += fmt::format("  double {}[{}];\n", name(place), states_);
     text += each([](const std::string& i) { return fmt::format("start[{0}] = w[states + {0}];", i); });
-    text += "  derivatives(w, parameters, dot);\n";
+    text += "  derivatives(w, numbers, dot);\n";
     for (std::size_t stage = 0; stage < stages_.size(); ++stage) {
       if (stage > 0) text += evaluation_text(stages_[stage - 1].next);
       text += additions_text(stages_[stage], stage + 1 == stages_.size());
@@ -40,8 +40,8 @@ class ExplicitText {
     const std::string time = fraction == 1.0 ? "end" : fmt::format("now + {} * step", number_text(fraction));
     std::string text = fmt::format("  w[at::time] = {};\n", time);
     if (small_) text += "  s[at::time] = w[at::time];\n";
-    if (timed_) text += "  follow_time(w, parameters);\n";
-    return text + "  slopes(w, s, parameters, dot);\n";
+    if (timed_) text += "  follow_time(w, numbers);\n";
+    return text + "  slopes(w, s, numbers, dot);\n";
   }
 
   template <class Statement>
@@ -78,13 +78,13 @@ class ExplicitText {
 std::string implicit_text(const ImplicitMethod& method, const Plan& plan) {
   return fmt::format(
       "  double* const dot = w + dots;\n"
-      "  derivatives(w, parameters, dot);\n"
+      "  derivatives(w, numbers, dot);\n"
       "  {0}<{1}> method({1});\n"
       "  method.advance(w + states, dot, w + at::time, now, end, step, {{w + {2}, {3}}}, [&] {{{4} slopes(w, "
       "w, "
-      "parameters, dot); }});\n",
+      "numbers, dot); }});\n",
       method.type, plan.layout.state_count, plan.layout.report, number_text(plan.diagram.tolerance),
-      plan.timed.empty() ? "" : " follow_time(w, parameters);");
+      plan.timed.empty() ? "" : " follow_time(w, numbers);");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "engine/generate/literals.hpp"
 #include "engine/generate/names.hpp"
+#include "engine/plan/compiled_plan.hpp"
 
 namespace stepwire {
 
@@ -25,7 +26,9 @@ enum class Phase { outputs, derivatives, update, start };
 /// the compiler sees through.
 class Statements {
  public:
-  Statements(const Plan& plan, const PlaceNames& names, Literals& literals);
+  /// `variable` members are read from the numbers of a run, in the order of NumberTable.
+  Statements(const Plan& plan, const PlaceNames& names, const std::vector<VariableBlock>& variable,
+             Literals& literals);
 
   /// The call of one block.
   std::string call(std::size_t block, Phase phase, const Places& places) const;

@@ -31,8 +31,8 @@ class Fit {
       take_as_it_is();
     else
       search_parameters();
-    describe_records();
-    result_.compiled = runs_.compiled() || runs_.planned();
+    predict();
+    result_.compiled = runs_.compiled();
     result_.in_part = runs_.in_part();
     result_.interrupted = interrupted();
     describe_numbers();
@@ -108,7 +108,6 @@ class Fit {
       one.iterations += before;
     }
     best_ = minima[ranking(minima).front()];
-    tell_refusal(minima);
     for (const Minimum& one : minima) result_.starts.push_back({one.cost, one.converged, one.iterations});
     if (!std::isfinite(best_.cost) && !interrupted())
       throw Error(Fault{request_.place, "fit", "no start can be evaluated; give a start that runs", {}});
@@ -116,28 +115,19 @@ class Fit {
     result_.converged = best_.converged;
   }
 
-  /// What would be better and is refused, such as a damper that gives out energy.
-  void tell_refusal(const std::vector<Minimum>& minima) {
-    const auto by_cost = [](const Minimum& a, const Minimum& b) { return a.refused_cost < b.refused_cost; };
-    const Minimum& other = *std::min_element(minima.begin(), minima.end(), by_cost);
-    if (other.refused_cost < best_.cost * (1.0 - 1e-6))
-      limit(fmt::format(" (cost {:.5g} in place of {:.5g})", other.refused_cost, best_.cost), other.refusal);
-  }
-
-  void limit(const std::string& costs, const std::string& refusal) {
+  void limit(const std::string& refusal) {
     result_.limited = true;
-    result_.findings.push_back(
-        fmt::format("the records want what the diagram refuses{}: {}", costs, refusal));
+    result_.findings.push_back("the records want what the diagram refuses: " + refusal);
   }
 
-  /// Runs that are planned anew show no cost of what is refused, but whether the cost still falls that way.
+  /// What is refused has no cost, but the slopes show whether the cost still falls that way.
   void tell_slope(const Eigen::VectorXd& r, const Jacobian& slopes) {
     constexpr double flat = 1e-3;  // cosine between the residuals and what a parameter does to them
     if (result_.limited || best_.refusal.empty()) return;
     for (Eigen::Index i = 0; i < slopes.cols(); ++i) {
       const bool held = result_.numbers[static_cast<std::size_t>(i)].at_bound;
       if (!held && std::abs(slopes.col(i).dot(r)) > flat * slopes.col(i).norm() * r.norm())
-        return limit("", best_.refusal);
+        return limit(best_.refusal);
     }
   }
 
@@ -160,19 +150,6 @@ class Fit {
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return minima[a].cost < minima[b].cost; });
     return order;
-  }
-
-  /// Predicts all records from plans of their own, which also shows whether the compiled code held.
-  void describe_records() {
-    double squares = predict();
-    if (!runs_.compiled() || result_.refused || interrupted()) return;
-    Eigen::VectorXd r;
-    const double coded = residuals_.evaluate(best_.x, r) ? r.squaredNorm() : squares;
-    if (std::abs(coded - squares) <= 1e-6 * (coded + squares) + 1e-300) return;
-    runs_.plan_anew();
-    best_ = minimise(residuals_, request_, best_.x, {request_.iterations, source_.interrupt, {}});
-    result_.converged = best_.converged;
-    predict();
   }
 
   double predict() {
@@ -214,7 +191,7 @@ class Fit {
         !residuals_.evaluate(best_.x, r, slopes, Residuals::Differences::central))
       return;
     count(request_, r, slopes);
-    if (!runs_.compiled()) tell_slope(r, slopes);
+    tell_slope(r, slopes);
     Eigen::VectorXd sizes = best_.x;
     std::vector<std::string> titles;
     for (std::size_t i = 0; i < result_.numbers.size(); ++i) {

@@ -34,7 +34,10 @@ class Cost : public ceres::CostFunction {
     Jacobian slopes;
     if (wanted) slopes = known_.slopes * scales_.asDiagonal();
     count(request_, r, slopes);
-    if (const double cost = 0.5 * r.squaredNorm(); cost < best_.cost && !take(x, cost)) return false;
+    if (const double cost = 0.5 * r.squaredNorm(); cost < best_.cost) {
+      best_.cost = cost;
+      best_.x = x;
+    }
     std::copy_n(r.data(), r.size(), residuals);
     if (wanted) std::copy_n(slopes.data(), slopes.size(), jacobians[0]);
     return true;
@@ -58,21 +61,6 @@ class Cost : public ceres::CostFunction {
     }
     return !slopes || known_.slopes.size() > 0 ||
            residuals_.differentiate(x, known_.residuals, known_.slopes, Residuals::Differences::forward);
-  }
-
-  /// A point that the diagram refuses is as bad as one whose run blows up.
-  bool take(const Eigen::VectorXd& x, double cost) const {
-    std::string refusal = residuals_.refusal(x);
-    if (refusal.empty()) {
-      best_.cost = cost;
-      best_.x = x;
-      return true;
-    }
-    if (cost < best_.refused_cost) {
-      best_.refused_cost = cost;
-      best_.refusal = std::move(refusal);
-    }
-    return false;
   }
 
   const Residuals& residuals_;

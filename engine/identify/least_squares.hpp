@@ -25,10 +25,7 @@ struct Minimum {
   double cost = std::numeric_limits<double>::infinity();  ///< half of the sum of what the residuals count
   bool converged = false;
   std::size_t iterations = 0;
-  /// The best point on the way that the diagram refuses and that would have been better than those before
-  /// it; infinite where there is none, or where such a point cannot be evaluated.
-  double refused_cost = std::numeric_limits<double>::infinity();
-  std::string refusal{};  ///< why it is refused; empty where nothing was
+  std::string refusal{};  ///< why the diagram refused the first point that it refused; empty where it took all
 };
 
 /// Minimises the cost within the bounds, and within what the diagram takes, by Levenberg-Marquardt from a

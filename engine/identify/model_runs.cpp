@@ -13,8 +13,6 @@ namespace stepwire {
 
 namespace {
 
-constexpr std::int64_t ticks_between_looks = 1024;  // at the interrupt flag
-
 /// A swept value to be read: its number with up to five digits, and its unit.
 std::string brief(const std::string& value) {
   const char* end = value.data() + value.size();
@@ -28,21 +26,11 @@ std::string label_of(const Job& job, std::size_t point) {
   if (job.points.empty()) return "";
   const bool together = job.plan.diagram.sweep->together;
   std::string text;
-  for (const Setting& setting : job.points[point].settings) {
+  for (const Setting& setting : job.settings_of(point)) {
     if (!text.empty() && together) break;
     text += fmt::format("{}{}", text.empty() ? "" : ", ", brief(setting.value));
   }
   return text;
-}
-
-/// All parameters a little away from the start, within their bounds, each by another part of its scale.
-Values beside_start(const std::vector<FitParameter>& parameters) {
-  Values values;
-  for (const FitParameter& parameter : parameters) {
-    const double step = 1e-3 * (1.0 + 0.1 * static_cast<double>(values.size() % 7)) * parameter.scale;
-    values.push_back(parameter.start + (parameter.start + step <= parameter.upper ? step : -step));
-  }
-  return values;
 }
 
 /// All columns that comparisons name.
@@ -59,6 +47,31 @@ std::vector<std::string> columns_of(const FitRequest& request) {
   }
   return columns;
 }
+
+/// Keeps what a part reads of a run of the whole.
+class TapeWriter : public RunObserver {
+ public:
+  TapeWriter(const MovedPart& part, std::vector<double>& tape) : part_(part), tape_(tape) {}
+  void evaluated(const ObservedRun& run) override { part_.append(run.simulation.values(), tape_); }
+
+ private:
+  const MovedPart& part_;
+  std::vector<double>& tape_;
+};
+
+/// Plays it back into a run of the part.
+class TapePlayer : public RunObserver {
+ public:
+  TapePlayer(const MovedPart& part, const std::vector<double>& tape) : part_(part), tape_(tape) {}
+  Flow before_tick(const ObservedRun& run) override {
+    part_.play(tape_, run.simulation);
+    return Flow::go_on;
+  }
+
+ private:
+  const MovedPart& part_;
+  const std::vector<double>& tape_;
+};
 
 std::string fault_of(const Simulation& simulation) {
   const auto fault = simulation.fault();
@@ -80,43 +93,38 @@ std::vector<Setting> settings_of(const std::vector<FitParameter>& parameters, co
 
 ModelRuns::ModelRuns(ModelSource source, const Job& job, const FitRequest& request)
     : source_(std::move(source)), job_(job), request_(request) {
-  const Values start = start_of(request.parameters);
   for (std::size_t record = 0; record < std::max<std::size_t>(1, job.points.size()); ++record) {
     labels_.push_back(label_of(job, record));
     swept_.push_back(swept_columns(job, record));
-    at_start_.push_back(plan(record, start));
   }
   find_part();
-  const Planner planner = [this](std::size_t record, const Values& values) {
-    return plan_run(record, values);
-  };
-  if (!source_.code || request.parameters.empty()) return;
-  SharedCode code = share_code(at_start_, request.parameters, planner, *source_.code);
-  codes_ = std::move(code.records);
-  planned_ = std::move(code.planned);
+  make_records();
 }
 
-/// Plans once with all parameters changed, to see what they move, and runs all records at the start.
+std::vector<std::string> ModelRuns::names() const {
+  std::vector<std::string> names;
+  for (const FitParameter& parameter : request_.parameters) names.push_back(parameter.name);
+  return names;
+}
+
+/// Runs all records at the start, where the parameters move only a part.
 void ModelRuns::find_part() {
-  try {
-    part_ =
-        MovedPart::find(at_start_.front(), plan(0, beside_start(request_.parameters)), columns_of(request_));
-  } catch (const Error&) {  // these values are refused
-  }
-  for (std::size_t record = 0; part_ && record < at_start_.size(); ++record)
-    if (!play_in(record)) part_.reset();
-  if (!part_) return;
   const Values start = start_of(request_.parameters);
-  for (std::size_t record = 0; record < at_start_.size(); ++record)
-    at_start_[record] = plan_run(record, start);
+  for (std::size_t record = 0; record < records(); ++record) {
+    const Plan whole = plan(record, start);
+    if (record == 0) part_ = MovedPart::find(whole, Variation(whole.diagram, names()), columns_of(request_));
+    if (!part_) return;
+    if (!play_in(record, whole)) return part_.reset();
+  }
 }
 
 /// Keeps what the part reads and what does not move; false where the run ends early.
-bool ModelRuns::play_in(std::size_t record) {
-  Simulation simulation(at_start_[record]);
+bool ModelRuns::play_in(std::size_t record, const Plan& whole) {
+  Simulation simulation(whole);
   std::vector<double>& tape = tapes_.emplace_back();
-  tape.reserve(part_->width() * static_cast<std::size_t>(simulation.plan().steps + 1));
-  still_.push_back(take(record, simulation, nullptr, {}, [&] { part_->append(simulation.values(), tape); }));
+  tape.reserve(part_->width() * static_cast<std::size_t>(whole.steps + 1));
+  TapeWriter writer(*part_, tape);
+  still_.push_back(take(record, simulation, nullptr, &writer));
   const std::vector<std::string> columns = columns_of(request_);
   for (Recording& recording : still_.back()) {
     auto& all = recording.table.columns;
@@ -129,40 +137,84 @@ bool ModelRuns::play_in(std::size_t record) {
   return !still_.back().empty();
 }
 
+void ModelRuns::make_records() {
+  const Values start = start_of(request_.parameters);
+  for (std::size_t r = 0; r < records(); ++r) {
+    Diagram diagram = load(r, start);
+    records_.push_back(
+        std::make_unique<Record>(make_plan(part_ ? part_->of(diagram) : std::move(diagram)), names()));
+    if (source_.code) compile(*records_.back());
+  }
+  compiled_ = std::ranges::all_of(records_, [](const auto& record) { return record->code.has_value(); });
+}
+
+/// The text of records that differ in numbers is the same, since what their sweep varies is read from the
+/// run as well.
+void ModelRuns::compile(Record& record) const {
+  std::vector<std::string> all = names();
+  if (!job_.points.empty())
+    for (const Sweep::Axis& axis : job_.plan.diagram.sweep->axes) all.push_back(axis.parameter);
+  const Variation variation(record.plan.diagram, all);
+  record.code = source_.code->compile(record.plan, variable_blocks(record.plan, variation), {});
+}
+
 Diagram ModelRuns::load(std::size_t record, const Values& values) const {
   std::vector<Setting> all = source_.settings;
   if (!job_.points.empty())
-    all.insert(all.end(), job_.points[record].settings.begin(), job_.points[record].settings.end());
+    for (Setting& setting : job_.settings_of(record)) all.push_back(std::move(setting));
   for (Setting& setting : settings_of(request_.parameters, values)) all.push_back(std::move(setting));
   const std::lock_guard lock(loading_);
   return source_.loader.load_point(source_.file, all);
 }
 
-Plan ModelRuns::plan_run(std::size_t record, const Values& values) const {
-  return part_ ? make_plan(part_->of(load(record, values))) : plan(record, values);
+std::vector<Assignment> ModelRuns::assignments(const Values& values) const {
+  std::vector<Assignment> assignments;
+  for (std::size_t j = 0; j < request_.parameters.size(); ++j) {
+    const FitParameter& parameter = request_.parameters[j];
+    assignments.push_back(
+        {parameter.name, value_of_number(values[j], parameter.dimension), parameter.place.file});
+    assignments.back().value.mark = parameter.place.mark;
+  }
+  return assignments;
+}
+
+std::unique_ptr<Simulation> ModelRuns::begin(Record& record, const Values& values) const {
+  std::unique_ptr<Simulation> run;
+  {
+    const std::lock_guard lock(record.mutex);
+    if (!record.idle.empty()) {
+      run = std::move(record.idle.back());
+      record.idle.pop_back();
+    }
+  }
+  if (!run) {
+    run = std::make_unique<Simulation>(record.plan);
+    if (record.code) run->use(*record.code);
+  }
+  if (run->set(record.varied, assignments(values)) != Simulation::Setting::done) return nullptr;
+  run->reset();
+  return run;
+}
+
+void ModelRuns::give_back(Record& record, std::unique_ptr<Simulation> run) const {
+  const std::lock_guard lock(record.mutex);
+  if (run) record.idle.push_back(std::move(run));
 }
 
 std::vector<Recording> ModelRuns::run(std::size_t record, const Values& values, std::string* fault) const {
   try {
-    std::optional<Plan> own;  // refused values are as bad as a run that blows up
-    if (codes_.empty()) own = plan_run(record, values);
-    Simulation simulation(own ? *own : at_start_[record]);
-    if (!own) simulation.restore({0, codes_[record].workspace(values)});
-    const std::optional<CompiledPlan> code = code_of(record, values, own);
-    if (code) simulation.use(*code);
-    if (!part_) return take(record, simulation, fault);
-    const std::vector<double>& tape = tapes_[record];
-    return complete(record, take(record, simulation, fault, [&] { part_->play(tape, simulation); }));
-  } catch (const Error& error) {
+    Record& of = *records_[record];
+    std::unique_ptr<Simulation> run = begin(of, values);
+    if (!run) return run_anew(record, values, fault);
+    std::optional<TapePlayer> player;
+    if (part_) player.emplace(*part_, tapes_[record]);
+    std::vector<Recording> taken = take(record, *run, fault, player ? &*player : nullptr);
+    give_back(of, std::move(run));
+    return part_ ? complete(record, std::move(taken)) : taken;
+  } catch (const Error& error) {  // refused values are as bad as a run that blows up
     if (fault) *fault = error.what();
     return {};
   }
-}
-
-std::optional<CompiledPlan> ModelRuns::code_of(std::size_t record, const Values& values,
-                                               const std::optional<Plan>& own) const {
-  if (!own) return codes_[record].code(values);
-  return planned_ ? planned_->with(source_.code->numbers(*own)) : std::nullopt;
 }
 
 std::vector<Recording> ModelRuns::complete(std::size_t record, std::vector<Recording> moved) const {
@@ -183,7 +235,10 @@ std::vector<Recording> ModelRuns::run_anew(std::size_t record, const Values& val
 
 std::string ModelRuns::refusal(std::size_t record, const Values& values) const {
   try {
-    plan(record, values);
+    Record& of = *records_[record];
+    std::unique_ptr<Simulation> run = begin(of, values);
+    if (!run) plan(record, values);
+    give_back(of, std::move(run));
     return "";
   } catch (const Error& error) {
     return error.what();
@@ -191,39 +246,25 @@ std::string ModelRuns::refusal(std::size_t record, const Values& values) const {
 }
 
 std::vector<Recording> ModelRuns::take(std::size_t record, Simulation& simulation, std::string* fault,
-                                       const std::function<void()>& before_tick,
-                                       const std::function<void()>& after_tick) const {
-  const Plan& plan = simulation.plan();
-  std::vector<Recorder> recorders;
-  for (const RecordRequest& request : plan.diagram.records) recorders.emplace_back(plan, request);
-  Stopper stopper(plan);
-  while (true) {
-    if (before_tick) before_tick();
-    simulation.evaluate();
-    if (!simulation.healthy()) break;
-    if (after_tick) after_tick();
-    for (Recorder& recorder : recorders) recorder.record(simulation.tick(), simulation.values());
-    if (simulation.finished() || stopper.stops(simulation.values())) break;
-    simulation.advance();
-    if (!simulation.healthy()) break;
-    if (simulation.tick() % ticks_between_looks == 0 && source_.interrupt && *source_.interrupt) {
-      if (fault) *fault = "interrupted, so that there is nothing yet to write";
-      return {};
-    }
+                                       RunObserver* observer) const {
+  RunRecording recording(simulation.plan());
+  Drive drive(simulation, recording.recorders());
+  drive.interrupt = source_.interrupt;
+  if (observer) drive.observers = {&observer, 1};
+  if (drive.run() == Drive::End::interrupted) {
+    if (fault) *fault = "interrupted, so that there is nothing yet to write";
+    return {};
   }
   if (!simulation.healthy()) {
     if (fault) *fault = fault_of(simulation);
     return {};
   }
-  std::vector<Recording> recordings;
-  for (const Recorder& recorder : recorders) {
-    recordings.push_back(recorder.take());
-    Table& table = recordings.back().table;
+  std::vector<Recording> recordings = recording.take();
+  for (Recording& one : recordings)
     for (Column column : swept_[record]) {
-      column.values.assign(table.rows(), column.values.front());
-      table.columns.push_back(std::move(column));
+      column.values.assign(one.table.rows(), column.values.front());
+      one.table.columns.push_back(std::move(column));
     }
-  }
   return recordings;
 }
 

@@ -5,53 +5,12 @@
 #include <algorithm>
 
 #include "engine/diagram/external_input.hpp"
+#include "engine/diagram/variation.hpp"
 #include "engine/solve/solver.hpp"
 
 namespace stepwire {
 
 namespace {
-
-/// Takes the numbers of a block in the order in which they would be written.
-class Collector : public LiteralWriter {
- public:
-  std::string number(double value) override { return add(value); }
-  std::string flag(bool value) override { return add(value ? 1.0 : 0.0); }
-  std::string enumerator(int value, const std::string&) override { return add(value); }
-  std::string numbers(const double* values, Index size) override {
-    all_.insert(all_.end(), values, values + size);
-    return "";
-  }
-  std::string whole(std::int64_t value) override { return std::to_string(value); }
-
-  const std::vector<double>& all() const { return all_; }
-
- private:
-  std::string add(double value) {
-    all_.push_back(value);
-    return "";
-  }
-  std::vector<double> all_;
-};
-
-/// What a configured block is made of.
-struct Contents {
-  explicit Contents(const DiagramBlock& block) {
-    Collector collector;
-    for (const MemberSpec& member : block.type().members)
-      text += member.literal(block.block.get(), collector) + ";";
-    numbers = collector.all();
-    const auto add = [&](const Eigen::VectorXd& more) {
-      numbers.insert(numbers.end(), more.begin(), more.end());
-    };
-    for (const InitialValue& initial : block.initial) add(initial.value);
-    for (const auto& sources : block.inputs)
-      for (const Source& source : sources) add(source.constant);
-  }
-  bool operator==(const Contents&) const = default;
-
-  std::string text;
-  std::vector<double> numbers;
-};
 
 /// "rig.x" of the columns "rig.x" and "rig.x.2".
 bool is_column_of(const std::string& column, const std::string& signal) {
@@ -65,12 +24,11 @@ void each_source(const DiagramBlock& block, const Visit& visit) {
       if (source.block >= 0) visit(source);
 }
 
-/// Blocks whose numbers differ, and all that they feed.
-std::vector<char> moved_blocks(const Diagram& diagram, const Diagram& other) {
+/// Blocks of which values change, and all that they feed.
+std::vector<char> moved_blocks(const Diagram& diagram, const Variation& variation) {
   const std::size_t count = diagram.blocks.size();
   std::vector<char> moved(count, 0);
-  for (std::size_t b = 0; b < count; ++b)
-    moved[b] = !(Contents(diagram.blocks[b]) == Contents(other.blocks[b]));
+  for (const Target& target : variation.targets()) moved[static_cast<std::size_t>(target.block)] = 1;
   for (bool more = true; more;) {
     more = false;
     for (std::size_t b = 0; b < count; ++b)
@@ -82,15 +40,18 @@ std::vector<char> moved_blocks(const Diagram& diagram, const Diagram& other) {
   return moved;
 }
 
+int place_of(const Binding& binding, const std::vector<int>& place) {
+  return place[static_cast<std::size_t>(binding.target.block)];
+}
+
 }  // namespace
 
-std::optional<MovedPart> MovedPart::find(const Plan& plan, const Plan& moved,
+std::optional<MovedPart> MovedPart::find(const Plan& plan, const Variation& moved,
                                          const std::vector<std::string>& columns) {
   const Diagram& diagram = plan.diagram;
-  if (diagram.stop_when || !diagram.inputs.empty() || diagram.blocks.size() != moved.diagram.blocks.size())
-    return std::nullopt;
+  if (diagram.stop_when || !diagram.inputs.empty() || moved.structural()) return std::nullopt;
   MovedPart part;
-  part.kept_ = moved_blocks(diagram, moved.diagram);
+  part.kept_ = moved_blocks(diagram, moved);
   part.keep_ancestors(diagram, columns);
   const auto all = static_cast<std::ptrdiff_t>(diagram.blocks.size());
   const auto kept = std::count(part.kept_.begin(), part.kept_.end(), 1);
@@ -200,6 +161,10 @@ Diagram MovedPart::of(const Diagram& diagram) const {
     for (RecordedSignal& signal : request.signals)
       signal.signal.block = place[static_cast<std::size_t>(signal.signal.block)];
   }
+  auto bindings = std::make_shared<Bindings>(*diagram.bindings);
+  std::erase_if(bindings->bindings, [&](const Binding& binding) { return place_of(binding, place) < 0; });
+  for (Binding& binding : bindings->bindings) binding.target.block = place_of(binding, place);
+  part.bindings = std::move(bindings);
   return part;
 }
 

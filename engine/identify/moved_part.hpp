@@ -13,10 +13,9 @@ namespace stepwire {
 /// same in every run of a record: it is run once, and what the part reads of it is played back.
 class MovedPart {
  public:
-  /// From a plan and one at other values of all parameters; `columns` are those that are compared. Nothing
-  /// where the part reads a signal that changes between ticks and the solver looks there, or where a
-  /// condition ends the run.
-  static std::optional<MovedPart> find(const Plan& plan, const Plan& moved,
+  /// Of a plan and what changes in it; `columns` are those that are compared. Nothing where the part reads a
+  /// signal that changes between ticks and the solver looks there, or where a condition ends the run.
+  static std::optional<MovedPart> find(const Plan& plan, const Variation& moved,
                                        const std::vector<std::string>& columns);
 
   /// The part of the same diagram with other numbers, its inputs being those of `tape`, in their order.

@@ -59,8 +59,7 @@ class Residuals {
   /// False where a run ends early or gives what is no number.
   bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& residuals) const;
 
-  /// Why the diagram refuses x, e.g. as a damper that gives out energy; empty where it takes it. The
-  /// residuals of what is refused can be evaluated all the same where one compilation serves all runs.
+  /// Why the diagram refuses x, e.g. as a damper that gives out energy; empty where it takes it.
   std::string refusal(const Eigen::VectorXd& x) const;
 
   enum class Differences { forward, central };

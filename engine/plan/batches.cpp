@@ -22,7 +22,7 @@ bool has_one_element_each(const Draft::Block& block) {
 /// What is known of a block beyond its type.
 Known known_of(const Draft& draft, std::size_t block) {
   if (!has_one_element_each(draft.blocks[block])) return Known::nothing;
-  if (!draft.blocks[block].slope_source.first.empty()) return Known::plain_slope;
+  if (!draft.blocks[block].says.slope_source.first.empty()) return Known::plain_slope;
   const int list = draft.type(block).input("u");
   if (list < 0) return Known::one_element;
   switch (draft.plan.diagram.blocks[block].inputs[static_cast<std::size_t>(list)].size()) {

@@ -1,36 +1,69 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
-#include "engine/plan/plan.hpp"
+#include "engine/plan/change.hpp"
 
 namespace stepwire {
 
 /// What a plan is once it has been compiled: the same calls as the interpreter makes, on the same numbers.
-/// `values` is the workspace of a run, `parameters` what differs between plans that share the code.
+/// `values` is the workspace of a run, `numbers` what it has of the members that the code reads from a table.
 struct StepFunctions {
-  void (*evaluate)(double* values, const double* parameters, std::int64_t tick) = nullptr;
-  void (*advance)(double* values, const double* parameters, std::int64_t tick) = nullptr;
+  void (*evaluate)(double* values, const double* numbers, std::int64_t tick) = nullptr;
+  void (*advance)(double* values, const double* numbers, std::int64_t tick) = nullptr;
 };
 
-/// A plan's code with its own parameters.
+/// A plan's code, for runs in which some members have other values.
 struct CompiledPlan {
   StepFunctions functions;
-  std::vector<double> parameters;
+  std::vector<VariableBlock> variable;
+};
+
+/// The numbers that compiled code reads, of one run: single ones in their order, behind them the lists. The
+/// number in the place of a list is where it begins.
+class NumberTable {
+ public:
+  /// `block(i)` is the i-th block of the plan as it is run.
+  using Blocks = std::function<const void*(std::size_t)>;
+
+  NumberTable(const Plan& plan, const std::vector<VariableBlock>& variable, const Blocks& blocks);
+
+  /// Reads the numbers again, of all blocks or of one; false where the code does not read all of them.
+  void read_all(const Blocks& blocks);
+  void read(std::size_t variable, const Blocks& blocks);
+  const double* data() const { return numbers_.data(); }
+  std::size_t size() const { return numbers_.size(); }
+
+ private:
+  class Writer;
+  /// Where the numbers of a block lie.
+  struct Place {
+    std::size_t first_single, singles, first_list, lists;
+  };
+  struct List {
+    std::size_t place, first, size;
+  };
+
+  void write(std::size_t variable, const Blocks& blocks, Writer& writer) const;
+
+  const Plan& plan_;
+  const std::vector<VariableBlock>& variable_;
+  std::vector<Place> places_;
+  std::vector<List> lists_;
+  std::vector<double> numbers_;
 };
 
 /// Where compiled code comes from.
 class CodeSource {
  public:
   virtual ~CodeSource() = default;
-  /// Compiles; gives for each of the plans its code, or nothing at all where that cannot be. A stop gives up.
-  virtual std::vector<CompiledPlan> compile(const std::vector<const Plan*>& plans,
-                                            const std::stop_token& stop) = 0;
-  /// The numbers that code of this plan reads, in the order of `CompiledPlan::parameters`. Throws Error where
-  /// the plan has no code.
-  virtual std::vector<double> numbers(const Plan& plan) const = 0;
+  /// Compiles a plan; nothing where that cannot be, or a stop gives up.
+  virtual std::optional<CompiledPlan> compile(const Plan& plan, const std::vector<VariableBlock>& variable,
+                                              const std::stop_token& stop) = 0;
 };
 
 }  // namespace stepwire

@@ -13,11 +13,8 @@ namespace stepwire {
 /// A plan while it is made: the plan itself and what is known of each block in between.
 struct Draft {
   struct Block {
-    std::map<std::pair<std::string, std::string>, bool> feedthrough;  ///< what configure() said
-    std::map<std::string, Eigen::Index> sizes;                        ///< sizes that configure() gave
-    std::map<std::string, Eigen::Index> least_sizes;                  ///< below which it refuses a size
-    std::pair<std::string, std::string> slope_source;  ///< state and input, where one is the other's slope
-    bool computes = false;                             ///< has outputs() to call
+    Configuration says;     ///< what configure() answered
+    bool computes = false;  ///< has outputs() to call
     bool updates = false;
     bool in_stages = false;  ///< do derivatives depend on its outputs?
     bool timed = false;      ///< do its outputs follow from the time and constants alone?

@@ -64,7 +64,7 @@ class LayoutMaker {
 
   /// Lets the source of a block's slope write right into the slope's place, where no other has it already.
   void find_slope(std::size_t b) {
-    const auto& [state_name, input_name] = draft_.blocks[b].slope_source;
+    const auto& [state_name, input_name] = draft_.blocks[b].says.slope_source;
     if (state_name.empty()) return;
     const BlockType& type = draft_.type(b);
     const auto state = static_cast<std::size_t>(type.state(state_name));

@@ -17,22 +17,11 @@ std::optional<Dimension> Plan::dimension(const SignalRef& signal) const {
                             : diagram.state_dimensions[block][static_cast<std::size_t>(signal.state)];
 }
 
-void prepare_blocks(Draft& draft) {
-  for (std::size_t b = 0; b < draft.blocks.size(); ++b) {
-    const BlockType& type = draft.type(b);
-    void* block = draft.diagram().blocks[b].block.get();
-    const double period = static_cast<double>(draft.plan.blocks[b].rate.ticks) * draft.diagram().step;
-    for (const ClockSpec& clock : type.clocks)
-      if (clock.bind_period) clock.bind_period(block, period);
-    if (type.prepare) type.prepare(block);
-  }
-}
-
 bool Draft::depends(std::size_t block, std::size_t input, std::size_t output) const {
   const InputSpec& in = type(block).inputs[input];
-  if (blocks[block].feedthrough.empty()) return in.feedthrough;
-  const auto said = blocks[block].feedthrough.find({in.name, type(block).outputs[output].name});
-  return said == blocks[block].feedthrough.end() ? in.feedthrough : said->second;
+  if (blocks[block].says.feedthrough.empty()) return in.feedthrough;
+  const auto said = blocks[block].says.feedthrough.find({in.name, type(block).outputs[output].name});
+  return said == blocks[block].says.feedthrough.end() ? in.feedthrough : said->second;
 }
 
 bool Draft::is_state(std::size_t block, std::size_t output) const {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,6 +64,8 @@ struct PlannedBlock {
   std::vector<SignalSlot> notices;
   std::vector<std::vector<SignalSlot>> inputs;
   bool slope_is_input = false;  ///< its input lies in the place of its slope: derivatives() is not called
+  std::optional<AnyBlock> written;  ///< as its file gives it, where configure() or prepare() change it
+  std::shared_ptr<const Configuration> configuration;  ///< what configure() answered, where it has one
 };
 
 /// What a run walks: the order of calls and the layout of memory. Nothing in it changes while runs use it.

@@ -119,20 +119,6 @@ void require_solver(Draft& draft) {
                                           block.type().name));
 }
 
-/// What a block may ask in configure().
-Configure what_is_known(const Draft& draft, std::size_t index) {
-  const DiagramBlock& block = draft.plan.diagram.blocks[index];
-  std::set<std::string> connected;
-  std::map<std::string, Eigen::Index> counts;
-  for (std::size_t input = 0; input < block.inputs.size(); ++input) {
-    const InputSpec& spec = block.type().inputs[input];
-    if (!block.inputs[input].empty()) connected.insert(spec.name);
-    if (spec.list) counts[spec.name] = static_cast<Eigen::Index>(block.inputs[input].size());
-  }
-  const double period = static_cast<double>(draft.plan.blocks[index].rate.ticks) * draft.plan.diagram.step;
-  return Configure(std::move(connected), period, std::move(counts));
-}
-
 }  // namespace
 
 std::optional<std::int64_t> whole_ticks(double time, double step) {
@@ -150,41 +136,6 @@ void plan_rates(Draft& draft) {
   for (const RecordRequest& request : diagram.records) {
     std::int64_t ticks = 1;
     if (request.every) require_whole(draft, *request.every, request.origin, "record.every", ticks);
-  }
-}
-
-void configure_blocks(Draft& draft) {
-  for (std::size_t i = 0; i < draft.blocks.size(); ++i) {
-    DiagramBlock& block = draft.diagram().blocks[i];
-    const BlockType& type = block.type();
-    Draft::Block& made = draft.blocks[i];
-    made.computes = bool(type.run_outputs);
-    made.updates = bool(type.run_update);
-    if (!type.configure) continue;
-    Configure is = what_is_known(draft, i);
-    try {
-      type.configure(block.block.get(), is);
-    } catch (const ParameterRefused& refused) {
-      const ParameterSpec* spec = type.parameter(refused.parameter);
-      Mark mark =
-          spec ? block.parameter_marks[static_cast<std::size_t>(spec - type.parameters.data())] : Mark{};
-      if (refused.line > 0) mark = {refused.line, refused.column};
-      if (mark.line == 0) mark = block.origin.mark;
-      draft.report.add({block.origin.scope, mark}, block.name + "." + refused.parameter, refused.what());
-    } catch (const SurroundingsError& error) {
-      throw SurroundingsError(draft.diagram().fault(block.origin, block.name, error.what()).text());
-    }
-    for (const auto& [input, reason] : is.required())
-      draft.report.add(block.origin, block.name,
-                       fmt::format("the input '{}' is missing ({})", input, reason));
-    made.feedthrough = is.feedthrough();
-    made.sizes = is.sizes();
-    made.least_sizes = is.least_sizes();
-    made.slope_source = is.slope_source();
-    for (const auto& [variable, unit] : is.units())
-      if (const auto parsed = parse_unit(unit)) block.known_units.emplace_back(variable, parsed->dimension);
-    made.computes = made.computes && !is.skips_outputs();
-    made.updates = made.updates && !is.skips_update();
   }
 }
 

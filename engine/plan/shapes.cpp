@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "engine/plan/configuring.hpp"
 #include "engine/plan/settle_lists.hpp"
 
 namespace stepwire {
@@ -34,7 +35,7 @@ class Shapes {
  private:
   void declare(std::size_t index) {
     const DiagramBlock& block = draft_.diagram().blocks[index];
-    for (const auto& [name, elements] : draft_.blocks[index].sizes)
+    for (const auto& [name, elements] : draft_.blocks[index].says.sizes)
       sizes_.set(sizes_.symbol(index, name), elements);
     for (std::size_t p = 0; p < block.type().parameters.size(); ++p) declare_parameter(index, block, p);
     for (const InitialValue& initial : block.initial) {
@@ -126,7 +127,7 @@ class Shapes {
 
   void refuse_small(std::size_t index) {
     const DiagramBlock& block = draft_.diagram().blocks[index];
-    for (const auto& [name, least] : draft_.blocks[index].least_sizes) {
+    for (const auto& [name, least] : draft_.blocks[index].says.least_sizes) {
       const Eigen::Index size = sizes_.value(sizes_.symbol(index, name)).value_or(1);
       if (size < least)
         draft_.report.add(block.origin, block.name,
@@ -173,10 +174,8 @@ class Shapes {
 
   static void expand(DiagramBlock& block, const ParameterSpec& spec, Eigen::Index size) {
     if (size == 1) return;
-    const Value value = spec.get(block.block.get());
-    const auto& elements = std::get<Eigen::VectorXd>(value.content);
-    if (elements.size() != 1) return;
-    spec.set(block.block.get(), {Eigen::VectorXd(Eigen::VectorXd::Constant(size, elements[0]))});
+    if (std::get<Eigen::VectorXd>(spec.get(block.block.get()).content).size() != 1) return;
+    spread(block.block, spec, size);
     block.spread.push_back(static_cast<std::size_t>(&spec - block.type().parameters.data()));
   }
 

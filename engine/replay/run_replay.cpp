@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "engine/record/recorder.hpp"
+
 namespace stepwire {
 
 namespace {
@@ -49,25 +51,43 @@ std::int64_t ticks_to_replay(const Plan& plan, const std::vector<RowRange>& rows
   return std::min(ticks, plan.steps);
 }
 
+/// Ends a run behind a tick.
+class UntilTick : public RunObserver {
+ public:
+  explicit UntilTick(std::int64_t last) : last_(last) {}
+  Flow before_tick(const ObservedRun& run) override {
+    return run.simulation.tick() > last_ ? Flow::stop : Flow::go_on;
+  }
+
+ private:
+  std::int64_t last_;
+};
+
 }  // namespace
 
-std::vector<std::size_t> replay_run(Plan plan, const std::vector<Recorded>& tables,
+std::vector<std::size_t> replay_run(Simulation& simulation, const std::vector<Recorded>& tables,
                                     const std::vector<RowRange>& rows, const RunOptions& options,
                                     Verification& verification) {
-  const std::int64_t steps = std::exchange(plan.steps, ticks_to_replay(plan, rows));
-  const RunResult result = run_plan(plan, options);
-  verification.interrupted = verification.interrupted || result.interrupted;
+  const Plan& plan = simulation.plan();
+  UntilTick until(ticks_to_replay(plan, rows));
+  RunOptions own = options;
+  own.observers = {&until};
+  Changeover interpreted(Engine::interpreted, nullptr, {}, 0.0);
+  RunRecording recording(plan);
+  const RunEnd end = run_simulation(simulation, recording.recorders(), own, interpreted, 0, 0);
+  const std::vector<Recording> recordings = recording.take();
+  verification.interrupted = verification.interrupted || end.interrupted;
   if (verification.interrupted) return {};
   std::vector<std::size_t> used;
   Earliest earliest;
   for (std::size_t i = 0; i < tables.size(); ++i) {
-    const Table& computed = result.recordings[i].table;
+    const Table& computed = recordings[i].table;
     // A run that broke off before its first row has left none: these are the next one's.
     used.push_back(computed.rows() == 0 ? 0 : rows[i].count);
     verification.rows += used.back();
     if (computed.rows() > used.back())
       verification.missing_rows +=
-          static_cast<std::size_t>(steps / ticks_between_rows(plan, plan.diagram.records[i])) + 1 -
+          static_cast<std::size_t>(plan.steps / ticks_between_rows(plan, plan.diagram.records[i])) + 1 -
           used.back();
     compare(tables[i], {rows[i].first, used.back()}, computed, earliest);
   }

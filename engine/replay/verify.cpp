@@ -8,6 +8,7 @@
 #include "engine/replay/loop_replay.hpp"
 #include "engine/replay/replay_folder.hpp"
 #include "engine/replay/run_replay.hpp"
+#include "engine/replay/sweep_runs.hpp"
 #include "engine/table/file.hpp"
 
 namespace stepwire {
@@ -121,27 +122,29 @@ class Verifier {
   }
 
   void verify_run() {
-    Plan plan = plan_of(flattened_name);
+    const Plan plan = plan_of(flattened_name);
     const std::vector<Recorded> tables = read_tables(plan, 1);
     std::vector<RowRange> rows;
     for (const Recorded& table : tables) rows.push_back({0, table.table.rows()});
-    replay_run(std::move(plan), tables, rows, options_, result_);
+    Simulation simulation(plan);
+    replay_run(simulation, tables, rows, options_, result_);
   }
 
   void verify_sweep(const RunNote& note) {
     result_.runs = note.runs;
+    SweepRuns runs(folder_, note.runs, registry_);
     ColumnWords words;
     for (const std::string& parameter : note.swept) words[parameter];
     std::vector<Recorded> tables;
     std::vector<RowRange> rows;
     for (std::size_t run = 0; run < note.runs && result_.difference.empty() && !result_.interrupted; ++run) {
-      Plan plan = plan_of(flattened_name_of(run));
+      Simulation& simulation = runs.begin(run);
       if (run == 0) {
-        tables = read_tables(plan, 1 + note.swept.size(), words);
+        tables = read_tables(simulation.plan(), 1 + note.swept.size(), words);
         rows.resize(tables.size());
       }
       for (std::size_t i = 0; i < tables.size(); ++i) rows[i].count = length_of_run(tables[i], rows[i].first);
-      const auto used = replay_run(std::move(plan), tables, rows, options_, result_);
+      const auto used = replay_run(simulation, tables, rows, options_, result_);
       for (std::size_t i = 0; i < used.size(); ++i) rows[i].first += used[i];
     }
     for (std::size_t i = 0; i < tables.size() && result_.difference.empty() && !result_.interrupted; ++i)

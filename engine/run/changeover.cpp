@@ -14,13 +14,12 @@ constexpr double margin = 2.0;    // times a compilation that must be left to do
 
 }  // namespace
 
-Changeover::Changeover(Engine engine, CodeSource* source, std::vector<const Plan*> plans)
-    : source_(engine == Engine::interpreted ? nullptr : source), plans_(std::move(plans)) {
-  for (const Plan* plan : plans_) {
-    all_ticks_ += plan->steps;
-    compile_seconds_ =
-        std::max(compile_seconds_, for_headers + for_a_block * static_cast<double>(plan->blocks.size()));
-  }
+Changeover::Changeover(Engine engine, CodeSource* source, std::vector<Member> plans, double ticks)
+    : source_(engine == Engine::interpreted ? nullptr : source),
+      plans_(std::move(plans)),
+      all_ticks_(ticks) {
+  for (const Member& member : plans_)
+    compile_seconds_ += for_headers + for_a_block * static_cast<double>(member.plan->blocks.size());
   if (!source_) begun_ = true;
   if (source_ && engine == Engine::compiled && !begun_.exchange(true)) compile({});
 }
@@ -30,13 +29,17 @@ const CompiledPlan* Changeover::code(std::size_t plan) const {
 }
 
 void Changeover::compile(const std::stop_token& stop) {
-  code_ = source_->compile(plans_, stop);
-  if (code_.size() == plans_.size()) ready_.store(true, std::memory_order_release);
+  for (const Member& member : plans_) {
+    auto code = source_->compile(*member.plan, member.variable, stop);
+    if (!code) return;
+    code_.push_back(std::move(*code));
+  }
+  ready_.store(true, std::memory_order_release);
 }
 
 bool Changeover::is_worth_it(std::int64_t done) const {
   const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-  const double left = seconds * static_cast<double>(all_ticks_ - done) / static_cast<double>(done);
+  const double left = seconds * (all_ticks_ - static_cast<double>(done)) / static_cast<double>(done);
   return seconds > patience && left > margin * compile_seconds_;
 }
 

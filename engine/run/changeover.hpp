@@ -20,11 +20,18 @@ enum class Engine {
 /// Compiles the plans of some runs, at once or beside them, and hands out the code when it is there.
 class Changeover {
  public:
-  Changeover(Engine engine, CodeSource* source, std::vector<const Plan*> plans);
+  /// A plan of some runs.
+  struct Member {
+    const Plan* plan;
+    std::vector<VariableBlock> variable;  ///< what differs between its runs
+  };
+
+  /// All runs together have `ticks` to go.
+  Changeover(Engine engine, CodeSource* source, std::vector<Member> plans, double ticks);
 
   /// The code of the i-th plan; null while there is none. From any thread.
   const CompiledPlan* code(std::size_t plan) const;
-  /// Told by the runs, now and then, that so many more ticks are done. From any thread.
+  /// Notes that so many more ticks are done. From any thread.
   void done(std::int64_t ticks);
 
  private:
@@ -34,8 +41,8 @@ class Changeover {
   bool is_worth_it(std::int64_t done) const;
 
   CodeSource* source_;
-  std::vector<const Plan*> plans_;
-  std::int64_t all_ticks_ = 0;
+  std::vector<Member> plans_;
+  double all_ticks_;
   double compile_seconds_ = 0.0;
   Clock::time_point start_ = Clock::now();
   std::atomic<std::int64_t> done_ = 0;

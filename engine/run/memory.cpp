@@ -15,7 +15,7 @@ namespace stepwire {
 
 namespace {
 
-constexpr double bytes_of_number = 3 * sizeof(double);  // as recorded, as a column, as text of a file
+constexpr double bytes_of_number = 2 * sizeof(double);  // as a column, as text of a file
 
 /// The first number of a file of the system; 0 if there is none.
 double number_in(const char* file, const std::string& label = "") {
@@ -77,7 +77,7 @@ void require_memory(const Job& job) {
       all.numbers += one.numbers;
     };
     if (job.points.empty()) add(job.plan);
-    for (const SweepPoint& point : job.points) add(point.plan);
+    for (std::size_t point = 0; point < job.points.size(); ++point) add(job.plan_of(point));
     require(diagram, diagram.records[r].origin, "record", bytes_of_number * all.numbers,
             fmt::format("{:.3g} rows with {:.3g} numbers", all.rows, all.numbers),
             "give 'record' an 'every', or record fewer signals");

@@ -57,14 +57,14 @@ class Profiler {
         options_(options),
         stopwatch_(options.clock),
         simulation_(plan),
+        rows_(plan),
         stopper_(plan),
         equations_(plan.layout.state_count),
         tables_{CallTimes(plan, plan.timed), CallTimes(plan, plan.outputs), CallTimes(plan, plan.stage),
                 CallTimes(plan, plan.derivatives), CallTimes(plan, plan.updates)} {
-    for (const RecordRequest& request : plan.diagram.records) recorders_.emplace_back(plan, request);
     if (!plan.diagram.solver.empty() && plan.layout.state_count > 0)
       solver_ = make_solver(plan.diagram.solver, plan.layout.state_count);
-    recording_.resize(recorders_.size());
+    recording_.resize(recorders().size());
   }
 
   Profile run() {
@@ -79,9 +79,11 @@ class Profiler {
   }
 
  private:
+  std::vector<Recorder>& recorders() { return rows_.recorders(); }
+
   void go_back_to(const Workspace& moment) {
     simulation_.restore(moment);
-    for (Recorder& recorder : recorders_) recorder.go_back_to(moment.tick);
+    for (Recorder& recorder : recorders()) recorder.go_back_to(moment.tick);
   }
 
   /// As run_plan() does, up to a tick.
@@ -89,7 +91,7 @@ class Profiler {
     ended_ = true;
     while (true) {
       simulation_.evaluate();
-      for (Recorder& recorder : recorders_)
+      for (Recorder& recorder : recorders())
         if (simulation_.healthy()) recorder.record(simulation_.tick(), simulation_.values());
       evaluated_ = simulation_.tick() + 1;
       if (!simulation_.healthy() || simulation_.finished() || stopper_.stops(simulation_.values())) return;
@@ -113,8 +115,8 @@ class Profiler {
   }
 
   void sample_recording(std::int64_t tick) {
-    for (std::size_t i = 0; i < recorders_.size(); ++i) {
-      Recorder& recorder = recorders_[i];
+    for (std::size_t i = 0; i < recorders().size(); ++i) {
+      Recorder& recorder = recorders()[i];
       const std::int64_t own = tick / recorder.every() * recorder.every();
       recording_[i] += stopwatch_.repeated(aim, [&] {
         recorder.go_back_to(own);
@@ -176,8 +178,8 @@ class Profiler {
     if (solver_) list.push_back(other("solver", simulation_.tick(), solving_));
     list.push_back(other("finite check", evaluated_, check_));
     RunCost recording{"recording", {}};
-    for (std::size_t i = 0; i < recorders_.size(); ++i)
-      recording.cost += other("", due(evaluated_, recorders_[i].every()), recording_[i]).cost;
+    for (std::size_t i = 0; i < rows_.recorders().size(); ++i)
+      recording.cost += other("", due(evaluated_, rows_.recorders()[i].every()), recording_[i]).cost;
     list.push_back(recording);
     if (plan_.diagram.stop_when) list.push_back(other("stop condition", evaluated_, stop_));
     return list;
@@ -187,7 +189,7 @@ class Profiler {
   const ProfileOptions& options_;
   Stopwatch stopwatch_;
   Simulation simulation_;
-  std::vector<Recorder> recorders_;
+  RunRecording rows_;
   Stopper stopper_;
   std::unique_ptr<Solver> solver_;
   NoEquations equations_;

@@ -1,57 +1,45 @@
 #include "engine/run/run.hpp"
 
-#include "engine/record/recorder.hpp"
-#include "engine/run/stopper.hpp"
+#include "engine/run/drive.hpp"
 
 namespace stepwire {
 
-namespace {
-
-constexpr std::int64_t ticks_between_looks = 256;  // at the interrupt flag and the stop condition's progress
-
-}  // namespace
-
 RunResult run_plan(const Plan& plan, const RunOptions& options) {
-  Changeover changeover(options.engine, options.code, {&plan});
-  return run_plan(plan, options, changeover, 0);
+  Changeover changeover(options.engine, options.code, {{&plan, {}}}, static_cast<double>(plan.steps));
+  Simulation simulation(plan);
+  RunRecording recording(plan);
+  RunResult result{run_simulation(simulation, recording.recorders(), options, changeover, 0, 0), {}};
+  result.recordings = recording.take();
+  return result;
 }
 
-RunResult run_plan(const Plan& plan, const RunOptions& options, Changeover& changeover, std::size_t index) {
-  Simulation simulation(plan);
+RunEnd run_simulation(Simulation& simulation, std::vector<Recorder>& recorders, const RunOptions& options,
+                      Changeover& changeover, std::size_t member, std::size_t index) {
   std::int64_t changed = -1;  // tick at which compiled code took over
   const auto take_over = [&] {
-    const CompiledPlan* code = changed < 0 ? changeover.code(index) : nullptr;
-    if (!code) return;
-    simulation.use(*code);
-    changed = simulation.tick();
+    const CompiledPlan* code = simulation.compiled() ? nullptr : changeover.code(member);
+    if (code) simulation.use(*code);
+    if (changed < 0 && simulation.compiled()) changed = simulation.tick();
   };
   take_over();
-  std::vector<Recorder> recorders;
-  for (const RecordRequest& request : plan.diagram.records) recorders.emplace_back(plan, request);
-  Stopper stopper(plan);
-  RunResult result;
-  while (true) {
-    simulation.evaluate();
-    for (Recorder& recorder : recorders)
-      if (simulation.healthy()) recorder.record(simulation.tick(), simulation.values());
-    if (!simulation.healthy() || simulation.finished() || stopper.stops(simulation.values())) break;
-    simulation.advance();
-    if (!simulation.healthy()) break;
-    if (simulation.tick() % ticks_between_looks != 0) continue;
-    changeover.done(ticks_between_looks);
+  Drive drive(simulation, recorders);
+  drive.index = index;
+  drive.observers = options.observers;
+  drive.interrupt = options.interrupt;
+  drive.look = [&] {
+    changeover.done(Drive::ticks_between_looks);
     take_over();
     if (options.progress)
-      options.progress(static_cast<double>(simulation.tick()) / static_cast<double>(plan.steps));
-    result.interrupted = options.interrupt && *options.interrupt;
-    if (result.interrupted) break;
-  }
-  if (options.ended) options.ended(simulation);
-  for (const Recorder& recorder : recorders) result.recordings.push_back(recorder.take());
-  if (auto fault = simulation.fault()) result.faults.push_back(std::move(*fault));
-  result.notices = simulation.notices();
-  result.ticks = simulation.tick();
-  result.compiled_ticks = changed < 0 ? 0 : result.ticks - changed;
-  return result;
+      options.progress(static_cast<double>(simulation.tick()) /
+                       static_cast<double>(simulation.plan().steps));
+  };
+  RunEnd end;
+  end.interrupted = drive.run() == Drive::End::interrupted;
+  if (auto fault = simulation.fault()) end.faults.push_back(std::move(*fault));
+  end.notices = simulation.notices();
+  end.ticks = simulation.tick();
+  end.compiled_ticks = changed < 0 ? 0 : end.ticks - changed;
+  return end;
 }
 
 }  // namespace stepwire

@@ -27,6 +27,12 @@ std::unique_ptr<Solver> solver_of(const Plan& plan) {
                                                      fmt::format("Known are: {}", fmt::join(names, ", "))))));
 }
 
+/// One number for all elements, or one for each.
+void write(const SignalSlot& slot, const Eigen::VectorXd& value, double* values) {
+  for (Eigen::Index k = 0; k < slot.size; ++k)
+    values[slot.offset + static_cast<std::size_t>(k)] = value[value.size() == 1 ? 0 : k];
+}
+
 }  // namespace
 
 /// The continuous part of the diagram at a solver's stage.
@@ -65,6 +71,7 @@ Simulation::Simulation(const Plan& plan)
       derivatives_(plan.derivatives, blocks_.get()),
       updates_(plan.updates, blocks_.get()) {
   workspace_.values.assign(plan.layout.size, 0.0);
+  constants_ = plan.constants;
   due_.assign(plan.periods.size(), 1);
   for (int block : plan.memory_order) {
     const auto index = static_cast<std::size_t>(block);
@@ -85,9 +92,11 @@ Simulation::~Simulation() {
 
 void Simulation::bind() {
   std::size_t elements = 0;
-  for (const PlannedBlock& block : plan_.blocks)
+  for (const PlannedBlock& block : plan_.blocks) {
+    first_list_element_.push_back(elements);
     for (const auto& slots : block.inputs) elements += slots.size();
-  list_elements_.reserve(elements);  // blocks point into it, so it must not grow
+  }
+  list_elements_.resize(elements);
   for (int block : plan_.memory_order) bind_block(static_cast<std::size_t>(block));
   for (std::size_t b = 0; b < plan_.blocks.size(); ++b) {
     const auto& specs = plan_.diagram.blocks[b].type().notices;
@@ -101,11 +110,12 @@ void Simulation::bind_block(std::size_t index) {
   const PlannedBlock& planned = plan_.blocks[index];
   double* values = workspace_.values.data();
   void* block = memory(index);
+  Inputs::Element* element = list_elements_.data() + first_list_element_[index];
   for (std::size_t i = 0; i < type.inputs.size(); ++i) {
     const auto& slots = planned.inputs[i];
     if (type.inputs[i].list) {
-      const Inputs::Element* first = list_elements_.data() + list_elements_.size();
-      for (const SignalSlot& slot : slots) list_elements_.push_back({values + slot.offset, slot.size});
+      const Inputs::Element* first = element;
+      for (const SignalSlot& slot : slots) *element++ = {values + slot.offset, slot.size};
       type.inputs[i].bind_list(block, first, static_cast<Eigen::Index>(slots.size()));
     } else if (slots.empty()) {
       type.inputs[i].unbind(block);
@@ -130,8 +140,7 @@ void Simulation::reset() {
   auto& values = workspace_.values;
   std::fill(values.begin(), values.end(), 0.0);
   values[Layout::timed] = Layout::never;
-  std::copy(plan_.constants.begin(), plan_.constants.end(),
-            values.begin() + static_cast<std::ptrdiff_t>(plan_.layout.constants));
+  write_constants();
   std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(plan_.layout.notices), plan_.layout.notice_count,
               Notice::never);
   for (int block : plan_.memory_order) {
@@ -141,13 +150,24 @@ void Simulation::reset() {
     for (std::size_t s = 0; s < states.size(); ++s)
       std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(states[s].offset), states[s].size,
                   from.type().states[s].initial);
-    for (const InitialValue& initial : from.initial) {
-      const SignalSlot& slot = states[static_cast<std::size_t>(initial.state)];
-      for (Eigen::Index k = 0; k < slot.size; ++k)
-        values[slot.offset + static_cast<std::size_t>(k)] = initial.value[initial.value.size() == 1 ? 0 : k];
-    }
-    if (from.type().start) from.type().start(memory(index));
+    for (const InitialValue& initial : from.initial)
+      write(states[static_cast<std::size_t>(initial.state)], initial.value, values.data());
   }
+  for (const auto& [slot, value] : initial_) write(slot, value, values.data());
+  for (int block : plan_.memory_order) {
+    const auto index = static_cast<std::size_t>(block);
+    const BlockType& type = plan_.diagram.blocks[index].type();
+    if (type.start) type.start(memory(index));
+  }
+  compute_once();
+}
+
+void Simulation::write_constants() {
+  std::copy(constants_.begin(), constants_.end(),
+            workspace_.values.begin() + static_cast<std::ptrdiff_t>(plan_.layout.constants));
+}
+
+void Simulation::compute_once() {
   for (const Batch& batch : plan_.once) call(batch);
 }
 
@@ -156,6 +176,7 @@ void Simulation::restore(const Workspace& workspace) {
   std::copy(workspace.values.begin(), workspace.values.end(), workspace_.values.begin());
   workspace_.tick = workspace.tick;
   healthy_ = true;
+  follow_values();
 }
 
 void Simulation::write_input(std::size_t input, const double* numbers) {
@@ -216,7 +237,7 @@ void Simulation::find_due() {
 
 void Simulation::evaluate() {
   if (code_) {
-    code_->functions.evaluate(workspace_.values.data(), code_->parameters.data(), workspace_.tick);
+    code_->functions.evaluate(workspace_.values.data(), numbers_->data(), workspace_.tick);
   } else {
     workspace_.values[Layout::time] = time();
     follow_time();
@@ -228,7 +249,7 @@ void Simulation::evaluate() {
 
 void Simulation::advance() {
   if (code_) {
-    code_->functions.advance(workspace_.values.data(), code_->parameters.data(), workspace_.tick);
+    code_->functions.advance(workspace_.values.data(), numbers_->data(), workspace_.tick);
   } else {
     take_step();
   }

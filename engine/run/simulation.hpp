@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -46,8 +47,31 @@ class Simulation {
   Simulation& operator=(const Simulation&) = delete;
 
   /// From now on steps with compiled code, which must outlive this; call it between advance() and evaluate().
-  void use(const CompiledPlan& code) { code_ = &code; }
+  /// Code that does not read all that set() has changed is not used.
+  void use(const CompiledPlan& code);
   bool compiled() const { return code_ != nullptr; }
+
+  /// What set() came to.
+  enum class Setting {
+    done,
+    structure_changed  ///< the values need another plan: sizes, rates or what is wired would be others
+  };
+  /// Sets values, one for each name of a variation of the plan's diagram, between two ticks: what follows from
+  /// them is evaluated, configured and prepared as by a run that begins with these values. Where the structure
+  /// changes, or where a value is refused (throws Error), everything stays as it was. Code that does not read
+  /// one of the values is left, and the run goes on interpreted. Allocates.
+  [[nodiscard]] Setting set(const Variation& variation, std::span<const Assignment> values);
+  /// The same for one parameter ("rig.mass"), value of a block ("spring.gain") or initial value, as `--set`
+  /// reads it.
+  [[nodiscard]] Setting set(const std::string& name, const std::string& value);
+  /// The plan's diagram with the values that are set now, its blocks configured.
+  Diagram diagram() const;
+  /// Puts the values that are set now into a copy of the plan's diagram.
+  void put_values(Diagram& diagram) const;
+  /// The present value of a parameter of the diagram, by its index in Diagram::parameters.
+  const Value& parameter(std::size_t index) const;
+  /// Why the last set() needs another plan.
+  const std::string& structure_change() const { return structure_change_; }
 
   /// Puts everything at time 0.
   void reset();
@@ -69,7 +93,7 @@ class Simulation {
   void write_input(std::size_t input, const double* numbers);
   /// Who is told of a stretch of batches, from now on; null: nobody.
   void watch(BatchWatcher* watcher) { watcher_ = watcher; }
-  /// Returns to a kept moment (as it was between advance() and evaluate()).
+  /// Returns to a kept moment (as it was between advance() and evaluate()), with the values that are set now.
   void restore(const Workspace& workspace);
 
   /// Makes one call of the plan, which may be cut down to some of its blocks, at the present moment: for
@@ -85,6 +109,13 @@ class Simulation {
  private:
   class Equations;
 
+  void apply(PlanChange& change);
+  void replace(RebuiltBlock& rebuilt);
+  void write_constants();
+  /// Computes what does not change in a run.
+  void compute_once();
+  /// Writes again what follows from the values and not from the state.
+  void follow_values();
   void bind();
   void bind_block(std::size_t block);
   void* memory(std::size_t block) const { return blocks_.get() + plan_.blocks[block].memory; }
@@ -120,7 +151,10 @@ class Simulation {
   const Plan& plan_;
   std::unique_ptr<Solver> solver_;  ///< none where nothing is continuous
   Workspace workspace_;
+  std::vector<double> constants_;
+  std::vector<std::pair<SignalSlot, Eigen::VectorXd>> initial_;  ///< values that were set, in the place of the plan's
   std::vector<Inputs::Element> list_elements_;  ///< of all list inputs, in the order of blocks in memory
+  std::vector<std::size_t> first_list_element_;  ///< of each block
   std::unique_ptr<std::byte, FreeBlocks> blocks_;
   Table timed_, outputs_, stage_, derivatives_, updates_;
   std::unique_ptr<Equations> equations_;
@@ -129,6 +163,11 @@ class Simulation {
   BatchWatcher* watcher_ = nullptr;
   bool healthy_ = true;
   const CompiledPlan* code_ = nullptr;  ///< none while interpreted
+  std::optional<NumberTable> numbers_;  ///< that the code reads
+  std::optional<ParameterState> parameters_;  ///< once one is set
+  WrittenBlocks written_;                     ///< of which values were set
+  std::vector<VariableBlock> changed_;        ///< by set(), so far
+  std::string structure_change_;
 };
 
 }  // namespace stepwire

@@ -1,9 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <mutex>
-#include <thread>
 
+#include "engine/record/recorder.hpp"
 #include "engine/run/memory.hpp"
 #include "engine/run/parallel.hpp"
 #include "engine/run/pooling.hpp"
@@ -22,92 +23,112 @@ std::size_t point_count(const Sweep& sweep) {
 }
 
 /// " (in the run with speed=3)".
-std::string which_run(const SweepPoint& point) {
-  return fmt::format(" (in the run with {})", settings_text(point.settings));
+std::string which_run(const std::vector<Setting>& settings) {
+  return fmt::format(" (in the run with {})", settings_text(settings));
 }
 
-/// Hands out the points to threads one by one; a result stands at its point's place, whoever made it.
-class Pool {
+/// Gathers how the runs of a sweep ended, in their order.
+class Ends {
  public:
-  Pool(const Job& job, const RunOptions& options)
-      : job_(job),
-        options_(options),
-        results_(job.points.size()),
-        changeover_(options.engine, options.code, plans_of(job)) {}
+  explicit Ends(const Job& job) : job_(job) {}
 
-  std::vector<RunResult> run() {
-    const std::size_t wanted =
-        options_.threads ? options_.threads : std::max(1u, std::thread::hardware_concurrency());
-    {
-      const auto others = begin_threads(std::min(wanted, job_.points.size()), [this] { work(); });
-      work();
+  void add(std::size_t point, RunEnd end) {
+    const std::lock_guard lock(mutex_);
+    for (RunFault& fault : end.faults) {
+      fault.fault.message += which_run(job_.settings_of(point));
+      faults_.emplace(point, std::move(fault));
     }
-    if (failure_) std::rethrow_exception(failure_);
-    return std::move(results_);
+    std::size_t order = 0;
+    for (RaisedNotice& notice : end.notices) {
+      const std::pair place{point, order++};
+      const auto [known, is_new] = notices_.try_emplace({notice.block, notice.text}, place, notice);
+      if (!is_new && place < known->second.first) known->second = {place, std::move(notice)};
+    }
+    all_.interrupted = all_.interrupted || end.interrupted;
+    all_.ticks += end.ticks;
+    all_.compiled_ticks += end.compiled_ticks;
+  }
+
+  RunEnd take() {
+    for (auto& [point, fault] : faults_) all_.faults.push_back(std::move(fault));
+    std::vector<std::pair<Place, RaisedNotice>> notices;
+    for (auto& [key, notice] : notices_) notices.push_back(std::move(notice));
+    std::ranges::stable_sort(notices, {}, [](const auto& notice) { return notice.first; });
+    for (auto& [point, notice] : notices) all_.notices.push_back(std::move(notice));
+    return std::move(all_);
   }
 
  private:
-  void work() {
-    RunOptions own;
-    own.interrupt = options_.interrupt;
-    for (std::size_t point = next_++; point < job_.points.size(); point = next_++) {
-      try {
-        results_[point].interrupted =
-            own.interrupt && *own.interrupt;  // nothing is kept of what has not begun
-        if (!results_[point].interrupted)
-          results_[point] = run_plan(job_.points[point].plan, own, changeover_, point);
-      } catch (...) {
-        const std::lock_guard lock(mutex_);
-        failure_ = std::current_exception();
-      }
-      const std::lock_guard lock(mutex_);
-      if (options_.progress)
-        options_.progress(static_cast<double>(++done_) / static_cast<double>(job_.points.size()));
-    }
+  using Place = std::pair<std::size_t, std::size_t>;  ///< point, and which of its notices
+
+  const Job& job_;
+  std::mutex mutex_;
+  RunEnd all_;
+  std::map<std::size_t, RunFault> faults_;
+  std::map<std::pair<std::string, std::string>, std::pair<Place, RaisedNotice>> notices_;
+};
+
+/// All points of a job.
+class SweepRun {
+ public:
+  SweepRun(const Job& job, const RunOptions& options)
+      : job_(job),
+        options_(options),
+        swept_(job),
+        recording_(job, swept_, options.threads),
+        ends_(job),
+        idle_(*job.family),
+        changeover_(options.engine, options.code, members_of(job), ticks_of(job)) {}
+
+  RunResult run() {
+    in_parallel(job_.points.size(), options_.threads, [this](std::size_t point) { run_point(point); });
+    return {ends_.take(), recording_.take()};
   }
 
-  static std::vector<const Plan*> plans_of(const Job& job) {
-    std::vector<const Plan*> plans;
-    for (const SweepPoint& point : job.points) plans.push_back(&point.plan);
-    return plans;
+ private:
+  static std::vector<Changeover::Member> members_of(const Job& job) {
+    std::vector<Changeover::Member> members;
+    for (std::size_t m = 0; m < job.family->size(); ++m)
+      members.push_back({&job.family->plan(m), job.family->variable(m)});
+    return members;
+  }
+
+  static double ticks_of(const Job& job) {
+    double ticks = 0.0;
+    for (std::size_t point = 0; point < job.points.size(); ++point)
+      ticks += static_cast<double>(job.plan_of(point).steps);
+    return ticks;
+  }
+
+  void run_point(std::size_t point) {
+    if (options_.interrupt && *options_.interrupt) {  // nothing is kept of what has not begun
+      RunEnd end;
+      end.interrupted = true;
+      return ends_.add(point, std::move(end));
+    }
+    const std::size_t member = job_.points[point].member;
+    auto run = idle_.take(member);
+    job_.family->begin(member, job_.settings_of(point), *run);
+    std::vector<Recorder> recorders = recording_.recorders(point);
+    RunOptions own;
+    own.interrupt = options_.interrupt;
+    own.observers = options_.observers;
+    ends_.add(point, run_simulation(*run, recorders, own, changeover_, member, point));
+    recording_.done(point, recorders);
+    idle_.give_back(member, std::move(run));
+    const double done = static_cast<double>(++done_);
+    if (options_.progress) options_.progress(done / static_cast<double>(job_.points.size()));
   }
 
   const Job& job_;
   const RunOptions& options_;
-  std::vector<RunResult> results_;
+  SweptColumns swept_;
+  PooledRecording recording_;
+  Ends ends_;
+  IdleRuns idle_;
   Changeover changeover_;
-  std::atomic<std::size_t> next_ = 0;
-  std::size_t done_ = 0;
-  std::mutex mutex_;
-  std::exception_ptr failure_;
+  std::atomic<std::size_t> done_ = 0;
 };
-
-RunResult pool(const Job& job, std::vector<RunResult> results) {
-  const SweptColumns swept(job);
-  RunResult all;
-  all.recordings.resize(job.plan.diagram.records.size());
-  for (std::size_t point = 0; point < results.size(); ++point) {
-    RunResult& one = results[point];
-    for (std::size_t r = 0; r < one.recordings.size(); ++r) {
-      swept.add(one.recordings[r], point);
-      append_runs(all.recordings[r], std::move(one.recordings[r]));
-    }
-    for (RunFault& fault : one.faults) {
-      fault.fault.message += which_run(job.points[point]);
-      all.faults.push_back(std::move(fault));
-    }
-    for (RaisedNotice& notice : one.notices) {
-      const bool told = std::any_of(all.notices.begin(), all.notices.end(), [&](const RaisedNotice& n) {
-        return n.block == notice.block && n.text == notice.text;
-      });
-      if (!told) all.notices.push_back(std::move(notice));
-    }
-    all.interrupted = all.interrupted || one.interrupted;
-    all.ticks += one.ticks;
-    all.compiled_ticks += one.compiled_ticks;
-  }
-  return all;
-}
 
 /// What is set from outside is not swept any more: each run has that value.
 void pin(Sweep& sweep, const std::vector<Setting>& settings) {
@@ -120,45 +141,45 @@ void pin(Sweep& sweep, const std::vector<Setting>& settings) {
     }
 }
 
-std::vector<Setting> settings_of(const Sweep& sweep, std::size_t point, const std::string& file) {
-  std::vector<Setting> settings;
-  const auto index = indices_of(sweep, point);
-  for (std::size_t axis = 0; axis < sweep.axes.size(); ++axis) {
-    const Sweep::Axis& swept = sweep.axes[axis];
-    settings.push_back({swept.parameter, swept.values[index[axis]], file, swept.marks[index[axis]]});
-  }
-  return settings;
-}
-
-Plan plan_point(Loader& loader, const std::string& path, std::vector<Setting> settings,
-                const SweepPoint& point) {
-  settings.insert(settings.end(), point.settings.begin(), point.settings.end());
+std::size_t member_for(PlanFamily& family, const std::vector<Setting>& settings) {
   try {
-    return make_plan(loader.load_point(path, settings));
+    return family.find(settings);
   } catch (const Error& error) {
     std::vector<Fault> faults = error.faults();
-    for (Fault& fault : faults) fault.message += which_run(point);
+    for (Fault& fault : faults) fault.message += which_run(settings);
     throw Error(std::move(faults));
   }
 }
 
 }  // namespace
 
+std::vector<Setting> Job::settings_of(std::size_t point) const {
+  if (trials) return points[point].own;
+  std::vector<Setting> settings;
+  const Diagram& diagram = plan.diagram;
+  const auto index = indices_of(*diagram.sweep, point);
+  for (std::size_t axis = 0; axis < diagram.sweep->axes.size(); ++axis) {
+    const Sweep::Axis& swept = diagram.sweep->axes[axis];
+    settings.push_back({swept.parameter, swept.values[index[axis]], diagram.file, swept.marks[index[axis]]});
+  }
+  settings.insert(settings.end(), points[point].own.begin(), points[point].own.end());
+  return settings;
+}
+
 Job make_job(Loader& loader, const std::string& path, const std::vector<Setting>& settings,
              std::optional<std::string> stop, const PointSettings& of_points) {
   std::vector<Setting> all = settings;
   if (stop) all.push_back({"stop", *stop, "--stop " + *stop});
-  Job job{make_plan(loader.load(path, all)), {}};
+  Job job{make_plan(loader.load(path, all)), {}, {}};
   require_solver_memory(job.plan);
   static_cast<void>(Simulation(job.plan));  // a block's start() may find what no plan shows
   auto& sweep = job.plan.diagram.sweep;
   if (sweep) pin(*sweep, all);
+  if (sweep && !sweep->axes.empty())
+    job.family = std::make_shared<PlanFamily>(loader, path, std::move(all), job.plan);
   for (std::size_t point = 0; sweep && point < point_count(*sweep); ++point) {
-    SweepPoint made{settings_of(*sweep, point, job.plan.diagram.file), {}};
-    if (point < of_points.size())
-      made.settings.insert(made.settings.end(), of_points[point].begin(), of_points[point].end());
-    made.plan = plan_point(loader, path, all, made);
-    job.points.push_back(std::move(made));
+    job.points.push_back({0, point < of_points.size() ? of_points[point] : std::vector<Setting>{}});
+    job.points.back().member = member_for(*job.family, job.settings_of(point));
   }
   require_memory(job);
   return job;
@@ -169,8 +190,7 @@ std::vector<Column> swept_columns(const Job& job, std::size_t point) {
 }
 
 RunResult run_job(const Job& job, const RunOptions& options) {
-  if (job.points.empty()) return run_plan(job.plan, options);
-  return pool(job, Pool(job, options).run());
+  return job.points.empty() ? run_plan(job.plan, options) : SweepRun(job, options).run();
 }
 
 }  // namespace stepwire

@@ -144,7 +144,8 @@ Experiments perform(TrialRuns& runs, const StudyRequest& request, const Job& job
   for (std::size_t study = 0; study < experiments.size(); ++study) {
     Experiment& experiment = experiments[study];
     experiment.seed = seed;
-    if (!job.points.empty()) experiment.sets = job.points[study].settings;
+    experiment.family = runs.family();
+    if (!job.points.empty()) experiment.sets = job.settings_of(study);
     std::ranges::stable_sort(experiment.runs, {},
                              [](const TrialRun& run) { return std::pair(run.subject, run.condition); });
     for (const TrialRun& run : experiment.runs) experiment.trials.push_back(trial_of(run, request));

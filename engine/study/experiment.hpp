@@ -14,6 +14,7 @@ namespace stepwire {
 struct Experiment {
   std::uint64_t seed = 0;
   std::vector<Setting> sets;   ///< values of the point of the file's sweep; empty without one
+  std::shared_ptr<PlanFamily> family;  ///< of the runs
   std::vector<TrialRun> runs;  ///< of the trials, in their order; empty where they were recorded
   std::vector<Trial> trials;   ///< by subject, conditions in the order of the request
   PathErrors errors;           ///< one row for each trial, in their order

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <system_error>
 
+#include "engine/record/recorder.hpp"
 #include "engine/run/parallel.hpp"
 #include "engine/run/pooling.hpp"
 
@@ -30,12 +32,16 @@ std::size_t study_count(const Job& job) {
   return std::max<std::size_t>(1, job.points.size());
 }
 
-const Diagram& diagram_of(const Job& job, std::size_t study) {
-  return job.points.empty() ? job.plan.diagram : job.points[study].plan.diagram;
+
+Diagram diagram_of(const Job& job, std::size_t study) {
+  if (job.points.empty()) return job.plan.diagram;
+  Simulation run(job.plan_of(study));
+  job.family->begin(job.points[study].member, job.settings_of(study), run);
+  return run.diagram();
 }
 
 std::string with_swept(const Job& job, std::size_t study) {
-  return job.points.empty() ? "" : " with " + settings_text(job.points[study].settings);
+  return job.points.empty() ? "" : " with " + settings_text(job.settings_of(study));
 }
 
 std::string name_of(const TrialRun& trial, const StudyRequest& request) {
@@ -55,37 +61,31 @@ std::uint64_t drawn_number(std::initializer_list<std::uint64_t> from) {
 }
 
 TrialRuns::TrialRuns(TrialSource source, const StudyRequest& request, const Job& job)
-    : source_(std::move(source)), request_(request), job_(job) {
-  if (source_.engine != Engine::interpreted)
-    code_ = std::make_unique<TrialCode>(*source_.code, probes(), source_.engine == Engine::automatic);
+    : source_(std::move(source)),
+      request_(request),
+      job_(job),
+      family_(std::make_shared<PlanFamily>(source_.loader, source_.file, source_.settings, job.plan)) {
+  if (source_.engine == Engine::automatic) compile_ahead();
 }
 
-/// Other people, noises and circles under each condition of each study, of the first one twice.
-std::vector<Plan> TrialRuns::probes() {
-  std::vector<Plan> probes;
-  const std::size_t conditions = request_.conditions.size();
-  for (std::size_t i = 0; i < conditions * (1 + study_count(job_)); ++i) {
-    const std::size_t round = i / conditions;
-    add_probe(most + i, {.study = round == 0 ? 0 : round - 1, .subject = i + 1, .condition = i % conditions},
-              probes);
-  }
-  return probes;
-}
-
-void TrialRuns::add_probe(std::uint64_t seed, TrialRun probe, std::vector<Plan>& probes) {
-  Circles circles;
-  const auto number = [&](const std::string& name) {
-    return std::get<double>(parameter_of(job_.plan.diagram, name).value.content);
+/// What a trial under each condition needs, so that the code is there soon after the first trials begin. They
+/// find it by its text.
+void TrialRuns::compile_ahead() {
+  struct Wanted {
+    const Plan* plan;
+    std::vector<VariableBlock> variable;
   };
-  const double aside = 1e-5 * static_cast<double>(probe.subject);
-  if (request_.circle)
-    circles[{probe.study, probe.subject}] = {
-        {number(request_.circle->x) + aside, number(request_.circle->y) + aside},
-        number(request_.circle->radius) + aside};
+  std::vector<Wanted> wanted;
+  for (std::size_t condition = 0; condition < request_.conditions.size(); ++condition) {
+    const TrialRun trial{.study = 0, .subject = request_.subjects.front(), .condition = condition};
+    const std::size_t member = family_->find(settings_of(request_.seed, trial, {}));
+    wanted.push_back({&family_->plan(member), family_->variable(member)});
+  }
   try {
-    plan(seed, probe, circles);
-    probes.push_back(std::move(probe.point.plan));
-  } catch (const Error&) {  // a diagram may refuse what no trial will ask of it
+    ahead_ = std::jthread([this, wanted](const std::stop_token& stop) {
+      for (const Wanted& one : wanted) source_.code->compile(*one.plan, one.variable, stop);
+    });
+  } catch (const std::system_error&) {  // without a thread for it nothing is compiled ahead
   }
 }
 
@@ -93,7 +93,7 @@ std::vector<Setting> TrialRuns::settings_of(std::uint64_t seed, const TrialRun& 
                                             const Circles& circles) const {
   const StudyCondition& condition = request_.conditions[trial.condition];
   std::vector<Setting> settings;
-  if (!job_.points.empty()) settings = job_.points[trial.study].settings;
+  if (!job_.points.empty()) settings = job_.settings_of(trial.study);
   settings.insert(settings.end(), condition.settings.begin(), condition.settings.end());
   const auto set = [&](const std::string& parameter, const std::string& value) {
     settings.push_back({parameter, value, request_.place.file, request_.place.mark});
@@ -113,11 +113,9 @@ std::vector<Setting> TrialRuns::settings_of(std::uint64_t seed, const TrialRun& 
 }
 
 void TrialRuns::plan(std::uint64_t seed, TrialRun& trial, const Circles& circles) {
-  trial.point.settings = settings_of(seed, trial, circles);
-  std::vector<Setting> all = source_.settings;
-  all.insert(all.end(), trial.point.settings.begin(), trial.point.settings.end());
+  trial.point.own = settings_of(seed, trial, circles);
   try {
-    trial.point.plan = make_plan(source_.loader.load_point(source_.file, all));
+    trial.point.member = family_->find(trial.point.own);
   } catch (const Error& error) {
     std::vector<Fault> faults = error.faults();
     for (Fault& fault : faults)
@@ -138,25 +136,41 @@ void TrialRuns::note_end(const Simulation& run, TrialRun& trial) const {
 }
 
 void TrialRuns::run_all(std::vector<TrialRun*>& trials, const std::function<void()>& told) {
-  std::vector<const Plan*> plans;
-  for (const TrialRun* trial : trials) plans.push_back(&trial->point.plan);
-  Changeover changeover(source_.engine, code_.get(), plans);
+  std::vector<Changeover::Member> members;
+  for (std::size_t m = 0; m < family_->size(); ++m)
+    members.push_back({&family_->plan(m), family_->variable(m)});
+  double ticks = 0.0;
+  for (const TrialRun* trial : trials)
+    ticks += static_cast<double>(family_->plan(trial->point.member).steps);
+  Changeover changeover(source_.engine, source_.code, std::move(members), ticks);
+  IdleRuns idle(*family_);
   in_parallel(trials.size(), source_.threads, [&](std::size_t i) {
     TrialRun& trial = *trials[i];
-    RunOptions options;
-    options.interrupt = source_.interrupt;
-    options.ended = [&](const Simulation& run) { note_end(run, trial); };
-    trial.result.interrupted = options.interrupt && *options.interrupt;
+    trial.result.interrupted = source_.interrupt && *source_.interrupt;
     if (trial.result.interrupted) return;
-    trial.result = run_plan(trial.point.plan, options, changeover, i);
-    const auto& faults = trial.result.faults;
-    trial.done = faults.empty() && trial.result.ticks < trial.point.plan.steps;
-    if (!trial.done && !trial.result.interrupted)
-      trial.failures.push_back(faults.empty()
-                                   ? fmt::format("not done within {:g} s", trial.point.plan.diagram.stop)
-                                   : faults.front().fault.subject + ": " + faults.front().fault.message);
+    run_one(trial, idle, changeover);
     if (told) told();
   });
+}
+
+void TrialRuns::run_one(TrialRun& trial, IdleRuns& idle, Changeover& changeover) {
+  const std::size_t member = trial.point.member;
+  auto run = idle.take(member);
+  family_->begin(member, trial.point.own, *run);
+  RunRecording recording(run->plan());
+  RunOptions options;
+  options.interrupt = source_.interrupt;
+  static_cast<RunEnd&>(trial.result) =
+      run_simulation(*run, recording.recorders(), options, changeover, member, 0);
+  trial.result.recordings = recording.take();
+  note_end(*run, trial);
+  const auto& faults = trial.result.faults;
+  trial.done = faults.empty() && trial.result.ticks < run->plan().steps;
+  if (!trial.done && !trial.result.interrupted)
+    trial.failures.push_back(faults.empty()
+                                 ? fmt::format("not done within {:g} s", run->plan().diagram.stop)
+                                 : faults.front().fault.subject + ": " + faults.front().fault.message);
+  idle.give_back(member, std::move(run));
 }
 
 std::vector<TrialRun> TrialRuns::run(std::uint64_t seed, std::vector<TrialRun> trials, const Circles& circles,

@@ -5,13 +5,13 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
 #include "engine/run/run.hpp"
 #include "engine/statistics/circle.hpp"
 #include "engine/study/study_request.hpp"
-#include "engine/study/trial_code.hpp"
 
 namespace stepwire {
 
@@ -34,7 +34,7 @@ struct TrialRun {
   std::size_t attempts = 1;
   bool done = false;                    ///< by `stop_when`; else no attempt was
   std::vector<std::string> failures{};  ///< why each attempt before the last, or all of them, failed
-  SweepPoint point{};
+  SweepPoint point{};  ///< of TrialRuns::family(): the settings of this run
   RunResult result{};
   double end = 0.0;                                     ///< when it was done [s]
   Eigen::Vector2d end_point = Eigen::Vector2d::Zero();  ///< and where [m], which need not be a recorded row
@@ -46,7 +46,7 @@ std::string name_of(const TrialRun& trial, const StudyRequest& request);
 /// The studies that a file asks for: one for each point of its sweep, or the one without.
 std::size_t study_count(const Job& job);
 /// The diagram of one of them, with the values of its point.
-const Diagram& diagram_of(const Job& job, std::size_t study);
+Diagram diagram_of(const Job& job, std::size_t study);
 /// What sets it apart: " with half_width=1 mm, offset=5 N"; empty where there is no sweep.
 std::string with_swept(const Job& job, std::size_t study);
 
@@ -54,7 +54,7 @@ std::string with_swept(const Job& job, std::size_t study);
 /// trial, the order of the conditions.
 std::uint64_t drawn_number(std::initializer_list<std::uint64_t> from);
 
-/// Runs trials of a file in parallel. One compilation serves them all: they differ in numbers only.
+/// Runs trials of a file in parallel. Trials that differ in numbers share a plan and a compilation.
 class TrialRuns {
  public:
   /// The circles that the first trials of task 1 give, by study and subject.
@@ -69,18 +69,22 @@ class TrialRuns {
   std::vector<TrialRun> run(std::uint64_t seed, std::vector<TrialRun> trials, const Circles& circles,
                             const std::function<void()>& told = {});
 
+  /// The plans of the trials.
+  const std::shared_ptr<PlanFamily>& family() const { return family_; }
+
  private:
   std::vector<Setting> settings_of(std::uint64_t seed, const TrialRun& trial, const Circles& circles) const;
   void plan(std::uint64_t seed, TrialRun& trial, const Circles& circles);
+  void compile_ahead();
   void run_all(std::vector<TrialRun*>& trials, const std::function<void()>& told);
+  void run_one(TrialRun& trial, IdleRuns& idle, Changeover& changeover);
   void note_end(const Simulation& run, TrialRun& trial) const;
-  std::vector<Plan> probes();
-  void add_probe(std::uint64_t seed, TrialRun probe, std::vector<Plan>& probes);
 
   TrialSource source_;
   const StudyRequest& request_;
   const Job& job_;
-  std::unique_ptr<TrialCode> code_;  ///< null: interpreted
+  std::shared_ptr<PlanFamily> family_;
+  std::jthread ahead_;  ///< compiles beside the first trials; last: it uses the others
 };
 
 }  // namespace stepwire

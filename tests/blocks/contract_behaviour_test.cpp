@@ -1,6 +1,8 @@
 // What every block must do in a run, whatever it computes; checked in diagrams made from the declarations.
 #include <catch2/catch.hpp>
 
+#include "engine/diagram/flatten.hpp"
+#include "engine/document/yaml_text.hpp"
 #include "tests/blocks/contract_rig.hpp"
 #include "tests/support/allocations.hpp"
 
@@ -108,5 +110,30 @@ TEST_CASE("a run goes on from a kept moment with the same bits, also in another 
     fresh.restore(kept);
     run_to(fresh, plan.steps);
     CHECK(same_bits(numbers_of(fresh), end));
+  });
+}
+
+TEST_CASE("a parameter that is set in a run to the value that it has changes nothing") {
+  for_every_plan([](const Plan& plan) {
+    const std::size_t tested = tested_in(plan);
+    const BlockType& type = plan.diagram.blocks[tested].type();
+    Simulation untouched(plan);
+    run_to(untouched, plan.steps / 2);
+    const Workspace kept = untouched.workspace();
+    run_to(untouched, plan.steps);
+    for (std::size_t p = 0; p < type.parameters.size(); ++p) {
+      const Target target{Target::Kind::parameter, static_cast<int>(tested), static_cast<int>(p), 0};
+      const auto value = flattened_value(plan.diagram, target, absolute_path);
+      if (!value) continue;
+      INFO(name_of(plan.diagram, target) << ": " << yaml_line(*value));
+      Simulation run(plan);
+      run.restore(kept);
+      const Variation variation(plan.diagram, {name_of(plan.diagram, target)});
+      const Assignment assignment{variation.names()[0].text, *value, "test"};
+      const bool done = run.set(variation, {&assignment, 1}) == Simulation::Setting::done;
+      CHECK(done != type.file_output);
+      run_to(run, plan.steps);
+      CHECK(same_bits(numbers_of(run), numbers_of(untouched)));
+    }
   });
 }

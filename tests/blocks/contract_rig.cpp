@@ -216,8 +216,8 @@ bool feeds_through(const Plan& plan, std::size_t input, std::size_t output) {
   AnyBlock copy = block.block;
   Configure is(connected, plan.diagram.step, counts);
   type.configure(copy.get(), is);
-  const auto said = is.feedthrough().find({type.inputs[input].name, type.outputs[output].name});
-  return said == is.feedthrough().end() ? type.inputs[input].feedthrough : said->second;
+  const auto said = is.answers().feedthrough.find({type.inputs[input].name, type.outputs[output].name});
+  return said == is.answers().feedthrough.end() ? type.inputs[input].feedthrough : said->second;
 }
 
 std::vector<double> numbers_of(const Simulation& simulation) {

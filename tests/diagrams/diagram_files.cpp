@@ -25,12 +25,17 @@ std::vector<std::string> files_to_run() {
 
 }  // namespace
 
+Plan plan_at(const Job& job, std::size_t point) {
+  static const Registry registry = all_blocks();
+  return make_plan(Loader(registry).load_point(job.plan.diagram.file, job.settings_of(point)));
+}
+
 void for_every_diagram(const std::function<void(const Plan& plan)>& check) {
   for_every_job([&](const Job& job) {
     check(job.plan);
     if (job.points.empty()) return;
-    check(job.points.front().plan);
-    check(job.points.back().plan);
+    check(plan_at(job, 0));
+    check(plan_at(job, job.points.size() - 1));
   });
 }
 

@@ -11,6 +11,9 @@ namespace stepwire {
 /// whose data are not on this machine are passed over with a warning.
 void for_every_job(const std::function<void(Job job)>& check);
 
+/// The plan of a point of a sweep, loaded with the values of the point.
+Plan plan_at(const Job& job, std::size_t point);
+
 /// The same with the plan of each, and those of the first and the last point of its sweep.
 void for_every_diagram(const std::function<void(const Plan& plan)>& check);
 

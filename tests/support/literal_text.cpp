@@ -12,6 +12,8 @@ namespace {
 
 class PlainWriter final : public LiteralWriter {
  public:
+  std::string whole(std::int64_t value) override { return std::to_string(value); }
+  std::string natural(std::uint64_t value) override { return std::to_string(value) + "u"; }
   std::string number(double value) override { return fmt::format("{}", value); }
   std::string flag(bool value) override { return value ? "true" : "false"; }
   std::string enumerator(int value, const std::string& type) override {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "engine/block/declare.hpp"
+#include "engine/generate/literals.hpp"
 #include "tests/support/plan_text.hpp"
 
 using namespace stepwire;
@@ -83,14 +84,23 @@ TEST_CASE("a small program is written out, and a large one of like blocks become
   CHECK(count_of(program_of(gains(500)), "Gain b;") == 1);
 }
 
-TEST_CASE("numbers that vary become parameters, those of blocks first and then those that feed inputs") {
-  const Plan plan = plan_text("blocks:\n  half: {block: Gain, gain: 0.5, u: 1}\n");
-  const GeneratedProgram plain = make_program(plan);
-  REQUIRE(plain.parameters.numbers == std::vector<double>{0.5, 1.0});  // the gain, and what feeds it
-  const Varying varying{true, true};
-  const std::string text = make_program(plan, &varying).text;
-  CHECK_THAT(text, Contains("b.gain = parameters[0];"));
-  CHECK_THAT(text, Contains("] = parameters[1];"));
+TEST_CASE("numbers that a parameter changes are read from the run, all others are written") {
+  const Plan plan = plan_text(
+      "parameters: {k: 0.5}\nblocks:\n  half: {block: Gain, gain: $k, u: 1}\n"
+      "  third: {block: Gain, gain: 0.25, u: half}\n");
+  const auto variable = variable_blocks(plan, Variation(plan.diagram, {"k"}));
+  const std::string text = make_steps(plan, variable).text;
+  CHECK(text.find("b.gain = numbers[") == std::string::npos);  // what is constant is computed once, elsewhere
+  const Plan moving = plan_text(
+      "parameters: {k: 0.5}\nblocks:\n  wave: {block: Sine}\n  half: {block: Gain, gain: $k, u: wave}\n"
+      "  third: {block: Gain, gain: 0.25, u: half}\n");
+  const std::string moved = make_steps(moving, variable_blocks(moving, Variation(moving.diagram, {"k"}))).text;
+  CHECK_THAT(moved, Contains("b.gain = numbers[0];"));
+  CHECK_THAT(moved, Contains("b.gain = 0.25;"));
+  const NumberTable numbers(moving, variable_blocks(moving, Variation(moving.diagram, {"k"})),
+                            [&](std::size_t b) { return moving.diagram.blocks[b].block.get(); });
+  REQUIRE(numbers.size() == 1);
+  CHECK(numbers.data()[0] == 0.5);
 }
 
 TEST_CASE("lists of any length share a program where they vary") {
@@ -100,17 +110,19 @@ TEST_CASE("lists of any length share a program where they vary") {
       points += (i == 0 ? "" : ", ") + std::to_string(i);
       values += (i == 0 ? "" : ", ") + std::to_string(i * i);
     }
-    return plan_text("blocks:\n  curve: {block: LookupTable, u: 1, points: [" + points + "], values: [" +
-                     values + "]}\n");
+    return plan_text("parameters: {x: [" + points + "], y: [" + values +
+                     "]}\nblocks:\n  wave: {block: Sine}\n"
+                     "  curve: {block: LookupTable, u: wave, points: $x, values: $y}\n");
   };
   const Plan one = plan_of(100), other = plan_of(300);
-  const ProgramNumbers first = make_program(one).parameters, second = make_program(other).parameters;
-  REQUIRE(first.singles() == second.singles());
-  CHECK(first.numbers.size() == first.singles() + 200);
-  CHECK(second.numbers.size() == second.singles() + 600);
-  const Varying varying(first.singles(), true);
-  CHECK(make_program(one, &varying).text == make_program(other, &varying).text);
-  CHECK(make_program(one, &varying).text.find("constexpr double curve") == std::string::npos);
+  const auto variable = variable_blocks(one, Variation(one.diagram, {"x", "y"}));
+  const auto size_of = [&](const Plan& plan) {
+    return NumberTable(plan, variable, [&](std::size_t b) { return plan.diagram.blocks[b].block.get(); })
+        .size();
+  };
+  CHECK(size_of(other) == size_of(one) + 400);
+  CHECK(make_steps(one, variable).text == make_steps(other, variable).text);
+  CHECK(make_steps(one, variable).text.find("constexpr double curve") == std::string::npos);
 }
 
 TEST_CASE("the same diagram gives the same text") {

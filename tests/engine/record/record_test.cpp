@@ -44,11 +44,12 @@ TEST_CASE("a recording that no memory holds is refused before the run") {
 
 TEST_CASE("a recorder that goes back replaces what it kept from there on") {
   const Plan plan = plan_text("blocks:\n  t: {block: Clock}\nstop: 9 s\nrecord: {every: 2 s, signals: t}\n");
-  Recorder recorder(plan, plan.diagram.records.front());
+  RunRecording recording(plan);
+  Recorder& recorder = recording.recorders().front();
   std::vector<double> values(plan.layout.size, 1.0);
   for (std::int64_t tick = 0; tick <= 9; ++tick) recorder.record(tick, values.data());
   recorder.go_back_to(3);
   values.assign(values.size(), 2.0);
   for (std::int64_t tick = 3; tick <= 7; ++tick) recorder.record(tick, values.data());
-  CHECK(column(recorder.take().table, "t") == std::vector<double>{1, 1, 2, 2});  // at 0, 2, 4 and 6 s
+  CHECK(column(recording.take().front().table, "t") == std::vector<double>{1, 1, 2, 2});  // at 0, 2, 4 and 6 s
 }

@@ -82,7 +82,7 @@ TEST_CASE("data of the data folder are found beside the flattened diagram withou
   if (before) ::setenv("STEPWIRE_DATA", kept.c_str(), 1);
 }
 
-TEST_CASE("a sweep leaves one diagram for each run, in its order, and each data file once") {
+TEST_CASE("a sweep leaves one diagram, a row for what each run sets in it, and each data file once") {
   const DiagramFolder folder;
   folder.write("low.csv", rows(2));
   folder.write("high.csv", rows(6));
@@ -93,12 +93,32 @@ sweep: {file: [low.csv, high.csv], gain: [1, 10]}
 )");
   const Job job = job_of(folder, "main.yaml");
   write_replay(folder.path("out"), job);
-  CHECK(names_in(folder.path("out")) == std::set<std::string>{"diagrams", "inputs"});
-  CHECK(names_in(folder.path("out/diagrams")) ==
-        std::set<std::string>{"0001.yaml", "0002.yaml", "0003.yaml", "0004.yaml"});
+  CHECK(names_in(folder.path("out")) == std::set<std::string>{"diagram.yaml", "sweep.csv", "inputs"});
   CHECK(names_in(folder.path("out/inputs")) == std::set<std::string>{"low.csv", "high.csv"});
-  CHECK(folder.run("out/diagrams/0002.yaml").columns.at(1).values.back() == 20.0);
-  CHECK(folder.run("out/diagrams/0003.yaml").columns.at(1).values.back() == 6.0);
+  CHECK(read_file(folder.path("out/sweep.csv")) ==
+        "a.file,b.gain\ninputs/low.csv,1\ninputs/low.csv,10\ninputs/high.csv,1\ninputs/high.csv,10\n");
+}
+
+TEST_CASE("runs of another structure have a diagram of their own") {
+  const DiagramFolder folder;
+  folder.write("main.yaml", head + R"(parameters: {gain: 1, rows: 1}
+blocks: {a: {block: Constant, value: $rows}, b: {block: Gain, u: a, gain: $gain}}
+record: b
+sweep: {rows: [1, "= 2 + 3"], gain: [1, 10]}
+)");
+  const Job job = job_of(folder, "main.yaml");
+  CHECK(job.family->size() == 1);
+  folder.write("times.yaml", head + R"(parameters: {gain: 1}
+blocks: {a: {block: Constant, value: 1}, b: {block: Gain, u: a, gain: $gain}}
+record: b
+sweep: {step: [0.5 s, 1 s], gain: [1, 10]}
+)");
+  write_replay(folder.path("out"), job_of(folder, "times.yaml"));
+  CHECK(names_in(folder.path("out")) == std::set<std::string>{"diagrams", "sweep.csv"});
+  CHECK(names_in(folder.path("out/diagrams")) == std::set<std::string>{"0001.yaml", "0002.yaml"});
+  CHECK(read_file(folder.path("out/sweep.csv")) ==
+        "diagram,b.gain\ndiagrams/0001.yaml,1\ndiagrams/0001.yaml,10\ndiagrams/0002.yaml,1\n"
+        "diagrams/0002.yaml,10\n");
 }
 
 TEST_CASE("a run of what was left may be left in the same folder") {
