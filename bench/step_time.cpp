@@ -21,13 +21,14 @@ namespace {
 void run_diagram(benchmark::State& bench, const Plan& plan, const CompiledPlan* code = nullptr) {
   Simulation simulation(plan);
   if (code) simulation.use(*code);
-  Recorder recorder(plan, plan.diagram.records.front());
+  RunRecording recording(plan);
+  Recorder& recorder = recording.recorders().front();
   const Workspace start = simulation.workspace();
   for (auto _ : bench) {
     if (simulation.finished()) {
       bench.PauseTiming();
       simulation.restore(start);
-      recorder = Recorder(plan, plan.diagram.records.front());
+      recorder.go_back_to(0);
       bench.ResumeTiming();
     }
     simulation.evaluate();
