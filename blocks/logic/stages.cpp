@@ -18,15 +18,13 @@ class Successor final : public Function::Source {
     for (const Stage& stage : stages) to_.push_back(stage.to);
   }
 
-  double operator()(const double* v) override {
+  double operator()(const double* v) const override {
     const double now = v[place_of_stage_];
     for (const Transition& transition : to_[static_cast<std::size_t>(now)])
       if (transition.guard.formula(v, transition.guard.places) != 0.0)
         return static_cast<double>(transition.target);
     return now;
   }
-
-  std::unique_ptr<Source> copy() const override { return std::make_unique<Successor>(*this); }
 
   /// "v[2] == 0.0 ? (GUARD ? 1.0 : 0.0) : v[2] == 1.0 ? ... : 2.0"
   std::string cpp() const override {
@@ -51,7 +49,7 @@ class Successor final : public Function::Source {
 }  // namespace
 
 Function successor_among(const std::vector<Stage>& stages, std::size_t inputs) {
-  return Function(std::make_unique<Successor>(stages, inputs));
+  return Function(std::make_shared<Successor>(stages, inputs));
 }
 
 }  // namespace stepwire

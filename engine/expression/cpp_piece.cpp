@@ -37,6 +37,21 @@ CppPiece arithmetic(std::string_view sign, Binding binding, const CppPiece& a, c
   return {fmt::format("{} {} {}", in(binding, number(a)), sign, in(stronger, number(b))), binding};
 }
 
+/// Two minuses side by side would be another operator.
+CppPiece prefix(std::string_view sign, const CppPiece& a) {
+  if (sign == "!" && a.truth) return {"!" + in(Binding::prefix, a), Binding::prefix, true};
+  if (sign == "!") return {in(Binding::sum, a) + " == 0.0", Binding::comparison, true};
+  return {"-" + in(Binding::atom, number(a)), Binding::prefix};
+}
+
+CppPiece call(std::string_view function, const std::vector<CppPiece>& values) {
+  std::string list;
+  for (const CppPiece& value : values) list += (list.empty() ? "" : ", ") + number(value).text;
+  if (function == "min" || function == "max") list = "{" + list + "}";
+  const bool own = std::find(own_functions.begin(), own_functions.end(), function) != own_functions.end();
+  return {fmt::format("{}::{}({})", own ? "language" : "std", function, list)};
+}
+
 CppPiece choice(const CppPiece& condition, const CppPiece& a, const CppPiece& b) {
   return {fmt::format("{} ? {} : {}", in(Binding::either, condition), in(Binding::either, a), b.text),
           Binding::condition, a.truth};
@@ -55,30 +70,20 @@ CppPiece cpp_truth(const CppPiece& piece) {
   return {in(Binding::sum, piece) + " != 0.0", Binding::comparison, true};
 }
 
-/// Two minuses side by side would be another operator.
-CppPiece cpp_sign(std::string_view sign, const CppPiece& a) {
-  if (sign == "!" && a.truth) return {"!" + in(Binding::prefix, a), Binding::prefix, true};
-  if (sign == "!") return {in(Binding::sum, a) + " == 0.0", Binding::comparison, true};
-  return {"-" + in(Binding::atom, number(a)), Binding::prefix};
-}
-
-CppPiece cpp_operation(std::string_view sign, Binding binding, const CppPiece& a, const CppPiece& b) {
-  if (binding == Binding::power) return cpp_call("pow", {a, b});
-  if (binding == Binding::comparison) return comparison(sign, a, b);
-  return binding < Binding::comparison ? logic(sign, binding, a, b) : arithmetic(sign, binding, a, b);
+CppPiece cpp_operation(const Operation& operation, const std::vector<CppPiece>& values) {
+  const Binding binding = operation.binding;
+  const std::string_view name = operation.name;
+  if (binding == Binding::atom) return call(name, values);
+  if (binding == Binding::power) return call("pow", values);
+  if (binding == Binding::prefix) return prefix(name, values[0]);
+  if (binding == Binding::comparison) return comparison(name, values[0], values[1]);
+  return binding < Binding::comparison ? logic(name, binding, values[0], values[1])
+                                       : arithmetic(name, binding, values[0], values[1]);
 }
 
 CppPiece cpp_choice(const CppPiece& condition, const CppPiece& a, const CppPiece& b) {
   if (!a.truth || !b.truth) return choice(cpp_truth(condition), number(a), number(b));
   return choice(cpp_truth(condition), a, b);
-}
-
-CppPiece cpp_call(std::string_view function, const std::vector<CppPiece>& values) {
-  std::string list;
-  for (const CppPiece& value : values) list += (list.empty() ? "" : ", ") + number(value).text;
-  if (function == "min" || function == "max") list = "{" + list + "}";
-  const bool own = std::find(own_functions.begin(), own_functions.end(), function) != own_functions.end();
-  return {fmt::format("{}::{}({})", own ? "language" : "std", function, list)};
 }
 
 }  // namespace stepwire

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/expression/binding.hpp"
+#include "engine/expression/operation.hpp"
 
 namespace stepwire {
 
@@ -18,9 +18,7 @@ struct CppPiece {
 CppPiece cpp_number(double value);
 /// Whether it is not 0.
 CppPiece cpp_truth(const CppPiece& piece);
-CppPiece cpp_sign(std::string_view sign, const CppPiece& a);
-CppPiece cpp_operation(std::string_view sign, Binding binding, const CppPiece& a, const CppPiece& b);
+CppPiece cpp_operation(const Operation& operation, const std::vector<CppPiece>& values);
 CppPiece cpp_choice(const CppPiece& condition, const CppPiece& a, const CppPiece& b);
-CppPiece cpp_call(std::string_view function, const std::vector<CppPiece>& values);
 
 }  // namespace stepwire

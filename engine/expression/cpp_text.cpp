@@ -9,27 +9,20 @@ namespace stepwire {
 namespace {
 
 struct MakeCpp {
-  const Program& program;
   const VariableText& text_of;
 
   CppPiece variable(std::size_t i) const { return {text_of(i)}; }
-  CppPiece number(std::size_t i) const { return cpp_number(program.numbers[i]); }
-  CppPiece sign(std::string_view sign, const CppPiece& a) const { return cpp_sign(sign, a); }
-  CppPiece operation(std::string_view sign, Binding binding, const CppPiece& a, const CppPiece& b,
-                     std::size_t) const {
-    return cpp_operation(sign, binding, a, b);
+  CppPiece number(const Program::Number& number) const { return cpp_number(number.value); }
+  CppPiece operation(const Operation& operation, const std::vector<CppPiece>& values, std::size_t) const {
+    return cpp_operation(operation, values);
   }
   CppPiece choice(const CppPiece& condition, const CppPiece& a, const CppPiece& b) const {
     return cpp_choice(condition, a, b);
   }
-  CppPiece call(std::string_view function, const std::vector<CppPiece>& values, std::size_t) const {
-    return cpp_call(function, values);
-  }
 };
 
 CppPiece cpp_of(const Program& program, const VariableText& variable) {
-  const MakeCpp make{program, variable};
-  return Fold<CppPiece, MakeCpp>(program, make).run();
+  return fold<CppPiece>(program, MakeCpp{variable});
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 
 namespace stepwire {
 
-/// A checked expression as one of C++, whose value has the bits that the parser library gives; only the sign
-/// of a nan may differ. It is a double or a bool, binds as weakly as ?: does, and stands in namespace
+/// A checked expression as one of C++, whose value has the bits that an evaluation gives; only the sign of a
+/// nan may differ. It is a double or a bool, binds as weakly as ?: does, and stands in namespace
 /// stepwire with language.hpp before it. It is to be compiled without contraction of products and sums, and
 /// without knowledge of those functions of <cmath> that round (-fno-builtin-sin, ...), which a compiler
 /// rounds in its own way for constants.

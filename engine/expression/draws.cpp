@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 #include <string>
 
 #include "engine/expression/expression.hpp"
 #include "engine/expression/fold.hpp"
-#include "engine/expression/function.hpp"
 #include "engine/expression/language.hpp"
 
 namespace stepwire {
@@ -24,39 +23,24 @@ struct Drawn {
   std::optional<Complaint> wrong{};
 };
 
-double applied(std::string_view sign, double a, double b) {
-  if (sign == "+") return a + b;
-  if (sign == "-") return a - b;
-  if (sign == "*") return a * b;
-  if (sign == "/") return a / b;
-  if (sign == "^") return std::pow(a, b);
-  if (sign == "<") return a < b;
-  if (sign == ">") return a > b;
-  if (sign == "<=") return a <= b;
-  if (sign == ">=") return a >= b;
-  if (sign == "==") return a == b;
-  if (sign == "!=") return a != b;
-  return sign == "&&" ? a != 0.0 && b != 0.0 : a != 0.0 || b != 0.0;
-}
-
 class MakeDrawn {
  public:
-  MakeDrawn(const Program& program, std::span<const std::optional<double>> values)
-      : program_(program), values_(values) {}
+  explicit MakeDrawn(std::span<const std::optional<double>> values) : values_(values) {}
 
   Drawn variable(std::size_t i) const { return {values_[i]}; }
-  Drawn number(std::size_t i) const { return {program_.numbers[i]}; }
+  Drawn number(const Program::Number& number) const { return {number.value}; }
 
-  Drawn sign(std::string_view sign, const Drawn& a) const {
-    if (!a.value) return a;
-    return {sign == "-" ? -*a.value : *a.value == 0.0 ? 1.0 : 0.0, a.wrong};
-  }
-
-  Drawn operation(std::string_view sign, Binding, const Drawn& a, const Drawn& b, std::size_t) const {
-    const bool decided = (sign == "&&" && a.value == 0.0) || (sign == "||" && a.value && *a.value != 0.0);
-    if (decided) return {sign == "&&" ? 0.0 : 1.0, a.wrong};
-    Drawn result{std::nullopt, a.wrong ? a.wrong : b.wrong};
-    if (a.value && b.value) result.value = applied(sign, *a.value, *b.value);
+  Drawn operation(const Operation& operation, const std::vector<Drawn>& values, std::size_t place) const {
+    if (is_decided(operation, values[0])) return {*values[0].value != 0.0, values[0].wrong};
+    Drawn result;
+    std::vector<double> known;
+    for (const Drawn& one : values) {
+      if (!result.wrong) result.wrong = one.wrong;
+      if (one.value) known.push_back(*one.value);
+    }
+    if (operation.draws() && !result.wrong) result.wrong = complaint(operation.name, values, place);
+    if (known.size() == values.size())
+      result.value = operation.value(known.data(), static_cast<int>(known.size()));
     return result;
   }
 
@@ -66,46 +50,37 @@ class MakeDrawn {
     return *condition.value != 0.0 ? a : b;
   }
 
-  Drawn call(std::string_view function, const std::vector<Drawn>& drawn, std::size_t place) const {
-    Drawn result;
-    std::vector<double> known;
-    for (const Drawn& one : drawn) {
-      if (!result.wrong) result.wrong = one.wrong;
-      if (one.value) known.push_back(*one.value);
-    }
-    if (function == "uniform" || function == "lognormal") check(function, drawn, place, result);
-    if (known.size() == drawn.size()) result.value = call_function(function, known);
-    return result;
-  }
-
  private:
-  static void check(std::string_view function, const std::vector<Drawn>& drawn, std::size_t place,
-                    Drawn& result) {
-    for (const std::size_t i : {0, 1}) {
-      const auto& value = drawn[i].value;
-      if (result.wrong || !value || language::is_whole(*value)) continue;
-      result.wrong = Complaint{
-          fmt::format("'{}' draws by a {} that is a whole number, and {} is none; round(...) makes one",
-                      function, i == 0 ? "seed" : "stream", *value),
-          place};
-    }
-    if (function != "lognormal" || result.wrong || !drawn[2].value || !(*drawn[2].value < 0.0)) return;
-    result.wrong = Complaint{
-        fmt::format("'lognormal' takes a standard deviation, and {} is below 0", *drawn[2].value), place};
+  /// Whether && or || has its value by the first one alone.
+  static bool is_decided(const Operation& operation, const Drawn& first) {
+    if (!first.value) return false;
+    return operation.binding == (*first.value == 0.0 ? Binding::both : Binding::either);
   }
 
-  const Program& program_;
+  static std::optional<Complaint> complaint(std::string_view function, const std::vector<Drawn>& values,
+                                            std::size_t place) {
+    for (const std::size_t i : {0, 1})
+      if (const auto& value = values[i].value; value && !language::is_whole(*value))
+        return Complaint{
+            fmt::format("'{}' draws by a {} that is a whole number, and {} is none; round(...) makes one",
+                        function, i == 0 ? "seed" : "stream", *value),
+            place};
+    if (function != "lognormal" || !(values[2].value.value_or(0.0) < 0.0)) return std::nullopt;
+    return Complaint{
+        fmt::format("'lognormal' takes a standard deviation, and {} is below 0", *values[2].value), place};
+  }
+
   std::span<const std::optional<double>> values_;
 };
 
 }  // namespace
 
 void check_draws(const Program& program, std::span<const std::optional<double>> values) {
-  if (program.code.find("uniform(") == std::string::npos &&
-      program.code.find("lognormal(") == std::string::npos)
-    return;
-  const MakeDrawn make(program, values);
-  if (const Drawn result = Fold<Drawn, MakeDrawn>(program, make).run(); result.wrong)
+  const auto draws = [](const Instruction& instruction) {
+    return instruction.operation && instruction.operation->draws();
+  };
+  if (std::ranges::none_of(program.code, draws)) return;
+  if (const Drawn result = fold<Drawn>(program, MakeDrawn(values)); result.wrong)
     throw ExpressionError(result.wrong->text, result.wrong->place);
 }
 

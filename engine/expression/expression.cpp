@@ -1,75 +1,89 @@
 #include "engine/expression/expression.hpp"
 
-#include <muParser.h>
-
-#include <algorithm>
-#include <utility>
+#include <array>
+#include <functional>
 
 #include "engine/expression/cpp_text.hpp"
 #include "engine/expression/draws.hpp"
-#include "engine/expression/function.hpp"
 #include "engine/expression/measure.hpp"
 #include "engine/expression/program.hpp"
 
 namespace stepwire {
+namespace {
 
-/// The parser library reads the variables where `values` holds them, so neither is ever moved.
-struct Expression::Parser {
-  Parser(std::string_view from, Program checked)
-      : text(from), program(std::move(checked)), values(program.variables.size()) {
-    compile();
+/// The values on the way of an evaluation, the last of them in a register. Kinds of instructions are compared
+/// in turn: a processor foresees each comparison, which makes them faster than one jump through a table.
+struct Stack {
+  double* end;        ///< behind the values below the last
+  double last = 0.0;  ///< at first none of them
+
+  void push(double value) {
+    *end++ = last;
+    last = value;
   }
-  Parser(const Parser& other) : text(other.text), program(other.program), values(other.values) { compile(); }
-  Parser& operator=(const Parser&) = delete;
 
-  void compile() {
-    try {
-      define_language(parser);
-      for (std::size_t i = 0; i < program.numbers.size(); ++i) {
-        parser.DefineConst("c" + std::to_string(i), program.numbers[i]);
-      }
-      for (std::size_t i = 0; i < values.size(); ++i) parser.DefineVar("v" + std::to_string(i), &values[i]);
-      parser.SetExpr(program.code);
-      parser.Eval();  // the first evaluation compiles; the others only walk the result
-    } catch (const mu::ParserError& error) {
-      throw ExpressionError("the expression cannot be read: " + error.GetMsg(), 0);
+  double pop() {
+    const double value = last;
+    last = *--end;
+    return value;
+  }
+
+  void operate(const Instruction& instruction) {
+    using enum Instruction::Kind;
+    if (instruction.kind == sum) return combine(std::plus());
+    if (instruction.kind == difference) return combine(std::minus());
+    if (instruction.kind == product) return combine(std::multiplies());
+    if (instruction.kind == quotient) return combine(std::divides());
+    *end = last;
+    end -= instruction.count - 1;
+    last = instruction.operation->value(end, instruction.count);
+  }
+
+  template <class Of>
+  void combine(Of of) {
+    last = of(*--end, last);
+  }
+};
+
+/// `variable(i)` is the value of variable i.
+template <class Variable>
+double evaluate(const Program& program, const Variable& variable) {
+  std::array<double, longest_text / 2 + 1> values;  // two have a sign between them in the text
+  Stack stack{values.data()};
+  const Instruction* const first = program.code.data();
+  for (const Instruction* instruction = first; instruction != first + program.code.size(); ++instruction) {
+    if (instruction->kind == Instruction::Kind::variable) {
+      stack.push(variable(instruction->index));
+    } else if (instruction->kind == Instruction::Kind::number) {
+      stack.push(program.numbers[instruction->index].value);
+    } else if (instruction->operation) {
+      stack.operate(*instruction);
+    } else if (instruction->kind != Instruction::Kind::branch || stack.pop() == 0.0) {
+      instruction = first + instruction->index;
     }
   }
+  return stack.last;
+}
 
-  std::string text;
-  Program program;
-  std::vector<double> values;
-  mu::Parser parser;
-};
+}  // namespace
 
 Expression::Expression(std::string_view text) : Expression(text, nullptr) {}
 
 Expression::Expression(std::string_view text, const std::function<bool(std::string_view)>& known)
-    : parser_(std::make_unique<Parser>(text, translate(text, known))) {}
-
-Expression::Expression(const Expression& other) : parser_(std::make_unique<Parser>(*other.parser_)) {}
-
-Expression& Expression::operator=(const Expression& other) {
-  if (this != &other) parser_ = std::make_unique<Parser>(*other.parser_);
-  return *this;
-}
-
-Expression::Expression(Expression&&) noexcept = default;
-Expression& Expression::operator=(Expression&&) noexcept = default;
-Expression::~Expression() = default;
+    : program_(std::make_shared<Program>(translate(text, known))) {}
 
 const std::string& Expression::text() const {
-  return parser_->text;
+  return program_->text;
 }
 
 const std::vector<std::string>& Expression::variables() const {
-  return parser_->program.variables;
+  return program_->variables;
 }
 
 std::string Expression::renamed(const std::vector<std::string>& names) const {
   std::string result;
   std::size_t copied = 0;
-  for (const Program::Use& use : parser_->program.uses) {
+  for (const Program::Use& use : program_->uses) {
     result += text().substr(copied, use.position - copied) + names[use.variable];
     copied = use.position + variables()[use.variable].size();
   }
@@ -77,23 +91,19 @@ std::string Expression::renamed(const std::vector<std::string>& names) const {
 }
 
 Measure Expression::measure(const std::vector<Measure>& variables) const {
-  return measure_of(parser_->program, variables);
+  return measure_of(*program_, variables);
 }
 
 void Expression::check_draws(std::span<const std::optional<double>> values) const {
-  stepwire::check_draws(parser_->program, values);
+  stepwire::check_draws(*program_, values);
 }
 
 double Expression::operator()(std::span<const double> values) const {
-  const std::size_t count = std::min(values.size(), parser_->values.size());
-  std::copy_n(values.begin(), count, parser_->values.begin());
-  return parser_->parser.Eval();
+  return evaluate(*program_, [&](std::size_t i) { return values[i]; });
 }
 
 double Expression::operator()(const double* numbers, std::span<const std::size_t> places) const {
-  double* const values = parser_->values.data();
-  for (std::size_t i = 0; i < places.size(); ++i) values[i] = numbers[places[i]];
-  return parser_->parser.Eval();
+  return evaluate(*program_, [&](std::size_t i) { return numbers[places[i]]; });
 }
 
 std::string element_of_v(std::size_t i) {
@@ -101,11 +111,11 @@ std::string element_of_v(std::size_t i) {
 }
 
 std::string Expression::cpp(const VariableText& variable) const {
-  return cpp_text(parser_->program, variable);
+  return cpp_text(*program_, variable);
 }
 
 std::string Expression::cpp_condition(const VariableText& variable) const {
-  return cpp_condition_text(parser_->program, variable);
+  return cpp_condition_text(*program_, variable);
 }
 
 }  // namespace stepwire

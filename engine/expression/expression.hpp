@@ -30,6 +30,8 @@ struct Measure {
 /// How C++ gets at variable i of an expression.
 using VariableText = std::function<std::string(std::size_t i)>;
 
+struct Program;
+
 /// "v[i]"
 std::string element_of_v(std::size_t i);
 
@@ -41,7 +43,7 @@ std::string element_of_v(std::size_t i);
 /// before a sign: -2^2 is -4. A number may carry a unit and is SI then: "x > -4 mm", "2*pi*3 kHz". What
 /// directly follows a number can only be its unit; names have an operator before them, so a variable may be
 /// called "m" or "N": "4 N * N" is 4 newtons times N. Names may contain dots and an index: "rig.x",
-/// "rig.x[2]".
+/// "rig.x[2]". Copies share what was read, and any number of threads may evaluate one object.
 class Expression {
  public:
   /// Throws ExpressionError for a text that cannot be read; variables are whatever names it uses, except pi
@@ -50,11 +52,6 @@ class Expression {
   /// `known(name)` says whether a name exists: an unknown name is an error with its position, a known "pi" or
   /// "e" is no constant, and "4 A/m" is 4 amperes over m where m is known.
   Expression(std::string_view text, const std::function<bool(std::string_view)>& known);
-  Expression(const Expression&);
-  Expression& operator=(const Expression&);
-  Expression(Expression&&) noexcept;
-  Expression& operator=(Expression&&) noexcept;
-  ~Expression();
 
   const std::string& text() const;
   /// Names used, in order of first appearance.
@@ -68,8 +65,7 @@ class Expression {
   /// Variables are in their order; what hangs on one that is not known is passed over.
   void check_draws(std::span<const std::optional<double>> values) const;
   /// Value with the variables in that order, one for each. Allocates nothing and throws nothing. Division by
-  /// zero gives inf or nan, as IEEE says. One object is for one thread at a time, const or not; every thread
-  /// takes its own copy.
+  /// zero gives inf or nan, as IEEE says.
   double operator()(std::span<const double> values) const;
   /// The same where variable i is numbers[places[i]].
   double operator()(const double* numbers, std::span<const std::size_t> places) const;
@@ -79,8 +75,7 @@ class Expression {
   std::string cpp_condition(const VariableText& variable = element_of_v) const;
 
  private:
-  struct Parser;
-  std::unique_ptr<Parser> parser_;
+  std::shared_ptr<const Program> program_;
 };
 
 }  // namespace stepwire

@@ -10,8 +10,7 @@ class ExpressionSource final : public Function::Source {
   ExpressionSource(Expression expression, std::vector<std::size_t> places)
       : expression_(std::move(expression)), places_(std::move(places)) {}
 
-  double operator()(const double* v) override { return expression_(v, places_); }
-  std::unique_ptr<Source> copy() const override { return std::make_unique<ExpressionSource>(*this); }
+  double operator()(const double* v) const override { return expression_(v, places_); }
   std::string cpp() const override {
     return expression_.cpp([&](std::size_t i) { return element_of_v(places_[i]); });
   }
@@ -24,7 +23,7 @@ class ExpressionSource final : public Function::Source {
 }  // namespace
 
 Function function_of(Expression expression, std::vector<std::size_t> places) {
-  return Function(std::make_unique<ExpressionSource>(std::move(expression), std::move(places)));
+  return Function(std::make_shared<ExpressionSource>(std::move(expression), std::move(places)));
 }
 
 }  // namespace stepwire

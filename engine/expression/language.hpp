@@ -4,8 +4,8 @@
 
 #include "engine/signal/normal_quantile.hpp"
 
-/// Functions of the language of expressions that the standard library lacks. Both evaluate them: the parser,
-/// and programs written in C++.
+/// Functions of the language of expressions that the standard library lacks, for evaluations and for programs
+/// written in C++.
 namespace stepwire::language {
 
 /// A truth as 1 or 0. In the place of double(x < y), since GCC 12 compiles 0.0 - double(x < y) as -double(x <

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "engine/expression/fold.hpp"
 
@@ -24,40 +23,32 @@ bool is_one_of(std::string_view name, std::initializer_list<std::string_view> na
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-std::optional<double> folded(std::string_view sign, const Piece& a, const Piece& b) {
-  if (!a.number || !b.number) return std::nullopt;
-  if (sign == "^") return std::pow(*a.number, *b.number);
-  return sign == "*"   ? *a.number * *b.number
-         : sign == "/" ? *a.number / *b.number
-         : sign == "+" ? *a.number + *b.number
-                       : *a.number - *b.number;
+std::optional<double> folded(const Operation& operation, const std::vector<Piece>& values) {
+  std::vector<double> numbers;
+  for (const Piece& value : values) {
+    if (!value.number) return std::nullopt;
+    numbers.push_back(*value.number);
+  }
+  return operation.value(numbers.data(), static_cast<int>(numbers.size()));
 }
 
 class MakeMeasure {
  public:
-  MakeMeasure(const Program& program, const std::vector<Measure>& variables)
-      : program_(program), variables_(variables) {}
+  explicit MakeMeasure(const std::vector<Measure>& variables) : variables_(variables) {}
 
   Piece variable(std::size_t i) const { return {variables_[i]}; }
 
-  Piece number(std::size_t i) const {
-    const auto& dimension = program_.dimensions[i];
-    return dimension ? Piece{{dimension, true}} : Piece{{}, true, program_.numbers[i]};
+  Piece number(const Program::Number& number) const {
+    return number.dimension ? Piece{{number.dimension, true}} : Piece{{}, true, number.value};
   }
 
-  Piece sign(std::string_view sign, const Piece& a) const {
-    if (sign == "!") return truth;
-    return {a.measure, a.bare, a.number ? std::optional(-*a.number) : std::nullopt};
-  }
-
-  Piece operation(std::string_view sign, Binding binding, const Piece& a, const Piece& b,
-                  std::size_t place) const {
-    if (binding == Binding::either || binding == Binding::both) return truth;
-    if (binding == Binding::product) return product(sign, a, b);
-    if (binding == Binding::power) return to_the(a, b);
-    Piece joined = join(a, b, sign, place);
-    joined.number = folded(sign, a, b);
-    return binding == Binding::comparison ? truth : joined;
+  Piece operation(const Operation& operation, const std::vector<Piece>& values, std::size_t place) const {
+    const Binding binding = operation.binding;
+    if (binding == Binding::atom) return call(operation.name, values, place);
+    if (binding == Binding::either || binding == Binding::both || &operation == &negation) return truth;
+    Piece result = unit_of(operation, values, place);
+    result.number = folded(operation, values);
+    return binding == Binding::comparison ? truth : result;
   }
 
   Piece choice(const Piece&, const Piece& a, const Piece& b) const {
@@ -67,7 +58,16 @@ class MakeMeasure {
     return joined;
   }
 
-  Piece call(std::string_view function, const std::vector<Piece>& values, std::size_t place) const {
+ private:
+  static Piece unit_of(const Operation& operation, const std::vector<Piece>& values, std::size_t place) {
+    const Piece& a = values.front();
+    if (operation.binding == Binding::prefix) return {a.measure, a.bare};
+    if (operation.binding == Binding::product) return product(operation.name, a, values[1]);
+    if (operation.binding == Binding::power) return to_the(a, values[1]);
+    return join(a, values[1], operation.name, place);
+  }
+
+  static Piece call(std::string_view function, const std::vector<Piece>& values, std::size_t place) {
     const Piece& first = values.front();
     if (is_one_of(function, {"min", "max", "mod", "hypot", "atan2"})) {
       Piece all = first;
@@ -82,7 +82,6 @@ class MakeMeasure {
     return of_a_pure_number(first);
   }
 
- private:
   /// Values of one unit, as a sum, a comparison or min() needs them.
   static Piece join(const Piece& a, const Piece& b, std::string_view sign, std::size_t place) {
     if (a.bare && b.bare) return {{}, true};
@@ -100,7 +99,7 @@ class MakeMeasure {
   static Measure known_for_sure(const Measure& measure) { return measure.sure ? measure : Measure{}; }
 
   static Piece product(std::string_view sign, const Piece& a, const Piece& b) {
-    if (a.bare && b.bare) return {{}, true, folded(sign, a, b)};
+    if (a.bare && b.bare) return a;
     const auto one = [](const Piece& piece) { return piece.bare ? Dimension{} : piece.measure.dimension; };
     const auto x = one(a), y = one(b);
     if (!x || !y) return {};
@@ -108,7 +107,7 @@ class MakeMeasure {
   }
 
   static Piece to_the(const Piece& a, const Piece& b) {
-    if (a.bare) return {{}, true, folded("^", a, b)};
+    if (a.bare) return {{}, true, folded(*find_operator("^"), {a, b})};
     const auto& dimension = a.measure.dimension;
     if (dimension == Dimension{}) return {a.measure};
     if (!dimension || !b.number) return {};
@@ -137,15 +136,13 @@ class MakeMeasure {
     return {};
   }
 
-  const Program& program_;
   const std::vector<Measure>& variables_;
 };
 
 }  // namespace
 
 Measure measure_of(const Program& program, const std::vector<Measure>& variables) {
-  const MakeMeasure make(program, variables);
-  return Fold<Piece, MakeMeasure>(program, make).run().measure;
+  return fold<Piece>(program, MakeMeasure(variables)).measure;
 }
 
 }  // namespace stepwire

@@ -2,17 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cstdint>
 #include <map>
 #include <numbers>
-#include <optional>
+#include <utility>
 
 #include "engine/expression/draws.hpp"
 #include "engine/expression/expression.hpp"
-#include "engine/expression/function.hpp"
 #include "engine/expression/token.hpp"
 
 namespace stepwire {
@@ -20,49 +15,35 @@ namespace {
 
 using Known = std::function<bool(std::string_view)>;
 
-constexpr std::size_t longest_text =
-    5000;  // the parser library takes 20,000 characters, and ours become up to four
 constexpr std::size_t deepest = 200;
 
-/// A run of signs before a value, such as "-!x": the parser library takes one sign only, so each run becomes
-/// one of its own. Inside a "not" a minus changes nothing.
-class Prefix {
- public:
-  void add(bool minus) {
-    if (minus && nots_ == 0) negative_ = !negative_;
-    if (!minus) nots_ = nots_ == 1 ? 2 : 1;
-  }
-
-  /// Set apart by a blank, or "a<!b" would have a sign "<!".
-  std::string take() {
-    static constexpr std::array<std::array<const char*, 3>, 2> signs{{{"", " !", " ~"}, {" -", " #", " $"}}};
-    const std::string result = signs[negative_ ? 1 : 0][nots_];
-    *this = {};
-    return result;
-  }
-
- private:
-  bool negative_ = false;
-  std::size_t nots_ = 0;
-};
-
-/// A pair of parentheses, or the whole text.
-struct Frame {
-  Token open;
-  std::optional<Token> function;
+/// An operator, a sign or a parenthesis that waits for what follows; the whole text is a parenthesis, too.
+struct Waiting {
+  Binding binding;
+  const Token* token = nullptr;
+  const Operation* operation = nullptr;  ///< of a parenthesis: its function, if it has one
   int values = 1;
-  std::vector<Token> questions{};  // '?' that wait for their ':'
+  std::size_t instruction = 0;  ///< of '?' its branch, of ':' its jump
 };
 
-/// Walks the pieces once. A value and a sign alternate; what is open is on a stack of our own, so that no
-/// text can exhaust the real one.
+Instruction::Kind kind_of(const Operation& operation) {
+  using Kind = Instruction::Kind;
+  if (operation.binding == Binding::sum) return operation.name == "+" ? Kind::sum : Kind::difference;
+  if (operation.binding == Binding::product) return operation.name == "*" ? Kind::product : Kind::quotient;
+  return Kind::operation;
+}
+
+/// Walks the pieces once. A value and a sign alternate; what waits is on a stack of our own, so that no text
+/// can exhaust the real one.
 class Translator {
  public:
-  Translator(std::string_view text, const Known& known) : tokens_(tokens(text, known)), known_(known) {}
+  Translator(std::string_view text, const Known& known) : tokens_(tokens(text, known)), known_(known) {
+    program_.text = text;
+  }
 
   Program run() {
     if (tokens_.size() == 1) throw ExpressionError("the expression is empty", 0);
-    frames_.push_back({});
+    waiting_.push_back({Binding::open});
     for (; tokens_[at_].kind != Token::Kind::end; ++at_) {
       value_comes_ ? value(tokens_[at_]) : sign(tokens_[at_]);
     }
@@ -80,10 +61,10 @@ class Translator {
   }
 
   void value(const Token& token) {
-    if (token.kind == Token::Kind::number) return number(token.value, token.dimension);
+    if (token.kind == Token::Kind::number) return number({token.value, token.dimension});
     if (token.kind == Token::Kind::name) return name(token);
-    if (token.is("(")) return open(token, std::nullopt);
-    if (token.is("-") || token.is("!")) return prefix_.add(token.is("-"));
+    if (token.is("(")) return open(token, nullptr);
+    if (token.is("-") || token.is("!")) return prefix(token.is("-"));
     if (!token.is("+")) missing_value(token);
   }
 
@@ -92,29 +73,23 @@ class Translator {
     fail(token, fmt::format("a value is missing before {}{}", shown(token), power ? "; a power is x^y" : ""));
   }
 
-  void number(double value, const std::optional<Dimension>& dimension = {}) {
-    program_.code += fmt::format("{}c{}", prefix_.take(), place_of(value, dimension));
-    value_comes_ = false;
+  void number(const Program::Number& number) {
+    operand(Instruction::Kind::number, program_.numbers.size());
+    program_.numbers.push_back(number);
   }
 
-  /// Bare numbers stand once in a program, however often in the text.
-  std::size_t place_of(double value, const std::optional<Dimension>& dimension) {
-    const auto bits = std::bit_cast<std::uint64_t>(value);
-    const std::size_t next = program_.numbers.size();
-    const std::size_t place = dimension ? next : numbers_.try_emplace(bits, next).first->second;
-    if (place == next) {
-      program_.numbers.push_back(value);
-      program_.dimensions.push_back(dimension);
-    }
-    return place;
+  void operand(Instruction::Kind kind, std::size_t index) {
+    take_prefixes();
+    program_.code.push_back({kind, 0, index});
+    value_comes_ = false;
   }
 
   void name(const Token& token) {
     const bool called = tokens_[at_ + 1].is("(");
     const bool exists = known_ && known_(token.text);
     if (called) return call(token, exists);
-    if (!exists && token.text == "pi") return number(std::numbers::pi);
-    if (!exists && token.text == "e") return number(std::numbers::e);
+    if (!exists && token.text == "pi") return number({std::numbers::pi, {}});
+    if (!exists && token.text == "e") return number({std::numbers::e, {}});
     if (!exists && find_function(token.text))
       fail(token, fmt::format("'{0}' is a function; write {0}(...)", token.text));
     if (!exists && known_) fail(token, fmt::format("unknown name '{}'", token.text));
@@ -125,37 +100,47 @@ class Translator {
     const auto [place, added] = variables_.try_emplace(token.text, program_.variables.size());
     if (added) program_.variables.emplace_back(token.text);
     program_.uses.push_back({place->second, token.position});
-    program_.code += fmt::format("{}v{}", prefix_.take(), place->second);
-    value_comes_ = false;
+    operand(Instruction::Kind::variable, place->second);
   }
 
   void call(const Token& token, bool exists) {
-    if (!find_function(token.text))
+    const Operation* const function = find_function(token.text);
+    if (!function)
       fail(token, exists ? fmt::format("'{}' is a value, not a function", token.text)
                          : fmt::format("unknown function '{}'", token.text));
-    program_.code += prefix_.take();
-    program_.code += token.text;
-    program_.places.push_back(token.position);
-    open(tokens_[++at_], token);
+    open(tokens_[++at_], function);
   }
 
-  void open(const Token& token, const std::optional<Token>& function) {
-    if (frames_.size() > deepest) fail(token, fmt::format("more than {} parentheses are open", deepest));
-    frames_.push_back({token, function});
-    program_.code += prefix_.take() + '(';
+  void open(const Token& token, const Operation* function) {
+    if (open_.size() >= deepest) fail(token, fmt::format("more than {} parentheses are open", deepest));
+    take_prefixes();
+    open_.push_back(waiting_.size());
+    waiting_.push_back({Binding::open, &token, function});
     value_comes_ = true;
+  }
+
+  /// Inside a "not" a minus changes nothing.
+  void prefix(bool minus) {
+    if (minus && nots_ == 0) negative_ = !negative_;
+    if (!minus) nots_ = nots_ == 1 ? 2 : 1;
+  }
+
+  void take_prefixes() {
+    if (negative_) waiting_.push_back({Binding::prefix, &tokens_[at_], &minus});
+    for (; nots_ > 0; --nots_) waiting_.push_back({Binding::prefix, &tokens_[at_], &negation});
+    negative_ = false;
   }
 
   void sign(const Token& token) {
-    Frame& frame = frames_.back();
-    if (token.kind != Token::Kind::sign || token.is("(") || token.is("!")) missing_operator(token);
     if (token.is(")")) return close(token);
-    if (token.is(",")) next_value(token, frame);
-    if (token.is("?")) frame.questions.push_back(token);
-    if (token.is(":")) answer(token, frame);
-    if (!token.is(",") && !token.is("?") && !token.is(":")) program_.places.push_back(token.position);
-    program_.code += token.text;
     value_comes_ = true;
+    if (token.is(",")) return next_value(token);
+    if (token.is("?")) return question(token);
+    if (token.is(":")) return answer(token);
+    const Operation* const operation = find_operator(token.text);
+    if (!operation) missing_operator(token);
+    settle(operation->binding == Binding::power ? Binding::atom : operation->binding);
+    waiting_.push_back({operation->binding, &token, operation, 2});
   }
 
   [[noreturn]] static void missing_operator(const Token& token) {
@@ -164,54 +149,95 @@ class Translator {
                             power ? "; a power of ten has no blanks, as in 2e-3" : ""));
   }
 
-  static void answer(const Token& token, Frame& frame) {
-    if (frame.questions.empty()) fail(token, "':' without '?'");
-    frame.questions.pop_back();
+  void next_value(const Token& token) {
+    if (open_.empty() || !waiting_[open_.back()].operation)
+      fail(token, "',' only separates the values of a function");
+    settle(Binding::condition);
+    ++waiting_.back().values;
   }
 
-  static void next_value(const Token& token, Frame& frame) {
-    if (!frame.function) fail(token, "',' only separates the values of a function");
-    check_questions(frame);
-    ++frame.values;
+  void question(const Token& token) {
+    settle(Binding::either);
+    add_choice(token, Instruction::Kind::branch);
   }
 
-  static void check_questions(const Frame& frame) {
-    if (!frame.questions.empty()) fail(frame.questions.back(), "'?' without ':'");
+  void answer(const Token& token) {
+    while (!is_question(waiting_.back())) {
+      if (waiting_.back().binding == Binding::open) fail(token, "':' without '?'");
+      apply();
+    }
+    program_.code[waiting_.back().instruction].index = program_.code.size();
+    waiting_.pop_back();
+    add_choice(token, Instruction::Kind::jump);
+  }
+
+  void add_choice(const Token& token, Instruction::Kind kind) {
+    waiting_.push_back({Binding::condition, &token, nullptr, 3, program_.code.size()});
+    program_.code.push_back({kind});
+  }
+
+  static bool is_question(const Waiting& waiting) {
+    return waiting.binding == Binding::condition && waiting.token->is("?");
   }
 
   void close(const Token& token) {
-    const Frame frame = frames_.back();
-    if (frames_.size() == 1) fail(token, "')' without '('");
-    check_questions(frame);
-    if (frame.function) check_arity(*frame.function, frame.values);
-    frames_.pop_back();
-    program_.code += ')';
+    if (open_.empty()) fail(token, "')' without '('");
+    settle(Binding::condition);
+    const Waiting opened = take_waiting();
+    open_.pop_back();
+    if (!opened.operation) return;
+    const Token& name = *(opened.token - 1);
+    check_arity(*opened.operation, opened.values, name);
+    add_operation(*opened.operation, opened.values, name);
   }
 
-  static void check_arity(const Token& function, int values) {
-    const Arity& arity = *find_function(function.text);
-    if (values >= arity.least && values <= arity.most) return;
-    if (function.text == "min" || function.text == "max")
-      fail(function, fmt::format("'{0}' of one value is that value; {0}(a, b) compares several, and the {1} "
-                                 "of a recording is the reduction of a claim, '{0}: ...'",
-                                 function.text, function.text == "min" ? "smallest" : "largest"));
-    fail(function, fmt::format("'{}' takes {} value{}, not {}", function.text, arity.least,
-                               arity.least == 1 ? "" : "s", values));
+  static void check_arity(const Operation& function, int values, const Token& name) {
+    if (values >= function.least && values <= function.most) return;
+    if (name.text == "min" || name.text == "max")
+      fail(name, fmt::format("'{0}' of one value is that value; {0}(a, b) compares several, and the {1} "
+                             "of a recording is the reduction of a claim, '{0}: ...'",
+                             name.text, name.text == "min" ? "smallest" : "largest"));
+    fail(name, fmt::format("'{}' takes {} value{}, not {}", name.text, function.least,
+                           function.least == 1 ? "" : "s", values));
+  }
+
+  /// What binds at least so strongly has all its values now.
+  void settle(Binding least) {
+    while (waiting_.back().binding >= least) apply();
+  }
+
+  void apply() {
+    const Waiting top = take_waiting();
+    if (is_question(top)) fail(*top.token, "'?' without ':'");
+    if (top.operation) return add_operation(*top.operation, top.values, *top.token);
+    program_.code[top.instruction].index = program_.code.size();
+    program_.code.push_back({Instruction::Kind::choice, 3, program_.code.size()});
+  }
+
+  Waiting take_waiting() {
+    const Waiting taken = waiting_.back();
+    waiting_.pop_back();
+    return taken;
+  }
+
+  void add_operation(const Operation& operation, int values, const Token& token) {
+    program_.code.push_back({kind_of(operation), values, token.position, &operation});
   }
 
   void finish(const Token& end) {
     if (value_comes_) fail(end, "a value is missing at the end");
-    if (frames_.size() > 1) fail(frames_.back().open, "'(' without ')'");
-    check_questions(frames_.back());
+    if (!open_.empty()) fail(*waiting_[open_.back()].token, "'(' without ')'");
+    settle(Binding::condition);
   }
 
-  std::vector<Token> tokens_;
+  const std::vector<Token> tokens_;
   const Known& known_;
   Program program_;
-  std::vector<Frame> frames_;
-  std::map<std::uint64_t, std::size_t> numbers_;
+  std::vector<Waiting> waiting_;
+  std::vector<std::size_t> open_;  ///< parentheses among them
   std::map<std::string_view, std::size_t> variables_;
-  Prefix prefix_;
+  bool negative_ = false;
+  int nots_ = 0;
   std::size_t at_ = 0;
   bool value_comes_ = true;
 };

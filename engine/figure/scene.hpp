@@ -120,8 +120,7 @@ class SceneView {
 
  private:
   const Scene& scene_;
-  std::vector<Expression> expressions_;
-  std::vector<std::vector<std::size_t>> places_;
+  std::vector<std::vector<std::size_t>> places_;  ///< of the columns of each formula
 };
 
 /// One instant of a recording as a row for a view of it.

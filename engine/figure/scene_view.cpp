@@ -115,7 +115,6 @@ class Shaper {
 
 SceneView::SceneView(const Scene& scene, const std::vector<std::string>& columns) : scene_(scene) {
   for (const Formula& formula : scene.formulas) {
-    expressions_.push_back(formula.expression);
     std::vector<std::size_t>& places = places_.emplace_back();
     for (const std::string& name : formula.columns) {
       const auto found = std::ranges::find(columns, name);
@@ -127,8 +126,8 @@ SceneView::SceneView(const Scene& scene, const std::vector<std::string>& columns
 
 std::vector<SceneShape> SceneView::shapes(std::span<const double> row) const {
   std::vector<double> values;
-  for (std::size_t i = 0; i < expressions_.size(); ++i)
-    values.push_back(expressions_[i](row.data(), places_[i]));
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    values.push_back(scene_.formulas[i].expression(row.data(), places_[i]));
   return Shaper(scene_, std::move(values)).shapes();
 }
 

@@ -15,13 +15,13 @@ class Evaluation {
   Evaluation(const FitCurve& curve, const std::vector<std::string>& names)
       : curve_(curve), formula_(curve.y.formula), names_(names) {}
 
-  double at(double variable, const Eigen::VectorXd& x) {
+  double at(double variable, const Eigen::VectorXd& x) const {
     std::vector<double> values;
     for (std::size_t i = 0; i < formula_.columns.size(); ++i) values.push_back(value_of(i, variable, x));
     return formula_.expression(values);
   }
 
-  Eigen::VectorXd slopes(double variable, const Eigen::VectorXd& x) {
+  Eigen::VectorXd slopes(double variable, const Eigen::VectorXd& x) const {
     Eigen::VectorXd slopes(x.size());
     for (Eigen::Index i = 0; i < x.size(); ++i) {
       const double step = difference * (x[i] == 0.0 ? 1.0 : std::abs(x[i]));
@@ -42,7 +42,7 @@ class Evaluation {
   }
 
   const FitCurve& curve_;
-  Formula formula_;  // one object is for one thread
+  const Formula& formula_;
   const std::vector<std::string>& names_;
 };
 
@@ -51,7 +51,7 @@ class Evaluation {
 FittedCurve fitted_curve(const FitCurve& curve, const std::vector<std::string>& names,
                          const Eigen::VectorXd& x, const Eigen::MatrixXd& covariance, double quantile) {
   FittedCurve fitted{curve.y.label, curve.y.unit_text, curve.label, curve.y.formula.dimension};
-  Evaluation evaluation(curve, names);
+  const Evaluation evaluation(curve, names);
   for (int k = 0; k <= intervals; ++k) {
     const double at = curve.from + (curve.to - curve.from) * k / intervals;
     const double value = evaluation.at(at, x);

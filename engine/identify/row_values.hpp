@@ -6,8 +6,7 @@
 
 namespace stepwire {
 
-/// Value of a formula in each row of a recording; from any thread, and without evaluating where it is a
-/// column.
+/// Value of a formula in each row of a recording, without evaluating where it is a column.
 std::vector<double> values_of(const Formula& formula, const Recording& recording);
 
 }  // namespace stepwire

@@ -12,12 +12,11 @@ class Function {
  public:
   using Code = double (*)(const double* v);
 
-  /// One object is for one thread; every copy of the function has its own.
+  /// Any number of threads may evaluate it at once; copies of a function share it.
   class Source {
    public:
     virtual ~Source() = default;
-    virtual double operator()(const double* v) = 0;
-    virtual std::unique_ptr<Source> copy() const = 0;
+    virtual double operator()(const double* v) const = 0;
     /// The value as an expression of C++ over v: a double or a bool.
     virtual std::string cpp() const = 0;
   };
@@ -25,13 +24,7 @@ class Function {
   /// Always 0.
   Function() = default;
   Function(Code code) : code_(code) {}
-  explicit Function(std::unique_ptr<Source> source) : source_(std::move(source)) {}
-  Function(const Function& other)
-      : code_(other.code_), source_(other.source_ ? other.source_->copy() : nullptr) {}
-  Function(Function&&) noexcept = default;
-  Function& operator=(const Function& other) { return *this = Function(other); }
-  Function& operator=(Function&&) noexcept = default;
-  ~Function() = default;
+  explicit Function(std::shared_ptr<const Source> source) : source_(std::move(source)) {}
 
   double operator()(const double* v) const { return source_ ? (*source_)(v) : code_(v); }
   /// Null where it is code.
@@ -39,7 +32,7 @@ class Function {
 
  private:
   Code code_ = [](const double*) { return 0.0; };
-  std::unique_ptr<Source> source_;
+  std::shared_ptr<const Source> source_;
 };
 
 }  // namespace stepwire

@@ -20,7 +20,6 @@ const std::vector<Home> homes{
     {"boost/", "engine/plan"},
     {"yaml-cpp/", "engine/document"},
     {"udunits2", "engine/unit"},
-    {"muParser", "engine/expression"},
     {"matio", "engine/table"},
     {"nlohmann/", "engine/table"},
     {"CLI/", "engine/cli"},

@@ -23,6 +23,12 @@ double value(const std::string& text, const std::vector<double>& values = {}) {
   return expression(values);
 }
 
+std::string repeated(int count, const std::string& piece) {
+  std::string text;
+  for (int i = 0; i < count; ++i) text += piece;
+  return text;
+}
+
 double value_among(const std::set<std::string>& names, const std::string& text,
                    const std::vector<double>& values) {
   const Expression expression(text,
@@ -93,6 +99,16 @@ TEST_CASE("functions are those of the C library") {
   CHECK(value("e") == std::numbers::e);
 }
 
+TEST_CASE("the longest and deepest texts have their values") {
+  CHECK(value(repeated(2499, "x^") + "x", {1.0}) == 1.0);
+  CHECK(value(repeated(2499, "1+") + "x", {1.0}) == 2500.0);
+  CHECK(value("min(" + repeated(2497, "1,") + "x)", {-3.0}) == -3.0);
+  CHECK(value(repeated(1249, "x?x:") + "x", {2.0}) == 2.0);
+  CHECK(value(repeated(1249, "x?x:") + "x", {0.0}) == 0.0);
+  CHECK(value(repeated(1200, "x?") + "7" + repeated(1200, ":0"), {1.0}) == 7.0);
+  CHECK(value(repeated(199, "1-(") + "x" + repeated(199, ")"), {4.0}) == -3.0);
+}
+
 TEST_CASE("a number may carry a unit and is SI then") {
   CHECK(value("2*pi*3 kHz") == 2 * std::numbers::pi * 3000.0);
   CHECK(value("0.1 ms") == 1e-4);
@@ -158,14 +174,14 @@ TEST_CASE("numbers are read alike in every locale") {
   CHECK(read == 1.5 + 0.00025 + 1000.125 + 2.5);
 }
 
-TEST_CASE("copies are independent and serve their own threads") {
+TEST_CASE("one expression serves any number of threads, and copies are values") {
   const Expression original("a*a + b");
   std::vector<std::thread> threads;
   std::vector<int> good(4, 0);
   for (std::size_t t = 0; t < good.size(); ++t) {
-    threads.emplace_back([&good, copy = original, t] {
+    threads.emplace_back([&good, &original, t] {
       for (int i = 0; i < 1000; ++i)
-        good[t] += copy(std::vector<double>{double(i), double(t)}) == i * i + double(t);
+        good[t] += original(std::vector<double>{double(i), double(t)}) == i * i + double(t);
     });
   }
   for (std::thread& thread : threads) thread.join();
