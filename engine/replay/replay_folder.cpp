@@ -49,7 +49,9 @@ class SweepTable {
 
   void add(std::size_t point) {
     const std::size_t index = job_.points[point].member;
-    Member& member = *members_.try_emplace(index, std::make_unique<Member>(job_.family->plan(index))).first->second;
+    auto& made = members_[index];
+    if (!made) made = std::make_unique<Member>(job_.family->plan(index));
+    Member& member = *made;
     job_.family->begin(index, job_.settings_of(point), member.run);
     member.run.put_values(member.diagram);
     if (job_.family->size() > 1) set(point, diagram_column, diagram_name(job_, index));

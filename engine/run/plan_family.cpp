@@ -68,11 +68,17 @@ struct PlanFamily::Member {
   std::unique_ptr<Simulation> probe;
 };
 
+/// What no run of it needs is left out.
+std::shared_ptr<const Plan> plan_of_runs(Plan plan) {
+  plan.diagram.sweep.reset();
+  return std::make_shared<const Plan>(std::move(plan));
+}
+
 PlanFamily::PlanFamily(Loader& loader, std::string file, std::vector<Setting> settings, const Plan& base)
     : loader_(loader),
       file_(std::move(file)),
       settings_(std::move(settings)),
-      base_(std::make_shared<const Plan>(base)) {}
+      base_(plan_of_runs(base)) {}
 
 PlanFamily::~PlanFamily() = default;
 
