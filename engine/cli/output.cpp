@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "engine/cli/version.hpp"
+#include "engine/figure/figure_file.hpp"
+#include "engine/figure/figure_spec.hpp"
 #include "engine/figure/scene_animation.hpp"
 #include "engine/table/file.hpp"
 
@@ -119,7 +121,7 @@ std::vector<std::string> write_outputs(const std::string& folder, const Work& wo
   if (!outcome.result.faults.empty() || outcome.result.interrupted) return pictures;
   for (std::size_t i = 0; i < work.figures.size(); ++i) {
     pictures.push_back(numbered("figure", i, ".svg"));
-    write_file(folder + "/" + pictures.back(), draw(work.figures[i], outcome.recordings()).svg);
+    write_figure(folder, numbered("figure", i, ""), figure_spec(work.figures[i], outcome.recordings()));
   }
   if (work.scene) write_scene(folder, work, outcome, pictures);
   return pictures;
