@@ -133,7 +133,8 @@ FigureSpec loop_figure(const LoopOutcome& outcome) {
   const Diagram& diagram = outcome.loop.simulation().plan().diagram;
   FigureBuilder figure(
       {.title = fmt::format("{}: {:.6g} Hz, {}", diagram.title.empty() ? diagram.file : diagram.title,
-                            outcome.settings.rate, outcome.served.policy)},
+                            outcome.settings.rate, outcome.served.policy),
+       .columns = 2},
       2);
   draw_counts(all,
               figure.add({.x = {.range = {{1e-3 * edge(all.first), 1e-3 * edge(all.end + 1)}}, .log = true},

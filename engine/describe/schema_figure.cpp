@@ -33,44 +33,33 @@ Json map_schema(const std::vector<FigureKey>& keys) {
   return closed_map(std::move(properties), required);
 }
 
-/// One value of a key, without its explanation.
-Json value_schema(const FigureKey& key) {
-  const Json points = map_of(pair_of(schema_ref("number")));
-  switch (key.type) {
-    case ValueType::text:
-      return schema_ref("text");
-    case ValueType::expression:
-      return schema_ref("expression");
-    case ValueType::series:
-      return schema_ref("series");
-    case ValueType::number:
-      return schema_ref("number");
-    case ValueType::whole:
-      return typed("integer").set("minimum", key.low).set("maximum", key.high);
-    case ValueType::truth:
-      return typed("boolean");
-    case ValueType::word:
-      return one_word_of(key.words);
-    case ValueType::number_pair:
-      return pair_of(schema_ref("number"));
-    case ValueType::size_pair:
-      return pair_of(typed("integer"));
-    case ValueType::points:
-      return points;
-    case ValueType::point_list:
-      return any_of({points, list_of(pair_of(schema_ref("number")))});
-    case ValueType::text_map:
-      return map_of(schema_ref("text"));
-    case ValueType::name_map:
-      return map_of(one_or_list_of(schema_ref("text")));
-    case ValueType::map:
-      return map_schema(key.keys);
-    case ValueType::panels:
-      return list_of(schema_ref("panel")).set("minItems", 1);
-    case ValueType::tree:
-      break;
-  }
+/// Points of the plane by their names.
+Json points_schema() {
+  return map_of(pair_of(schema_ref("number")));
+}
+
+/// A value that has no definition of its own, without its explanation.
+Json own_schema(const FigureKey& key) {
+  if (key.type == ValueType::whole) return typed("integer").set("minimum", key.low).set("maximum", key.high);
+  if (key.type == ValueType::truth) return typed("boolean");
+  if (key.type == ValueType::word) return one_word_of(key.words);
+  if (key.type == ValueType::number_pair) return pair_of(schema_ref("number"));
+  if (key.type == ValueType::size_pair) return pair_of(typed("integer"));
+  if (key.type == ValueType::points) return points_schema();
+  if (key.type == ValueType::point_list)
+    return any_of({points_schema(), list_of(pair_of(schema_ref("number")))});
+  if (key.type == ValueType::text_map) return map_of(schema_ref("text"));
+  if (key.type == ValueType::name_map) return map_of(one_or_list_of(schema_ref("text")));
+  if (key.type == ValueType::map) return map_schema(key.keys);
+  if (key.type == ValueType::panels) return list_of(schema_ref("panel")).set("minItems", 1);
   return Json::object();
+}
+
+Json value_schema(const FigureKey& key) {
+  if (key.type == ValueType::text) return schema_ref("text");
+  if (key.type == ValueType::expression) return schema_ref("expression");
+  if (key.type == ValueType::series) return schema_ref("series");
+  return key.type == ValueType::number ? schema_ref("number") : own_schema(key);
 }
 
 Json row_schema(const FigureKey& key) {

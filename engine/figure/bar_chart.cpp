@@ -10,7 +10,7 @@
 namespace stepwire {
 namespace {
 
-constexpr double width = 680.0, row_height = 22.0, frame_height = 104.0;  // [pixels]
+constexpr double width = 680.0, row_height = 22.0, frame_height = 137.0;  // [pixels]
 constexpr double half_bar = 0.36, gap = 0.6;                              // [rows]
 
 /// Where each bar's middle lies, counted downwards in rows.

@@ -31,6 +31,16 @@ std::string place(const FigureSpec& figure, const PanelSpec& panel, bool equal) 
                      panel.width / figure.width, panel.height / figure.height);
 }
 
+std::string frame_of(const FigureSpec& figure, const PlotSpec& plot) {
+  if (!plot.frame) return {};
+  const auto [left, top, width, height] = *plot.frame;
+  return fmt::format(
+      "set lmargin at screen {:.6f}\nset rmargin at screen {:.6f}\nset tmargin at screen {:.6f}\nset bmargin "
+      "at screen {:.6f}\n",
+      left / figure.width, (left + width) / figure.width, 1.0 - top / figure.height,
+      1.0 - (top + height) / figure.height);
+}
+
 std::string title_of(const FigureSpec& figure) {
   return fmt::format(
       "set label {} at screen 0.5, screen {:.6f} center font ',{:.3g}' textcolor rgb '#111111'\n",
@@ -55,7 +65,8 @@ std::string gnuplot_script(const FigureSpec& figure) {
   for (std::size_t i = 0; i < figure.panels.size(); ++i) {
     const PanelSpec& panel = figure.panels[i];
     const auto& plot = std::get<PlotSpec>(panel.content);
-    script += picture_style() + palette_command(plot) + margins(figure) + place(figure, panel, plot.equal);
+    script += picture_style() + palette_command(plot) + margins(figure) + place(figure, panel, plot.equal) +
+              frame_of(figure, plot);
     if (i == 0 && !figure.title.empty()) script += title_of(figure);
     script += panel_title(plot.title, panel.width) + axes_commands(plot) + text_commands(plot);
     script += marks_of(plot, i);

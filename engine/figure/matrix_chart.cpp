@@ -10,7 +10,7 @@
 namespace stepwire {
 namespace {
 
-constexpr double cell = 44.0, letter = 7.2, head = 80.0, bar = 130.0;  // [px]
+constexpr double cell = 44.0, letter = 7.2, head = 44.0, bar = 90.0;  // [px]
 constexpr std::size_t most_with_numbers = 16;
 
 /// Whole cells as coloured rectangles: those that are known, or the others in grey.
@@ -55,11 +55,19 @@ PlotAxis names_of(const MatrixChart& chart, bool across) {
   return axis;
 }
 
-Figure frame_of(const MatrixChart& chart) {
+/// Room for the names left of the cells and below them [px].
+double margin_of(const MatrixChart& chart) {
   std::size_t longest = 1;
   for (const std::string& name : chart.names) longest = std::max(longest, name.size());
-  const double side = cell * static_cast<double>(std::max<std::size_t>(1, chart.names.size()));
-  const double margin = 20.0 + letter * static_cast<double>(longest);
+  return 20.0 + letter * static_cast<double>(longest);
+}
+
+double side_of(const MatrixChart& chart) {
+  return cell * static_cast<double>(std::max<std::size_t>(1, chart.names.size()));
+}
+
+Figure picture_of(const MatrixChart& chart) {
+  const double side = side_of(chart), margin = margin_of(chart);
   return {.title = chart.title,
           .width = static_cast<int>(std::max(360.0, margin + side + bar)),
           .height = static_cast<int>(head + side + margin)};
@@ -68,8 +76,9 @@ Figure frame_of(const MatrixChart& chart) {
 }  // namespace
 
 FigureSpec figure_of(const MatrixChart& chart) {
-  FigureBuilder figure(frame_of(chart), 1);
-  PlotBuilder& plot = figure.add({.equal = true});
+  FigureBuilder figure(picture_of(chart), 1);
+  PlotBuilder& plot = figure.add({});
+  plot.spec.frame = std::array{margin_of(chart), head, side_of(chart), side_of(chart)};
   plot.spec.x = names_of(chart, true);
   plot.spec.y = names_of(chart, false);
   plot.spec.color = PlotAxis{.range = {{-1.0, 1.0}}, .step = 0.5};

@@ -61,6 +61,16 @@ double share_behind(ArrowPivot pivot) {
   return pivot == ArrowPivot::tip ? 1.0 : pivot == ArrowPivot::middle ? 0.5 : 0.0;
 }
 
+VectorsMark mark_of(const Curve& arrows, ArrowPivot pivot) {
+  VectorsMark mark{.line = {"", 1.7}, .pivot = share_behind(pivot), .head = 0.009, .head_angle = 18.0};
+  mark.x = arrows.columns[0];
+  mark.y = arrows.columns[1];
+  mark.dx = arrows.columns[2];
+  mark.dy = arrows.columns[3];
+  mark.value = arrows.columns[4];
+  return mark;
+}
+
 void draw_field(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
   const Series &x = *panel.find("x"), &y = *panel.find("y"), &u = *panel.find("u"), &v = *panel.find("v");
   const Series* color = panel.find("color");
@@ -78,16 +88,7 @@ void draw_field(const Panel& panel, std::span<const Recording> recordings, PlotB
   const double width = std::min(plot.x.width(), plot.y.width());
   scale_arrows(arrows, panel.scale.value_or(1.0) * (width > 0.0 ? width : 1.0) / cells);
   plot.plane(0.06);
-  auto& columns = arrows.columns;
-  plot.add(VectorsMark{.x = columns[0],
-                       .y = columns[1],
-                       .dx = columns[2],
-                       .dy = columns[3],
-                       .value = columns[4],
-                       .line = {"", 1.7},
-                       .pivot = share_behind(panel.pivot),
-                       .head = 0.009,
-                       .head_angle = 18.0});
+  plot.add(mark_of(arrows, panel.pivot));
 }
 
 }  // namespace

@@ -87,6 +87,8 @@ struct PlotSpec {
   bool equal = false;               ///< one unit is as long along all axes
   bool closed_frame = false;        ///< lines on all four sides
   Legend legend = Legend::none;
+  /// Place of the axes in the picture: left, top, width, height [px]; none: as their labels leave room.
+  std::optional<std::array<double, 4>> frame{};
   std::vector<PlotMark> marks{};  ///< later ones cover earlier ones
   std::vector<TextMark> texts{};
 
@@ -101,6 +103,7 @@ struct PlotSpec {
                       field("equal", &PlotSpec::equal),
                       field("closed_frame", &PlotSpec::closed_frame),
                       field("legend", &PlotSpec::legend),
+                      field("frame", &PlotSpec::frame),
                       field("marks", &PlotSpec::marks),
                       field("texts", &PlotSpec::texts)};
   }

@@ -25,8 +25,9 @@ Json json_of(TextMark::Align align) {
 Json json_of(PointsMark::Symbol symbol) {
   return PointsMark::symbols[static_cast<std::size_t>(symbol)];
 }
-Json json_of(const std::array<double, 2>& pair) {
-  return Json::list_of(pair);
+template <std::size_t count>
+Json json_of(const std::array<double, count>& numbers) {
+  return Json::list_of(numbers);
 }
 
 /// Columns have the digits that a picture shows; what is no finite number is null.

@@ -23,8 +23,9 @@ inline void read(const json& from, std::size_t& to) {
 inline void read(const json& from, std::string& to) {
   to = from.get<std::string>();
 }
-inline void read(const json& from, std::array<double, 2>& to) {
-  to = from.get<std::array<double, 2>>();
+template <std::size_t count>
+void read(const json& from, std::array<double, count>& to) {
+  to = from.get<std::array<double, count>>();
 }
 
 template <class Enum, class Words>
