@@ -37,9 +37,9 @@ struct DrawnUnit {
   Unit unit{};
   std::string text;  ///< as axes have it; empty: not known
 
-  DrawnUnit(const std::string& wanted, const std::optional<Dimension>& dimension)
-      : text(wanted.empty() ? si_of(dimension) : wanted) {
-    if (const auto parsed = parse_unit(wanted); parsed && !wanted.empty()) unit = *parsed;
+  DrawnUnit(const std::string& given, const std::optional<Dimension>& dimension)
+      : text(given.empty() ? si_of(dimension) : given) {
+    if (const auto parsed = parse_unit(given); parsed && !given.empty()) unit = *parsed;
   }
 
   std::vector<double> of(std::vector<double> values) const {

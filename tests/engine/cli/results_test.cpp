@@ -46,7 +46,10 @@ TEST_CASE("run --out writes all that a run leaves, and nothing else") {
 
 TEST_CASE("the spec of a picture lies beside it as JSON that other programs read") {
   const std::string python = stepwire::find_program("python3");
-  if (python.empty()) return WARN("python3 is not installed; no other program read the JSON");
+  if (python.empty()) {
+    WARN("python3 is not installed; no other program read the JSON");
+    return;
+  }
   const Scratch folder;
   folder.file("lag.yaml", lag_yaml);
   REQUIRE(run_program(folder, {"run", "lag.yaml", "--out", "out"}).code == 0);

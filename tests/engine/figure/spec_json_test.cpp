@@ -77,7 +77,7 @@ TEST_CASE("what stands at its default is left out, and numbers of columns have s
   CHECK_FALSE(line.at("line").contains("dash"));
 }
 
-TEST_CASE("cells of an image that nobody measured are null") {
+TEST_CASE("cells of an image that were not measured are null") {
   ImageMark image{0.0, 0.0, 1.0, 1.0, 2, 1, {1.5, nothing}};
   const FigureSpec figure{"", 10.0, 10.0, false, {{0.0, 0.0, 10.0, 10.0, PlotSpec{.marks = {image}}}}};
   const json values = json::parse(text_of(figure)).at("panels").at(0).at("marks").at(0).at("values");

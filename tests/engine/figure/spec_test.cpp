@@ -1,4 +1,4 @@
-// What each kind of plot shows of a small recording, whoever draws it.
+// What each kind of plot makes of a small recording, without any renderer.
 #include "tests/engine/figure/samples.hpp"
 
 using namespace stepwire;
