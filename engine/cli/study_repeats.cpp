@@ -95,7 +95,7 @@ ExitCode repeat_study(const Registry& registry, const Work& work, const WorkOpti
     return ExitCode::interrupted;
   }
   const TextTable table = repetition.table(request);
-  write_figure(folder, "experiments", repetition.figure(request));
+  write_figure(folder, "experiments", repetition.figure(request), "experiments-figure");
   write_file(folder + "/experiments.txt", text(table));
   say("{}  written to {}\n", text(table), folder);
   return ExitCode::done;

@@ -40,12 +40,6 @@ struct FigureKey {
   std::vector<FigureKey> keys{};     ///< of a map
   bool required = false;             ///< in its map
   int low = 0, high = 0;             ///< limits of a whole number
-
-  FigureKey as_list() const {
-    FigureKey key = *this;
-    key.list = true;
-    return key;
-  }
 };
 
 /// What the keys of a file are read with.
