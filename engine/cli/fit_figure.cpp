@@ -3,55 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "engine/cli/fitting.hpp"
+#include "engine/figure/figure_spec.hpp"
 #include "engine/figure/matrix_chart.hpp"
+#include "engine/figure/plot_tools.hpp"
 
 namespace stepwire {
 
 namespace {
-
-/// Recordings and the text of a figure over them, as a diagram file would have it.
-struct Asked {
-  std::vector<Recording> recordings;
-  Names names{"fit", {}, {}};
-  std::string text;
-
-  /// A recording of these columns, which are named apart from those of others by its number.
-  std::string add(std::vector<Column> columns) {
-    const std::size_t number = recordings.size();
-    Recording recording;
-    for (Column& column : columns) {
-      column.name += fmt::format("_{}", number);
-      const auto unit = column.unit.empty() ? std::nullopt : parse_unit(column.unit);
-      names.columns.push_back({column.name, unit ? std::optional(unit->dimension) : std::nullopt, number});
-      recording.table.columns.push_back(std::move(column));
-    }
-    recordings.push_back(std::move(recording));
-    return fmt::format("_{}", number);
-  }
-};
-
-std::string picture(const Asked& asked, const std::string& title) {
-  Faults faults;
-  auto figures = read_figures(parse_document(asked.text, "fit").root, asked.names, faults);
-  faults.throw_if_any();
-  figures.front().title = title;
-  return draw(figures.front(), asked.recordings).svg;
-}
-
-/// A text as YAML takes it in single quotes.
-std::string text_of(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);
-  return result + "'";
-}
-
-/// " in mm" for a unit that is known.
-std::string drawn_in(const std::string& unit) {
-  return unit.empty() ? "" : " in " + unit;
-}
 
 std::string si_of(const std::optional<Dimension>& dimension) {
   return dimension && *dimension != Dimension{} ? si_name(*dimension) : "";
@@ -72,77 +32,118 @@ std::vector<std::size_t> telling(const FitResult& result, std::size_t comparison
   return {all.front(), all[all.size() / 2], all.back()};
 }
 
-/// Record and model over time, the residual, and both over whatever the file names, for one record.
-void add_panels(const FitComparison& comparison, const FittedRecord& record, const ComparedRows& rows,
-                const std::string& word, Asked& asked) {
-  const std::string si = si_of(comparison.model.formula.dimension), unit = comparison.model.unit_text;
-  std::vector<Column> columns{
-      {"time", "s", rows.time}, {"measured", si, rows.measured}, {"model", si, rows.model}};
-  for (std::size_t i = 0; i < rows.against.size(); ++i)
-    columns.push_back(
-        {fmt::format("against{}", i), si_of(comparison.against[i].formula.dimension), rows.against[i]});
-  const std::string number = asked.add(std::move(columns));
-  const std::string both =
-      fmt::format("y: [measured{0}{1}, model{0}{1}], legend: [{2}, model], y_label: {3}", number,
-                  drawn_in(unit), text_of(word), text_of(comparison.model.label));
-  // A stretch in which single periods are seen.
-  const double begin = rows.time.front(),
-               end = std::min(rows.time.back(), begin + 0.3 * (rows.time.back() - begin));
-  asked.text += fmt::format(
-      "  - {{plot: lines, x: time{} in s, {}, x_label: time, x_range: [{:.9g} s, {:.9g} s], title: {}}}\n",
-      number, both, begin, end,
-      text_of(fmt::format("{}{}{}{}", record.label, record.label.empty() ? "" : ": ", agreement_text(rows),
-                          record.held_out ? ", held out" : "")));
-  asked.text += fmt::format(
-      "  - {{plot: lines, x: time{0} in s, y: model{0} - measured{0}{1}, x_label: time, y_label: "
-      "residual}}\n",
-      number, drawn_in(unit));
-  for (std::size_t i = 0; i < rows.against.size(); ++i)
-    asked.text +=
-        fmt::format("  - {{plot: loop, x: against{}{}{}, {}, x_label: {}}}\n", i, number,
-                    drawn_in(comparison.against[i].unit_text), both, text_of(comparison.against[i].label));
+/// Numbers of SI in the unit in which they are drawn.
+struct DrawnUnit {
+  Unit unit{};
+  std::string text;  ///< as axes have it; empty: not known
+
+  DrawnUnit(const std::string& given, const std::optional<Dimension>& dimension)
+      : text(given.empty() ? si_of(dimension) : given) {
+    if (const auto parsed = parse_unit(given); parsed && !given.empty()) unit = *parsed;
+  }
+
+  std::vector<double> of(std::vector<double> values) const {
+    for (double& value : values) value = unit.from_si(value);
+    return values;
+  }
+};
+
+/// One record with what a comparison holds against it.
+struct ComparedRecord {
+  const FitComparison& comparison;
+  const FittedRecord& record;
+  const ComparedRows& rows;
+  const std::string& word;  ///< for records
+  DrawnUnit unit{comparison.model.unit_text, comparison.model.formula.dimension};
+
+  std::string title() const {
+    return fmt::format("{}{}{}{}", record.label, record.label.empty() ? "" : ": ", agreement_text(rows),
+                       record.held_out ? ", held out" : "");
+  }
+  std::vector<NumberCurve> both(const std::vector<double>& x) const {
+    return {{x, unit.of(rows.measured), word}, {x, unit.of(rows.model), "model"}};
+  }
+};
+
+/// Record and model over a stretch of time in which single periods are seen.
+void add_over_time(const ComparedRecord& compared, FigureBuilder& panels) {
+  const std::vector<double>& time = compared.rows.time;
+  const double begin = time.front(), end = std::min(time.back(), begin + 0.3 * (time.back() - begin));
+  PlotBuilder& plot = panels.add({.title = compared.title(), .x = {.range = {{begin, end}}}});
+  name_axis(plot.spec.x, "time", "s");
+  name_axis(plot.spec.y, compared.comparison.model.label, compared.unit.text);
+  draw_curves(compared.both(time), plot);
+  set_line_ranges(plot);
 }
 
-std::string records_picture(const FitRequest& request, const FitResult& result, std::size_t which) {
+void add_residual(const ComparedRecord& compared, FigureBuilder& panels) {
+  std::vector<double> residual = compared.rows.model;
+  for (std::size_t i = 0; i < residual.size(); ++i) residual[i] -= compared.rows.measured[i];
+  PlotBuilder& plot = panels.add({});
+  name_axis(plot.spec.x, "time", "s");
+  name_axis(plot.spec.y, "residual", compared.unit.text);
+  draw_curves({{compared.rows.time, compared.unit.of(std::move(residual))}}, plot);
+  set_line_ranges(plot);
+}
+
+/// Record and model over what the file names.
+void add_loop(const ComparedRecord& compared, std::size_t which, FigureBuilder& panels) {
+  const Series& against = compared.comparison.against[which];
+  const DrawnUnit unit(against.unit_text, against.formula.dimension);
+  PlotBuilder& plot = panels.add({});
+  name_axis(plot.spec.x, against.label, unit.text);
+  name_axis(plot.spec.y, compared.comparison.model.label, compared.unit.text);
+  draw_curves(compared.both(unit.of(compared.rows.against[which])), plot);
+  plot.plane(0.05);
+  plot.spec.x.zero_line = plot.spec.y.zero_line = true;
+}
+
+FigureSpec records_figure(const FitRequest& request, const FitResult& result, std::size_t which) {
   const FitComparison& comparison = request.comparisons[which];
   const std::vector<std::size_t> shown = telling(result, which);
   const std::size_t columns = 2 + comparison.against.size();
-  Asked asked;
-  asked.text = fmt::format("columns: {}\npanels:\n", columns);
-  for (const std::size_t record : shown)
-    add_panels(comparison, result.records[record], result.records[record].comparisons[which], request.records,
-               asked);
-  return picture(asked, shown.size() < result.records.size() ? "Worst, middle and best described record"
-                                                             : "Record and model");
-}
-
-std::string curves_picture(const FitResult& result) {
-  Asked asked;
-  asked.text = fmt::format("columns: {}\npanels:\n", std::min<std::size_t>(2, result.curves.size()));
-  for (const FittedCurve& curve : result.curves) {
-    const std::string si = si_of(curve.dimension), unit = drawn_in(curve.unit);
-    const std::string n = asked.add(
-        {{"at", "", curve.at}, {"value", si, curve.value}, {"low", si, curve.low}, {"high", si, curve.high}});
-    const std::string shade =
-        curve.data_range.empty()
-            ? ""
-            : fmt::format(", shade: [{:.9g}, {:.9g}]", curve.data_range[0], curve.data_range[1]);
-    asked.text += fmt::format(
-        "  - {{plot: lines, x: at{0}, y: value{0}{1}, low: low{0}{1}, high: high{0}{1}, x_label: {2}, "
-        "y_label: {3}{4}}}\n",
-        n, unit, text_of(curve.label), text_of(curve.name), shade);
+  FigureBuilder panels(
+      {.title = shown.size() < result.records.size() ? "Worst, middle and best described record"
+                                                     : "Record and model",
+       .columns = static_cast<int>(columns)},
+      shown.size() * columns);
+  for (const std::size_t record : shown) {
+    const ComparedRecord compared{comparison, result.records[record],
+                                  result.records[record].comparisons[which], request.records};
+    add_over_time(compared, panels);
+    add_residual(compared, panels);
+    for (std::size_t i = 0; i < comparison.against.size(); ++i) add_loop(compared, i, panels);
   }
-  return picture(asked, "Fitted, with the 95 % interval; shaded where there are records");
+  return panels.finished();
 }
 
-std::string correlation_picture(const FitResult& result) {
+void add_curve(const FittedCurve& curve, FigureBuilder& panels) {
+  const DrawnUnit unit(curve.unit, curve.dimension);
+  PlotBuilder& plot = panels.add({});
+  name_axis(plot.spec.x, curve.label, "");
+  name_axis(plot.spec.y, curve.name, unit.text);
+  draw_curves({{curve.at, unit.of(curve.value)}}, plot);
+  draw_band(curves_of(plot.panel(), {curve.at, unit.of(curve.low), unit.of(curve.high)}).curves, plot);
+  draw_spans(curve.data_range, plot);
+  set_line_ranges(plot);
+}
+
+FigureSpec curves_figure(const FitResult& result) {
+  FigureBuilder panels({.title = "Fitted, with the 95 % interval; shaded where there are records",
+                        .columns = static_cast<int>(std::min<std::size_t>(2, result.curves.size()))},
+                       result.curves.size());
+  for (const FittedCurve& curve : result.curves) add_curve(curve, panels);
+  return panels.finished();
+}
+
+FigureSpec correlation_figure(const FitResult& result) {
   MatrixChart chart{"Correlation of what was found", {}, {}};
   for (const FittedNumber& number : result.numbers) chart.names.push_back(number.title());
   for (Eigen::Index i = 0; i < result.correlation.rows(); ++i) {
     const Eigen::RowVectorXd row = result.correlation.row(i);
     chart.values.emplace_back(row.begin(), row.end());
   }
-  return draw(chart);
+  return figure_of(chart);
 }
 
 }  // namespace
@@ -152,12 +153,12 @@ std::vector<FitPicture> fit_pictures(const FitRequest& request, const FitResult&
   for (std::size_t i = 0; i < request.comparisons.size(); ++i)
     if (!telling(result, i).empty())
       pictures.push_back(
-          {request.comparisons.size() == 1 ? "fit-records.svg" : fmt::format("fit-records-{}.svg", i + 1),
-           records_picture(request, result, i)});
+          {request.comparisons.size() == 1 ? "fit-records" : fmt::format("fit-records-{}", i + 1),
+           records_figure(request, result, i)});
   const bool certain = result.correlation.rows() > 0;
-  if (certain && !result.curves.empty()) pictures.push_back({"fit-curves.svg", curves_picture(result)});
+  if (certain && !result.curves.empty()) pictures.push_back({"fit-curves", curves_figure(result)});
   if (certain && result.numbers.size() > 1)
-    pictures.push_back({"fit-correlation.svg", correlation_picture(result)});
+    pictures.push_back({"fit-correlation", correlation_figure(result)});
   return pictures;
 }
 

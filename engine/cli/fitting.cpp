@@ -4,6 +4,7 @@
 
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/progress.hpp"
+#include "engine/figure/figure_file.hpp"
 #include "engine/table/file.hpp"
 
 namespace stepwire {
@@ -53,8 +54,8 @@ std::vector<std::string> write_fit(const std::string& folder, const Work& work, 
   if (!result.numbers.empty()) write_file(folder + "/parameters.yaml", parameters_text(work, result));
   std::vector<std::string> names;
   for (const FitPicture& picture : fit_pictures(*work.fit, result)) {
-    names.push_back(picture.file);
-    write_file(folder + "/" + picture.file, picture.svg);
+    names.push_back(picture.name + ".svg");
+    write_figure(folder, picture.name, picture.figure);
   }
   return names;
 }

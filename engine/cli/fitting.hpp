@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/cli/work.hpp"
+#include "engine/figure/plot_spec.hpp"
 #include "engine/identify/fit.hpp"
 #include "engine/table/json.hpp"
 
@@ -31,15 +32,14 @@ FitResult fit_visibly(const Registry& registry, const Work& work, const WorkOpti
 /// The options with what was found in the place of the file's values.
 WorkOptions with_fitted(WorkOptions options, const FitResult& result);
 
-/// A picture of a fit and the name of its file.
+/// A picture of a fit and the name of its files.
 struct FitPicture {
-  std::string file;
-  std::string svg;
+  std::string name;
+  FigureSpec figure;
 };
 
 /// Measured and model of the worst, middle and best record of each comparison, over time and over what the
-/// file names, with the residuals; the curves with their intervals; the correlations. Throws
-/// SurroundingsError without gnuplot.
+/// file names, with the residuals; the curves with their intervals; the correlations.
 std::vector<FitPicture> fit_pictures(const FitRequest& request, const FitResult& result);
 
 /// Writes fit.json, parameters.yaml and the pictures into a folder and returns the pictures' names. Throws

@@ -9,6 +9,7 @@
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/loop_report.hpp"
 #include "engine/cli/report.hpp"
+#include "engine/figure/figure_file.hpp"
 #include "engine/generate/generated_code.hpp"
 #include "engine/process/process.hpp"
 #include "engine/realtime/row_writer.hpp"
@@ -88,7 +89,7 @@ Served serve_all(Loop& loop, const LoopSettings& settings, std::optional<Cyclict
 /// Everything that a loop leaves behind in its folder besides the rows, which are there.
 void write_results(const std::string& folder, const LoopOutcome& outcome) {
   write_file(folder + "/loop.json", loop_json(outcome).text() + "\n");
-  write_file(folder + "/loop.svg", loop_figure(outcome));
+  write_figure(folder, "loop", loop_figure(outcome), "loop-figure");
   say("  written to {}\n", folder);
 }
 

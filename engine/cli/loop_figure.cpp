@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "engine/cli/loop_report.hpp"
-#include "engine/document/document.hpp"
-#include "engine/figure/figure.hpp"
+#include "engine/figure/figure_spec.hpp"
+#include "engine/figure/plot_tools.hpp"
 
 namespace stepwire {
 
@@ -14,7 +14,6 @@ namespace {
 
 constexpr double bins_per_decade = 20.0;
 constexpr double below_axis = 0.1, axis = 0.7;
-constexpr double ns = 1e-9;
 
 /// How often times fell between powers of ten in 20 parts, which can be seen where the bins of a histogram
 /// are too narrow.
@@ -65,8 +64,9 @@ struct Counted {
 
 Counted counted(const LoopOutcome& outcome) {
   const Measurements& measured = outcome.loop.measurements();
-  Counted counted{
-      {{"wake_up", measured.wake_up()}, {"response", measured.response()}, {"step", measured.step()}}};
+  Counted counted{{{"wake-up latency", measured.wake_up()},
+                   {"response", measured.response()},
+                   {"cost of a step", measured.step()}}};
   if (outcome.baseline) counted.all.emplace_back("cyclictest", outcome.baseline->histogram());
   for (const Coarse& coarse : counted.all) {
     counted.first = std::min(counted.first, coarse.begin());
@@ -77,82 +77,70 @@ Counted counted(const LoopOutcome& outcome) {
   return counted;
 }
 
-/// A staircase for each; what was never counted lies below the axis.
-Recording staircases(const Counted& counted) {
-  Recording recording;
-  auto& columns = recording.table.columns;
-  columns.push_back({"duration", "s", {}});
-  for (const Coarse& coarse : counted.all) columns.push_back({coarse.name, "", {}});
+/// A staircase; what was never counted lies below the axis.
+NumberCurve staircase(const Counted& counted, const Coarse& coarse) {
+  NumberCurve curve{{}, {}, coarse.name};
   for (std::size_t bin = counted.first; bin <= counted.end; ++bin)
     for (const std::size_t at : {bin, bin + 1}) {
-      columns[0].values.push_back(ns * edge(at));
-      for (std::size_t i = 0; i < counted.all.size(); ++i)
-        columns[i + 1].values.push_back(std::max(below_axis, counted.all[i][bin]));
+      curve.x.push_back(1e-3 * edge(at));
+      curve.y.push_back(std::max(below_axis, coarse[bin]));
     }
-  return recording;
+  return curve;
 }
 
-Recording worst_over_time(const LoopOutcome& outcome) {
-  Recording recording;
-  auto& columns = recording.table.columns;
-  for (const char* name : {"time", "worst_wake_up", "worst_response", "worst_step"})
-    columns.push_back({name, "s", {}});
-  const double stretch = outcome.settings.duration / static_cast<double>(Measurements::worst_count);
+void draw_counts(const Counted& counted, PlotBuilder& plot) {
+  name_axis(plot.spec.x, "time", "µs");
+  name_axis(plot.spec.y, "deadlines", "");
+  std::vector<NumberCurve> curves;
+  for (const Coarse& coarse : counted.all) curves.push_back(staircase(counted, coarse));
+  draw_curves(curves, plot);
+  plot.plane(0.05);
+}
+
+double stretch_of(const LoopOutcome& outcome) {
+  return outcome.settings.duration / static_cast<double>(Measurements::worst_count);
+}
+
+/// The longest of each in every stretch of the run.
+std::vector<NumberCurve> worst_over_time(const LoopOutcome& outcome) {
+  std::vector<NumberCurve> curves{
+      {{}, {}, "wake-up latency"}, {{}, {}, "response"}, {{}, {}, "cost of a step"}};
   const auto& all = outcome.loop.measurements().worst();
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i].wake_up == 0 && all[i].response == 0) continue;  // no deadline, or not reached
-    columns[0].values.push_back(stretch * (static_cast<double>(i) + 0.5));
-    columns[1].values.push_back(ns * static_cast<double>(all[i].wake_up));
-    columns[2].values.push_back(ns * static_cast<double>(all[i].response));
-    columns[3].values.push_back(ns * static_cast<double>(all[i].step));
+    const auto add = [&](NumberCurve& curve, std::int64_t longest) {
+      curve.x.push_back(stretch_of(outcome) * (static_cast<double>(i) + 0.5));
+      curve.y.push_back(1e-3 * static_cast<double>(longest));
+    };
+    add(curves[0], all[i].wake_up);
+    add(curves[1], all[i].response);
+    add(curves[2], all[i].step);
   }
-  return recording;
+  return curves;
 }
 
-Names names_of(const std::vector<Recording>& recordings) {
-  Names names{"loop.svg", {}, {}};
-  for (std::size_t i = 0; i < recordings.size(); ++i)
-    for (const Column& column : recordings[i].table.columns)
-      names.columns.push_back(
-          {column.name,
-           column.unit.empty() ? std::nullopt : std::optional(parse_unit(column.unit)->dimension), i});
-  return names;
-}
-
-/// The two panels, as a diagram file would ask for them.
-std::string panels(const LoopOutcome& outcome, const Counted& counted) {
-  const std::string baseline = outcome.baseline ? ", cyclictest" : "";
-  return fmt::format(
-      "panels:\n"
-      "  - {{plot: xy, x: duration in µs, y: [wake_up, response, step{baseline}], log: [x, y], x_label: "
-      "time,\n"
-      "     y_label: deadlines, legend: [wake-up latency, response, cost of a step{baseline}],\n"
-      "     x_range: [{low:.6g} us, {high:.6g} us], y_range: [{axis}, {most:.6g}]}}\n"
-      "  - {{plot: lines, x: time in s, y: [worst_wake_up in µs, worst_response in µs, worst_step in µs],\n"
-      "     log: y, y_label: longest in {stretch:.4g} s, legend: [wake-up latency, response, cost of a "
-      "step],\n"
-      "     x_range: [0 s, {duration:.9g} s]}}\n",
-      fmt::arg("baseline", baseline), fmt::arg("low", 1e-3 * edge(counted.first)),
-      fmt::arg("high", 1e-3 * edge(counted.end + 1)), fmt::arg("axis", axis),
-      fmt::arg("most", 2.0 * counted.most),
-      fmt::arg("stretch", outcome.settings.duration / static_cast<double>(Measurements::worst_count)),
-      fmt::arg("duration", outcome.settings.duration));
+void draw_worst(const LoopOutcome& outcome, PlotBuilder& plot) {
+  name_axis(plot.spec.x, "time", "s");
+  name_axis(plot.spec.y, fmt::format("longest in {:.4g} s", stretch_of(outcome)), "µs");
+  draw_curves(worst_over_time(outcome), plot);
+  set_line_ranges(plot);
 }
 
 }  // namespace
 
-std::string loop_figure(const LoopOutcome& outcome) {
+FigureSpec loop_figure(const LoopOutcome& outcome) {
   const Counted all = counted(outcome);
-  const std::vector<Recording> recordings{staircases(all), worst_over_time(outcome)};
-  Faults faults;
-  auto figures =
-      read_figures(parse_document(panels(outcome, all), "loop.svg").root, names_of(recordings), faults);
-  faults.throw_if_any();
   const Diagram& diagram = outcome.loop.simulation().plan().diagram;
-  figures.front().title =
-      fmt::format("{}: {:.6g} Hz, {}", diagram.title.empty() ? diagram.file : diagram.title,
-                  outcome.settings.rate, outcome.served.policy);
-  return draw(figures.front(), recordings).svg;
+  FigureBuilder figure(
+      {.title = fmt::format("{}: {:.6g} Hz, {}", diagram.title.empty() ? diagram.file : diagram.title,
+                            outcome.settings.rate, outcome.served.policy),
+       .columns = 2},
+      2);
+  draw_counts(all,
+              figure.add({.x = {.range = {{1e-3 * edge(all.first), 1e-3 * edge(all.end + 1)}}, .log = true},
+                          .y = {.range = {{axis, 2.0 * all.most}}, .log = true}}));
+  draw_worst(outcome, figure.add({.x = {.range = {{0.0, outcome.settings.duration}}}, .y = {.log = true}}));
+  return figure.finished();
 }
 
 }  // namespace stepwire

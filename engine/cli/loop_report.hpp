@@ -3,6 +3,7 @@
 #include <string>
 
 #include "engine/cli/loop_outcome.hpp"
+#include "engine/figure/plot_spec.hpp"
 #include "engine/table/json.hpp"
 
 namespace stepwire {
@@ -11,9 +12,9 @@ namespace stepwire {
 std::string loop_text(const LoopOutcome& outcome);
 /// The same and all histograms, for programs; times in ns unless the key says else.
 Json loop_json(const LoopOutcome& outcome);
-/// Two panels as SVG: how often each of wake-up latency, response and cost of a step was how long, and the
-/// worst of each over time. Throws SurroundingsError without gnuplot.
-std::string loop_figure(const LoopOutcome& outcome);
+/// Two panels: how often each of wake-up latency, response and cost of a step was how long, and the
+/// worst of each over time.
+FigureSpec loop_figure(const LoopOutcome& outcome);
 
 /// "done", "stopped", ...
 std::string end_word(Loop::End end);

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "engine/cli/version.hpp"
+#include "engine/figure/figure_file.hpp"
+#include "engine/figure/figure_spec.hpp"
 #include "engine/figure/scene_animation.hpp"
 #include "engine/table/file.hpp"
 
@@ -28,14 +30,20 @@ void write_recordings(const std::string& folder, const RunResult& result) {
   }
 }
 
+constexpr std::size_t most_listed = 10'000;  // values of an axis; sweep.csv has all
+
 /// What was varied, in the order in which a MAT file numbers words from 0.
 Json sweep_json(const Job& job) {
   if (job.points.empty()) return {};
   Json axes = Json::list();
   for (const Sweep::Axis& axis : job.plan.diagram.sweep->axes) {
     Json values = Json::list();
-    for (const std::string& value : axis.values) values.push(unquoted(value));
-    axes.push(Json::object().set("parameter", axis.parameter).set("values", std::move(values)));
+    if (axis.values.size() <= most_listed)
+      for (const std::string& value : axis.values) values.push(unquoted(value));
+    axes.push(Json::object()
+                  .set("parameter", axis.parameter)
+                  .set("count", axis.values.size())
+                  .set("values", std::move(values)));
   }
   return axes;
 }
@@ -119,7 +127,7 @@ std::vector<std::string> write_outputs(const std::string& folder, const Work& wo
   if (!outcome.result.faults.empty() || outcome.result.interrupted) return pictures;
   for (std::size_t i = 0; i < work.figures.size(); ++i) {
     pictures.push_back(numbered("figure", i, ".svg"));
-    write_file(folder + "/" + pictures.back(), draw(work.figures[i], outcome.recordings()).svg);
+    write_figure(folder, numbered("figure", i, ""), figure_spec(work.figures[i], outcome.recordings()));
   }
   if (work.scene) write_scene(folder, work, outcome, pictures);
   return pictures;

@@ -8,9 +8,9 @@
 
 namespace stepwire {
 
-/// Writes all that a run leaves behind into a folder: signals.csv, signals.mat, pictures, claims.json,
-/// run.json. Each file appears whole or not at all. Returns the names of the pictures. Throws
-/// SurroundingsError.
+/// Writes all that a run leaves behind into a folder: signals.csv, signals.mat, pictures with their specs
+/// (figure.svg, figure.json), claims.json, run.json. Each file appears whole or not at all. Returns the names
+/// of the pictures. Throws SurroundingsError.
 std::vector<std::string> write_outputs(const std::string& folder, const Work& work, const Outcome& outcome);
 
 /// The verdicts as a list of {file, figure, that, check, value, holds, disagrees?, note?}.

@@ -7,7 +7,7 @@
 
 #include "engine/cli/interrupt.hpp"
 #include "engine/figure/bar_chart.hpp"
-#include "engine/figure/script.hpp"
+#include "engine/figure/plot_builder.hpp"
 
 namespace stepwire {
 
@@ -144,7 +144,7 @@ Json profile_json(const Profile& profile) {
   return json.set("left", profile.left());
 }
 
-std::string profile_picture(const Work& work, const Profile& profile) {
+FigureSpec profile_figure(const Work& work, const Profile& profile) {
   const std::string& title = work.job.plan.diagram.title;
   BarChart chart{title.empty() ? work.file : title, "share of the run [%]", {}, {}};
   for (std::size_t phase = 0; phase < phase_count; ++phase)
@@ -158,7 +158,7 @@ std::string profile_picture(const Work& work, const Profile& profile) {
     bar.pieces.push_back(std::max(0.0, percent(profile, other.cost.seconds)));
     chart.bars.push_back(std::move(bar));
   }
-  return draw(chart);
+  return figure_of(chart);
 }
 
 }  // namespace stepwire

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "engine/cli/work.hpp"
+#include "engine/figure/plot_spec.hpp"
 #include "engine/run/profile.hpp"
 #include "engine/table/json.hpp"
 
@@ -16,7 +17,7 @@ std::string profile_text(const Work& work, const Profile& profile);
 /// All of it, a row for each block, part, and what the run does itself.
 std::string profile_csv(const Profile& profile);
 Json profile_json(const Profile& profile);
-/// The most expensive blocks as a picture (SVG). Throws SurroundingsError where gnuplot is missing.
-std::string profile_picture(const Work& work, const Profile& profile);
+/// The most expensive blocks as a figure.
+FigureSpec profile_figure(const Work& work, const Profile& profile);
 
 }  // namespace stepwire

@@ -14,6 +14,7 @@
 #include "engine/cli/progress.hpp"
 #include "engine/cli/report.hpp"
 #include "engine/cli/studying.hpp"
+#include "engine/figure/figure_file.hpp"
 #include "engine/generate/generated_code.hpp"
 #include "engine/replay/replay_folder.hpp"
 #include "engine/table/file.hpp"
@@ -87,7 +88,7 @@ std::optional<Profile> wanted_profile(const Work& work, const RunCommand& comman
 
 void write_profile(const std::string& folder, const Work& work, const Profile& profile) {
   write_file(folder + "/profile.csv", profile_csv(profile));
-  write_file(folder + "/profile.svg", profile_picture(work, profile));
+  write_figure(folder, "profile", profile_figure(work, profile));
 }
 
 /// Finds the parameters for which the file asks, tells them, and puts them into the work.
@@ -150,7 +151,7 @@ std::optional<OwnedFolder> own_folder(const RunCommand& command, const Work& wor
   return std::optional<OwnedFolder>(std::in_place, folder, [&] {
     std::set<std::string> files = files_read(work.job);
     files.insert({folder + "/experiments.csv", folder + "/experiments.json"});
-    if (work.study) files.insert(work.study->trials);
+    if (work.study && !work.study->trials.empty()) files.insert(work.study->trials);
     return files;
   });
 }

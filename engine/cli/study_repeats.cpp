@@ -9,6 +9,7 @@
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/studying.hpp"
+#include "engine/figure/figure_file.hpp"
 #include "engine/generate/generated_code.hpp"
 #include "engine/run/parallel.hpp"
 #include "engine/study/repetition.hpp"
@@ -94,7 +95,7 @@ ExitCode repeat_study(const Registry& registry, const Work& work, const WorkOpti
     return ExitCode::interrupted;
   }
   const TextTable table = repetition.table(request);
-  write_file(folder + "/experiments.svg", repetition.picture(request));
+  write_figure(folder, "experiments", repetition.figure(request), "experiments-figure");
   write_file(folder + "/experiments.txt", text(table));
   say("{}  written to {}\n", text(table), folder);
   return ExitCode::done;

@@ -1,7 +1,5 @@
 #include "engine/describe/schema_figure.hpp"
 
-#include <functional>
-
 #include "engine/describe/schema_values.hpp"
 #include "engine/figure/panel_reading.hpp"
 #include "engine/figure/plot_kind.hpp"
@@ -23,71 +21,56 @@ Json channel_schema(const Channel& channel) {
   return explained(channel.several ? one_or_list_of(series) : series, channel.doc);
 }
 
-Json option_schema(const Option& option) {
-  if (option.form == Option::Form::names) return explained(one_or_list_of(schema_ref("text")), option.doc);
-  if (option.form == Option::Form::texts) return explained(map_of(schema_ref("text")), option.doc);
-  if (option.form == Option::Form::lists)
-    return explained(map_of(one_or_list_of(schema_ref("text"))), option.doc);
-  if (option.form == Option::Form::tree) return Json::object().set("description", option.doc);
-  if (option.words == std::vector<std::string>{"true", "false"})
-    return explained(typed("boolean"), option.doc);
-  if (!option.words.empty() && option.list)
-    return explained(one_or_list_of(one_word_of(option.words)), option.doc);
-  if (!option.words.empty()) return explained(one_word_of(option.words), option.doc);
-  const Json number = schema_ref("number");
-  return explained(option.list ? one_or_list_of(number) : number, option.doc);
+Json row_schema(const FigureKey& key);
+
+Json map_schema(const std::vector<FigureKey>& keys) {
+  Json properties = Json::object();
+  std::vector<std::string> required;
+  for (const FigureKey& key : keys) {
+    properties.set(key.name, row_schema(key));
+    if (key.required) required.push_back(key.name);
+  }
+  return closed_map(std::move(properties), required);
 }
 
 /// Points of the plane by their names.
-Json named_points_schema() {
+Json points_schema() {
   return map_of(pair_of(schema_ref("number")));
 }
 
-/// The same, or a list of points.
-Json marks_schema() {
-  return any_of({named_points_schema(), list_of(pair_of(schema_ref("number")))});
+/// A value that has no definition of its own, without its explanation.
+Json own_schema(const FigureKey& key) {
+  if (key.type == ValueType::whole) return typed("integer").set("minimum", key.low).set("maximum", key.high);
+  if (key.type == ValueType::truth) return typed("boolean");
+  if (key.type == ValueType::word) return one_word_of(key.words);
+  if (key.type == ValueType::number_pair) return pair_of(schema_ref("number"));
+  if (key.type == ValueType::size_pair) return pair_of(typed("integer"));
+  if (key.type == ValueType::points) return points_schema();
+  if (key.type == ValueType::point_list)
+    return any_of({points_schema(), list_of(pair_of(schema_ref("number")))});
+  if (key.type == ValueType::text_map) return map_of(schema_ref("text"));
+  if (key.type == ValueType::name_map) return map_of(one_or_list_of(schema_ref("text")));
+  if (key.type == ValueType::map) return map_schema(key.keys);
+  if (key.type == ValueType::panels) return list_of(schema_ref("panel")).set("minItems", 1);
+  return Json::object();
 }
 
-Json motion_schema() {
-  Json keys = Json::object().set("x", schema_ref("expression")).set("y", schema_ref("expression"));
-  keys.set("where", schema_ref("expression")).set("heads", schema_ref("number"));
-  keys.set("color", one_word_of({"red", "blue", "green", "black"}));
-  return one_or_list_of(closed_map(std::move(keys), {"x", "y"}));
+Json value_schema(const FigureKey& key) {
+  if (key.type == ValueType::text) return schema_ref("text");
+  if (key.type == ValueType::expression) return schema_ref("expression");
+  if (key.type == ValueType::series) return schema_ref("series");
+  return key.type == ValueType::number ? schema_ref("number") : own_schema(key);
 }
 
-Json rose_schema() {
-  Json keys = Json::object();
-  for (const char* key : {"x", "y", "angle", "where"}) keys.set(key, schema_ref("expression"));
-  keys.set("value", schema_ref("series")).set("at", pair_of(schema_ref("number")));
-  keys.set("radius", schema_ref("number")).set("name", schema_ref("text"));
-  return one_or_list_of(closed_map(std::move(keys), {"x", "y", "angle", "value", "radius"}));
+Json row_schema(const FigureKey& key) {
+  Json value = key.list ? one_or_list_of(value_schema(key)) : value_schema(key);
+  return key.doc.empty() ? value : explained(std::move(value), key.doc);
 }
 
-/// What a key of every panel or picture holds.
-Json common_schema(const std::string& key) {
-  if (key.ends_with("_range")) return pair_of(schema_ref("number"));
-  if (key == "where") return schema_ref("expression");
-  if (key == "rows") return one_word_of({"all", "final"});
-  if (key == "equal") return typed("boolean");
-  if (key == "log") return one_or_list_of(one_word_of({"x", "y", "color"}));
-  if (key == "legend" || key == "boundary" || key == "region") return one_or_list_of(schema_ref("text"));
-  if (key == "size") return pair_of(typed("integer"));
-  if (key == "region_line") return one_word_of({"line", "dashes"});
-  if (key == "marks") return marks_schema();
-  if (key == "motion") return motion_schema();
-  if (key == "rose") return rose_schema();
-  if (key == "texts") return named_points_schema();
-  if (key == "own") return typed("boolean");
-  if (key == "note") return schema_ref("series");
-  if (key == "columns") return typed("integer").set("minimum", 1).set("maximum", 6);
-  if (key == "panels") return list_of(schema_ref("panel")).set("minItems", 1);
-  return schema_ref("text");
-}
-
-void add_keys(Json& properties, const std::vector<FigureKey>& keys,
-              const std::function<bool(const std::string&)>& takes) {
-  for (const FigureKey& key : keys)
-    if (takes(key.name)) properties.set(key.name, explained(common_schema(key.name), key.doc));
+/// The keys of a whole picture; of one plot without `panels`.
+void add_picture_keys(Json& properties, bool several) {
+  for (const FigureKey& key : picture_keys())
+    if (several || key.type != ValueType::panels) properties.set(key.name, row_schema(key));
 }
 
 /// Keys of one plot; alone in its picture it has the picture's keys too.
@@ -98,14 +81,15 @@ Json plot_schema(const PlotKind& kind, bool alone) {
     for (const char* key : {"title", "caption"}) properties.set(key, schema_ref("text"));
     properties.set("own", typed("boolean"));
   } else {
-    add_keys(properties, panel_keys(), [&](const std::string& key) { return kind.takes(key); });
-    if (alone) add_keys(properties, picture_keys(), [](const std::string& key) { return key != "panels"; });
+    for (const auto& key : panel_keys())
+      if (kind.takes(key.needs)) properties.set(key.name, row_schema(key));
+    if (alone) add_picture_keys(properties, false);
   }
   for (const Channel& channel : kind.channels) {
     properties.set(channel.key, channel_schema(channel));
     if (channel.required) required.push_back(channel.key);
   }
-  for (const Option& option : kind.options) properties.set(option.key, option_schema(option));
+  for (const FigureKey& option : kind.options) properties.set(option.name, row_schema(option));
   return explained(closed_map(std::move(properties), required), kind.doc);
 }
 
@@ -137,7 +121,7 @@ void add_figure_definitions(Json& definitions) {
   definitions.set("panel", plot_choice("panel.", false));
   definitions.set("plot", plot_choice("plot.", true));
   Json properties = Json::object();
-  add_keys(properties, picture_keys(), [](const std::string&) { return true; });
+  add_picture_keys(properties, true);
   definitions.set("panels", closed_map(std::move(properties), {"panels"}));
   Json figure = Json::object().set("if", Json::object().set("required", Json::list({"panels"})));
   definitions.set("figure", figure.set("then", schema_ref("panels")).set("else", schema_ref("plot")));

@@ -5,14 +5,12 @@
 #include <algorithm>
 #include <numeric>
 
-#include "engine/figure/gnuplot.hpp"
-#include "engine/figure/picture.hpp"
-#include "engine/figure/script.hpp"
+#include "engine/figure/figure_spec.hpp"
 
 namespace stepwire {
 namespace {
 
-constexpr double width = 680.0, row_height = 22.0, frame_height = 104.0;  // [pixels]
+constexpr double width = 680.0, row_height = 22.0, frame_height = 137.0;  // [pixels]
 constexpr double half_bar = 0.36, gap = 0.6;                              // [rows]
 
 /// Where each bar's middle lies, counted downwards in rows.
@@ -27,35 +25,23 @@ std::vector<double> places(const std::vector<Bar>& bars) {
   return result;
 }
 
-std::string labels(const std::vector<Bar>& bars, const std::vector<double>& at) {
-  std::vector<std::string> list;
-  for (std::size_t i = 0; i < bars.size(); ++i)
-    list.push_back(fmt::format("{} {}", quoted_tic(bars[i].label), at[i]));
-  return fmt::format("set ytics ({})\n", fmt::join(list, ", "));
-}
-
-/// The pieces of one kind: start, end and middle of each.
-std::string pieces(const std::vector<Bar>& bars, const std::vector<double>& at, std::size_t kind) {
-  std::string block = fmt::format("$k{} << EOD\n", kind);
-  for (std::size_t i = 0; i < bars.size(); ++i) {
-    const auto& sizes = bars[i].pieces;
+/// The pieces of one kind.
+RectanglesMark pieces(const BarChart& chart, const std::vector<double>& at, std::size_t kind) {
+  RectanglesMark mark{.color = chart.kinds[kind].color, .legend = chart.kinds[kind].name};
+  for (std::size_t i = 0; i < chart.bars.size(); ++i) {
+    const auto& sizes = chart.bars[i].pieces;
     const double start =
         std::accumulate(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(kind), 0.0);
-    block += fmt::format("{:.7g} {:.7g} {:.7g}\n", start, start + sizes[kind], at[i]);
+    mark.x_low.push_back(start);
+    mark.x_high.push_back(start + sizes[kind]);
+    mark.y_low.push_back(at[i] - half_bar);
+    mark.y_high.push_back(at[i] + half_bar);
   }
-  return block + "EOD\n";
+  return mark;
 }
 
 double length(const Bar& bar) {
   return std::accumulate(bar.pieces.begin(), bar.pieces.end(), 0.0);
-}
-
-/// The end of each bar.
-std::string ends(const std::vector<Bar>& bars, const std::vector<double>& at) {
-  std::string block = "$ends << EOD\n";
-  for (std::size_t i = 0; i < bars.size(); ++i)
-    block += fmt::format("{:.7g} {:.7g}\n", length(bars[i]), at[i]);
-  return block + "EOD\n";
 }
 
 double longest(const std::vector<Bar>& bars) {
@@ -64,41 +50,44 @@ double longest(const std::vector<Bar>& bars) {
   return most > 0.0 ? most : 1.0;
 }
 
-/// Title on top, the kinds in one line below it, the bars without a frame.
-std::string frame(const BarChart& chart, double height, double last) {
-  std::string text = fmt::format(
-      "set label {} at screen 0.5, screen {:.6f} center font ',15' textcolor rgb '#111111'\nset xlabel {}\n",
-      quoted(chart.title), 1.0 - 20.0 / height, quoted(chart.axis));
-  text += "set border 1\nset ytics scale 0 textcolor rgb '#111111'\nset grid noy\nset tmargin 3.2\n";
-  text += fmt::format(
-      "set key at screen 0.5, screen {:.6f} center top horizontal Left reverse samplen 0.6 width -4\n",
-      1.0 - 32.0 / height);
-  text += "set style fill solid 1.0 noborder\n";
-  return text +
-         fmt::format("set xrange [0:{:.7g}]\nset yrange [{}:-0.7]\n", 1.1 * longest(chart.bars), last + 0.7);
+/// The axis of names, the first bar on top.
+PlotAxis names_of(const std::vector<Bar>& bars, const std::vector<double>& at) {
+  PlotAxis axis{.range = {{(at.empty() ? 0.0 : at.back()) + 0.7, -0.7}},
+                .line = false,
+                .tick_marks = false,
+                .grid = false};
+  for (std::size_t i = 0; i < bars.size(); ++i) axis.named_ticks.push_back({at[i], bars[i].label});
+  return axis;
+}
+
+/// The length of each bar behind its end.
+TextMark length_text(const Bar& bar, double at) {
+  return {.text = fmt::format("{:.1f}", length(bar)),
+          .x = length(bar),
+          .y = at,
+          .align = TextMark::Align::left,
+          .offset = {0.6, 0.0},
+          .size = 11.0,
+          .color = "#555555"};
 }
 
 }  // namespace
 
-std::string draw(const BarChart& chart) {
+FigureSpec figure_of(const BarChart& chart) {
   const auto at = places(chart.bars);
-  const double last = at.empty() ? 0.0 : at.back();
-  const double height = frame_height + row_height * (last + 1.0);
-  std::string script = picture_terminal(width, height) + picture_style() + frame(chart, height, last);
-  script += labels(chart.bars, at);
-  std::vector<std::string> items;
-  for (std::size_t kind = 0; kind < chart.kinds.size(); ++kind) {
-    script += pieces(chart.bars, at, kind);
-    items.push_back(fmt::format("$k{} using 1:3:1:2:($3-{}):($3+{}) with boxxyerror fc rgb '{}' title {}",
-                                kind, half_bar, half_bar, chart.kinds[kind].color,
-                                quoted(chart.kinds[kind].name)));
-  }
-  script += ends(chart.bars, at);
-  items.push_back(
-      "$ends using 1:2:(sprintf('%.1f', $1)) with labels left offset 0.6,0 font ',11' textcolor rgb "
-      "'#555555' notitle");
-  script += fmt::format("plot {}\n", fmt::join(items, ", \\\n  "));
-  return finished_picture(run_gnuplot(script).output, chart.title);
+  Figure frame{.title = chart.title, .width = static_cast<int>(width)};
+  frame.height = static_cast<int>(frame_height + row_height * ((at.empty() ? 0.0 : at.back()) + 1.0));
+  FigureBuilder builder(std::move(frame), 1);
+  PlotBuilder& plot = builder.add({});
+  plot.spec.x.label = chart.axis;
+  plot.spec.x.range = {0.0, 1.1 * longest(chart.bars)};
+  plot.spec.y = names_of(chart.bars, at);
+  for (std::size_t kind = 0; kind < chart.kinds.size(); ++kind) plot.add(pieces(chart, at, kind));
+  for (std::size_t i = 0; i < chart.bars.size(); ++i)
+    plot.spec.texts.push_back(length_text(chart.bars[i], at[i]));
+  FigureSpec figure = builder.finished();
+  std::get<PlotSpec>(figure.panels.front().content).legend = PlotSpec::Legend::above;
+  return figure;
 }
 
 }  // namespace stepwire

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/figure/plot_spec.hpp"
+
 namespace stepwire {
 
 /// One bar, made of a piece for each kind.
@@ -27,7 +29,7 @@ struct BarChart {
   std::vector<Bar> bars;
 };
 
-/// The chart as SVG. Throws SurroundingsError where gnuplot is missing.
-std::string draw(const BarChart& chart);
+/// The chart as a figure of one plot.
+FigureSpec figure_of(const BarChart& chart);
 
 }  // namespace stepwire

@@ -25,15 +25,8 @@ std::string key_of(const Panel& panel, const Series* channel) {
   return {};
 }
 
-/// A logarithmic axis has no place for what is not above zero.
-bool is_logarithmic(const Panel& panel, const std::string& key) {
-  return (panel.log_x && key == "x") || (panel.log_y && key == "y") || (panel.log_color && key == "color");
-}
-
-double shown_width(const Panel& panel, const std::string& key) {
-  const auto range = panel.ranges.find(key + "_range");
-  return range == panel.ranges.end() ? std::numeric_limits<double>::infinity()
-                                     : range->second[1] - range->second[0];
+double shown_width(const AxisOptions& axis) {
+  return axis.range ? (*axis.range)[1] - (*axis.range)[0] : std::numeric_limits<double>::infinity();
 }
 
 /// Rows as they are found, with what decides about their curve.
@@ -43,6 +36,18 @@ struct FoundRows {
   std::vector<bool> drawn;
   std::vector<bool> first;  ///< of a run
 };
+
+/// Drops rows in which a column is not finite, or not above zero along a logarithmic axis, which has no place
+/// for it.
+void drop_missing(FoundRows& found, const std::vector<const AxisOptions*>& axes) {
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const double least = axes[i]->log ? 0.0 : -std::numeric_limits<double>::infinity();
+    for (std::size_t row = 0; row < found.drawn.size(); ++row) {
+      const double value = found.columns[i][row];
+      found.drawn[row] = found.drawn[row] && std::isfinite(value) && value > least;
+    }
+  }
+}
 
 FoundRows find_rows(const Panel& panel, const Recording& recording,
                     const std::vector<const Series*>& channels) {
@@ -56,14 +61,6 @@ FoundRows find_rows(const Panel& panel, const Recording& recording,
     const auto where = evaluate(*panel.where, recording);
     for (std::size_t row = 0; row < rows; ++row)
       found.drawn[row] = where[row] != 0.0 && !std::isnan(where[row]);
-  }
-  for (std::size_t i = 0; i < channels.size(); ++i) {
-    const double least =
-        is_logarithmic(panel, key_of(panel, channels[i])) ? 0.0 : -std::numeric_limits<double>::infinity();
-    for (std::size_t row = 0; row < rows; ++row) {
-      const double value = found.columns[i][row];
-      found.drawn[row] = found.drawn[row] && std::isfinite(value) && value > least;
-    }
   }
   found.first.assign(rows, false);
   for (const std::size_t start : recording.starts)
@@ -124,6 +121,18 @@ std::vector<Curve> one_for_each_stretch(const FoundRows& found, const std::vecto
   return curves;
 }
 
+Curves curves_of(const Panel& panel, FoundRows found, const std::vector<const AxisOptions*>& axes) {
+  drop_missing(found, axes);
+  if (panel.final_rows) keep_final_rows(found);
+  Curves result;
+  result.logarithmic = panel.x.log || panel.y.log;
+  for (const AxisOptions* axis : axes) result.shown.push_back(shown_width(*axis));
+  result.groups = find_groups(found);
+  result.curves = panel.final_rows ? one_for_each_group(found, result.groups)
+                                   : one_for_each_stretch(found, result.groups);
+  return result;
+}
+
 }  // namespace
 
 std::vector<std::string> labels_of(const Series& by, const std::vector<double>& groups,
@@ -142,16 +151,21 @@ std::vector<std::string> labels_of(const Series& by, const std::vector<double>& 
 }
 
 Curves gather(const Panel& panel, const Recording& recording, const std::vector<const Series*>& channels) {
-  FoundRows found = find_rows(panel, recording, channels);
-  if (panel.final_rows) keep_final_rows(found);
-  Curves result;
-  result.logarithmic = panel.log_x || panel.log_y;
-  for (const Series* channel : channels) result.shown.push_back(shown_width(panel, key_of(panel, channel)));
-  result.groups = find_groups(found);
-  result.curves = panel.final_rows ? one_for_each_group(found, result.groups)
-                                   : one_for_each_stretch(found, result.groups);
+  std::vector<const AxisOptions*> axes;
+  for (const Series* channel : channels) axes.push_back(&panel.axis(key_of(panel, channel)));
+  Curves result = curves_of(panel, find_rows(panel, recording, channels), axes);
   if (const Series* by = panel.find("by")) result.labels = labels_of(*by, result.groups, recording);
   return result;
+}
+
+Curves curves_of(const Panel& panel, std::vector<std::vector<double>> columns) {
+  const std::size_t rows = columns.front().size();
+  std::vector<const AxisOptions*> axes{&panel.x};
+  axes.resize(columns.size(), &panel.y);
+  return curves_of(panel,
+                   {std::move(columns), std::vector<double>(rows, 0.0), std::vector<bool>(rows, true),
+                    std::vector<bool>(rows, false)},
+                   axes);
 }
 
 }  // namespace stepwire

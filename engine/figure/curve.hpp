@@ -24,12 +24,16 @@ struct Curves {
   bool logarithmic = false;    ///< on an axis of the panel, so that straight lines are not straight
   std::vector<double> shown;   ///< width of the range that the file gives for each column; infinite if none
   std::vector<std::string> labels;  ///< "0.1 A", one for each group; empty where there is no `by`
+  bool several = false;             ///< curves of further y's are drawn beside these
 };
 
 /// Rows of a recording as curves. A curve ends where a run ends, where a row is left out by `where` or is not
 /// finite, and where the value of `by` changes. With `rows: final` each run gives one row, and the runs are
 /// joined.
 Curves gather(const Panel& panel, const Recording& recording, const std::vector<const Series*>& channels);
+
+/// The same for columns of numbers, the first along x and the others along y, of a plot that no file gives.
+Curves curves_of(const Panel& panel, std::vector<std::vector<double>> columns);
 
 /// "0.1 A" for each value of a series that tells curves apart, or the word that the value stands for.
 std::vector<std::string> labels_of(const Series& by, const std::vector<double>& groups,

@@ -1,9 +1,6 @@
 #include "engine/figure/figure.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
 
 #include "engine/figure/number.hpp"
 #include "engine/figure/panel_reading.hpp"
@@ -12,41 +9,9 @@
 namespace stepwire {
 namespace {
 
-/// A whole number between two limits, or a fault.
-int read_count(const Node& node, int low, int high, const std::string& subject, const Names& names,
-               Faults& faults) {
-  const auto number = read_number(node, names, subject, faults);
-  if (!number) return low;
-  if (number->value >= low && number->value <= high && number->value == std::floor(number->value))
-    return static_cast<int>(number->value);
-  faults.add(
-      {{names.file, node.mark},
-       subject,
-       fmt::format("{} is not allowed; it must be a whole number from {} to {}", number->text, low, high),
-       {}});
-  return low;
-}
-
-bool read_bool(const Node& node, const std::string& subject, const Names& names, Faults& faults) {
-  if (node.text != "true" && node.text != "false")
-    faults.add(
-        {{names.file, node.mark}, subject, fmt::format("'{}' is neither true nor false", node.text), {}});
-  return node.text == "true";
-}
-
-void read_size(const Node& node, Figure& figure, const Names& names, Faults& faults) {
-  if (!node.is_list() || node.items.size() != 2) {
-    faults.add(
-        {{names.file, node.mark}, "figure.size", "size takes width and height in pixels: [640, 420]", {}});
-    return;
-  }
-  figure.width = read_count(node.items[0], 100, 4000, "figure.size", names, faults);
-  figure.height = read_count(node.items[1], 80, 4000, "figure.size", names, faults);
-}
-
 void read_panels(const Node& node, Figure& figure, const Names& names, Faults& faults) {
   std::vector<std::string> known;
-  for (const auto& key : picture_keys()) known.push_back(key.name);
+  for (const FigureKey& key : picture_keys()) known.push_back(key.name);
   for (const auto& entry : node.entries)
     if (std::find(known.begin(), known.end(), entry.key) == known.end())
       add_unknown_key(entry, known, "a figure with panels", names, "figure", faults);
@@ -67,13 +32,8 @@ Figure read_figure(const Node& node, const Names& names, Faults& faults) {
     read_panels(node, figure, names, faults);
   else if (auto panel = read_panel(node, names, true, faults))
     figure.panels.push_back(std::move(*panel));
-  if (const Node* title = node.find("title")) figure.title = read_text(*title, names, "figure.title", faults);
-  if (const Node* caption = node.find("caption"))
-    figure.caption = read_text(*caption, names, "figure.caption", faults);
-  if (const Node* own = node.find("own")) figure.own = read_bool(*own, "figure.own", names, faults);
-  if (const Node* size = node.find("size")) read_size(*size, figure, names, faults);
-  if (const Node* columns = node.find("columns"))
-    figure.columns = read_count(*columns, 1, 6, "figure.columns", names, faults);
+  for (const auto& key : picture_keys())
+    if (const Node* value = node.find(key.name); value && key.set) key.set(figure, *value, {names, faults});
   return figure;
 }
 
@@ -84,11 +44,14 @@ const Series* Panel::find(const std::string& key) const {
   return found == series.end() || found->second.empty() ? nullptr : &found->second.front();
 }
 
+const AxisOptions& Panel::axis(std::string_view name) const {
+  static const AxisOptions none;
+  return name == "x" ? x : name == "y" ? y : name == "z" ? z : name == "color" ? color : none;
+}
+
 std::vector<Figure> read_figures(const Node& node, const Names& names, Faults& faults) {
   std::vector<Figure> figures;
-  const std::vector<Node> one{node};
-  for (const auto& item : node.is_list() ? node.items : one)
-    figures.push_back(read_figure(item, names, faults));
+  for (const Node& item : items_of(node)) figures.push_back(read_figure(item, names, faults));
   return figures;
 }
 
@@ -103,11 +66,11 @@ std::vector<FigureKey> figure_keys(const std::string& plot) {
   for (const auto& kind : plot_kinds()) {
     if (kind.name != plot) continue;
     for (const auto& channel : kind.channels) keys.push_back({channel.key, channel.doc});
-    for (const auto& option : kind.options) keys.push_back({option.key, option.doc});
+    for (const FigureKey& option : kind.options) keys.push_back(option);
   }
   if (!plot.empty()) return keys;
-  keys = panel_keys();
-  for (const auto& key : picture_keys())
+  for (const FigureKey& key : panel_keys()) keys.push_back(key);
+  for (const FigureKey& key : picture_keys())
     if (key.name != "title") keys.push_back(key);
   return keys;
 }

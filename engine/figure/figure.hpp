@@ -6,20 +6,23 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/block/outline.hpp"
 #include "engine/document/document.hpp"
+#include "engine/figure/figure_key.hpp"
 #include "engine/figure/formula.hpp"
 #include "engine/figure/names.hpp"
+#include "engine/figure/plot_spec.hpp"
 #include "engine/record/recording.hpp"
 
 namespace stepwire {
 
 struct PlotKind;
 
-/// Makes a picture from what was recorded, as SVG.
-using Picture = std::function<std::string(std::span<const Recording>)>;
+/// Makes what a panel shows from what was recorded.
+using PanelContent = std::function<decltype(PanelSpec::content)(std::span<const Recording>)>;
 
 /// What is drawn along an axis or as a colour: a formula, the unit it is drawn in, and its label without
 /// unit.
@@ -59,32 +62,48 @@ struct Rose {
   std::size_t recording = 0;
 };
 
-/// One pair of axes. Numbers are in the units in which they are drawn.
-struct Panel {
-  using Range = std::array<double, 2>;
+/// What a file gives for an axis, in its unit.
+struct AxisOptions {
+  std::string label{};  ///< empty: that of what is drawn along it
+  std::optional<std::array<double, 2>> range{};
+  bool log = false;
+};
 
+enum class CurveStyle { line, dashes, dots };
+enum class ArrowPivot { tail, middle, tip };
+
+/// One pair of axes. Numbers are in the units in which they are drawn. Its keys are the rows of
+/// panel_keys() and of the options of its kind.
+struct Panel {
   const PlotKind* kind = nullptr;
-  std::map<std::string, std::vector<Series>> series;  ///< by key: x, y, color, ...
-  std::map<std::string, double> numbers;              ///< numeric options of the kind: bins, view, ...
-  std::map<std::string, std::string> words;           ///< labels by key: title, x_label, ...
-  std::map<std::string, std::vector<std::string>> word_lists;  ///< options that are lists of words: style
-  std::map<std::string, Range> ranges;                         ///< x_range, y_range, z_range, color_range
-  std::map<std::string, std::vector<double>> levels;           ///< lists of numbers: contour
-  std::vector<Formula> boundaries;  ///< of the plane's x and y in SI; a curve is drawn where one is zero
-  std::vector<Outline> regions;     ///< in SI: shaded in the plane, and their lines drawn
-  std::vector<MarkedPoint> marks;   ///< drawn on top of everything, with their names
-  std::vector<MarkedPoint> texts;   ///< written about their points
-  std::vector<Motion> motions;
-  std::vector<Rose> roses;
-  std::vector<std::string> legend;
-  std::optional<Formula> where;
-  std::vector<std::size_t> recordings;  ///< for each y, or one
+  std::map<std::string, std::vector<Series>> series{};  ///< by key: x, y, color, ...
+  std::string title{};
+  AxisOptions x{}, y{}, z{}, color{};
+  std::vector<Formula> boundaries{};  ///< of the plane's x and y in SI; a curve is drawn where one is zero
+  std::vector<Outline> regions{};     ///< in SI: shaded in the plane, and their lines drawn
+  bool dashed_regions = false;
+  std::vector<MarkedPoint> marks{};  ///< drawn on top of everything, with their names
+  std::vector<MarkedPoint> texts{};  ///< written about their points
+  std::vector<Motion> motions{};
+  std::vector<Rose> roses{};
+  std::vector<std::string> legend{};
+  std::optional<Formula> where{};
+  std::vector<std::size_t> recordings{};  ///< for each y, or one
   bool equal = false;
-  bool log_x = false, log_y = false, log_color = false;
   bool final_rows = false;  ///< only the last row of each run
-  Picture picture;          ///< of a plot that makes its picture alone; without it gnuplot draws
+  PanelContent content{};   ///< of a plot that has no axes of its own
+
+  // Options of single kinds; without a value it is as the kind has it.
+  std::optional<double> bins{}, cells{}, gap{}, scale{}, elevation{}, azimuth{};
+  std::vector<double> contour{}, lines{}, shade{};  ///< ends of shaded ranges in pairs
+  std::vector<CurveStyle> styles{};                 ///< in the order of the legend
+  ArrowPivot pivot = ArrowPivot::middle;
+  bool points_only = false;     ///< of what is in space
+  bool tukey_whiskers = false;  ///< else they reach over all values
 
   const Series* find(const std::string& key) const;
+  /// Options of the axis x, y, z or color; of another channel none.
+  const AxisOptions& axis(std::string_view name) const;
 };
 
 /// One picture: one panel or several.
@@ -100,23 +119,11 @@ struct Figure {
 /// Reads the value under the key `figure`: one entry or a list. Everything that is wrong goes to `faults`.
 std::vector<Figure> read_figures(const Node& node, const Names& names, Faults& faults);
 
-/// A picture, and what gnuplot had to say about it (empty as a rule).
-struct Drawing {
-  std::string svg;
-  std::string warnings;
-};
-
 /// Draws; the same data give the same bits. Throws SurroundingsError where gnuplot, or what else draws, is
 /// missing or fails.
 Drawing draw(const Figure& figure, std::span<const Recording> recordings);
 
-/// A key of figures with its explanation, for reference pages and the schema.
-struct FigureKey {
-  std::string name;
-  std::string doc;
-};
-
-/// Names of all plots: lines, xy, loop, ...
+/// All plots: lines, xy, loop, ... with their explanations.
 std::vector<FigureKey> plot_names();
 /// Keys that the named plot takes; for an empty name the keys of every panel and figure.
 std::vector<FigureKey> figure_keys(const std::string& plot);

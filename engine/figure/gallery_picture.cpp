@@ -22,8 +22,7 @@ std::string labels_of(const Panel& panel, const std::string& key) {
   if (found == panel.series.end()) return {};
   std::vector<std::string> labels;
   for (Series series : found->second) {
-    if (const auto word = panel.words.find(key + "_label"); word != panel.words.end())
-      series.label = word->second;
+    if (const std::string& label = panel.axis(key).label; !label.empty()) series.label = label;
     if (std::ranges::find(labels, series.axis_label()) == labels.end()) labels.push_back(series.axis_label());
   }
   return fmt::format("{}", fmt::join(labels, ", "));
@@ -51,9 +50,8 @@ std::string kind_in_words(const std::string& kind) {
 }
 
 std::string described(const Panel& panel) {
-  const auto title = panel.words.find("title");
   const std::string axes = axes_of(panel);
-  std::string text = title == panel.words.end() ? "" : title->second;
+  std::string text = panel.title;
   if (!axes.empty()) text += (text.empty() ? "" : ", ") + axes;
   return text.empty() ? kind_in_words(panel.kind->name) : text;
 }

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "engine/figure/script.hpp"
+#include "engine/figure/plot_builder.hpp"
 #include "engine/figure/triangulation.hpp"
 
 namespace stepwire {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/figure/curve.hpp"
-#include "engine/figure/script.hpp"
+#include "engine/figure/plot_builder.hpp"
 
 namespace stepwire {
 

@@ -1,12 +1,8 @@
-#include "engine/figure/mark_drawing.hpp"
-
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "engine/figure/picture.hpp"
+#include "engine/figure/overlay_drawing.hpp"
 
 namespace stepwire {
 namespace {
@@ -32,26 +28,41 @@ struct Box {
   }
 };
 
-/// Points of the plane in pixels from the lower left corner of the axes.
+/// Pixels that the axes take up, from their lower left corner.
+struct PlotArea {
+  double width = 0.0, height = 0.0;
+};
+
+/// Points of the plane in pixels.
 class Pixels {
  public:
-  Pixels(const Script& script, const PlotArea& area) : script_(script), area_(area) {}
+  Pixels(const PlotBuilder& plot, const PlotArea& area) : plot_(plot), area_(area) {}
 
   Point of(double x, double y) const {
-    const Panel& panel = script_.panel();
-    return {area_.width * share(script_.x, x, panel.log_x), area_.height * share(script_.y, y, panel.log_y)};
+    const Panel& panel = plot_.panel();
+    return {area_.width * share(plot_.x, x, panel.x.log), area_.height * share(plot_.y, y, panel.y.log)};
   }
 
  private:
   static double share(const Extent& extent, double value, bool logarithmic) {
     if (logarithmic && extent.low > 0.0)
       return std::log(value / extent.low) / std::log(extent.high / extent.low);
-    return (value - extent.low) / (extent.high - extent.low);
+    return (value - extent.low) / extent.width();
   }
 
-  const Script& script_;
+  const PlotBuilder& plot_;
   PlotArea area_;
 };
+
+/// The ways along which a mark covers the plane.
+std::vector<MarkRows> ways_of(const PlotMark& mark) {
+  if (const auto* line = std::get_if<LineMark>(&mark)) return line->curves;
+  if (const auto* band = std::get_if<BandMark>(&mark)) return {{band->x, band->low, {}, {}}};
+  if (const auto* area = std::get_if<AreaMark>(&mark)) return {{area->x, area->y, {}, {}}};
+  if (const auto* points = std::get_if<PointsMark>(&mark)) return {points->rows};
+  if (const auto* vectors = std::get_if<VectorsMark>(&mark)) return {{vectors->x, vectors->y, {}, {}}};
+  return {};
+}
 
 /// Does the line between two points come into the box? (Liang and Barsky: what is left of the line between
 /// the edges of the box, one after the other.)
@@ -74,8 +85,10 @@ constexpr std::array<Point, 8> sides{
 
 class Placing {
  public:
-  Placing(const Panel& panel, const PlotArea& area, const Script& script)
-      : panel_(panel), area_(area), script_(script), pixels_(script, area) {}
+  Placing(const Panel& panel, const PlotArea& area, const PlotBuilder& plot)
+      : panel_(panel), area_(area), pixels_(plot, area) {
+    for (const PlotMark& mark : plot.spec.marks) std::ranges::move(ways_of(mark), std::back_inserter(ways_));
+  }
 
   /// The side where the name of a mark covers least.
   Point side(const MarkedPoint& mark) {
@@ -109,16 +122,16 @@ class Placing {
     const bool inside = box.middle.x > box.half_width && box.middle.x < area_.width - box.half_width &&
                         box.middle.y > box.half_height && box.middle.y < area_.height - box.half_height;
     if (!inside) weight += heavy;
-    for (const Curve& curve : script_.drawn()) weight += covered(box, curve);
+    for (const MarkRows& way : ways_) weight += covered(box, way);
     return weight;
   }
 
-  /// Rows of a curve that lie in the box or lead into it.
-  double covered(const Box& box, const Curve& curve) const {
+  /// Rows of a way that lie in the box or lead into it.
+  double covered(const Box& box, const MarkRows& way) const {
     double weight = 0.0;
-    for (std::size_t i = 0; i < curve.size() && curve.columns.size() > 1; ++i) {
-      const Point here = pixels_.of(curve.columns[0][i], curve.columns[1][i]);
-      const Point before = i == 0 ? here : pixels_.of(curve.columns[0][i - 1], curve.columns[1][i - 1]);
+    for (std::size_t i = 0; i < way.x.size(); ++i) {
+      const Point here = pixels_.of(way.x[i], way.y[i]);
+      const Point before = i == 0 ? here : pixels_.of(way.x[i - 1], way.y[i - 1]);
       weight += meets(box, before, here) ? 1.0 : 0.0;
     }
     return weight;
@@ -126,43 +139,48 @@ class Placing {
 
   const Panel& panel_;
   PlotArea area_;
-  const Script& script_;
   Pixels pixels_;
+  std::vector<MarkRows> ways_;
   std::vector<Box> names_;
 };
 
-/// Words of gnuplot for where a label stands from its point.
-std::string placed(const Point& side) {
-  const char* align = side.x > 0.0 ? "left" : side.x < 0.0 ? "right" : "center";
-  return fmt::format("{} offset {:.2g},{:.2g}", align, 0.7 * side.x,
-                     side.x == 0.0 ? 0.9 * side.y : 0.6 * side.y);
+/// The name of a mark on that side of its point.
+TextMark name_at(const MarkedPoint& mark, const Point& side) {
+  using Align = TextMark::Align;
+  return {.text = mark.name,
+          .x = mark.x,
+          .y = mark.y,
+          .align = side.x > 0.0   ? Align::left
+                   : side.x < 0.0 ? Align::right
+                                  : Align::center,
+          .offset = {0.7 * side.x, side.x == 0.0 ? 0.9 * side.y : 0.6 * side.y},
+          .size = 14.0,
+          .color = "#101010",
+          .rim = true};
 }
 
 }  // namespace
 
-void cover_marks(const Panel& panel, Script& script) {
+void cover_marks(const Panel& panel, PlotBuilder& plot) {
   for (const auto* points : {&panel.marks, &panel.texts})
     for (const MarkedPoint& point : *points) {
-      script.x.add(point.x);
-      script.y.add(point.y);
+      plot.x.add(point.x);
+      plot.y.add(point.y);
     }
 }
 
-void draw_texts(const Panel& panel, Script& script) {
+void draw_texts(const Panel& panel, PlotBuilder& plot) {
   for (const MarkedPoint& text : panel.texts)
-    script.set(fmt::format("set label {} at {:.9g},{:.9g} center front textcolor rgb '{}' font ',13'",
-                           quoted(text.name), text.x, text.y, rimmed_text));
+    plot.spec.texts.push_back({.text = text.name, .x = text.x, .y = text.y, .color = "#101010", .rim = true});
 }
 
-void draw_marks(const Panel& panel, const PlotArea& area, Script& script) {
-  if (script.x.empty() || script.y.empty()) return;
-  Placing placing(panel, area, script);
+void draw_marks(const Panel& panel, double width, double height, PlotBuilder& plot) {
+  if (panel.marks.empty() || plot.x.empty() || plot.y.empty()) return;
+  Placing placing(panel, {width, height}, plot);
   for (const MarkedPoint& mark : panel.marks) {
-    const std::string at = fmt::format("at {:.9g},{:.9g}", mark.x, mark.y);
-    for (const char* look : {"ps 0.75 lc rgb '#ffffff'", "ps 0.5 lc rgb '#111111'"})
-      script.set(fmt::format("set label '' {} front point pt 7 {}", at, look));
-    script.set(fmt::format("set label {} {} {} front textcolor rgb '{}' font ',14'", quoted(mark.name), at,
-                           placed(placing.side(mark)), rimmed_text));
+    plot.spec.texts.push_back({.x = mark.x, .y = mark.y, .color = "#ffffff", .dot = 7.3125});
+    plot.spec.texts.push_back({.x = mark.x, .y = mark.y, .dot = 4.875});
+    plot.spec.texts.push_back(name_at(mark, placing.side(mark)));
   }
 }
 

@@ -31,11 +31,10 @@ void read_point(const std::string& name, const Node& node, const Panel& panel, c
 
 /// Is a point that was read as `mark` beyond a range that the file gives?
 bool is_hidden(const MarkedPoint& mark, const Panel& panel) {
-  const auto beyond = [&](const std::string& range, double value) {
-    const auto given = panel.ranges.find(range);
-    return given != panel.ranges.end() && (value < given->second[0] || value > given->second[1]);
+  const auto beyond = [](const AxisOptions& axis, double value) {
+    return axis.range && (value < (*axis.range)[0] || value > (*axis.range)[1]);
   };
-  return beyond("x_range", mark.x) || beyond("y_range", mark.y);
+  return beyond(panel.x, mark.x) || beyond(panel.y, mark.y);
 }
 
 void check_points(const Node& node, const Panel& panel, const Names& names, const Points& points,

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/figure/plot_spec.hpp"
+
 namespace stepwire {
 
 /// A square of numbers from -1 to 1 between things, such as correlations: blue below zero, red above.
@@ -12,8 +14,7 @@ struct MatrixChart {
   std::vector<std::vector<double>> values;  ///< [row][column]; nan is left grey
 };
 
-/// The chart as SVG, with its numbers where there is room for them. Throws SurroundingsError where gnuplot is
-/// missing.
-std::string draw(const MatrixChart& chart);
+/// The chart as a figure of one plot, with its numbers where there is room for them.
+FigureSpec figure_of(const MatrixChart& chart);
 
 }  // namespace stepwire

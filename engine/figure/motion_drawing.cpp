@@ -1,10 +1,7 @@
-#include "engine/figure/motion_drawing.hpp"
-
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "engine/figure/overlay.hpp"
+#include "engine/figure/overlay_drawing.hpp"
 #include "engine/figure/thinning.hpp"
 
 namespace stepwire {
@@ -25,47 +22,44 @@ double length_of(const Curve& curve) {
   return length;
 }
 
-/// Where the heads are and which way they point: x, y and a small step back from there.
-Curve heads_of(const Curve& curve, double count) {
+/// Heads at even distances, each at the end of a small step to where it is.
+void add_heads(const Curve& curve, double count, VectorsMark& heads) {
   const double distance = length_of(curve) / count, tail = 1e-3 * distance;
-  Curve heads{std::vector<std::vector<double>>(4), 0};
   double gone = 0.0, next = 0.5 * distance;
   for (std::size_t row = 1; row < curve.size(); ++row) {
     const double step = length_to(curve, row);
-    for (; step > 0.0 && next <= gone + step; next += distance)
-      for (std::size_t i = 0; i < 2; ++i) {
-        const double from = curve.columns[i][row - 1], way = (curve.columns[i][row] - from) / step;
-        heads.columns[i].push_back(from + (next - gone) * way);
-        heads.columns[i + 2].push_back(tail * way);
-      }
+    const auto way = [&](std::size_t i) {
+      return (curve.columns[i][row] - curve.columns[i][row - 1]) / step;
+    };
+    for (; step > 0.0 && next <= gone + step; next += distance) {
+      heads.x.push_back(curve.columns[0][row - 1] + (next - gone) * way(0));
+      heads.y.push_back(curve.columns[1][row - 1] + (next - gone) * way(1));
+      heads.dx.push_back(tail * way(0));
+      heads.dy.push_back(tail * way(1));
+    }
     gone += step;
   }
-  return heads;
 }
 
 }  // namespace
 
-void cover_motions(const Panel& panel, std::span<const Recording> recordings, Script& script) {
-  for (const Motion& motion : panel.motions) script.cover(curves_of(motion, recordings));
+void cover_motions(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
+  for (const Motion& motion : panel.motions) plot.cover(curves_of(motion, recordings));
 }
 
-void draw_motions(const Panel& panel, std::span<const Recording> recordings, Script& script) {
+void draw_motions(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
   for (const Motion& motion : panel.motions) {
-    std::vector<Curve> lines, heads;
+    std::vector<Curve> lines;
+    VectorsMark heads{
+        .line = {motion.color, 2.0}, .pivot = 1.0, .head = 0.013, .head_angle = 22.0, .fixed_heads = true};
     for (const Curve& curve : curves_of(motion, recordings)) {
-      if (motion.heads > 0.0) heads.push_back(heads_of(curve, motion.heads));
-      const std::vector<double> widths{script.x.high - script.x.low, script.y.high - script.y.low};
-      lines.push_back(simplify(curve, widths, unseen, false));
+      if (motion.heads > 0.0) add_heads(curve, motion.heads, heads);
+      lines.push_back(simplify(curve, {plot.x.width(), plot.y.width()}, unseen, false));
     }
     if (lines.empty()) continue;
     // what is drawn below later lies deeper
-    if (!heads.empty())
-      script.plot_below(fmt::format(
-          "{} using ($1-$3):($2-$4):3:4 with vectors head filled size screen 0.013,22,70 fixed lw 2 "
-          "lc rgb '{}'",
-          script.data(heads), motion.color));
-    script.plot_below(
-        fmt::format("{} using 1:2 with lines lw 2 lc rgb '{}'", script.data(lines), motion.color));
+    if (!heads.x.empty()) plot.add_below(std::move(heads));
+    plot.add_below(LineMark{plane_rows(lines), {motion.color, 2.0}});
   }
 }
 

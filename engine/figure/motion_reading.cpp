@@ -47,7 +47,7 @@ void read_motion(const Node& node, Panel& panel, const Names& names, Faults& fau
                        motion_subject,
                        "a motion is a map with x and y: {x: hand.1, y: hand.2}",
                        {}});
-  check_keys(node, {"x", "y", "where", "heads", "color"}, "a motion", names, motion_subject, faults);
+  check_keys(node, motion_keys(), "a motion", names, motion_subject, faults);
   auto across = read_coordinate(*x, "x", panel, names, motion_subject + ".x", faults);
   auto up = read_coordinate(*y, "y", panel, names, motion_subject + ".y", faults);
   if (!across || !up) return;
@@ -64,8 +64,7 @@ void read_motion(const Node& node, Panel& panel, const Names& names, Faults& fau
 }  // namespace
 
 void read_motions(const Node& node, Panel& panel, const Names& names, Faults& faults) {
-  const std::vector<Node> one{node};
-  for (const Node& item : node.is_list() ? node.items : one) read_motion(item, panel, names, faults);
+  for (const Node& item : items_of(node)) read_motion(item, panel, names, faults);
 }
 
 }  // namespace stepwire

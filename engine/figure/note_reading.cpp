@@ -24,8 +24,7 @@ std::size_t recording_of(const Formula& formula, const Panel& panel, const Node&
 void read_boundaries(const Node& node, Panel& panel, const Names& names, Faults& faults) {
   const std::string subject = "figure.boundary";
   const Names plane = plane_of(names);
-  const std::vector<Node> one{node};
-  for (const Node& item : node.is_list() ? node.items : one) {
+  for (const Node& item : items_of(node)) {
     auto formula = read_formula(item, plane, subject, faults);
     if (!formula) continue;
     formula->recording = recording_of(*formula, panel, item, plane, subject, faults);

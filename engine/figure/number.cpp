@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cstdlib>
 
 #include "engine/figure/formula.hpp"
@@ -85,6 +86,12 @@ std::string read_text(const Node& node, const Names& names, const std::string& s
   if (node.is_scalar() && !node.text.empty()) return node.text;
   faults.add({{names.file, node.mark}, subject, "a text is wanted here", {}});
   return {};
+}
+
+double rounded(double value, int digits) {
+  const std::string text = fmt::format("{:.{}g}", value, digits);
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
 }
 
 std::string short_number(double value, int digits) {

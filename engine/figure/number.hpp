@@ -39,6 +39,9 @@ std::string nearest_or_all(const std::string& word, const std::vector<std::strin
 /// The text of a scalar, or a fault.
 std::string read_text(const Node& node, const Names& names, const std::string& subject, Faults& faults);
 
+/// The number that is written with so many significant digits; what is no finite number is itself.
+double rounded(double value, int digits);
+
 /// A number for people: `digits` significant digits, no trailing zeros.
 std::string short_number(double value, int digits = 4);
 

@@ -30,8 +30,10 @@ std::optional<Series> read_coordinate(const Node& node, const std::string& axis,
   return Series{*formula, drawn->unit, drawn->unit_text, formula->text};
 }
 
-void check_keys(const Node& node, const std::vector<std::string>& known, const std::string& owner,
+void check_keys(const Node& node, const std::vector<FigureKey>& rows, const std::string& owner,
                 const Names& names, const std::string& subject, Faults& faults) {
+  std::vector<std::string> known;
+  for (const FigureKey& row : rows) known.push_back(row.name);
   for (const Entry& entry : node.entries)
     if (std::ranges::find(known, entry.key) == known.end())
       add_unknown_key(entry, known, owner, names, subject, faults);

@@ -17,14 +17,18 @@ std::vector<Curve> overlay_rows(const std::optional<Formula>& where, const Recor
 std::optional<Series> read_coordinate(const Node& node, const std::string& axis, const Panel& panel,
                                       const Names& names, const std::string& subject, Faults& faults);
 
-/// Adds a fault for each key of a map that is not known.
-void check_keys(const Node& node, const std::vector<std::string>& known, const std::string& owner,
+/// Adds a fault for each key of a map that is no row.
+void check_keys(const Node& node, const std::vector<FigureKey>& rows, const std::string& owner,
                 const Names& names, const std::string& subject, Faults& faults);
 
-/// Reads `motion`: {x, y, where, heads, color}, or a list of such.
+/// The keys of a motion and of a rose.
+const std::vector<FigureKey>& motion_keys();
+const std::vector<FigureKey>& rose_keys();
+
+/// Reads `motion`, a map of its keys or a list of such.
 void read_motions(const Node& node, Panel& panel, const Names& names, Faults& faults);
 
-/// Reads `rose`: {x, y, angle, value, where, at, radius, name}, or a list of such.
+/// Reads `rose`, a map of its keys or a list of such.
 void read_roses(const Node& node, Panel& panel, const Names& names, Faults& faults);
 
 }  // namespace stepwire

@@ -7,10 +7,10 @@
 
 namespace stepwire {
 
-/// Keys that every panel takes.
-const std::vector<FigureKey>& panel_keys();
+/// Keys that every panel takes whose plot has what they need.
+const std::vector<KeyOf<Panel>>& panel_keys();
 /// Keys of a whole picture.
-const std::vector<FigureKey>& picture_keys();
+const std::vector<KeyOf<Figure>>& picture_keys();
 
 /// Reads one panel; keys of the whole picture are passed over where `alone`, else they are refused.
 std::optional<Panel> read_panel(const Node& node, const Names& names, bool alone, Faults& faults);
@@ -24,6 +24,9 @@ std::optional<double> read_axis_number(const Node& node, const Panel& panel, con
 /// its recording.
 void read_boundaries(const Node& node, Panel& panel, const Names& names, Faults& faults);
 void read_note(const Node& node, Panel& panel, const Names& names, Faults& faults);
+
+/// Reads the value of `region`: names of blocks with an outline.
+void read_regions(const Node& node, Panel& panel, const KeyReading& read);
 
 /// Checks that all along an axis have one unit, that there is an x for each y, and texts of the legend for
 /// curves only; references get the unit of their axis.

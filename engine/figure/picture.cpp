@@ -20,8 +20,7 @@ set title textcolor rgb '#111111' font ',14'
 set minussign
 set key noenhanced samplen 2.2 spacing 1.15 textcolor rgb '#222222' font ',12'
 set colorbox noborder
-set palette defined (0 '#3b46b3', 0.15 '#4681f7', 0.28 '#2fb2f4', 0.4 '#35dcb0', 0.52 '#9ae657', \
-  0.64 '#e3d939', 0.76 '#faa339', 0.87 '#ee5a1d', 1 '#b41203') maxcolors 96
+set clip two
 )";
 
 /// Without the titles that gnuplot gives its plots, which a browser shows as hints: "gnuplot_plot_1".

@@ -4,7 +4,7 @@
 
 namespace stepwire {
 
-/// The gnuplot commands that give all pictures one look.
+/// The gnuplot commands that give all pictures one look. Lines may begin and end beyond the frame.
 std::string picture_style();
 
 /// The gnuplot command that starts a picture of so many pixels.

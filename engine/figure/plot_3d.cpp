@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "engine/figure/plot_tools.hpp"
@@ -34,55 +32,59 @@ std::vector<Curve> lines_of(const Series& sheet, const Panel& panel, const Recor
   return lines;
 }
 
-void draw_sheets(const Panel& panel, const Recording& recording, const Channels& channels, Script& script) {
-  const auto found = panel.series.find("sheets");
-  if (found == panel.series.end()) return;
-  script.set("set pm3d depthorder corners2color mean");
-  const auto most =
-      static_cast<std::size_t>(mesh_budget * script.share / static_cast<double>(found->second.size()));
-  for (const Series& sheet : found->second) {
-    const std::vector<Curve> lines = lines_of(sheet, panel, recording, channels, most);
-    if (lines.size() > 1)
-      script.plot(script.net(lines) +
-                  (channels.size() > 3 ? " using 1:2:3:4 with pm3d" : " using 1:2:3 with pm3d"));
+void draw_sheets(const Panel& panel, const Recording& recording, const Channels& channels,
+                 PlotBuilder& plot) {
+  const std::vector<Series>& sheets = panel.series.at("sheets");
+  const auto most = static_cast<std::size_t>(mesh_budget * plot.share / static_cast<double>(sheets.size()));
+  for (const Series& sheet : sheets) {
+    std::vector<Curve> lines = lines_of(sheet, panel, recording, channels, most);
+    for (Curve& line : lines) line.columns.resize(channels.size());  // without the condition
+    if (lines.size() > 1) plot.add(SurfaceMark{space_rows(lines)});
   }
 }
 
-void draw_space(const Panel& panel, std::span<const Recording> recordings, Script& script) {
-  const Series* color = panel.find("color");
-  Channels channels{panel.find("x"), panel.find("y"), panel.find("z")};
-  if (color != nullptr) channels.push_back(color);
-  const Curves all = gather(panel, recording_of(panel, recordings), channels);
-  const auto budget = static_cast<std::size_t>(space_budget * script.share);
-  const auto style = panel.words.find("style");
-  const bool points_only = style != panel.words.end() && style->second == "points";
+void draw_points(const std::vector<Curve>& curves, bool colored, PlotBuilder& plot) {
+  Curves all;
+  all.curves = curves;
+  plot.add(PointsMark{
+      .rows = space_rows({joined(all)}).front(), .size = 4.3875, .color = colored ? "" : curve_color(0)});
+}
+
+/// The curves of all groups with as many rows as the picture may have.
+std::vector<Curve> drawn_in_space(const Curves& all, const Panel& panel, bool colored, double share) {
+  const std::size_t groups = std::max<std::size_t>(all.groups.size(), 1);
+  const std::size_t budget = static_cast<std::size_t>(space_budget * share) / groups;
   std::vector<Curve> curves;
   for (std::size_t group = 0; group < all.groups.size(); ++group)
-    std::ranges::copy(points_only ? cut(all, group, budget / all.groups.size())
-                                  : thinned(all, group, budget / all.groups.size(), color != nullptr),
+    std::ranges::copy(panel.points_only ? cut(all, group, budget) : thinned(all, group, budget, colored),
                       std::back_inserter(curves));
-  const Curve points = joined(all);
-  const char* axes[] = {"x", "y", "z"};
+  return curves;
+}
+
+void set_axes(const Curve& points, const Channels& channels, PlotBuilder& plot) {
+  const char* axes[] = {"x", "y", "z", "color"};
   for (std::size_t i = 0; i < 3; ++i) {
-    script.label(axes[i], *channels[i]);
+    plot.label(axes[i], *channels[i]);
     const Extent extent = points.columns.empty() ? Extent{} : extent_of(points.columns[i]);
-    script.range(axes[i], extent.padded(0.03));
+    plot.range(axes[i], extent.padded(0.03));
   }
-  if (color != nullptr && !points.columns.empty()) script.color_bar(*color, extent_of(points.columns[3]));
-  script.space = true;
-  script.set(fmt::format("set view {},{},1,1\nset xyplane 0\nset border 4095 lc rgb '#bdbdbd' lw 0.6",
-                         number_or(panel, "elevation", 62.0), number_or(panel, "azimuth", 35.0)));
-  script.set("set xlabel rotate parallel\nset ylabel rotate parallel\nset zlabel rotate parallel");
-  // Where x and y meet at the front, the last label of one would touch the first of the other.
-  script.set(
-      "set grid x y z vertical\nset tics scale 0.4\nset xtics offset -1.0,-0.4\nset ytics offset 1.4,-0.5");
-  if (panel.equal) script.set("set view equal xyz");
+  if (channels.size() > 3 && !points.columns.empty())
+    plot.color_bar(*channels[3], extent_of(points.columns[3]));
+}
+
+void draw_space(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
+  const Series* color = panel.find("color");
+  Channels channels{panel.find("x"), panel.find("y"), panel.find("z")};
+  if (color) channels.push_back(color);
+  const Curves all = gather(panel, recording_of(panel, recordings), channels);
+  const std::vector<Curve> curves = drawn_in_space(all, panel, color != nullptr, plot.share);
+  set_axes(joined(all), channels, plot);
+  plot.spec.view = {panel.elevation.value_or(62.0), panel.azimuth.value_or(35.0)};
   if (curves.empty()) return;
   if (panel.series.contains("sheets"))
-    return draw_sheets(panel, recording_of(panel, recordings), channels, script);
-  script.plot(fmt::format("{} using 1:2:3{} with {} {}", script.data(curves), color != nullptr ? ":4" : "",
-                          points_only ? "points pt 7 ps 0.45" : "lines lw 2.2",
-                          color != nullptr ? "lc palette" : "lc rgb '" + curve_color(0) + "'"));
+    return draw_sheets(panel, recording_of(panel, recordings), channels, plot);
+  if (panel.points_only) return draw_points(curves, color != nullptr, plot);
+  plot.add(LineMark{space_rows(curves), {color ? "" : curve_color(0), 2.2}});
 }
 
 }  // namespace
@@ -99,9 +101,10 @@ PlotKind space_plot() {
         "conditions, each of which selects runs of a sweep, such as elevation == 0 deg: in place of curves a "
         "coloured surface is spanned between those that follow each other",
         false, true}},
-      {{"style", "lines (default) or points", "", false, {"lines", "points"}},
-       {"elevation", "angle between the view and the upward axis in degrees (62)"},
-       {"azimuth", "turn of the view about the upward axis in degrees (35)"}},
+      {word_key("style", "lines (default) or points", {"lines", "points"}, &Panel::points_only),
+       number_key("elevation", "angle between the view and the upward axis in degrees (62)",
+                  &Panel::elevation),
+       number_key("azimuth", "turn of the view about the upward axis in degrees (35)", &Panel::azimuth)},
       false,
       draw_space};
 }

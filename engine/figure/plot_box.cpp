@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include "engine/figure/plot_tools.hpp"
 #include "engine/statistics/quartiles.hpp"
 
@@ -76,25 +74,37 @@ Boxes boxes_of(const Panel& panel, std::span<const Recording> recordings) {
   return boxes;
 }
 
-std::string tics(const std::vector<Group>& groups) {
-  std::vector<std::string> list;
-  for (std::size_t i = 0; i < groups.size(); ++i)
-    list.push_back(fmt::format("{} {}", quoted_tic(groups[i].label), i + 1));
-  // Many or long labels would run into each other.
+void name_groups(const std::vector<Group>& groups, PlotAxis& axis) {
   std::size_t letters = 0;
-  for (const Group& group : groups) letters += group.label.size() + 2;
-  return fmt::format("set xtics {} ({})", letters > 75 ? "rotate by -35" : "norotate", fmt::join(list, ", "));
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    axis.named_ticks.push_back({static_cast<double>(i + 1), groups[i].label});
+    letters += groups[i].label.size() + 2;
+  }
+  // Many or long labels would run into each other.
+  if (letters > 75) axis.label_angle = -35.0;
 }
 
-/// The boxes of one kind: place, ends of the whiskers and the box, median, mean; and the values beyond.
+/// The boxes of one kind with their marks.
 struct Kind {
-  Curve boxes{std::vector<std::vector<double>>(7), 0};
-  Curve beyond{std::vector<std::vector<double>>(2), 0};
+  BoxesMark boxes;
+  VectorsMark medians;
+  MarkRows means, beyond;
 };
 
-void append(Curve& curve, std::initializer_list<double> row) {
-  std::size_t column = 0;
-  for (const double value : row) curve.columns[column++].push_back(value);
+void append(const MarkRows& from, MarkRows& to) {
+  to.x.insert(to.x.end(), from.x.begin(), from.x.end());
+  to.y.insert(to.y.end(), from.y.begin(), from.y.end());
+}
+
+void append(const BoxSummary& box, double at, Kind& kind) {
+  BoxesMark& boxes = kind.boxes;
+  boxes.x.push_back(at);
+  boxes.low_whisker.push_back(box.low_whisker);
+  boxes.lower.push_back(box.lower);
+  boxes.upper.push_back(box.upper);
+  boxes.high_whisker.push_back(box.high_whisker);
+  append({{at}, {box.mean}, {}, {}}, kind.means);
+  for (const double value : box.beyond) append({{at}, {value}, {}, {}}, kind.beyond);
 }
 
 /// Part of a group's room that a box and its neighbours take.
@@ -102,69 +112,67 @@ double slot(const Boxes& boxes) {
   return boxes.kinds.size() == 1 ? 0.5 : 0.84 / static_cast<double>(boxes.kinds.size());
 }
 
-Kind kind_of(const Boxes& boxes, std::size_t index, Whiskers whiskers) {
-  Kind kind;
+void append_median(double at, double median, double width, VectorsMark& medians) {
+  medians.x.push_back(at);
+  medians.y.push_back(median);
+  medians.dx.push_back(width);
+  medians.dy.push_back(0.0);
+}
+
+/// Adds the boxes of one kind; medians, means and what lies beyond are gathered for all kinds.
+void draw_kind(const Boxes& boxes, std::size_t index, Whiskers whiskers, Kind& all, PlotBuilder& plot) {
   const double aside =
       slot(boxes) * (static_cast<double>(index) - 0.5 * static_cast<double>(boxes.kinds.size() - 1));
+  Kind kind;
+  kind.boxes.width = 2.0 * (boxes.kinds.size() == 1 ? 0.25 : 0.43 * slot(boxes));
+  kind.boxes.color = curve_color(index);
+  if (!boxes.kind_names.empty()) kind.boxes.legend = boxes.kind_names[index];
   for (std::size_t i = 0; i < boxes.groups.size(); ++i) {
     const auto& sample = boxes.groups[i].samples[index];
     if (sample.empty()) continue;
     const double at = static_cast<double>(i + 1) + aside;
     const BoxSummary box = box_summary(sample, whiskers);
-    append(kind.boxes, {at, box.low_whisker, box.lower, box.median, box.upper, box.high_whisker, box.mean});
-    for (const double value : box.beyond) append(kind.beyond, {at, value});
+    append(box, at, kind);
+    append_median(at, box.median, kind.boxes.width, all.medians);
   }
-  return kind;
+  append(kind.means, all.means);
+  append(kind.beyond, all.beyond);
+  if (!kind.boxes.x.empty()) plot.add(std::move(kind.boxes));
 }
 
 /// Every box first, so that no box covers the marks of another; marks have their text once.
-void draw_kinds(const Boxes& boxes, Whiskers whiskers, Script& script) {
-  const double half = boxes.kinds.size() == 1 ? 0.25 : 0.43 * slot(boxes);
-  std::vector<Curve> all, beyond;
-  for (std::size_t i = 0; i < boxes.kinds.size(); ++i) {
-    const Kind kind = kind_of(boxes, i, whiskers);
-    if (kind.boxes.size() == 0) continue;
-    script.plot(
-        fmt::format("{} using 1:3:2:6:5:({}) with candlesticks fs solid 0.2 border lc rgb '{}' fc rgb "
-                    "'{}' lc rgb '{}' lw 1.3",
-                    script.data({kind.boxes}), 2.0 * half, curve_color(i), curve_color(i), curve_color(i)),
-        boxes.kind_names.empty() ? "" : boxes.kind_names[i], " whiskerbars 0.5");
-    all.push_back(kind.boxes);
-    if (kind.beyond.size() > 0) beyond.push_back(kind.beyond);
-  }
-  const std::string block = script.data(all);
-  script.plot(fmt::format("{} using ($1-{}):4:({}):(0) with vectors nohead lc rgb '#111111' lw 2.4", block,
-                          half, 2.0 * half),
-              "median");
+void draw_kinds(const Boxes& boxes, Whiskers whiskers, PlotBuilder& plot) {
+  Kind all;
+  for (std::size_t i = 0; i < boxes.kinds.size(); ++i) draw_kind(boxes, i, whiskers, all, plot);
+  all.medians.line = {"#111111", 2.4};
+  all.medians.pivot = 0.5;
+  all.medians.legend = "median";
+  plot.add(std::move(all.medians));
   // Beside coloured boxes an asterisk has none of their colours.
   const std::string color = boxes.kinds.size() == 1 ? "#D55E00" : "#111111";
-  script.plot(fmt::format("{} using 1:7 with points pt 3 ps 0.9 lw 1.5 lc rgb '{}'", block, color), "mean");
-  if (!beyond.empty())
-    script.plot(script.data(beyond) + " using 1:2 with points pt 6 ps 0.6 lw 1.2 lc rgb '#666666'",
-                "beyond the whiskers");
+  using Symbol = PointsMark::Symbol;
+  plot.add(PointsMark{all.means, Symbol::asterisk, 8.775, 1.5, color, "mean"});
+  if (!all.beyond.x.empty())
+    plot.add(PointsMark{all.beyond, Symbol::ring, 5.85, 1.2, "#666666", "beyond the whiskers"});
 }
 
-void draw_boxes(const Panel& panel, std::span<const Recording> recordings, Script& script) {
+void draw_boxes(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
   const Boxes boxes = boxes_of(panel, recordings);
   Series y = panel.series.at("y").front();
   if (panel.series.at("y").size() > 1) y.label = "";
-  script.label("y", y);
+  plot.label("y", y);
   if (const Series* by = panel.find("by"))
-    script.set("set xlabel " +
-               quoted(panel.words.contains("x_label") ? panel.words.at("x_label") : by->label));
+    plot.spec.x.label = panel.x.label.empty() ? by->label : panel.x.label;
   if (boxes.groups.empty()) return;
-  script.x = {0.4, static_cast<double>(boxes.groups.size()) + 0.6};
+  plot.x = {0.4, static_cast<double>(boxes.groups.size()) + 0.6};
   for (const Group& group : boxes.groups)
     for (const auto& sample : group.samples)
-      for (const double value : sample) script.y.add(value);
-  script.range("x", script.x);
-  script.range("y", script.y.padded(0.06));
-  script.set(tics(boxes.groups));
-  script.set("set grid nox");
-  const auto whiskers = panel.words.find("whiskers");
-  draw_kinds(boxes,
-             whiskers != panel.words.end() && whiskers->second == "tukey" ? Whiskers::tukey : Whiskers::range,
-             script);
+      for (const double value : sample) plot.y.add(value);
+  plot.range("x", plot.x);
+  plot.range("y", plot.y.padded(0.06));
+  plot.spec.x.grid = false;
+  name_groups(boxes.groups, plot.spec.x);
+  draw_kinds(boxes, panel.tukey_whiskers ? Whiskers::tukey : Whiskers::range, plot);
 }
 
 }  // namespace
@@ -176,12 +184,10 @@ PlotKind box_plot() {
       {{"y", "the values; one expression or a list of them", true, true},
        {"by", "one box for each value of this"},
        {"beside", "boxes for each value of this stand side by side, each in its colour"}},
-      {{"whiskers",
-        "range (over all values), or tukey: to the last value within 1.5 interquartile ranges of the box; "
-        "those beyond are drawn",
-        "",
-        false,
-        {"range", "tukey"}}},
+      {word_key("whiskers",
+                "range (over all values), or tukey: to the last value within 1.5 interquartile ranges of the "
+                "box; those beyond are drawn",
+                {"range", "tukey"}, &Panel::tukey_whiskers)},
       false,
       draw_boxes};
 }

@@ -101,52 +101,37 @@ class DiagramPlotReader {
   GraphOptions options_;
 };
 
-Picture read_diagram(const Node& node, const Names& names, Faults& faults) {
+PanelContent read_diagram(const Node& node, const Names& names, Faults& faults) {
   if (!names.diagram) return {};
   const std::size_t before = faults.size();
   const GraphOptions options = DiagramPlotReader(node, names, faults).read();
-  if (faults.size() > before) return [](std::span<const Recording>) { return std::string(); };
+  if (faults.size() > before) return [](std::span<const Recording>) { return DrawnGraph{}; };
   Json graph = names.diagram->graph(options);
   if (const Node* title = node.find("title")) graph.set("title", title->text);
-  return [graph](std::span<const Recording>) { return draw_picture(graph); };
+  return [graph](std::span<const Recording>) { return DrawnGraph{DrawnGraph::Kind::diagram, graph}; };
 }
 
 }  // namespace
 
 PlotKind diagram_plot() {
-  using Form = Option::Form;
   PlotKind kind;
   kind.name = "diagram";
   kind.doc = "the diagram itself, as blocks and wires";
-  kind.options = {{"open", "parts whose inside is drawn: rig, or a list", "", false, {}, Form::names},
-                  {"depth", "all parts are opened so many levels deep (0)"},
-                  {"hide",
-                   "blocks, parts and signals that are left out with their wires: work, rig.energy, or a "
-                   "list; '*' stands for any letters",
-                   "",
-                   false,
-                   {},
-                   Form::names},
-                  {"labels",
-                   "texts on wires, by signal: {rig.force: F_d}; what follows '_' stands lower",
-                   "",
-                   false,
-                   {},
-                   Form::texts},
-                  {"names",
-                   "names that blocks and parts have in the drawing: {rig: mechanism}",
-                   "",
-                   false,
-                   {},
-                   Form::texts},
-                  {"groups",
-                   "frames with a name around blocks and parts of the file itself: {haptic platform: "
-                   "[platform, amplifier]}",
-                   "",
-                   false,
-                   {},
-                   Form::lists},
-                  {"units", "units are written at the wires", "", false, {"true", "false"}}};
+  kind.options = {
+      {{"open", "parts whose inside is drawn: rig, or a list", ValueType::text, true}},
+      {{"depth", "all parts are opened so many levels deep (0)", ValueType::number}},
+      {{"hide",
+        "blocks, parts and signals that are left out with their wires: work, rig.energy, or a list; '*' "
+        "stands for any letters",
+        ValueType::text, true}},
+      {{"labels", "texts on wires, by signal: {rig.force: F_d}; what follows '_' stands lower",
+        ValueType::text_map}},
+      {{"names", "names that blocks and parts have in the drawing: {rig: mechanism}", ValueType::text_map}},
+      {{"groups",
+        "frames with a name around blocks and parts of the file itself: {haptic platform: [platform, "
+        "amplifier]}",
+        ValueType::name_map}},
+      {{"units", "units are written at the wires", ValueType::truth}}};
   kind.plane = false;
   kind.read = read_diagram;
   return kind;

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -59,34 +57,38 @@ Series magnitude_series(const Series& u, const Series& v) {
 }
 
 /// Share of an arrow that lies behind its point.
-std::string tail_of(const Panel& panel) {
-  const auto pivot = panel.words.find("pivot");
-  if (pivot == panel.words.end() || pivot->second == "middle") return "0.5";
-  return pivot->second == "tip" ? "1" : "0";
+double share_behind(ArrowPivot pivot) {
+  return pivot == ArrowPivot::tip ? 1.0 : pivot == ArrowPivot::middle ? 0.5 : 0.0;
 }
 
-void draw_field(const Panel& panel, std::span<const Recording> recordings, Script& script) {
+VectorsMark mark_of(const Curve& arrows, ArrowPivot pivot) {
+  VectorsMark mark{.line = {"", 1.7}, .pivot = share_behind(pivot), .head = 0.009, .head_angle = 18.0};
+  mark.x = arrows.columns[0];
+  mark.y = arrows.columns[1];
+  mark.dx = arrows.columns[2];
+  mark.dy = arrows.columns[3];
+  mark.value = arrows.columns[4];
+  return mark;
+}
+
+void draw_field(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
   const Series &x = *panel.find("x"), &y = *panel.find("y"), &u = *panel.find("u"), &v = *panel.find("v");
   const Series* color = panel.find("color");
   std::vector<const Series*> channels{&x, &y, &u, &v};
   if (color != nullptr) channels.push_back(color);
-  script.label("x", x);
-  script.label("y", y);
+  plot.label("x", x);
+  plot.label("y", y);
   const Curve points = joined(gather(panel, recording_of(panel, recordings), channels));
   if (points.columns.empty()) return;
-  const double cells = std::clamp(number_or(panel, "cells", 24.0), 1.0, 400.0);
+  const double cells = std::clamp(panel.cells.value_or(24.0), 1.0, 400.0);
   Curve arrows = one_for_each_cell(points, cells);
   add_magnitude(arrows);
-  script.color_bar(color != nullptr ? *color : magnitude_series(u, v), extent_of(arrows.columns[4]));
-  script.cover({points});
-  const double width = std::min(script.x.high - script.x.low, script.y.high - script.y.low);
-  scale_arrows(arrows, number_or(panel, "scale", 1.0) * (width > 0.0 ? width : 1.0) / cells);
-  script.plane(0.06);
-  const std::string start = tail_of(panel);
-  script.plot(
-      fmt::format("{} using ($1-{}*$3):($2-{}*$4):3:4:5 with vectors filled head size screen 0.009,18,70 lw "
-                  "1.7 lc palette",
-                  script.data({arrows}), start, start));
+  plot.color_bar(color != nullptr ? *color : magnitude_series(u, v), extent_of(arrows.columns[4]));
+  plot.cover({points});
+  const double width = std::min(plot.x.width(), plot.y.width());
+  scale_arrows(arrows, panel.scale.value_or(1.0) * (width > 0.0 ? width : 1.0) / cells);
+  plot.plane(0.06);
+  plot.add(mark_of(arrows, panel.pivot));
 }
 
 }  // namespace
@@ -99,9 +101,10 @@ PlotKind field_plot() {
            {"u", "horizontal part of the arrow", true},
            {"v", "vertical part of the arrow", true},
            {"color", "shown as colour instead of the length"}},
-          {{"cells", "arrows along an axis at most (24)"},
-           {"scale", "length of the longest arrow in cells (1)"},
-           {"pivot", "what of an arrow lies at its point (middle)", "", false, {"tail", "middle", "tip"}}},
+          {number_key("cells", "arrows along an axis at most (24)", &Panel::cells),
+           number_key("scale", "length of the longest arrow in cells (1)", &Panel::scale),
+           word_key("pivot", "what of an arrow lies at its point (middle)", {"tail", "middle", "tip"},
+                    &Panel::pivot)},
           true,
           draw_field};
 }

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include "engine/figure/plot_tools.hpp"
 
 namespace stepwire {
@@ -14,74 +12,64 @@ const Channel high{"high", "upper edge of the band"};
 const Channel reference{"reference", "for each y a value to hold it against, drawn dashed in its colour",
                         false, true};
 const Channel each_across{"x", "along the horizontal axis: one expression, or one for each y", true, true};
-const Option style{.key = "style",
-                   .doc = "how the curves are drawn, in the order of the legend: line, dashes or dots",
-                   .list = true,
-                   .words = {"line", "dashes", "dots"}};
-const Option shade{.key = "shade",
-                   .doc = "ends of a range of x that is shaded, or of several: [0 s, 2 s]",
-                   .axis = "x",
-                   .list = true,
-                   .pairs = true};
+const PanelKey style{{"style",
+                      "how the curves are drawn, in the order of the legend: line, dashes or dots",
+                      ValueType::word,
+                      true,
+                      {"line", "dashes", "dots"}},
+                     [](Panel& panel, const Node& node, const KeyReading& read) {
+                       for (const Node& item : items_of(node))
+                         if (const auto index = read.word(item, style))
+                           panel.styles.push_back(static_cast<CurveStyle>(*index));
+                     }};
 
-/// What lies between `low` and `high`.
-void draw_band(const Panel& panel, std::span<const Recording> recordings, Script& script) {
-  const Series *bottom = panel.find("low"), *top = panel.find("high");
-  if (!bottom || !top) return;
-  const Curves band = gather(panel, recording_of(panel, recordings), {panel.find("x"), bottom, top});
-  for (const Curve& curve : band.curves) {
-    for (const std::size_t edge : {1, 2})
-      for (const double value : curve.columns[edge]) script.y.add(value);
-    script.plot_below(
-        fmt::format("{} using 1:2:3 with filledcurves fc rgb '{}' fs transparent solid 0.2 noborder",
-                    script.data({curve}), curve_color(curve.group)));
-  }
+PanelKey shade_key() {
+  PanelKey key = numbers_key("shade", "ends of a range of x that is shaded, or of several: [0 s, 2 s]",
+                             &Panel::shade, "x");
+  key.set = [read_numbers = key.set](Panel& panel, const Node& node, const KeyReading& read) {
+    read_numbers(panel, node, read);
+    if (panel.shade.size() % 2 != 0)
+      read.fault(node.mark, "shade", "needs two numbers for each range, its beginning and its end");
+  };
+  return key;
 }
 
-void draw_references(const Panel& panel, std::span<const Recording> recordings, Script& script) {
+/// What lies between `low` and `high`.
+void draw_interval(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
+  const Series *bottom = panel.find("low"), *top = panel.find("high");
+  if (bottom && top)
+    draw_band(gather(panel, recording_of(panel, recordings), {panel.find("x"), bottom, top}).curves, plot);
+}
+
+void draw_references(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
   const auto found = panel.series.find("reference");
   for (std::size_t i = 0; found != panel.series.end() && i < found->second.size(); ++i) {
     const Curves all =
         gather(panel, recording_of(panel, recordings, i), {panel.find("x"), &found->second[i]});
     if (all.curves.empty()) continue;
-    script.cover(all.curves);
-    script.plot(fmt::format("{} using 1:2 with lines dt 2 lw 1.4 lc rgb '{}'", script.data(all.curves),
-                            curve_color(i)));
+    plot.cover(all.curves);
+    plot.add(LineMark{plane_rows(all.curves), {curve_color(i), 1.4, {2.5, 4.0}}});
   }
 }
 
-void draw_shades(const Panel& panel, Script& script) {
-  const auto found = panel.levels.find("shade");
-  if (found == panel.levels.end()) return;
-  const auto& ends = found->second;
-  for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
-    script.set(
-        fmt::format("set object rectangle from {:.9g}, graph 0 to {:.9g}, graph 1 behind "
-                    "fc rgb '#eeeadd' fs solid noborder",
-                    ends[i], ends[i + 1]));
+void draw_lines(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
+  draw_curves(panel, recordings, plot);
+  draw_references(panel, recordings, plot);
+  draw_interval(panel, recordings, plot);
+  if (!plot.spec.marks.empty()) draw_spans(panel.shade, plot);
+  if (panel.equal) return plot.plane(0.04);
+  set_line_ranges(plot);
 }
 
-void draw_lines(const Panel& panel, std::span<const Recording> recordings, Script& script) {
-  draw_shades(panel, script);
-  draw_curves(panel, recordings, script);
-  draw_references(panel, recordings, script);
-  draw_band(panel, recordings, script);
-  if (panel.equal) return script.plane(0.04);
-  // The axis of time begins and ends with the record; the other one leaves the curves some room.
-  const Extent all = script.x;
-  script.plane(0.05);
-  script.range("x", script.x = panel.ranges.contains("x_range") ? script.x : all.padded(0.0));
+void draw_xy(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
+  draw_curves(panel, recordings, plot);
+  plot.plane(0.05);
 }
 
-void draw_xy(const Panel& panel, std::span<const Recording> recordings, Script& script) {
-  draw_curves(panel, recordings, script);
-  script.plane(0.05);
-}
-
-void draw_loop(const Panel& panel, std::span<const Recording> recordings, Script& script) {
-  draw_xy(panel, recordings, script);
+void draw_loop(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
+  draw_xy(panel, recordings, plot);
   // Quadrants tell whether a loop takes or gives energy.
-  script.set("set xzeroaxis lt 1 lc rgb '#8a8a8a' lw 1\nset yzeroaxis lt 1 lc rgb '#8a8a8a' lw 1");
+  plot.spec.x.zero_line = plot.spec.y.zero_line = true;
 }
 
 }  // namespace
@@ -90,7 +78,7 @@ PlotKind lines_plot() {
   return {"lines",
           "one or several curves over x, as over time",
           {across, up, low, high, by, reference},
-          {shade, style},
+          {shade_key(), style},
           true,
           draw_lines};
 }

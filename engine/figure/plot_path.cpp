@@ -5,22 +5,22 @@ namespace {
 
 constexpr double piece_budget = 4000.0;  ///< each coloured piece is an element of its own in the picture
 
-void draw_path(const Panel& panel, std::span<const Recording> recordings, Script& script) {
+void draw_path(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
   const Series &x = *panel.find("x"), &y = *panel.find("y"), &color = *panel.find("color");
   const Curves all = gather(panel, recording_of(panel, recordings), {&x, &y, &color});
-  const auto budget = static_cast<std::size_t>(piece_budget * script.share);
+  const auto budget = static_cast<std::size_t>(piece_budget * plot.share);
   std::vector<Curve> curves;
   for (std::size_t group = 0; group < all.groups.size(); ++group)
     std::ranges::copy(thinned(all, group, budget / all.groups.size(), true), std::back_inserter(curves));
-  script.cover(curves);
-  script.plane(0.05);
-  script.label("x", x);
-  script.label("y", y);
+  plot.cover(curves);
+  plot.plane(0.05);
+  plot.label("x", x);
+  plot.label("y", y);
   Curves drawn;
   drawn.curves = curves;
   const Curve points = joined(drawn);
-  script.color_bar(color, points.columns.empty() ? Extent{} : extent_of(points.columns[2]));
-  if (!curves.empty()) script.plot(script.data(curves) + " using 1:2:3 with lines lw 3 lc palette");
+  plot.color_bar(color, points.columns.empty() ? Extent{} : extent_of(points.columns[2]));
+  if (!curves.empty()) plot.add(LineMark{plane_rows(curves), {"", 3.0}});
 }
 
 }  // namespace

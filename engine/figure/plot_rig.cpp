@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "engine/draw/draw.hpp"
 #include "engine/figure/plot_kind.hpp"
 #include "engine/figure/rig.hpp"
 #include "engine/figure/run_rows.hpp"
@@ -65,7 +64,7 @@ std::size_t dimensions_of(const Rig& rig) {
   return most;
 }
 
-std::string draw_mechanism(const Rig& rig, const std::string& file, std::span<const Recording> recordings) {
+DrawnGraph drawn_mechanism(const Rig& rig, const std::string& file, std::span<const Recording> recordings) {
   const Recording& recording = recordings[rig.recording];
   const RunRows rows = rows_of_run(rig.where, recording);
   if (rows.none()) throw Error(Fault{{file, rig.mark}, "figure.where", "no row is left to be drawn", {}});
@@ -77,14 +76,14 @@ std::string draw_mechanism(const Rig& rig, const std::string& file, std::span<co
   drawn.set("axes", Json::list_of(rig.axes));
   if (rig.z_up) drawn.set("up", "z");
   if (rig.schematic) drawn.set("schematic", true);
-  return draw_picture(drawn.set("elements", std::move(elements)));
+  return {DrawnGraph::Kind::rig, drawn.set("elements", std::move(elements))};
 }
 
-Picture read_mechanism(const Node& node, const Names& names, Faults& faults) {
+PanelContent read_mechanism(const Node& node, const Names& names, Faults& faults) {
   Rig rig = read_rig(node, names, faults);
   if (const Node* title = node.find("title")) rig.title = title->text;
   return [rig = std::move(rig), file = names.file](std::span<const Recording> recordings) {
-    return draw_mechanism(rig, file, recordings);
+    return drawn_mechanism(rig, file, recordings);
   };
 }
 
@@ -103,28 +102,17 @@ PlotKind rig_plot() {
   PlotKind kind;
   kind.name = "rig";
   kind.doc = "a mechanism to scale, at one instant of the run";
-  kind.options = {{"points",
-                   "map of name: place; a place is a recorded vector, a row of a block's parameter "
-                   "(rig.linkage.anchors.1), or [x, y]",
-                   "",
-                   false,
-                   {},
-                   Option::Form::tree},
-                  {"elements", elements_doc(), "", false, {}, Option::Form::tree},
-                  {"axes",
-                   "names of the axes that are drawn, [x, z] of a view from the side",
-                   "",
-                   false,
-                   {},
-                   Option::Form::names},
-                  {"up", "the axis that points upwards in space (y)", "", false, {"y", "z"}},
-                  {"schematic", "without axes and scale", "", false, {"true", "false"}},
-                  {"where",
-                   "the first row for which this is true is drawn; without it the first of all",
-                   "",
-                   false,
-                   {},
-                   Option::Form::tree}};
+  kind.options = {
+      {{"points",
+        "map of name: place; a place is a recorded vector, a row of a block's parameter "
+        "(rig.linkage.anchors.1), or [x, y]",
+        ValueType::tree}},
+      {{"elements", elements_doc(), ValueType::tree}},
+      {{"axes", "names of the axes that are drawn, [x, z] of a view from the side", ValueType::text, true}},
+      {{"up", "the axis that points upwards in space (y)", ValueType::word, false, {"y", "z"}}},
+      {{"schematic", "without axes and scale", ValueType::truth}},
+      {{"where", "the first row for which this is true is drawn; without it the first of all",
+        ValueType::tree}}};
   kind.plane = false;
   kind.read = read_mechanism;
   return kind;

@@ -7,15 +7,14 @@
 #include "engine/figure/number.hpp"
 #include "engine/figure/plot_kind.hpp"
 #include "engine/figure/run_rows.hpp"
-#include "engine/figure/scene_drawing.hpp"
 
 namespace stepwire {
 namespace {
 
 /// The instants that a figure shows of the scene of its file.
-struct SceneInstants {
+struct ChosenInstants {
   std::shared_ptr<const Scene> scene;
-  std::string file, title;
+  std::string file;
   Mark mark;
   std::vector<double> times;     ///< [s]; empty: the one instant of `where`
   std::optional<Formula> where;  ///< of several runs that with the first row for which this is true
@@ -28,11 +27,10 @@ class InstantsReader {
   InstantsReader(const Node& node, const Names& names, Faults& faults)
       : node_(node), names_(names), faults_(faults) {}
 
-  SceneInstants read() {
-    SceneInstants instants{names_.scene, names_.file, "", node_.mark, {}, {}, {}};
+  ChosenInstants read() {
+    ChosenInstants instants{names_.scene, names_.file, node_.mark, {}, {}, {}};
     if (!instants.scene)
       fault(node_, "plot", "a plot 'scene' draws the section 'scene' of its file, and there is none");
-    if (const Node* title = node_.find("title")) instants.title = title->text;
     if (const Node* at = node_.find("at")) read_times(*at, instants);
     if (const Node* where = node_.find("where"))
       instants.where = read_formula(*where, names_, "figure.where", faults_);
@@ -46,9 +44,8 @@ class InstantsReader {
     faults_.add({{names_.file, node.mark}, "figure." + key, std::move(message), {}});
   }
 
-  void read_times(const Node& node, SceneInstants& instants) {
-    const std::vector<Node> one{node};
-    for (const Node& item : node.is_list() ? node.items : one) {
+  void read_times(const Node& node, ChosenInstants& instants) {
+    for (const Node& item : items_of(node)) {
       const auto time = read_number(item, names_, "figure.at", faults_);
       if (!time) continue;
       check_dimension(*time, Dimension{{0.0, 0.0, 1.0}}, "an instant", item, names_, "figure.at", faults_);
@@ -59,16 +56,15 @@ class InstantsReader {
     }
   }
 
-  void read_words(const Node& node, SceneInstants& instants) {
-    const std::vector<Node> one{node};
-    for (const Node& item : node.is_list() ? node.items : one)
+  void read_words(const Node& node, ChosenInstants& instants) {
+    for (const Node& item : items_of(node))
       instants.words.push_back(read_text(item, names_, "figure.words", faults_));
     const std::size_t count = std::max<std::size_t>(1, instants.times.size());
     if (instants.words.size() != count)
       fault(node, "words", fmt::format("there are {} texts for {} instants", instants.words.size(), count));
   }
 
-  void check_recording(const SceneInstants& instants) {
+  void check_recording(const ChosenInstants& instants) {
     if (!instants.scene || !instants.where) return;
     std::vector<const Formula*> formulas{&*instants.where};
     for (const Formula& formula : instants.scene->formulas) formulas.push_back(&formula);
@@ -88,7 +84,7 @@ std::size_t row_at(double instant, const RunRows& rows, const std::vector<double
   return nearest;
 }
 
-std::string draw_instants(const SceneInstants& instants, std::span<const Recording> recordings) {
+SceneInstants drawn_instants(const ChosenInstants& instants, std::span<const Recording> recordings) {
   const Scene& scene = *instants.scene;
   const Recording& recording = recordings[scene.recording];
   const RunRows rows = rows_of_run(instants.where, recording);
@@ -106,12 +102,12 @@ std::string draw_instants(const SceneInstants& instants, std::span<const Recordi
     const std::string when = fmt::format("{} s", short_number(time[chosen[i]], 3));
     words.push_back(instants.words.empty() ? chosen.size() > 1 ? when : "" : instants.words[i] + ", " + when);
   }
-  return scene_still(scene, shapes, words, instants.title);
+  return {instants.scene, std::move(shapes), std::move(words)};
 }
 
-Picture read_instants(const Node& node, const Names& names, Faults& faults) {
+PanelContent read_instants(const Node& node, const Names& names, Faults& faults) {
   return [instants = InstantsReader(node, names, faults).read()](std::span<const Recording> recordings) {
-    return draw_instants(instants, recordings);
+    return drawn_instants(instants, recordings);
   };
 }
 
@@ -122,14 +118,11 @@ PlotKind scene_plot() {
   kind.name = "scene";
   kind.doc = "instants of the section `scene` side by side, as whoever is at the device sees them";
   kind.options = {
-      {"at", "times of the instants: 2 s, or a list", "", true},
-      {"words", "texts below the instants, in their order", "", false, {}, Option::Form::names},
-      {"where",
-       "of several runs that with the first row for which this is true; without `at` that row is drawn",
-       "",
-       false,
-       {},
-       Option::Form::tree}};
+      {{"at", "times of the instants: 2 s, or a list", ValueType::number, true}},
+      {{"words", "texts below the instants, in their order", ValueType::text, true}},
+      {{"where",
+        "of several runs that with the first row for which this is true; without `at` that row is drawn",
+        ValueType::tree}}};
   kind.plane = false;
   kind.read = read_instants;
   return kind;

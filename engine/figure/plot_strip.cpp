@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "engine/figure/grid.hpp"
@@ -26,16 +24,11 @@ class Strip {
     }
   }
 
-  Curve curve() const {
-    Curve result{std::vector<std::vector<double>>(3), 0};
-    // Two rows of cells: gnuplot draws no picture of a single one.
-    for (const double y : {0.25, 0.75})
-      for (std::size_t i = 0; i < cells; ++i) {
-        result.columns[0].push_back(low_ + (static_cast<double>(i) + 0.5) * step_);
-        result.columns[1].push_back(y);
-        result.columns[2].push_back(counts_[i] > 0.0 ? sums_[i] / counts_[i] : nothing);
-      }
-    return result;
+  ImageMark image() const {
+    ImageMark image{low_ + 0.5 * step_, 0.5, step_, 1.0, cells, 1, {}};
+    for (std::size_t i = 0; i < cells; ++i)
+      image.values.push_back(counts_[i] > 0.0 ? sums_[i] / counts_[i] : nothing);
+    return image;
   }
 
  private:
@@ -47,14 +40,14 @@ class Strip {
   std::vector<double> sums_ = std::vector<double>(cells, 0.0), counts_ = std::vector<double>(cells, 0.0);
 };
 
-Curve strip_of(const Curves& all, const Extent& extent) {
+ImageMark strip_of(const Curves& all, const Extent& extent) {
   Strip strip(extent);
   for (const Curve& curve : all.curves) {
     const auto &x = curve.columns[0], &value = curve.columns[1];
     if (curve.size() == 1) strip.pass(x[0], value[0], x[0], value[0]);
     for (std::size_t i = 1; i < curve.size(); ++i) strip.pass(x[i - 1], value[i - 1], x[i], value[i]);
   }
-  return strip.curve();
+  return strip.image();
 }
 
 /// A round step with which a short colour bar has two to five marks.
@@ -65,25 +58,24 @@ double few_steps(double width) {
   return power;
 }
 
-void draw_strip(const Panel& panel, std::span<const Recording> recordings, Script& script) {
+void draw_strip(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
   const Series &x = *panel.find("x"), &color = *panel.find("color");
   const Curves all = gather(panel, recording_of(panel, recordings), {&x, &color});
   for (const Curve& curve : all.curves)
-    for (const double value : curve.columns[0]) script.x.add(value);
-  script.label("x", x);
+    for (const double value : curve.columns[0]) plot.x.add(value);
+  plot.label("x", x);
   if (all.curves.empty()) return;
-  script.x = script.x.padded(0.0);
-  const Curve strip = strip_of(all, script.x);
-  script.y = {0.0, 1.0};
-  script.plane(0.0);
-  script.set("unset ytics\nset border 1\nunset grid");
+  plot.x = plot.x.padded(0.0);
+  ImageMark strip = strip_of(all, plot.x);
+  plot.y = {0.0, 1.0};
+  plot.plane(0.0);
+  plot.spec.x.grid = plot.spec.y.grid = plot.spec.y.line = false;
   // The label of the colour bar stands beside the strip and must not be longer than that is high.
-  script.height = std::clamp(70.0 + 8.0 * static_cast<double>(color.axis_label().size()), 170.0, 320.0);
-  const Extent shown = extent_of(strip.columns[2]);
-  script.color_bar(color, shown);
-  if (!panel.ranges.contains("color_range") && shown.high > shown.low)
-    script.set(fmt::format("set cbtics {:.6g}", few_steps(shown.high - shown.low)));
-  script.plot(script.data({strip}) + " using 1:2:3 with image");
+  plot.height = std::clamp(70.0 + 8.0 * static_cast<double>(color.axis_label().size()), 170.0, 320.0);
+  const Extent shown = extent_of(strip.values);
+  plot.color_bar(color, shown);
+  if (!panel.color.range && shown.high > shown.low) plot.spec.color->step = few_steps(shown.width());
+  plot.add(std::move(strip));
 }
 
 }  // namespace

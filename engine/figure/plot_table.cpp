@@ -10,10 +10,10 @@ namespace stepwire {
 namespace {
 
 /// A table that a study makes.
-Picture read_named_table(const Node& node, const Names& names, Faults& faults) {
+PanelContent read_named_table(const Node& node, const Names& names, Faults& faults) {
   const auto fault = [&](const Mark& mark, const std::string& message) {
     faults.add({{names.file, mark}, "figure.of", message, {}});
-    return Picture{};
+    return PanelContent{};
   };
   std::vector<std::string> all;
   for (const NamedTable& one : names.tables) all.push_back(one.name);
@@ -33,16 +33,16 @@ Picture read_named_table(const Node& node, const Names& names, Faults& faults) {
           title = title ? title->text : ""](std::span<const Recording>) {
     TextTable shown = *table;
     if (!title.empty()) shown.title = title;
-    return draw(shown);
+    return shown;
   };
 }
 
-Picture read_table_plot(const Node& node, const Names& names, Faults& faults) {
+PanelContent read_table_plot(const Node& node, const Names& names, Faults& faults) {
   if (!node.find("rows") && !node.find("headings")) return read_named_table(node, names, faults);
   if (const Node* of = node.find("of"))
     faults.add({{names.file, of->mark}, "figure.of", "a table has 'of' or 'rows', not both", {}});
   return [rows = read_table_rows(node, names, faults)](std::span<const Recording> recordings) {
-    return draw(filled(rows, recordings));
+    return filled(rows, recordings);
   };
 }
 
@@ -53,25 +53,17 @@ PlotKind table_plot() {
   kind.name = "table";
   kind.doc = "a table of expressions, or one that a study makes, with its notes";
   kind.options = {
-      {"of",
-       "which table: errors by condition, or by condition and subject; the analyses of variance; or "
-       "means and significance beside the thesis'",
-       "",
-       false,
-       {"errors", "subjects", "anova", "anova_with_subject", "repeated_measures", "means", "significance"}},
-      {"headings", "texts, the first above the names of the rows", "", false, {}, Option::Form::names},
-      {"rows",
-       "map of name: an expression for each further column, or a list: {NAME: [rig.x in mm]}",
-       "",
-       false,
-       {},
-       Option::Form::tree},
-      {"where",
-       "cells have the values of the first row for which this is true; without it of the first",
-       "",
-       false,
-       {},
-       Option::Form::tree}};
+      {{"of",
+        "which table: errors by condition, or by condition and subject; the analyses of variance; or means "
+        "and significance beside the thesis'",
+        ValueType::word,
+        false,
+        {"errors", "subjects", "anova", "anova_with_subject", "repeated_measures", "means", "significance"}}},
+      {{"headings", "texts, the first above the names of the rows", ValueType::text, true}},
+      {{"rows", "map of name: an expression for each further column, or a list: {NAME: [rig.x in mm]}",
+        ValueType::tree}},
+      {{"where", "cells have the values of the first row for which this is true; without it of the first",
+        ValueType::tree}}};
   kind.plane = false;
   kind.read = read_table_plot;
   return kind;

@@ -1,7 +1,5 @@
 #include "engine/figure/plot_tools.hpp"
 
-#include <fmt/format.h>
-
 namespace stepwire {
 namespace {
 
@@ -27,30 +25,26 @@ Series common_label(const std::vector<Series>& all) {
   return common;
 }
 
-/// How gnuplot draws the curve of this entry in the style that the file gives; empty without one.
-std::string styled(const Panel& panel, std::size_t entry) {
-  const auto styles = panel.word_lists.find("style");
-  if (styles == panel.word_lists.end() || entry >= styles->second.size()) return {};
-  const std::string& style = styles->second[entry];
-  if (style == "dots") return "with lines dt (0.5,3.5) lw 3.4";
-  return style == "dashes" ? "with lines dt (8,5) lw 1.4" : "with lines lw 1.6";
+/// A later curve is thinner, so that one that lies below it is still seen.
+LineStyle line_of(const Panel& panel, std::size_t entry, bool several) {
+  LineStyle line{curve_color(entry), entry == 0 && several ? 2.4 : 1.6};
+  if (entry >= panel.styles.size()) return line;
+  line.width = panel.styles[entry] == CurveStyle::dots     ? 3.4
+               : panel.styles[entry] == CurveStyle::dashes ? 1.4
+                                                           : 1.6;
+  if (panel.styles[entry] == CurveStyle::dots) line.dash = {0.25, 1.75};
+  if (panel.styles[entry] == CurveStyle::dashes) line.dash = {4.0, 2.5};
+  return line;
 }
 
-/// A later curve is thinner, so that one that lies below it is still seen.
-std::string look(const Panel& panel, std::size_t entry) {
-  if (const std::string style = styled(panel, entry); !style.empty()) return style;
-  const std::string width = entry == 0 && panel.series.at("y").size() > 1 ? "2.4" : "1.6";
-  const std::string with = panel.final_rows ? "linespoints pt 7 ps 0.5" : "lines";
-  return fmt::format("with {} lw {}", with, width);
+/// Final rows have dots where the file gives no style.
+double dots_of(const Panel& panel, std::size_t entry) {
+  return panel.final_rows && entry >= panel.styles.size() ? 4.875 : 0.0;
 }
 
 Curve with_group_value(Curve curve, const Curves& all) {
   curve.columns.emplace_back(curve.size(), all.groups[curve.group]);
   return curve;
-}
-
-std::size_t rows_for(const Script& script, std::size_t parts) {
-  return static_cast<std::size_t>(picture_budget * script.share / static_cast<double>(parts));
 }
 
 /// The rows of a group that are drawn: each one where it has a point, else as many as its line needs.
@@ -59,26 +53,23 @@ std::vector<Curve> drawn(const Panel& panel, const Curves& all, std::size_t grou
 }
 
 /// Many groups: the value of `by` is shown as a colour.
-void draw_by_color(const Panel& panel, const Curves& all, Script& script) {
+void draw_by_color(const Panel& panel, const Curves& all, PlotBuilder& plot) {
   for (std::size_t group = 0; group < all.groups.size(); ++group) {
-    auto curves = drawn(panel, all, group, rows_for(script, all.groups.size()));
-    script.cover(curves);
+    auto curves = drawn(panel, all, group, rows_for(plot, all.groups.size()));
+    plot.cover(curves);
     for (Curve& curve : curves) curve = with_group_value(std::move(curve), all);
-    script.plot(script.data(curves) + " using 1:2:3 " + look(panel, 1) + " lc palette");
+    LineStyle line = line_of(panel, 1, false);
+    line.color.clear();
+    plot.add(LineMark{plane_rows(curves), line, dots_of(panel, 1)});
   }
-  script.color_bar(*panel.find("by"), extent_of(all.groups));
+  plot.color_bar(*panel.find("by"), extent_of(all.groups));
 }
 
 void draw_in_legend(const Panel& panel, const Series& y, const Curves& all, std::size_t& entry,
-                    Script& script) {
-  for (std::size_t group = 0; group < all.groups.size(); ++group, ++entry) {
-    const auto curves =
-        drawn(panel, all, group, rows_for(script, panel.series.at("y").size() * all.groups.size()));
-    script.cover(curves);
-    script.plot(fmt::format("{} using 1:2 {} lc rgb '{}'", script.data(curves), look(panel, entry),
-                            curve_color(entry)),
-                legend_text(panel, y, all, group, entry));
-  }
+                    PlotBuilder& plot) {
+  const std::size_t budget = rows_for(plot, panel.series.at("y").size() * all.groups.size());
+  for (std::size_t group = 0; group < all.groups.size(); ++group, ++entry)
+    draw_group(all, group, entry, budget, legend_text(panel, y, all, group, entry), plot);
 }
 
 }  // namespace
@@ -93,34 +84,70 @@ Curve joined(const Curves& all) {
   return result;
 }
 
-Extent extent_of(const std::vector<double>& values) {
-  Extent extent;
-  for (const double value : values) extent.add(value);
-  return extent;
+std::size_t rows_for(const PlotBuilder& plot, std::size_t parts) {
+  return static_cast<std::size_t>(picture_budget * plot.share / static_cast<double>(parts));
 }
 
-void draw_curves(const Panel& panel, std::span<const Recording> recordings, Script& script) {
+void draw_group(const Curves& all, std::size_t group, std::size_t entry, std::size_t budget,
+                const std::string& legend, PlotBuilder& plot) {
+  const Panel& panel = plot.panel();
+  const auto curves = drawn(panel, all, group, budget);
+  plot.cover(curves);
+  plot.add(LineMark{plane_rows(curves), line_of(panel, entry, all.several), dots_of(panel, entry), legend});
+}
+
+void draw_curves(const std::vector<NumberCurve>& curves, PlotBuilder& plot) {
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    Curves all = curves_of(plot.panel(), {curves[i].x, curves[i].y});
+    all.several = curves.size() > 1;
+    for (std::size_t group = 0; group < all.groups.size(); ++group)
+      draw_group(all, group, i, rows_for(plot, curves.size()), curves[i].legend, plot);
+  }
+}
+
+void name_axis(PlotAxis& axis, const std::string& label, const std::string& unit) {
+  axis.label = label;
+  axis.unit = unit.empty() ? "" : printed_unit(unit);
+}
+
+void draw_band(const std::vector<Curve>& curves, PlotBuilder& plot) {
+  for (const Curve& curve : curves) {
+    for (const std::size_t edge : {1, 2})
+      for (const double value : curve.columns[edge]) plot.y.add(value);
+    plot.add_below(BandMark{curve.columns[0], curve.columns[1], curve.columns[2], curve_color(curve.group)});
+  }
+}
+
+void draw_spans(const std::vector<double>& ends, PlotBuilder& plot) {
+  for (std::size_t i = 0; i + 1 < ends.size(); i += 2) plot.add(SpanMark{ends[i], ends[i + 1], "#eeeadd"});
+}
+
+void set_line_ranges(PlotBuilder& plot) {
+  // The axis of time begins and ends with the record; the other one leaves the curves some room.
+  const Extent all = plot.x;
+  plot.plane(0.05);
+  if (!plot.panel().x.range) plot.x = all.padded(0.0);
+  plot.range("x", plot.x);
+}
+
+void draw_curves(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
   const auto &all_x = panel.series.at("x"), &all_y = panel.series.at("y");
   std::size_t entry = 0;
   for (std::size_t i = 0; i < all_y.size(); ++i) {
     const Series& x = all_x[std::min(i, all_x.size() - 1)];
-    const Curves all = gather(panel, recording_of(panel, recordings, i), {&x, &all_y[i]});
+    Curves all = gather(panel, recording_of(panel, recordings, i), {&x, &all_y[i]});
+    all.several = all_y.size() > 1;
     if (all.groups.size() > most_in_legend && all_y.size() == 1 && panel.legend.empty())
-      draw_by_color(panel, all, script);
+      draw_by_color(panel, all, plot);
     else
-      draw_in_legend(panel, all_y[i], all, entry, script);
+      draw_in_legend(panel, all_y[i], all, entry, plot);
   }
-  script.label("x", common_label(all_x));
-  script.label("y", common_label(all_y));
+  plot.label("x", common_label(all_x));
+  plot.label("y", common_label(all_y));
 }
 
 const Recording& recording_of(const Panel& panel, std::span<const Recording> recordings, std::size_t index) {
   return recordings[panel.recordings[std::min(index, panel.recordings.size() - 1)]];
-}
-
-double number_or(const Panel& panel, const std::string& key, double otherwise) {
-  const auto found = panel.numbers.find(key);
-  return found == panel.numbers.end() ? otherwise : found->second;
 }
 
 }  // namespace stepwire

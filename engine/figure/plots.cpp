@@ -16,11 +16,9 @@ const Channel* PlotKind::channel(std::string_view key) const {
   return found == channels.end() ? nullptr : &*found;
 }
 
-bool PlotKind::takes(std::string_view panel_key) const {
-  if (panel_key == "boundary") return plane;
-  const bool is_over_both =
-      panel_key == "marks" || panel_key == "texts" || panel_key == "motion" || panel_key == "rose";
-  return !is_over_both || (plane && channel("x") && channel("y"));
+bool PlotKind::takes(KeyNeeds needs) const {
+  if (needs == KeyNeeds::nothing) return true;
+  return plane && (needs == KeyNeeds::plane || (channel("x") && channel("y")));
 }
 
 }  // namespace stepwire

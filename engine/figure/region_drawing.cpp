@@ -1,8 +1,7 @@
-#include "engine/figure/region_drawing.hpp"
-
 #include <algorithm>
 #include <iterator>
 
+#include "engine/figure/overlay_drawing.hpp"
 #include "engine/figure/thinning.hpp"
 
 namespace stepwire {
@@ -25,17 +24,17 @@ Curve curve_of(const Panel& panel, const Outline& outline, const Outline::Line& 
 
 /// Does a point lie within the ranges that the file gives for its axes?
 bool is_shown(const Panel& panel, const Curve& curve, std::size_t row) {
-  const char* axes[] = {"x_range", "y_range", "z_range"};
+  const AxisOptions* axes[] = {&panel.x, &panel.y, &panel.z};
   for (std::size_t i = 0; i < curve.columns.size(); ++i) {
-    const auto range = panel.ranges.find(axes[i]);
-    if (range == panel.ranges.end()) continue;
-    const double hair = 1e-6 * (range->second[1] - range->second[0]), value = curve.columns[i][row];
-    if (value < range->second[0] - hair || value > range->second[1] + hair) return false;
+    if (!axes[i]->range) continue;
+    const auto [low, high] = *axes[i]->range;
+    const double hair = 1e-6 * (high - low), value = curve.columns[i][row];
+    if (value < low - hair || value > high + hair) return false;
   }
   return true;
 }
 
-/// The pieces of a line in space that are shown; gnuplot does not cut lines there.
+/// The pieces of a line in space that are shown; a renderer need not cut lines there.
 std::vector<Curve> shown_pieces(const Panel& panel, const Curve& curve) {
   std::vector<Curve> pieces;
   bool inside = false;
@@ -50,8 +49,8 @@ std::vector<Curve> shown_pieces(const Panel& panel, const Curve& curve) {
 }
 
 /// The lines of an outline; in the plane without points that cannot be told apart in the frame.
-std::vector<Curve> curves_of(const Panel& panel, const Outline& outline, const Script& script) {
-  const std::vector<double> widths{script.x.high - script.x.low, script.y.high - script.y.low};
+std::vector<Curve> curves_of(const Panel& panel, const Outline& outline, const PlotBuilder& plot) {
+  const std::vector<double> widths{plot.x.width(), plot.y.width()};
   std::vector<Curve> curves;
   for (const Outline::Line& line : outline.lines) {
     const Curve curve = curve_of(panel, outline, line);
@@ -76,7 +75,7 @@ Curve one_of(const std::vector<Curve>& loops) {
   return all;
 }
 
-/// What of a polygon lies on one side of a line of the frame. gnuplot does not keep large areas within it.
+/// What of a polygon lies on one side of a line of the frame. A renderer need not keep areas within it.
 Curve cut_off(const Curve& polygon, std::size_t axis, double limit, double side) {
   Curve result{std::vector<std::vector<double>>(2), 0};
   const auto inside = [&](std::size_t i) { return side * (polygon.columns[axis][i] - limit) <= 0.0; };
@@ -92,8 +91,8 @@ Curve cut_off(const Curve& polygon, std::size_t axis, double limit, double side)
   return result;
 }
 
-Curve within(Curve polygon, const Script& script) {
-  const Extent extents[] = {script.x, script.y};
+Curve within(Curve polygon, const PlotBuilder& plot) {
+  const Extent extents[] = {plot.x, plot.y};
   for (std::size_t axis = 0; axis < 2; ++axis) {
     polygon = cut_off(polygon, axis, extents[axis].low, -1.0);
     polygon = cut_off(polygon, axis, extents[axis].high, 1.0);
@@ -103,26 +102,22 @@ Curve within(Curve polygon, const Script& script) {
 
 }  // namespace
 
-void cover_regions(const Panel& panel, Script& script) {
+void cover_regions(const Panel& panel, PlotBuilder& plot) {
   for (const Outline& outline : panel.regions)
     for (const Outline::Line& line : outline.lines)
-      if (!outline.space && !line.endless) script.cover({curve_of(panel, outline, line)});
+      if (!outline.space && !line.endless) plot.cover({curve_of(panel, outline, line)});
 }
 
-void draw_regions(const Panel& panel, Script& script) {
-  if (!panel.regions.empty()) script.set("set clip two");  // a line may begin and end beyond the frame
-  const auto line = panel.words.find("region_line");
-  const std::string dashes = line != panel.words.end() && line->second == "dashes" ? " dt 2" : "";
+void draw_regions(const Panel& panel, PlotBuilder& plot) {
+  const std::vector<double> dash =
+      panel.dashed_regions ? std::vector<double>{2.5, 4.0} : std::vector<double>{};
   for (const Outline& outline : panel.regions) {
-    const std::vector<Curve> curves = curves_of(panel, outline, script);
-    const std::string columns = outline.space ? "1:2:3" : "1:2";
+    const std::vector<Curve> curves = curves_of(panel, outline, plot);
     if (!curves.empty())
-      script.plot(script.data(curves) + " using " + columns + " with lines lc rgb '#111111' lw 1.6" + dashes);
+      plot.add(LineMark{outline.space ? space_rows(curves) : plane_rows(curves), {"#111111", 1.6, dash}});
     if (outline.space) continue;
-    const Curve shade = within(one_of(curves), script);
-    if (shade.size() > 2)
-      script.plot_below(script.data({shade}) +
-                        " using 1:2 with filledcurves closed fc rgb '#e6eee2' fs solid noborder");
+    const Curve shade = within(one_of(curves), plot);
+    if (shade.size() > 2) plot.add_below(AreaMark{shade.columns[0], shade.columns[1], "#e6eee2"});
   }
 }
 

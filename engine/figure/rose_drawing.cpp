@@ -1,13 +1,8 @@
-#include "engine/figure/rose_drawing.hpp"
-
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "engine/figure/number.hpp"
 #include "engine/figure/overlay.hpp"
-#include "engine/figure/picture.hpp"
-#include "engine/figure/plot_kind.hpp"
+#include "engine/figure/overlay_drawing.hpp"
 
 namespace stepwire {
 namespace {
@@ -20,36 +15,39 @@ struct DrawnRose {
   Curve rows;
   double x, y;
 
-  Curve circle() const {
+  MarkRows circle() const {
     constexpr int corners = 72;
     constexpr double turn = 6.283185307179586;
-    Curve line{std::vector<std::vector<double>>(2), 0};
+    MarkRows line;
     for (int i = 0; i <= corners; ++i) {
-      line.columns[0].push_back(x + rose.radius * std::cos(turn * i / corners));
-      line.columns[1].push_back(y + rose.radius * std::sin(turn * i / corners));
+      line.x.push_back(x + rose.radius * std::cos(turn * i / corners));
+      line.y.push_back(y + rose.radius * std::sin(turn * i / corners));
     }
     return line;
   }
 
-  /// Middle of the disc, the way to the end of a spoke, and its value.
-  Curve spokes(double full) const {
-    Curve spokes{std::vector<std::vector<double>>(5), 0};
+  /// From the middle of the disc, the largest value as long as its radius.
+  VectorsMark spokes(double full) const {
+    VectorsMark spokes;
     for (std::size_t row = 0; row < rows.size(); ++row) {
       const double angle = rows.columns[spoke_angle][row], value = rows.columns[spoke_value][row];
       const double length = full > 0.0 ? rose.radius * value / full : 0.0;
-      const double cells[] = {x, y, length * std::cos(angle), length * std::sin(angle), value};
-      for (std::size_t i = 0; i < 5; ++i) spokes.columns[i].push_back(cells[i]);
+      spokes.x.push_back(x);
+      spokes.y.push_back(y);
+      spokes.dx.push_back(length * std::cos(angle));
+      spokes.dy.push_back(length * std::sin(angle));
+      spokes.value.push_back(value);
     }
     return spokes;
   }
 
   /// From the point to the edge of the disc; nothing where the point lies on it.
-  std::optional<Curve> leader() const {
+  std::optional<MarkRows> leader() const {
     const double from_x = rows.columns[point_x].front(), from_y = rows.columns[point_y].front();
     const double distance = std::hypot(from_x - x, from_y - y);
     if (distance <= rose.radius) return std::nullopt;
     const double share = rose.radius / distance;
-    return Curve{{{from_x, x + share * (from_x - x)}, {from_y, y + share * (from_y - y)}}, 0};
+    return MarkRows{{from_x, x + share * (from_x - x)}, {from_y, y + share * (from_y - y)}, {}, {}};
   }
 };
 
@@ -72,51 +70,66 @@ double largest_value(const std::vector<DrawnRose>& roses) {
   return largest;
 }
 
-void write_names(const DrawnRose& one, double full, Script& script) {
-  const std::string style = fmt::format("center front textcolor rgb '{}' font ',12'", rimmed_text);
-  script.set(fmt::format("set label {} at {:.9g},{:.9g} {} offset 0,-0.8",
-                         quoted(short_number(full, 3) + " " + printed_unit(one.rose.value.unit_text)), one.x,
-                         one.y - one.rose.radius, style));
-  if (!one.rose.name.empty())
-    script.set(fmt::format("set label {} at {:.9g},{:.9g} {} offset 0,0.8", quoted(one.rose.name), one.x,
-                           one.y + one.rose.radius, style));
+TextMark name_of(const DrawnRose& one, const std::string& text, double side) {
+  return {.text = text,
+          .x = one.x,
+          .y = one.y + side * one.rose.radius,
+          .offset = {0.0, 0.8 * side},
+          .size = 12.0,
+          .color = "#101010",
+          .rim = true};
 }
 
-void draw_leader(const Curve& leader, Script& script) {
-  script.plot(script.data({leader}) + " using 1:2 with lines lw 1 lc rgb '#555555'");
-  script.set(fmt::format("set label '' at {:.9g},{:.9g} front point pt 7 ps 0.4 lc rgb '#111111'",
-                         leader.columns[0][0], leader.columns[1][0]));
+void write_names(const DrawnRose& one, double full, PlotBuilder& plot) {
+  const std::string unit = printed_unit(one.rose.value.unit_text);
+  plot.spec.texts.push_back(name_of(one, short_number(full, 3) + " " + unit, -1.0));
+  if (!one.rose.name.empty()) plot.spec.texts.push_back(name_of(one, one.rose.name, 1.0));
 }
 
-void draw_rose(const DrawnRose& one, double full, Script& script) {
-  const bool has_colors = script.panel().kind && script.panel().kind->channel("color");
-  const std::string disc = script.data({one.circle()});
-  script.plot(disc + " using 1:2 with filledcurves closed fc rgb '#ffffff' fs solid noborder");
-  script.plot(disc + " using 1:2 with lines lw 1 lc rgb '#555555'");
-  if (const auto leader = one.leader()) draw_leader(*leader, script);
-  const std::string spokes = script.data({one.spokes(full)});
-  script.plot(fmt::format("{} using 1:2:3:4{} with vectors nohead lw 1.6 lc {}", spokes,
-                          has_colors ? ":5" : "", has_colors ? "palette" : "rgb '" + curve_color(0) + "'"));
-  script.plot(spokes + " using ($1+$3):($2+$4) with lines lw 1.4 lc rgb '#222222'");
-  write_names(one, full, script);
+void draw_leader(const MarkRows& leader, PlotBuilder& plot) {
+  plot.add(LineMark{{leader}, {"#555555", 1.0}});
+  plot.spec.texts.push_back({.x = leader.x[0], .y = leader.y[0], .dot = 3.9});
+}
+
+/// The line through the ends of spokes.
+LineMark outline_of(const VectorsMark& spokes) {
+  MarkRows ends;
+  for (std::size_t i = 0; i < spokes.x.size(); ++i) {
+    ends.x.push_back(spokes.x[i] + spokes.dx[i]);
+    ends.y.push_back(spokes.y[i] + spokes.dy[i]);
+  }
+  return {{std::move(ends)}, {"#222222", 1.4}};
+}
+
+void draw_rose(const DrawnRose& one, double full, PlotBuilder& plot) {
+  const MarkRows disc = one.circle();
+  plot.add(AreaMark{disc.x, disc.y, "#ffffff"});
+  plot.add(LineMark{{disc}, {"#555555", 1.0}});
+  if (const auto leader = one.leader()) draw_leader(*leader, plot);
+  VectorsMark spokes = one.spokes(full);
+  spokes.line = {plot.spec.color ? "" : curve_color(0), 1.6};
+  LineMark outline = outline_of(spokes);
+  plot.add(std::move(spokes));
+  plot.add(std::move(outline));
+  write_names(one, full, plot);
 }
 
 }  // namespace
 
-void cover_roses(const Panel& panel, Script& script) {
+void cover_roses(const Panel& panel, PlotBuilder& plot) {
   for (const Rose& rose : panel.roses) {
     if (!rose.at) continue;
     for (const double side : {-rose.radius, rose.radius}) {
-      script.x.add((*rose.at)[0] + side);
-      script.y.add((*rose.at)[1] + side);
+      plot.x.add((*rose.at)[0] + side);
+      plot.y.add((*rose.at)[1] + side);
     }
   }
 }
 
-void draw_roses(const Panel& panel, std::span<const Recording> recordings, Script& script) {
+void draw_roses(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
   const std::vector<DrawnRose> roses = drawn_roses(panel, recordings);
   const double full = largest_value(roses);
-  for (const DrawnRose& one : roses) draw_rose(one, full, script);
+  for (const DrawnRose& one : roses) draw_rose(one, full, plot);
 }
 
 }  // namespace stepwire

@@ -7,7 +7,6 @@ namespace stepwire {
 namespace {
 
 const std::string rose_subject = "figure.rose";
-const std::vector<std::string> rose_keys{"x", "y", "angle", "value", "where", "at", "radius", "name"};
 
 /// Reads the keys of one rose; faults are gathered.
 class RoseReader {
@@ -16,13 +15,13 @@ class RoseReader {
       : node_(node), panel_(panel), names_(names), faults_(faults) {}
 
   std::optional<Rose> read() {
-    check_keys(node_, rose_keys, "a rose", names_, rose_subject, faults_);
-    for (const char* key : {"x", "y", "angle", "value", "radius"})
-      if (!node_.find(key))
+    check_keys(node_, rose_keys(), "a rose", names_, rose_subject, faults_);
+    for (const FigureKey& key : rose_keys())
+      if (key.required && !node_.find(key.name))
         return refuse(node_,
                       fmt::format("'{}' is missing: {{x: at.1, y: at.2, angle: phi, value: force in N, "
                                   "radius: 4 mm}}",
-                                  key));
+                                  key.name));
     auto x = coordinate("x"), y = coordinate("y");
     auto angle = read_formula(*node_.find("angle"), names_, subject("angle"), faults_);
     auto value = read_series(*node_.find("value"), names_, subject("value"), faults_);
@@ -77,8 +76,7 @@ class RoseReader {
 }  // namespace
 
 void read_roses(const Node& node, Panel& panel, const Names& names, Faults& faults) {
-  const std::vector<Node> one{node};
-  for (const Node& item : node.is_list() ? node.items : one)
+  for (const Node& item : items_of(node))
     if (auto rose = RoseReader(item, panel, names, faults).read()) panel.roses.push_back(std::move(*rose));
 }
 

@@ -227,8 +227,9 @@ SvgElement scene_sheet(const Scene& scene, double width, double height, const st
   return sheet;
 }
 
-std::string scene_still(const Scene& scene, const std::vector<std::vector<SceneShape>>& instants,
-                        const std::vector<std::string>& words, const std::string& title) {
+std::string scene_still(const SceneInstants& drawn, const std::string& title) {
+  const auto& [owner, instants, words] = drawn;
+  const Scene& scene = *owner;
   const bool worded = std::ranges::any_of(words, [](const std::string& text) { return !text.empty(); });
   const std::size_t columns = instants.size() == 4 ? 2 : std::min<std::size_t>(3, instants.size());
   const std::size_t rows = (instants.size() + columns - 1) / columns;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/figure/plot_spec.hpp"
 #include "engine/figure/scene.hpp"
 #include "engine/figure/svg.hpp"
 
@@ -25,7 +26,6 @@ SvgElement scene_definitions(const Scene& scene);
 SvgElement scene_sheet(const Scene& scene, double width, double height, const std::string& title);
 
 /// Instants side by side, each with the words below it; empty words take no room.
-std::string scene_still(const Scene& scene, const std::vector<std::vector<SceneShape>>& instants,
-                        const std::vector<std::string>& words, const std::string& title);
+std::string scene_still(const SceneInstants& instants, const std::string& title);
 
 }  // namespace stepwire

@@ -1,12 +1,10 @@
 #include "engine/figure/ticks.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "engine/figure/extent.hpp"
 #include "engine/figure/number.hpp"
-#include "engine/figure/svg.hpp"
 #include "engine/figure/text_width.hpp"
 
 namespace stepwire {
@@ -14,7 +12,7 @@ namespace {
 
 constexpr double letters = 13.0, label_gap = 8.0, label_line = 17.0;  // [px]
 
-/// The distance of ticks that gnuplot takes: its `quantize_normal_tics` for a guide of 20.
+/// The distance of ticks where there is room: that of gnuplot's `quantize_normal_tics` for a guide of 20.
 double usual_step(double width) {
   const double power = std::pow(10.0, std::floor(std::log10(width))), positions = 20.0 / (width / power);
   return power * (positions > 10.0 ? 0.2 : positions > 4.0 ? 0.5 : positions > 2.0 ? 1.0 : 2.0);
@@ -34,72 +32,38 @@ double widest_label(const Extent& shown, double step) {
   return letters * widest + label_gap;
 }
 
-std::string command(const std::string& axis, const Extent& shown, double pixels, bool level) {
-  const double width = shown.high - shown.low;
-  if (!(width > 0.0) || !std::isfinite(width) || pixels <= 0.0) return {};
-  const double usual = usual_step(width);
-  double step = usual;
+void set_step(PlotAxis& axis, double pixels, bool level) {
+  if (!axis.range || axis.log || axis.step || !axis.named_ticks.empty()) return;
+  const Extent shown{(*axis.range)[0], (*axis.range)[1]};
+  if (!(shown.width() > 0.0) || !std::isfinite(shown.width()) || pixels <= 0.0) return;
+  double step = usual_step(shown.width());
   const auto touches = [&] {
-    return step / width * pixels < (level ? widest_label(shown, step) : label_line);
+    return step / shown.width() * pixels < (level ? widest_label(shown, step) : label_line);
   };
-  while (step < width && touches()) step = next_step(step);
-  return step == usual ? std::string() : fmt::format("set {}tics {:.9g}\n", axis, step);
-}
-
-/// The blank next to the middle; npos where there is none.
-std::size_t middle_blank(const std::string& text) {
-  std::size_t best = std::string::npos;
-  const auto far = [&](std::size_t at) {
-    return std::abs(static_cast<double>(2 * at) - static_cast<double>(text.size()));
-  };
-  for (std::size_t at = text.find(' '); at != std::string::npos; at = text.find(' ', at + 1))
-    if (best == std::string::npos || far(at) < far(best)) best = at;
-  return best;
-}
-
-/// In double quotes, in which gnuplot knows the end of a line.
-std::string in_two_lines(std::string first, std::string second) {
-  for (std::string* line : {&first, &second}) {
-    replace_all(*line, "\\", "\\\\");
-    replace_all(*line, "\"", "\\\"");
-  }
-  return "\"" + first + "\\n" + second + "\"";
+  while (step < shown.width() && touches()) step = next_step(step);
+  axis.step = step;
 }
 
 }  // namespace
 
-AxesSize axes_size(const Script& script, double width, double height) {
-  const Panel& panel = script.panel();
-  if (script.space) return {0.4 * width, 0.4 * height};
-  const double beside = panel.find("color") ? 95.0 : 20.0, legend = script.titles() > 4 ? 150.0 : 0.0;
-  const double above = (panel.words.contains("title") ? 28.0 : 8.0) + (script.titles() > 0 ? 24.0 : 0.0);
+AxesSize axes_size(const PlotSpec& plot, double width, double height) {
+  if (plot.view) return {0.4 * width, 0.4 * height};
+  const double beside = plot.color ? 95.0 : 20.0,
+               legend = plot.legend == PlotSpec::Legend::beside ? 150.0 : 0.0;
+  const double above =
+      (plot.title.empty() ? 8.0 : 28.0) + (plot.legend == PlotSpec::Legend::none ? 0.0 : 24.0);
   AxesSize size{width - 75.0 - beside - legend, height - 50.0 - above};
-  if (!panel.equal || script.x.empty() || script.y.empty()) return size;
-  const double x = script.x.high - script.x.low, y = script.y.high - script.y.low;
+  if (!plot.equal || !plot.x.range || !plot.y.range) return size;
+  const double x = (*plot.x.range)[1] - (*plot.x.range)[0], y = (*plot.y.range)[1] - (*plot.y.range)[0];
   const double scale = std::min(size.across / x, size.up / y);
   return {scale * x, scale * y};
 }
 
-std::string ticks_apart(const Script& script, const AxesSize& size) {
-  std::string commands;
-  for (const auto& [axis, shown] : script.shown()) {
-    const bool level = axis == "x" || (script.space && axis == "y");
-    commands += command(axis, shown, level ? size.across : size.up, level);
-  }
-  return commands;
-}
-
-std::string fitted_title(const std::string& text, double room) {
-  constexpr double usual = 14.0, least = 11.0;
-  double size = fitted_size(text, usual, room);
-  const std::size_t blank = middle_blank(text);
-  std::string title = quoted(text);
-  if (size < least && blank != std::string::npos) {
-    const std::string first = text.substr(0, blank), second = text.substr(blank + 1);
-    size = std::min(fitted_size(first, usual, room), fitted_size(second, usual, room));
-    title = in_two_lines(first, second);
-  }
-  return size < usual ? title + fmt::format(" font ',{:.1f}'", size) : title;
+void set_steps(PlotSpec& plot, const AxesSize& size) {
+  set_step(plot.x, size.across, true);
+  set_step(plot.y, plot.view ? size.across : size.up, plot.view.has_value());
+  for (std::optional<PlotAxis>* axis : {&plot.z, &plot.color})
+    if (*axis) set_step(**axis, size.up, false);
 }
 
 }  // namespace stepwire

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <string>
-
-#include "engine/figure/script.hpp"
+#include "engine/figure/plot_spec.hpp"
 
 namespace stepwire {
 
@@ -11,14 +9,11 @@ struct AxesSize {
   double across = 0.0, up = 0.0;
 };
 
-/// The axes of a panel of that size, less what stands around them.
-AxesSize axes_size(const Script& script, double width, double height);
+/// The axes of a plot of that size, less what stands around them.
+AxesSize axes_size(const PlotSpec& plot, double width, double height);
 
-/// The commands that set ticks farther apart than gnuplot does where their labels would touch; empty where
-/// they do not.
-std::string ticks_apart(const Script& script, const AxesSize& size);
-
-/// A title, with its font, that is no wider than `room`: smaller, and where that is not enough in two lines.
-std::string fitted_title(const std::string& text, double room);
+/// Sets the distance of ticks along all linear axes of a known range that have none yet: so far apart that
+/// their labels do not touch.
+void set_steps(PlotSpec& plot, const AxesSize& size);
 
 }  // namespace stepwire

@@ -9,8 +9,8 @@ namespace stepwire {
 /// Three indices of points, counterclockwise.
 using Corners = std::array<std::size_t, 3>;
 
-/// The Delaunay triangles of points in the plane, which are the least slender ones. Points that are the same,
-/// and few that are nearly in line with others at the rim, may be left out.
+/// The Delaunay triangles of points in the plane, which are the least slender ones. Coordinates are rounded
+/// to 2^-30 of the extent of the points; of points that are then the same, one is a corner.
 std::vector<Corners> triangulate(const std::vector<double>& x, const std::vector<double>& y);
 
 }  // namespace stepwire

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/figure/figure.hpp"
+#include "engine/figure/figure_spec.hpp"
+#include "engine/figure/plot_tools.hpp"
 #include "engine/statistics/quartiles.hpp"
 #include "engine/study/published.hpp"
 #include "engine/table/file.hpp"
@@ -31,15 +32,18 @@ bool is_probability(const std::string& name) {
   return name.starts_with("p.");
 }
 
-/// The more experiments, the finer its bins.
-std::string panel(const NamedValue& value, std::size_t experiments) {
-  const bool p = is_probability(value.name);
-  const std::string x = p ? fmt::format("log10({})", value.name) : value.name;
-  return fmt::format(
-      "  - {{plot: histogram, x: {0}, bins: {4}, lines: {1:.9g}, x_label: '{2}', title: 'thesis: "
-      "{3:.3g}'}}\n",
-      x, p ? std::log10(value.value) : value.value, p ? "log10 of P, " + value.name.substr(2) : value.name,
-      value.value, std::clamp<std::size_t>(static_cast<std::size_t>(1.5 * std::sqrt(experiments)), 6, 40));
+/// Its panel with a line at the thesis' value. The more experiments, the finer its bins.
+void draw_value(const NamedValue& published, std::vector<double> values, FigureBuilder& figure) {
+  const bool p = is_probability(published.name);
+  const double bins = std::clamp(std::floor(1.5 * std::sqrt(static_cast<double>(values.size()))), 6.0, 40.0);
+  if (p)
+    for (double& value : values) value = std::log10(value);
+  std::erase_if(values, [](double value) { return !std::isfinite(value); });
+  PlotBuilder& plot = figure.add({.title = fmt::format("thesis: {:.3g}", published.value),
+                                  .bins = bins,
+                                  .lines = {p ? std::log10(published.value) : published.value}});
+  name_axis(plot.spec.x, p ? "log10 of P, " + published.name.substr(2) : published.name, "1");
+  draw_histogram(values, plot);
 }
 
 }  // namespace
@@ -104,24 +108,17 @@ TextTable Repetition::table(const StudyRequest& request) const {
   return table;
 }
 
-std::string Repetition::picture(const StudyRequest& request) const {
-  Recording recording;
-  Names names{"experiments", {}, {}};
-  const auto add = [&](const std::string& name, std::vector<double> values) {
-    names.columns.push_back({name, Dimension{}, 0});
-    recording.table.columns.push_back({name, "", std::move(values)});
-  };
-  for (const std::string& name : columns_) add(name, column(name));
-  std::string text = "columns: 2\npanels:\n";
-  for (const NamedValue& published : published_outcome(request))
-    if (names.find(published.name)) text += panel(published, rows_.size());
-  Faults faults;
-  auto figures = read_figures(parse_document(text, "experiments").root, names, faults);
-  faults.throw_if_any();
-  figures.front().title = fmt::format("Task {}: {} experiments with simulated operators, and the thesis'",
-                                      request.task, rows_.size());
-  const std::vector<Recording> recordings{recording};
-  return draw(figures.front(), recordings).svg;
+FigureSpec Repetition::figure(const StudyRequest& request) const {
+  std::vector<NamedValue> known = published_outcome(request);
+  std::erase_if(known,
+                [&](const NamedValue& value) { return std::ranges::count(columns_, value.name) == 0; });
+  FigureBuilder figure(
+      {.title = fmt::format("Task {}: {} experiments with simulated operators, and the thesis'", request.task,
+                            rows_.size()),
+       .columns = 2},
+      known.size());
+  for (const NamedValue& value : known) draw_value(value, column(value.name), figure);
+  return figure.finished();
 }
 
 }  // namespace stepwire

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/figure/text_table.hpp"
+#include "engine/figure/plot_spec.hpp"
 #include "engine/study/experiment.hpp"
 
 namespace stepwire {
@@ -28,8 +28,8 @@ class Repetition {
   /// For each value that the thesis prints: the thesis', our median, the range in which 90 % of the
   /// experiments lie, and the part of them that lies below the thesis' value.
   TextTable table(const StudyRequest& request) const;
-  /// Histograms of these values, with a line at the thesis' value, as SVG. P is drawn by its logarithm.
-  std::string picture(const StudyRequest& request) const;
+  /// Histograms of these values, with a line at the thesis' value. P is drawn by its logarithm.
+  FigureSpec figure(const StudyRequest& request) const;
 
  private:
   std::vector<double> column(const std::string& name) const;

@@ -17,6 +17,7 @@ const std::vector<Home> homes{
     {"boost/math/", "engine/statistics"},
     {"boost/lockfree/", "engine/realtime"},
     {"boost/geometry", "blocks/haptics"},
+    {"boost/polygon/", "engine/figure"},
     {"boost/", "engine/plan"},
     {"yaml-cpp/", "engine/document"},
     {"udunits2", "engine/unit"},

@@ -26,7 +26,7 @@ TEST_CASE("what a profiled run records and claims are the same bits as without")
   folder.file("lag.yaml", lag_yaml);
   REQUIRE(run_program(folder, {"run", "lag.yaml", "--out", "plain"}).code == 0);
   REQUIRE(run_program(folder, {"run", "lag.yaml", "--out", "profiled", "--profile"}).code == 0);
-  for (const std::string name : {"signals.csv", "claims.json", "figure.svg"}) {
+  for (const std::string name : {"signals.csv", "claims.json", "figure.svg", "figure.json"}) {
     INFO(name);
     const std::string plain = content_of(folder.path("plain/" + name));
     CHECK_FALSE(plain.empty());

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "engine/process/process.hpp"
 #include "engine/table/file.hpp"
 #include "tests/engine/cli/program.hpp"
 
@@ -38,9 +39,28 @@ TEST_CASE("run --out writes all that a run leaves, and nothing else") {
   const Done done = run_program(folder, {"run", "lag.yaml", "--out", "deep/out"});
   REQUIRE(done.code == 0);
   CHECK(names_in(folder.path("deep/out")) == std::set<std::string>{".stepwire", "signals.csv", "signals.mat",
-                                                                   "figure.svg", "claims.json", "run.json",
-                                                                   "diagram.yaml"});
+                                                                   "figure.svg", "figure.json", "claims.json",
+                                                                   "run.json", "diagram.yaml"});
   CHECK_THAT(content_of(folder.path("deep/out/figure.svg")), Contains("<svg") && Contains("</svg>"));
+}
+
+TEST_CASE("the spec of a picture lies beside it as JSON that other programs read") {
+  const std::string python = stepwire::find_program("python3");
+  if (python.empty()) {
+    WARN("python3 is not installed; no other program read the JSON");
+    return;
+  }
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml);
+  REQUIRE(run_program(folder, {"run", "lag.yaml", "--out", "out"}).code == 0);
+  const std::string script =
+      "import json, sys\n"
+      "panel = json.load(open(sys.argv[1]))['panels'][0]\n"
+      "curve = panel['marks'][0]['curves'][0]\n"
+      "print(panel['x']['unit'], panel['marks'][0]['mark'], len(curve['x']) == len(curve['y']))\n";
+  const auto read =
+      stepwire::run_process({.command = {python, "-c", script, folder.path("out/figure.json")}});
+  CHECK(read.output == "s line True\n");
 }
 
 TEST_CASE("signals.csv and signals.mat hold the same bits, those of the closed form") {

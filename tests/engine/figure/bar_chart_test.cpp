@@ -14,14 +14,15 @@ TEST_CASE("a bar chart names its bars and kinds, says how long each bar is, and 
                        "share [%]",
                        {{"first", "#0072B2"}, {"second", "#D55E00"}},
                        {{"it is a", {12.5, 30.0}}, {"b", {0.0, 0.0}}, {"rest", {0.0, 7.5}, true}}};
-  const std::string svg = draw(chart);
+  const std::string svg = render(figure_of(chart)).svg;
   for (const std::string text : {"it is a", ">b<", "rest", "share [%]", "first", "second", "42.5", "7.5",
                                  "<title>two &lt;and&gt; a rest</title>"})
     CHECK_THAT(svg, Catch::Contains(text));
-  CHECK(draw(chart) == svg);
+  CHECK(render(figure_of(chart)).svg == svg);
 }
 
 TEST_CASE("a bar chart without bars is a picture all the same") {
   if (!has_gnuplot()) return;
-  CHECK_THAT(draw(BarChart{"none", "s", {{"kind", "#0072B2"}}, {}}), Catch::Contains("</svg>"));
+  CHECK_THAT(render(figure_of(BarChart{"none", "s", {{"kind", "#0072B2"}}, {}})).svg,
+             Catch::Contains("</svg>"));
 }

@@ -35,9 +35,9 @@ TEST_CASE("ranges and options become the unit of their axis") {
   const Panel panel = panel_of(
       "{plot: map, x: rig.x in mm, y: rig.x, color: push.force, x_range: [-5 mm, 0.01], gap: 2 mm, "
       "contour: [1 N, 2 kN]}");
-  CHECK(panel.ranges.at("x_range") == Panel::Range{-5.0, 10.0});
-  CHECK(panel.numbers.at("gap") == 2.0);
-  CHECK(panel.levels.at("contour") == std::vector<double>{1.0, 2000.0});
+  CHECK(panel.x.range == std::array{-5.0, 10.0});
+  CHECK(panel.gap == 2.0);
+  CHECK(panel.contour == std::vector<double>{1.0, 2000.0});
 }
 
 TEST_CASE("one entry, a list of entries and panels give pictures") {
@@ -51,7 +51,7 @@ TEST_CASE("one entry, a list of entries and panels give pictures") {
   CHECK(read.figures[0].caption == "b");
   CHECK(read.figures[0].width == 300);
   CHECK(read.figures[1].columns == 3);
-  CHECK(read.figures[1].panels.at(0).words.at("title") == "d");
+  CHECK(read.figures[1].panels.at(0).title == "d");
 }
 
 TEST_CASE("what a figure asks wrongly is told with its place") {

@@ -14,7 +14,7 @@ TEST_CASE("the words of a picture name what is shown over what, as its axes do")
   figure.panels = {
       testing::panel_of("{plot: lines, x: time, y: push.force, y_label: force}"),
       testing::panel_of("{plot: map, x: rig.x in mm, y: rig.v, color: push.force, color_label: F}")};
-  figure.panels[0].words["title"] = "A push";
+  figure.panels[0].title = "A push";
   CHECK(described(figure) ==
         "All: A push, force [N] over time [s]; F [N] over x of rig [mm] and v of rig [m/s]");
 }

@@ -1,4 +1,4 @@
-#include "engine/figure/mark_drawing.hpp"
+#include "engine/figure/overlay_drawing.hpp"
 #include "tests/engine/figure/samples.hpp"
 
 using namespace stepwire;
@@ -8,16 +8,17 @@ using Catch::Contains;
 namespace {
 
 const std::string plane = "plot: xy, x: rig.x in mm, y: rig.v in mm/s";
-const PlotArea area{400.0, 300.0};
 
-/// What gnuplot is told for the marks of a panel whose axes go from -10 to 10.
-std::string drawn(const Panel& panel, const std::vector<Curve>& curves = {}) {
-  Script script(panel, "p");
-  script.x = script.y = {-10.0, 10.0};
-  if (!curves.empty()) script.data(curves);
-  draw_marks(panel, area, script);
-  return script.text();
+/// The texts of a panel whose axes go from -10 to 10, over a curve.
+std::vector<TextMark> drawn(const Panel& panel, const MarkRows& curve = {}) {
+  PlotBuilder plot(panel);
+  plot.x = plot.y = {-10.0, 10.0};
+  plot.add(LineMark{{curve}});
+  draw_marks(panel, 400.0, 300.0, plot);
+  return plot.spec.texts;
 }
+
+using Align = TextMark::Align;
 
 }  // namespace
 
@@ -38,26 +39,33 @@ TEST_CASE("marks are points by their names in the units of the axes, and a list 
 
 TEST_CASE("the axes reach as far as the marks") {
   const Panel panel = panel_of("{" + plane + ", marks: {A: [3 mm, -7 mm/s]}}");
-  Script script(panel, "p");
-  cover_marks(panel, script);
-  CHECK(script.x.high == Approx(3.0));
-  CHECK(script.y.low == Approx(-7.0));
+  PlotBuilder plot(panel);
+  cover_marks(panel, plot);
+  CHECK(plot.x.high == Approx(3.0));
+  CHECK(plot.y.low == Approx(-7.0));
 }
 
 TEST_CASE("a mark lies in front of all curves, with its name aslant above it where nothing is in the way") {
-  const Panel panel = panel_of("{" + plane + ", marks: {\"it's\": [1 mm, 2 mm/s]}}");
-  CHECK_THAT(drawn(panel), Contains("set label 'it’s' at 1,2 left offset 0.7,0.6 front textcolor"));
+  const auto texts = drawn(panel_of("{" + plane + ", marks: {\"it's\": [1 mm, 2 mm/s]}}"));
+  REQUIRE(texts.size() == 3);
+  for (const TextMark& text : texts) CHECK(std::pair(text.x, text.y) == std::pair(1.0, 2.0));
+  CHECK(texts[0].dot > texts[1].dot);
+  CHECK(texts[2].text == "it's");
+  CHECK(texts[2].align == Align::left);
+  CHECK(texts[2].offset == std::array{0.7, 0.6});
+  CHECK(texts[2].rim);
 }
 
 TEST_CASE("a name stays clear of a curve, of other marks and of the frame") {
   const Panel alone = panel_of("{" + plane + ", marks: {A: [0 mm, 0 mm/s]}}");
   // A curve that comes from the right above, as steep as one letter is high and wide: only the other side is
   // free.
-  CHECK_THAT(drawn(alone, {Curve{{{0.0, 5.0}, {0.0, 7.0}}, 0}}), Contains("set label 'A' at 0,0 right"));
-  const Panel corner = panel_of("{" + plane + ", marks: {A: [9.9 mm, 9.9 mm/s]}}");
-  CHECK_THAT(drawn(corner), Contains("'A' at 9.9,9.9 right offset -0.7,-0.6"));
-  const Panel pair = panel_of("{" + plane + ", marks: {A: [0 mm, 0 mm/s], B: [0.6 mm, 0.7 mm/s]}}");
-  CHECK_THAT(drawn(pair), !Contains("'A' at 0,0 left offset 0.7,0.6"));
+  CHECK(drawn(alone, {{0.0, 5.0}, {0.0, 7.0}, {}, {}})[2].align == Align::right);
+  const auto corner = drawn(panel_of("{" + plane + ", marks: {A: [9.9 mm, 9.9 mm/s]}}"));
+  CHECK(corner[2].align == Align::right);
+  CHECK(corner[2].offset == std::array{-0.7, -0.6});
+  const auto pair = drawn(panel_of("{" + plane + ", marks: {A: [0 mm, 0 mm/s], B: [0.6 mm, 0.7 mm/s]}}"));
+  CHECK((pair[2].align != Align::left || pair[2].offset != std::array{0.7, 0.6}));
 }
 
 TEST_CASE("the name of a mark has a white rim in the picture, so that it is read on arrows and colours") {
@@ -88,13 +96,14 @@ TEST_CASE("marks that are no points of the plane are refused where they stand") 
 TEST_CASE("texts stand about their points, which the axes reach, and have no dot") {
   const Panel panel = panel_of("{" + plane + ", texts: {authorized region: [3 mm, -7 mm/s]}}");
   REQUIRE(panel.texts.size() == 1);
-  Script script(panel, "p");
-  cover_marks(panel, script);
-  CHECK(script.x.high == Approx(3.0));
-  CHECK(script.y.low == Approx(-7.0));
-  draw_texts(panel, script);
-  CHECK_THAT(script.text(),
-             Contains("set label 'authorized region' at 3,-7 center front") && !Contains("point pt"));
+  PlotBuilder plot(panel);
+  cover_marks(panel, plot);
+  CHECK(plot.x.high == Approx(3.0));
+  CHECK(plot.y.low == Approx(-7.0));
+  draw_texts(panel, plot);
+  REQUIRE(plot.spec.texts.size() == 1);
+  CHECK(plot.spec.texts[0] ==
+        TextMark{.text = "authorized region", .x = 3.0, .y = -7.0, .color = "#101010", .rim = true});
 }
 
 TEST_CASE("texts that are nowhere in the plane are refused where they stand") {

@@ -1,6 +1,5 @@
 #include "engine/figure/drawn.hpp"
-#include "engine/figure/motion_drawing.hpp"
-#include "engine/figure/rose_drawing.hpp"
+#include "engine/figure/overlay_drawing.hpp"
 #include "tests/engine/figure/samples.hpp"
 
 using namespace stepwire;
@@ -25,60 +24,85 @@ std::vector<Recording> there_and_back() {
   return {recording};
 }
 
-std::string drawn_motion(const std::string& keys, const std::vector<Recording>& recordings) {
+PlotSpec drawn_motion(const std::string& keys) {
   const Panel panel = panel_of("{" + plane + ", motion: {x: rig.x, y: rig.v" + keys + "}}");
-  Script script(panel, "p");
-  script.x = {0.0, 10.0};
-  script.y = {-1.0, 1.0};
-  draw_motions(panel, recordings, script);
-  return script.text();
+  PlotBuilder plot(panel);
+  plot.x = {0.0, 10.0};
+  plot.y = {-1.0, 1.0};
+  draw_motions(panel, there_and_back(), plot);
+  return plot.spec;
+}
+
+using Numbers = std::vector<double>;
+
+void check_near(const Numbers& found, const Numbers& expected) {
+  REQUIRE(found.size() == expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) CHECK(found[i] == Approx(expected[i]).margin(1e-12));
+}
+
+PlotSpec drawn_roses(const std::string& keys, const std::vector<Recording>& recordings) {
+  const Panel panel = panel_of("{" + plane + ", rose: {" + keys + "}}");
+  PlotBuilder plot(panel);
+  draw_roses(panel, recordings, plot);
+  return plot.spec;
 }
 
 }  // namespace
 
 TEST_CASE("a motion is a line with arrow heads at even distances, that point along it") {
-  const std::string text = drawn_motion(", heads: 2, color: blue, where: time < 4.5", there_and_back());
-  CHECK_THAT(text, Contains("with lines lw 2 lc rgb '#0072B2'"));
+  const PlotSpec plot = drawn_motion(", heads: 2, color: blue, where: time < 4.5");
+  CHECK(mark<LineMark>(plot, 0).line == LineStyle{"#0072B2", 2.0});
   // 8 mm, a head in the middle of each half, with a tail of a thousandth of the distance between heads
-  CHECK_THAT(text, Contains("<< EOD\n2 0 0.004 0\n6 0 0.004 0\nEOD"));
+  const auto& heads = mark<VectorsMark>(plot, 1);
+  check_near(heads.x, {2.0, 6.0});
+  check_near(heads.dx, {0.004, 0.004});
+  check_near(heads.dy, {0.0, 0.0});
 }
 
 TEST_CASE("the heads of a motion turn with it, and there may be none") {
-  CHECK_THAT(drawn_motion(", heads: 2", there_and_back()), Contains("4 0 0.008 0\n4 0 -0.008 0\n"));
-  CHECK_THAT(drawn_motion(", heads: 0", there_and_back()), Contains("with lines") && !Contains("vectors"));
+  const PlotSpec plot = drawn_motion(", heads: 2");
+  check_near(mark<VectorsMark>(plot, 1).x, {4.0, 4.0});
+  check_near(mark<VectorsMark>(plot, 1).dx, {0.008, -0.008});
+  CHECK(drawn_motion(", heads: 0").marks.size() == 1);
 }
 
 TEST_CASE("the axes reach as far as a motion and as the disc of a rose that stands beside its point") {
   const Panel panel =
       panel_of("{" + plane + ", motion: {x: rig.x, y: rig.v}, rose: {" + rose + ", at: [-20 mm, 0 mm/s]}}");
-  Script script(panel, "p");
-  cover_motions(panel, there_and_back(), script);
-  CHECK(script.x.high == Approx(8.0));
-  cover_roses(panel, script);
-  CHECK(script.x.low == Approx(-22.0));
-  CHECK(script.y.high == Approx(2.0));
+  PlotBuilder plot(panel);
+  cover_motions(panel, there_and_back(), plot);
+  CHECK(plot.x.high == Approx(8.0));
+  cover_roses(panel, plot);
+  CHECK(plot.x.low == Approx(-22.0));
+  CHECK(plot.y.high == Approx(2.0));
 }
 
 TEST_CASE("a rose has a spoke for each row, the longest as long as its disc is wide") {
   Recording recording;
   recording.table.columns = {column("time", "s", {0, 1, 2}), constant("rig.x", "m", 1e-3, 3),
                              constant("rig.v", "m/s", 3e-3, 3), column("push.force", "N", {2, 8, 4})};
-  const Panel panel = panel_of("{" + plane +
-                               ", rose: {x: rig.x, y: rig.v, angle: time*90 deg, value: push.force "
-                               "in N, radius: 4 mm, name: D2}}");
-  Script script(panel, "p");
-  draw_roses(panel, std::vector<Recording>{recording}, script);
+  const PlotSpec plot = drawn_roses(
+      "x: rig.x, y: rig.v, angle: time*90 deg, value: push.force in N, radius: 4 mm, name: D2", {recording});
+  REQUIRE(plot.marks.size() == 4);
   // along x 2 N of 8 N, straight up all of them, along -x 4 N: a quarter, all and half of 4 mm
-  CHECK_THAT(script.text(), Contains("<< EOD\n1 3 1 0 2\n1 3 2.4") && Contains("4 8\n1 3 -2 ") &&
-                                Contains("'8 N' at 1,-1") && Contains("'D2' at 1,7"));
+  const auto& spokes = mark<VectorsMark>(plot, 2);
+  check_near(spokes.x, {1.0, 1.0, 1.0});
+  check_near(spokes.y, {3.0, 3.0, 3.0});
+  check_near(spokes.dx, {1.0, 0.0, -2.0});
+  check_near(spokes.dy, {0.0, 4.0, 0.0});
+  CHECK(spokes.value == Numbers{2.0, 8.0, 4.0});
+  REQUIRE(plot.texts.size() == 2);
+  CHECK(plot.texts[0].text == "8 N");
+  CHECK(plot.texts[0].y == Approx(-1.0));
+  CHECK(plot.texts[1].text == "D2");
+  CHECK(plot.texts[1].y == Approx(7.0));
 }
 
 TEST_CASE("a line leads from a rose that stands beside its point to the point") {
-  const Panel panel =
-      panel_of("{" + plane + ", rose: {" + rose + ", at: [11 mm, 0 mm/s], where: time < 0.5}}");
-  Script script(panel, "p");
-  draw_roses(panel, there_and_back(), script);
-  CHECK_THAT(script.text(), Contains("<< EOD\n0 0\n9 0\nEOD"));
+  const PlotSpec plot = drawn_roses(rose + ", at: [11 mm, 0 mm/s], where: time < 0.5", there_and_back());
+  const MarkRows& leader = mark<LineMark>(plot, 2).curves.at(0);
+  check_near(leader.x, {0.0, 9.0});
+  check_near(leader.y, {0.0, 0.0});
 }
 
 TEST_CASE("claims may name what lies over a panel") {

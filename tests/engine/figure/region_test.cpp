@@ -1,8 +1,7 @@
-#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "engine/figure/region_drawing.hpp"
+#include "engine/figure/overlay_drawing.hpp"
 #include "tests/engine/figure/samples.hpp"
 
 using namespace stepwire;
@@ -13,48 +12,57 @@ namespace {
 
 const std::string plane = "plot: xy, x: rig.x in mm, y: rig.v in mm/s";
 
+PlotSpec drawn(const Panel& panel, const Extent& across, const Extent& up) {
+  PlotBuilder plot(panel);
+  plot.add(LineMark{});
+  plot.x = across;
+  plot.y = up;
+  draw_regions(panel, plot);
+  return plot.spec;
+}
+
+const Extent wide{-5.0, 5.0};
+using Numbers = std::vector<double>;
+
 }  // namespace
 
 TEST_CASE("a figure draws the boundary of a block by its name, in the units of its axes") {
   const Panel panel = panel_of("{" + plane + ", region: map}");
-  Script script(panel, "p");
-  cover_regions(panel, script);
-  draw_regions(panel, script);
-  CHECK_THAT(script.text(), Contains("\n-2 -2\n2 -2\n2 2\n-2 2\n-2 -2\n") && Contains("filledcurves closed"));
-  CHECK(script.x.low == -2.0);
-  CHECK(script.x.high == 2.0);
+  PlotBuilder plot(panel);
+  cover_regions(panel, plot);
+  CHECK(plot.x.low == -2.0);
+  CHECK(plot.x.high == 2.0);
+  const PlotSpec spec = drawn(panel, plot.x, plot.y);
+  REQUIRE(spec.marks.size() == 3);
+  const MarkRows& line = mark<LineMark>(spec, 2).curves.at(0);
+  CHECK(line.x == Numbers{-2.0, 2.0, 2.0, -2.0, -2.0});
+  CHECK(line.y == Numbers{-2.0, -2.0, 2.0, 2.0, -2.0});
 }
 
 TEST_CASE("the boundary of a region is a line, or dashed where the file says so") {
   for (const bool dashed : {false, true}) {
     const Panel panel = panel_of("{" + plane + ", region: map" + (dashed ? ", region_line: dashes}" : "}"));
-    Script script(panel, "p");
-    script.x = script.y = {-5.0, 5.0};
-    draw_regions(panel, script);
-    CHECK((script.text().find("lw 1.6 dt 2 notitle") != std::string::npos) == dashed);
+    CHECK(mark<LineMark>(drawn(panel, wide, wide), 2).line.dash.empty() != dashed);
   }
   CHECK_THAT(figures_of("{" + plane + ", region: map, region_line: dots}").faults,
              Contains("'dots' is not allowed; it is one of line, dashes"));
 }
 
 TEST_CASE("a hole is run through against the sense of what is around it, so that it stays free") {
-  const Panel panel = panel_of("{" + plane + ", region: [map]}");
-  Script script(panel, "p");
-  script.x = script.y = {-5.0, 5.0};
-  draw_regions(panel, script);
-  CHECK_THAT(script.text(), Contains("-2 -2\n-2 -2\n-2 -2\n-1 1\n1 1\n1 -1\n-1 -1\n-1 1\n-1 1\n-2 -2\n"));
+  const auto spec = drawn(panel_of("{" + plane + ", region: [map]}"), wide, wide);
+  const auto& shade = mark<AreaMark>(spec, 0);
+  double area = 0.0;  // by the formula of Gauss: what lies between two squares of 4 and 2 mm
+  for (std::size_t i = 0; i + 1 < shade.x.size(); ++i)
+    area += 0.5 * (shade.x[i] * shade.y[i + 1] - shade.x[i + 1] * shade.y[i]);
+  CHECK(area == Approx(16.0 - 4.0));
 }
 
 TEST_CASE("the shade ends at the frame of the axes and lies below the curves") {
-  const Panel panel = panel_of("{" + plane + ", region: map}");
-  Script script(panel, "p");
-  script.plot("1");
-  script.x = {0.0, 5.0};
-  script.y = {-5.0, 1.5};
-  draw_regions(panel, script);
-  CHECK_THAT(script.text(),
-             Contains("plot $p1 using 1:2 with filledcurves") && Contains("2 1.5\n") && Contains("0 -2\n"));
-  CHECK(script.text().find("filledcurves") < script.text().find("1 notitle, "));
+  const PlotSpec spec = drawn(panel_of("{" + plane + ", region: map}"), {0.0, 5.0}, {-5.0, 1.5});
+  const auto& shade = mark<AreaMark>(spec, 0);
+  CHECK(extent_of(shade.x).low == 0.0);
+  CHECK(extent_of(shade.x).high == 2.0);
+  CHECK(extent_of(shade.y).high == 1.5);
 }
 
 TEST_CASE("an outline has no more points than can be seen") {
@@ -65,12 +73,7 @@ TEST_CASE("an outline has no more points than can be seen") {
     circle.points.push_back({4e-3 * std::cos(turn * i / points), 4e-3 * std::sin(turn * i / points), 0.0});
   Panel panel = panel_of("{" + plane + "}");
   panel.regions = {{false, {circle}}};
-  Script script(panel, "p");
-  script.x = script.y = {-5.0, 5.0};
-  draw_regions(panel, script);
-  const std::string text = script.text();
-  const std::string line = text.substr(0, text.find("EOD\n", text.find("EOD\n") + 4));
-  const auto rows = std::count(line.begin(), line.end(), '\n');
+  const auto rows = mark<LineMark>(drawn(panel, wide, wide), 2).curves.at(0).x.size();
   // A chord of a circle of radius 4 stays within 10 * 2.5e-4 of it for 2 acos(1 - 2.5e-3/4): 89 chords at
   // least.
   CHECK(rows > 89);

@@ -9,6 +9,7 @@
 #include "engine/document/document.hpp"
 #include "engine/figure/claim.hpp"
 #include "engine/figure/figure.hpp"
+#include "engine/figure/figure_spec.hpp"
 #include "engine/figure/names.hpp"
 #include "engine/record/recording.hpp"
 
@@ -111,6 +112,28 @@ inline Panel panel_of(const std::string& text) {
   INFO(read.faults);
   REQUIRE(read.faults.empty());
   return read.figures.at(0).panels.at(0);
+}
+
+/// The figure that a text makes of a recording with these currents.
+inline FigureSpec figure_spec_of(const std::string& text, const std::vector<double>& currents = {0.0},
+                                 int rows = 40) {
+  const auto read = figures_of(text);
+  INFO(read.faults);
+  REQUIRE(read.faults.empty());
+  return figure_spec(read.figures.at(0), sample_recordings(currents, rows));
+}
+
+/// The plot of its first panel.
+inline PlotSpec spec_of(const std::string& text, const std::vector<double>& currents = {0.0}, int rows = 40) {
+  return std::get<PlotSpec>(figure_spec_of(text, currents, rows).panels.at(0).content);
+}
+
+/// The i-th mark, which is of this type.
+template <class MarkType>
+const MarkType& mark(const PlotSpec& plot, std::size_t index) {
+  REQUIRE(index < plot.marks.size());
+  REQUIRE(std::holds_alternative<MarkType>(plot.marks[index]));
+  return std::get<MarkType>(plot.marks[index]);
 }
 
 }  // namespace stepwire::testing

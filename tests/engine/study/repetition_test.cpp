@@ -48,7 +48,7 @@ TEST_CASE("the table has the quantiles, and where the thesis' value lies among t
 }
 
 TEST_CASE("the picture has a panel with a line for each value that the thesis prints") {
-  const std::string svg = made_up().picture(task_1());
+  const std::string svg = render(made_up().figure(task_1())).svg;
   CHECK_THAT(svg,
              Contains("thesis: 0.698") && Contains("thesis: 2.02e-05") && Contains("log10 of P, haptic"));
   CHECK_THAT(svg, !Contains("thesis: 0.217"));
