@@ -97,7 +97,8 @@ void write_replay(const std::string& folder, const Job& job) {
   const FileName name = [&](const std::string& path) { return up + copies.name_of(path); };
   for (std::size_t member = 0; member < job.family->size(); ++member)
     write_file(folder + "/" + diagram_name(job, member), flattened_text(job.family->plan(member).diagram, name));
-  SweepTable(job, name).write(folder + "/" + sweep_name);
+  const FileName beside = [&](const std::string& path) { return "inputs/" + copies.name_of(path); };
+  SweepTable(job, beside).write(folder + "/" + sweep_name);
   copies.write(folder + "/inputs");
 }
 

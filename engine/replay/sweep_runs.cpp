@@ -2,22 +2,21 @@
 
 #include <fmt/format.h>
 
+#include "engine/diagram/load.hpp"
 #include "engine/replay/replay_folder.hpp"
 
 namespace stepwire {
 
-/// A diagram of the folder, with its present run.
+/// A diagram of the folder, with its run.
 struct SweepRuns::Diagram {
-  Diagram(const std::string& path, const Registry& registry)
-      : loader(registry, wide_limits),
-        plan(make_plan(loader.load(path))),
-        family(loader, path, {}, plan) {}
+  Diagram(const std::string& path, const Registry& registry) : plan(make_plan(loaded(path, registry))), run(plan) {}
 
-  Loader loader;
+  static stepwire::Diagram loaded(const std::string& path, const Registry& registry) {
+    return Loader(registry, wide_limits).load(path);
+  }
+
   Plan plan;
-  PlanFamily family;
-  std::unique_ptr<Simulation> run;
-  std::size_t member = 0;  ///< of the run
+  Simulation run;
 };
 
 SweepRuns::SweepRuns(std::string folder, std::size_t runs, const Registry& registry)
@@ -47,18 +46,22 @@ SweepRuns::Diagram& SweepRuns::diagram_of(std::size_t run) {
 
 Simulation& SweepRuns::begin(std::size_t run) {
   Diagram& diagram = diagram_of(run);
-  std::vector<Setting> values;
-  const std::string place = fmt::format("{}/{}", folder_, sweep_name);
-  for (std::size_t column = 0; column < table_.columns.size(); ++column)
-    if (const std::string& value = text(column, run);
-        table_.columns[column].name != diagram_column && !value.empty())
-      values.push_back({table_.columns[column].name, value, place, {static_cast<int>(run) + 2, 1}});
-  const std::size_t member = diagram.family.find(values);
-  if (!diagram.run || member != diagram.member)
-    diagram.run = std::make_unique<Simulation>(diagram.family.plan(member));
-  diagram.member = member;
-  diagram.family.begin(member, values, *diagram.run);
-  return *diagram.run;
+  const std::string place = folder_ + "/" + sweep_name;
+  const Mark mark{static_cast<int>(run) + 2, 1};
+  std::vector<Assignment> values;
+  std::vector<std::string> names;
+  for (std::size_t column = 0; column < table_.columns.size(); ++column) {
+    const std::string& name = table_.columns[column].name;
+    const std::string& value = text(column, run);
+    if (name == diagram_column || value.empty()) continue;
+    names.push_back(name);
+    values.push_back({name, value_of_text(value, place), place});
+    values.back().value.mark = mark;
+  }
+  if (diagram.run.set(Variation(diagram.plan.diagram, names), values) != Simulation::Setting::done)
+    throw Error(Fault{{place, mark}, "", diagram.run.structure_change(), {}});
+  diagram.run.reset();
+  return diagram.run;
 }
 
 }  // namespace stepwire

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "engine/block/registry.hpp"
-#include "engine/run/plan_family.hpp"
+#include "engine/run/simulation.hpp"
 #include "engine/table/file.hpp"
 
 namespace stepwire {

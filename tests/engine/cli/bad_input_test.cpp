@@ -132,7 +132,7 @@ TEST_CASE("sizes that no memory holds are refused before they are taken") {
   }
   refused(with(doubling), "67108864");
   refused(with(clock + "record: [t]\n", "step: 1 ms\nstop: 1e12 s\n"),
-          "record: 1e+15 rows with 2e+15 numbers take about 4.8e+07 GB", 3);
+          "record: 1e+15 rows with 2e+15 numbers take about 3.2e+07 GB", 3);
   const std::string range = "{from: 0, to: 1, count: 60000}";
   refused(
       with("blocks:\n  a: {block: Constant, value: 1}\nsweep: {a.value: " + range + ", b: " + range + "}\n"),
