@@ -9,6 +9,7 @@
 #include "bench/load_cost.hpp"
 #include "bench/look_up.hpp"
 #include "bench/step_time.hpp"
+#include "bench/sweep_cost.hpp"
 
 namespace {
 
@@ -45,9 +46,10 @@ int main(int argc, char** argv) {
   if (!initialize_benchmark(arguments)) return 2;
 
   std::vector<Result> results = measure_load(10000, 7);
+  for (const Result& result : measure_sweep()) results.push_back(result);
   for (const Result& result : measure_look_up(7)) results.push_back(result);
   for (const Result& result : results)
-    fmt::print("{}: {:.1f} {}\n", result.workload, result.value, result.unit);
+    fmt::print("{}: {:.3g} {}\n", result.workload, result.value, result.unit);
   if (!results_agree()) return 1;
   fmt::print("results agree with the reference values to 1e-11\n\n");
   for (const Result& result : measure_steps()) results.push_back(result);
