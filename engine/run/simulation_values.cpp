@@ -111,7 +111,7 @@ void Simulation::apply(PlanChange& change) {
       constants_[slot.offset - plan_.layout.constants + static_cast<std::size_t>(k)] =
           value[value.size() == 1 ? 0 : k];
   for (auto& [slot, value] : change.initial) {
-    std::erase_if(initial_, [&](const auto& known) { return known.first.offset == slot.offset; });
+    std::erase_if(initial_, [at = slot.offset](const auto& known) { return known.first.offset == at; });
     initial_.emplace_back(slot, std::move(value));
   }
   follow_values();
