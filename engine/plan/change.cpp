@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
+#include <optional>
 
 #include "engine/block/literal.hpp"
 #include "engine/plan/configuring.hpp"
@@ -21,6 +23,35 @@ class Outlines : public LiteralWriter {
   std::string whole(std::int64_t) override { return ""; }
   std::string natural(std::uint64_t) override { return ""; }
 };
+
+/// A member with its numbers.
+class Contents : public Outlines {
+ public:
+  std::string number(double value) override { return add(value); }
+  std::string flag(bool value) override { return add(value ? 1.0 : 0.0); }
+  std::string enumerator(int value, const std::string&) override { return add(value); }
+  std::string numbers(const double* values, Index size) override {
+    for (Index i = 0; i < size; ++i) add(values[i]);
+    return "";
+  }
+  std::string whole(std::int64_t value) override { return add(static_cast<double>(value)); }
+  std::string natural(std::uint64_t value) override { return std::to_string(value); }
+
+  std::vector<std::uint64_t> bits;
+
+ private:
+  std::string add(double value) {
+    bits.push_back(std::bit_cast<std::uint64_t>(value));
+    return "";
+  }
+};
+
+std::pair<std::string, std::vector<std::uint64_t>> contents_of(const MemberSpec& member,
+                                                               const AnyBlock& block) {
+  Contents writer;
+  std::string text = member.literal(block.get(), writer);
+  return {std::move(text), std::move(writer.bits)};
+}
 
 std::string outline_of(const AnyBlock& block) {
   Outlines writer;
@@ -129,9 +160,26 @@ class Changing {
     if (!faults_.empty()) return;
     fit_sizes(block, made);
     prepare(plan_, block, made.get());
+    if (const auto other = changed_beside(block, written, made))
+      refuse_structure(block, *other, "it follows from the parameters that are set");
     if (outline_of(made) != outline_of(plan_.diagram.blocks[block].block))
       refuse_structure(block, "members", "a list begins or ceases to be a single number, or a formula changes");
     change_.blocks.push_back({block, std::move(written), std::move(made)});
+  }
+
+  /// A parameter that configure() makes another one than in the plan, though it was not set: compiled code has
+  /// it as it stands in the plan.
+  std::optional<std::string> changed_beside(std::size_t block, const AnyBlock& written,
+                                            const AnyBlock& made) const {
+    const AnyBlock& plan_made = plan_.diagram.blocks[block].block;
+    const AnyBlock& plan_written = plan_.blocks[block].written ? *plan_.blocks[block].written : plan_made;
+    for (const ParameterSpec& spec : made.type().parameters) {
+      if (spec.member < 0) continue;
+      const MemberSpec& member = made.type().members[static_cast<std::size_t>(spec.member)];
+      const bool was_set = contents_of(member, written) != contents_of(member, plan_written);
+      if (!was_set && contents_of(member, made) != contents_of(member, plan_made)) return spec.name;
+    }
+    return std::nullopt;
   }
 
   /// Numbers for every element are spread as those of the plan are; all else keeps its number of elements.
@@ -165,13 +213,26 @@ PlanChange change_of(const Plan& plan, const std::vector<ChangedValue>& values,
   return changing.take();
 }
 
+namespace {
+
+/// What configure() and prepare() compute, which may be anything once a parameter changes.
+std::vector<bool> derived_members(const Plan& plan, std::size_t block) {
+  const BlockType& type = plan.diagram.blocks[block].type();
+  std::vector<bool> members(type.members.size(), plan.blocks[block].written.has_value());
+  for (const ParameterSpec& spec : type.parameters)
+    if (spec.member >= 0) members[static_cast<std::size_t>(spec.member)] = false;
+  return members;
+}
+
+}  // namespace
+
 std::vector<VariableBlock> variable_blocks(const Plan& plan, const Variation& variation) {
   std::map<std::size_t, std::vector<bool>> members;
   for (const Target& target : variation.targets()) {
     if (target.kind != Target::Kind::parameter) continue;
     const auto block = static_cast<std::size_t>(target.block);
     const BlockType& type = plan.diagram.blocks[block].type();
-    const auto [known, is_new] = members.try_emplace(block, type.members.size(), plan.blocks[block].written.has_value());
+    const auto [known, is_new] = members.try_emplace(block, derived_members(plan, block));
     const int member = type.parameters[static_cast<std::size_t>(target.index)].member;
     if (member >= 0) known->second[static_cast<std::size_t>(member)] = true;
   }

@@ -78,7 +78,7 @@ void TrialRuns::compile_ahead() {
   std::vector<Wanted> wanted;
   for (std::size_t condition = 0; condition < request_.conditions.size(); ++condition) {
     const TrialRun trial{.study = 0, .subject = request_.subjects.front(), .condition = condition};
-    const std::size_t member = family_->find(settings_of(request_.seed, trial, {}));
+    const std::size_t member = family_->find(settings_of(request_.seed, trial, circles_to_come(trial)));
     wanted.push_back({&family_->plan(member), family_->variable(member)});
   }
   try {
@@ -87,6 +87,16 @@ void TrialRuns::compile_ahead() {
     });
   } catch (const std::system_error&) {  // without a thread for it nothing is compiled ahead
   }
+}
+
+/// Circles as the file has them, for a trial that will be given one of its subject's.
+TrialRuns::Circles TrialRuns::circles_to_come(const TrialRun& trial) const {
+  if (!request_.circle || request_.conditions[trial.condition].feedback.name == request_.circle->of) return {};
+  const auto number = [&](const std::string& name) {
+    return std::get<double>(parameter_of(job_.plan.diagram, name).value.content);
+  };
+  return {{{trial.study, trial.subject},
+           {{number(request_.circle->x), number(request_.circle->y)}, number(request_.circle->radius)}}};
 }
 
 std::vector<Setting> TrialRuns::settings_of(std::uint64_t seed, const TrialRun& trial,

@@ -76,6 +76,7 @@ class TrialRuns {
   std::vector<Setting> settings_of(std::uint64_t seed, const TrialRun& trial, const Circles& circles) const;
   void plan(std::uint64_t seed, TrialRun& trial, const Circles& circles);
   void compile_ahead();
+  Circles circles_to_come(const TrialRun& trial) const;
   void run_all(std::vector<TrialRun*>& trials, const std::function<void()>& told);
   void run_one(TrialRun& trial, IdleRuns& idle, Changeover& changeover);
   void note_end(const Simulation& run, TrialRun& trial) const;
