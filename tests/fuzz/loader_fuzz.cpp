@@ -20,6 +20,7 @@ constexpr std::size_t most_runs = 8, most_numbers = 1 << 20;
 std::vector<Document> read_parts() {
   std::vector<Document> parts;
   for (const auto& entry : fs::directory_iterator(STEPWIRE_SOURCE_DIR "/diagrams/parts")) {
+    if (entry.path().extension() != ".yaml") continue;
     parts.push_back(read_document(entry.path().string()));
     parts.back().file = folder + "parts/" + entry.path().filename().string();
   }
