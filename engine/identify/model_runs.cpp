@@ -251,6 +251,7 @@ std::vector<Recording> ModelRuns::take(std::size_t record, Simulation& simulatio
   Drive drive(simulation, recording.recorders());
   drive.interrupt = source_.interrupt;
   if (observer) drive.observers = {&observer, 1};
+  drive.shows_rows = false;  // what is recorded is read at the end
   if (drive.run() == Drive::End::interrupted) {
     if (fault) *fault = "interrupted, so that there is nothing yet to write";
     return {};

@@ -35,12 +35,12 @@ Flow Drive::show_tick() {
 }
 
 void Drive::record() {
-  if (!observers.empty()) show_rows();
+  for (RunObserver* observer : observers) observer->evaluated({index, simulation_});
+  if (shows_rows && !observers.empty()) show_rows();
   for (Recorder& recorder : recorders_) recorder.record(simulation_.tick(), simulation_.values());
 }
 
 void Drive::show_rows() {
-  for (RunObserver* observer : observers) observer->evaluated({index, simulation_});
   for (std::size_t i = 0; i < recorders_.size(); ++i) {
     if (!recorders_[i].is_due(simulation_.tick())) continue;
     recorders_[i].read(simulation_.values(), row_);
