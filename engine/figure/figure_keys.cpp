@@ -135,7 +135,7 @@ const std::vector<PanelKey>& panel_keys() {
                ValueType::text, true},
               read_boundaries, KeyNeeds::plane, KeyStage::rows),
       own_key({"note",
-               "expression whose value in the first row that 'where' selects is told in a corner: {signal: "
+               "expression whose value in the first row that 'where' selects is shown in a corner: {signal: "
                "normalised, label: error}",
                ValueType::series},
               read_note, KeyNeeds::nothing, KeyStage::rows),

@@ -64,7 +64,7 @@ std::vector<MarkRows> space_rows(const std::vector<Curve>& curves);
 /// A unit as people print it: mm, N m, m/s², °; "–" where there is none.
 std::string printed_unit(const std::string& unit);
 
-/// Colour of the i-th curve, told apart by colour-blind people too (Okabe and Ito).
+/// Colour of the i-th curve, which colour-blind people distinguish as well (Okabe and Ito).
 std::string curve_color(std::size_t index);
 
 }  // namespace stepwire

@@ -15,6 +15,12 @@ std::vector<std::string> names_of(const std::vector<Setting>& values) {
   return names;
 }
 
+/// The plan of single runs, which need no sweep: it may have very many values.
+std::shared_ptr<const Plan> plan_of_runs(Plan plan) {
+  plan.diagram.sweep.reset();
+  return std::make_shared<const Plan>(std::move(plan));
+}
+
 Assignment assignment_of(const Setting& setting) {
   Assignment assignment{setting.name, value_of_text(setting.value, setting.written), setting.written};
   assignment.value.mark = setting.mark;
@@ -67,12 +73,6 @@ struct PlanFamily::Member {
   std::vector<std::string> structure;  ///< values of structural names; "" of others
   std::unique_ptr<Simulation> probe;
 };
-
-/// What no run of it needs is left out.
-std::shared_ptr<const Plan> plan_of_runs(Plan plan) {
-  plan.diagram.sweep.reset();
-  return std::make_shared<const Plan>(std::move(plan));
-}
 
 PlanFamily::PlanFamily(Loader& loader, std::string file, std::vector<Setting> settings, const Plan& base)
     : loader_(loader),
