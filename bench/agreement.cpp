@@ -8,8 +8,8 @@
 
 #include "bench/hand_written.hpp"
 #include "bench/workload.hpp"
-#include "engine/generate/generated_code.hpp"
-#include "engine/run/simulation.hpp"
+#include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/run/simulation.hpp"
 
 namespace stepwire {
 

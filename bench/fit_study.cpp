@@ -10,9 +10,9 @@
 #include <map>
 
 #include "blocks/register.hpp"
-#include "engine/cli/work.hpp"
-#include "engine/generate/generated_code.hpp"
-#include "engine/identify/fit.hpp"
+#include "engine/analyse/estimation/fit.hpp"
+#include "engine/app/cli/work.hpp"
+#include "engine/simulate/codegen/generated_code.hpp"
 
 namespace stepwire {
 

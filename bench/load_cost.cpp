@@ -7,8 +7,8 @@
 
 #include "bench/workload.hpp"
 #include "blocks/register.hpp"
-#include "engine/diagram/load.hpp"
-#include "engine/run/simulation.hpp"
+#include "engine/model/diagram/load.hpp"
+#include "engine/simulate/run/simulation.hpp"
 
 namespace stepwire {
 

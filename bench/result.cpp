@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include "engine/table/json.hpp"
+#include "engine/base/json/json.hpp"
 
 namespace stepwire {
 

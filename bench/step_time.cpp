@@ -9,9 +9,9 @@
 
 #include "bench/hand_written.hpp"
 #include "bench/workload.hpp"
-#include "engine/generate/generated_code.hpp"
-#include "engine/record/recorder.hpp"
-#include "engine/run/simulation.hpp"
+#include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/record/recorder.hpp"
+#include "engine/simulate/run/simulation.hpp"
 
 namespace stepwire {
 

@@ -8,8 +8,8 @@
 #include <functional>
 
 #include "blocks/register.hpp"
-#include "engine/generate/generated_code.hpp"
-#include "engine/run/run.hpp"
+#include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/run/run.hpp"
 
 namespace stepwire {
 
@@ -81,7 +81,8 @@ std::vector<Result> measure_sweep() {
   const double beside = 1e6 * (median(sweep) - median(single)) / points;
   const std::string name = "sweep of 100,000 runs";
   const std::size_t blocks = job.plan.diagram.blocks.size();
-  return {{name + ", time over that of one long run", "compiled", "ratio", median(sweep) / median(single), blocks},
+  return {{name + ", time over that of one long run", "compiled", "ratio", median(sweep) / median(single),
+           blocks},
           {name + ", beside the ticks of each", "compiled", "us", beside, blocks},
           {name + ", beyond its rows", "compiled", "MB", memory, blocks},
           {name + ", with two threads over one", "compiled", "ratio", median(twice) / median(once), blocks}};

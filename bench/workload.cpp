@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "blocks/register.hpp"
-#include "engine/diagram/load.hpp"
+#include "engine/model/diagram/load.hpp"
 
 namespace stepwire {
 

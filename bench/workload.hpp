@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "engine/plan/plan.hpp"
+#include "engine/model/plan/plan.hpp"
 
 namespace stepwire {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/block/block.hpp"
+#include "engine/model/block/block.hpp"
 
 namespace stepwire {
 

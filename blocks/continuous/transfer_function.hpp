@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/block/block.hpp"
-#include "engine/block/rational.hpp"
+#include "engine/model/block/block.hpp"
+#include "engine/model/block/rational.hpp"
 
 namespace stepwire {
 

@@ -1,6 +1,6 @@
 #include "blocks/discrete/delay.hpp"
 
-#include "engine/block/declare.hpp"
+#include "engine/model/block/declare.hpp"
 
 #include "blocks/discrete/whole_periods.hpp"
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "engine/block/declare.hpp"
+#include "engine/model/block/declare.hpp"
 
 namespace stepwire {
 

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "engine/block/block.hpp"
-#include "engine/signal/numbers.hpp"
+#include "engine/model/block/block.hpp"
+#include "engine/model/signal/numbers.hpp"
 
 namespace stepwire {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "engine/block/configure.hpp"
+#include "engine/model/block/configure.hpp"
 
 namespace stepwire {
 

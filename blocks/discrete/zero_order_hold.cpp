@@ -1,6 +1,6 @@
 #include "blocks/discrete/zero_order_hold.hpp"
 
-#include "engine/block/declare.hpp"
+#include "engine/model/block/declare.hpp"
 
 namespace stepwire {
 

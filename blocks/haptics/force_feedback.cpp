@@ -1,6 +1,6 @@
 #include "blocks/haptics/force_feedback.hpp"
 
-#include "engine/block/declare.hpp"
+#include "engine/model/block/declare.hpp"
 
 namespace stepwire {
 

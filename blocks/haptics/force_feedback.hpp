@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/block/block.hpp"
+#include "engine/model/block/block.hpp"
 
 namespace stepwire {
 

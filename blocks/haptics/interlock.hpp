@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/block/block.hpp"
+#include "engine/model/block/block.hpp"
 
 namespace stepwire {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "engine/block/declare.hpp"
+#include "engine/model/block/declare.hpp"
 
 namespace stepwire {
 

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "engine/block/block.hpp"
+#include "engine/model/block/block.hpp"
 
 namespace stepwire {
 

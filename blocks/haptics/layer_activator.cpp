@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "blocks/haptics/layer_reader.hpp"
-#include "engine/block/declare.hpp"
+#include "engine/model/block/declare.hpp"
 
 namespace stepwire {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "blocks/haptics/layer_events.hpp"
-#include "engine/block/block.hpp"
-#include "engine/block/tree.hpp"
+#include "engine/model/block/block.hpp"
+#include "engine/model/block/tree.hpp"
 
 namespace stepwire {
 

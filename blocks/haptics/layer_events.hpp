@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "blocks/haptics/plane.hpp"
-#include "engine/signal/index.hpp"
+#include "engine/model/signal/index.hpp"
 
 namespace stepwire {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "blocks/haptics/layer_activator.hpp"
-#include "engine/expression/expression.hpp"
-#include "engine/unit/unit.hpp"
+#include "engine/base/expression/expression.hpp"
+#include "engine/base/unit/unit.hpp"
 
 namespace stepwire {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/block/value.hpp"
-#include "engine/signal/index.hpp"
+#include "engine/model/block/value.hpp"
+#include "engine/model/signal/index.hpp"
 
 namespace stepwire {
 

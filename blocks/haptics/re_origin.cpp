@@ -1,6 +1,6 @@
 #include "blocks/haptics/re_origin.hpp"
 
-#include "engine/block/declare.hpp"
+#include "engine/model/block/declare.hpp"
 
 namespace stepwire {
 

@@ -1,7 +1,7 @@
 #include "blocks/haptics/region.hpp"
 
 #include "blocks/haptics/shape_reader.hpp"
-#include "engine/block/declare.hpp"
+#include "engine/model/block/declare.hpp"
 
 namespace stepwire {
 

@@ -2,8 +2,8 @@
 
 #include "blocks/haptics/boundary_search.hpp"
 #include "blocks/haptics/space_search.hpp"
-#include "engine/block/block.hpp"
-#include "engine/block/tree.hpp"
+#include "engine/model/block/block.hpp"
+#include "engine/model/block/tree.hpp"
 
 namespace stepwire {
 

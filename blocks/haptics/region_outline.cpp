@@ -3,7 +3,7 @@
 
 #include "blocks/haptics/region.hpp"
 #include "blocks/haptics/shape_reader.hpp"
-#include "engine/block/outline.hpp"
+#include "engine/model/block/outline.hpp"
 
 namespace stepwire {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "blocks/haptics/shape_reader.hpp"
-#include "engine/unit/unit.hpp"
+#include "engine/base/unit/unit.hpp"
 
 namespace stepwire {
 

@@ -6,8 +6,8 @@
 
 #include "blocks/haptics/plane_shape.hpp"
 #include "blocks/haptics/space_shape.hpp"
-#include "engine/block/value.hpp"
-#include "engine/expression/expression.hpp"
+#include "engine/base/expression/expression.hpp"
+#include "engine/model/block/value.hpp"
 
 namespace stepwire {
 

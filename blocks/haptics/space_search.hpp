@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "blocks/haptics/space.hpp"
-#include "engine/signal/index.hpp"
+#include "engine/model/signal/index.hpp"
 
 namespace stepwire {
 

@@ -1,6 +1,6 @@
 #include "blocks/hardware/analog_to_digital.hpp"
 
-#include "engine/block/declare.hpp"
+#include "engine/model/block/declare.hpp"
 
 namespace stepwire {
 

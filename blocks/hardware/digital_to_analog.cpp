@@ -1,6 +1,6 @@
 #include "blocks/hardware/digital_to_analog.hpp"
 
-#include "engine/block/declare.hpp"
+#include "engine/model/block/declare.hpp"
 
 namespace stepwire {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/signal/numbers.hpp"
+#include "engine/model/signal/numbers.hpp"
 
 namespace stepwire {
 

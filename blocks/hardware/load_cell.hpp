@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "blocks/hardware/gauge_calibration.hpp"
-#include "engine/block/block.hpp"
-#include "engine/signal/normal_quantile.hpp"
+#include "engine/base/math/normal_quantile.hpp"
+#include "engine/model/block/block.hpp"
 
 namespace stepwire {
 

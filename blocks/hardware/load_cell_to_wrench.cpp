@@ -1,6 +1,6 @@
 #include "blocks/hardware/load_cell_to_wrench.hpp"
 
-#include "engine/block/declare.hpp"
+#include "engine/model/block/declare.hpp"
 
 namespace stepwire {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "blocks/hardware/gauge_calibration.hpp"
-#include "engine/block/block.hpp"
+#include "engine/model/block/block.hpp"
 
 namespace stepwire {
 

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "engine/block/declare.hpp"
+#include "engine/model/block/declare.hpp"
 
 namespace stepwire {
 

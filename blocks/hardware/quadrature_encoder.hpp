@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "engine/block/block.hpp"
+#include "engine/model/block/block.hpp"
 
 namespace stepwire {
 

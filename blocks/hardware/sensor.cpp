@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "engine/block/declare.hpp"
-#include "engine/block/limits.hpp"
+#include "engine/model/block/declare.hpp"
+#include "engine/model/block/limits.hpp"
 
 namespace stepwire {
 

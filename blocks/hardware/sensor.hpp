@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <numbers>
 
-#include "engine/block/block.hpp"
-#include "engine/signal/normal_quantile.hpp"
+#include "engine/base/math/normal_quantile.hpp"
+#include "engine/model/block/block.hpp"
 
 namespace stepwire {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "blocks/logic/stages.hpp"
-#include "engine/block/value.hpp"
+#include "engine/model/block/value.hpp"
 
 namespace stepwire {
 

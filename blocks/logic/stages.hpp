@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/expression/expression.hpp"
-#include "engine/signal/function.hpp"
+#include "engine/base/expression/expression.hpp"
+#include "engine/base/math/function.hpp"
 
 namespace stepwire {
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "blocks/logic/stage_reader.hpp"
-#include "engine/block/declare.hpp"
+#include "engine/model/block/declare.hpp"
 
 namespace stepwire {
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "engine/block/block.hpp"
-#include "engine/block/tree.hpp"
-#include "engine/expression/language.hpp"  // for guards that are code
-#include "engine/signal/function.hpp"
+#include "engine/base/expression/language.hpp"  // for guards that are code
+#include "engine/base/math/function.hpp"
+#include "engine/model/block/block.hpp"
+#include "engine/model/block/tree.hpp"
 
 namespace stepwire {
 

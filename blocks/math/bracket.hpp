@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/signal/numbers.hpp"
+#include "engine/model/signal/numbers.hpp"
 
 namespace stepwire {
 

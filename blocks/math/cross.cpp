@@ -1,6 +1,6 @@
 #include "blocks/math/cross.hpp"
 
-#include "engine/block/declare.hpp"
+#include "engine/model/block/declare.hpp"
 
 #include "blocks/math/two_inputs.hpp"
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <charconv>
 
-#include "engine/block/declare.hpp"
-#include "engine/expression/expression_function.hpp"
+#include "engine/base/expression/expression_function.hpp"
+#include "engine/model/block/declare.hpp"
 
 namespace stepwire {
 

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/block/block.hpp"
-#include "engine/expression/language.hpp"  // for formulas that are code
-#include "engine/signal/function.hpp"
+#include "engine/base/expression/language.hpp"  // for formulas that are code
+#include "engine/base/math/function.hpp"
+#include "engine/model/block/block.hpp"
 
 namespace stepwire {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "blocks/math/extrapolation.hpp"
-#include "engine/block/block.hpp"
+#include "engine/model/block/block.hpp"
 
 namespace stepwire {
 

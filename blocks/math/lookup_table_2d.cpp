@@ -1,6 +1,6 @@
 #include "blocks/math/lookup_table_2d.hpp"
 
-#include "engine/block/declare.hpp"
+#include "engine/model/block/declare.hpp"
 
 #include "blocks/math/table_check.hpp"
 

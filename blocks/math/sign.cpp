@@ -1,6 +1,6 @@
 #include "blocks/math/sign.hpp"
 
-#include "engine/block/declare.hpp"
+#include "engine/model/block/declare.hpp"
 
 namespace stepwire {
 

@@ -1,7 +1,7 @@
 #include "blocks/nonlinear/dead_zone.hpp"
 
-#include "engine/block/declare.hpp"
-#include "engine/block/limits.hpp"
+#include "engine/model/block/declare.hpp"
+#include "engine/model/block/limits.hpp"
 
 namespace stepwire {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "engine/block/block.hpp"
+#include "engine/model/block/block.hpp"
 
 namespace stepwire {
 

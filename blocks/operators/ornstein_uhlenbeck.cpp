@@ -1,6 +1,6 @@
 #include "blocks/operators/ornstein_uhlenbeck.hpp"
 
-#include "engine/block/declare.hpp"
+#include "engine/model/block/declare.hpp"
 
 namespace stepwire {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "engine/block/block.hpp"
-#include "engine/signal/normal_quantile.hpp"
+#include "engine/base/math/normal_quantile.hpp"
+#include "engine/model/block/block.hpp"
 
 namespace stepwire {
 

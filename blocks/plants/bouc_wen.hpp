@@ -1,7 +1,7 @@
 #pragma once
 
 #include "blocks/plants/bouc_wen_law.hpp"
-#include "engine/block/block.hpp"
+#include "engine/model/block/block.hpp"
 
 namespace stepwire {
 

@@ -1,7 +1,7 @@
 #include "blocks/plants/driven_linkage.hpp"
 
-#include "engine/block/configure.hpp"
-#include "engine/block/declare.hpp"
+#include "engine/model/block/configure.hpp"
+#include "engine/model/block/declare.hpp"
 
 #include "blocks/plants/linkage_declare.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "engine/block/configure.hpp"
-#include "engine/block/declare.hpp"
+#include "engine/model/block/configure.hpp"
+#include "engine/model/block/declare.hpp"
 
 #include "blocks/plants/linkage_declare.hpp"
 

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "blocks/plants/linkage_declare.hpp"
-#include "engine/block/configure.hpp"
-#include "engine/block/limits.hpp"
+#include "engine/model/block/configure.hpp"
+#include "engine/model/block/limits.hpp"
 
 namespace stepwire {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "engine/block/block.hpp"
+#include "engine/model/block/block.hpp"
 
 namespace stepwire {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "engine/block/configure.hpp"
+#include "engine/model/block/configure.hpp"
 
 namespace stepwire {
 

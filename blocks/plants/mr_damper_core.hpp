@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "blocks/plants/bouc_wen_law.hpp"
-#include "engine/block/block.hpp"
+#include "engine/model/block/block.hpp"
 
 namespace stepwire {
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "engine/block/configure.hpp"
-#include "engine/block/declare.hpp"
+#include "engine/model/block/configure.hpp"
+#include "engine/model/block/declare.hpp"
 
 namespace stepwire {
 

@@ -1,6 +1,6 @@
 #include "blocks/plants/rotary_mr_damper.hpp"
 
-#include "engine/block/declare.hpp"
+#include "engine/model/block/declare.hpp"
 
 #include "blocks/plants/mr_damper_declare.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "engine/document/error.hpp"
+#include "engine/base/yaml/error.hpp"
 
 namespace stepwire {
 

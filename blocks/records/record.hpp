@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/signal/index.hpp"
-#include "engine/table/record_table.hpp"
-#include "engine/unit/unit.hpp"
+#include "engine/base/table/record_table.hpp"
+#include "engine/base/unit/unit.hpp"
+#include "engine/model/signal/index.hpp"
 
 namespace stepwire {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "engine/expression/expression.hpp"
+#include "engine/base/expression/expression.hpp"
 
 namespace stepwire {
 

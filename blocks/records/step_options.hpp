@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "blocks/records/record.hpp"
-#include "engine/block/value.hpp"
+#include "engine/model/block/value.hpp"
 
 namespace stepwire {
 

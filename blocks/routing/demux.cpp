@@ -6,7 +6,7 @@
 #include <numeric>
 #include <string>
 
-#include "engine/block/declare.hpp"
+#include "engine/model/block/declare.hpp"
 
 namespace stepwire {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/block/block.hpp"
+#include "engine/model/block/block.hpp"
 
 namespace stepwire {
 

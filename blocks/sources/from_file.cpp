@@ -4,7 +4,7 @@
 
 #include "blocks/records/preparation.hpp"
 #include "blocks/sources/read_samples.hpp"
-#include "engine/block/declare.hpp"
+#include "engine/model/block/declare.hpp"
 
 namespace stepwire {
 

@@ -7,9 +7,9 @@
 
 #include "blocks/records/band_limited.hpp"
 #include "blocks/sources/samples.hpp"
-#include "engine/block/block.hpp"
-#include "engine/block/tree.hpp"
-#include "engine/signal/file_path.hpp"
+#include "engine/model/block/block.hpp"
+#include "engine/model/block/tree.hpp"
+#include "engine/model/signal/file_path.hpp"
 
 namespace stepwire {
 

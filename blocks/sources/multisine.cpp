@@ -6,8 +6,8 @@
 #include <numbers>
 #include <vector>
 
-#include "engine/block/declare.hpp"
-#include "engine/signal/random.hpp"
+#include "engine/base/math/random.hpp"
+#include "engine/model/block/declare.hpp"
 
 namespace stepwire {
 

@@ -1,6 +1,6 @@
 #include "blocks/sources/ramp.hpp"
 
-#include "engine/block/declare.hpp"
+#include "engine/model/block/declare.hpp"
 
 namespace stepwire {
 

@@ -8,10 +8,10 @@
 #include <memory>
 
 #include "blocks/records/preparation.hpp"
-#include "engine/block/configure.hpp"
-#include "engine/table/file.hpp"
-#include "engine/table/table_cache.hpp"
-#include "engine/unit/unit.hpp"
+#include "engine/base/table/table_cache.hpp"
+#include "engine/base/table/table_file.hpp"
+#include "engine/base/unit/unit.hpp"
+#include "engine/model/block/configure.hpp"
 
 namespace stepwire {
 

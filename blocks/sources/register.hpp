@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/block/registry.hpp"
+#include "engine/model/block/registry.hpp"
 
 namespace stepwire {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include "engine/signal/numbers.hpp"
+#include "engine/model/signal/numbers.hpp"
 
 namespace stepwire {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/block/declare.hpp"
+#include "engine/model/block/declare.hpp"
 
 namespace stepwire {
 

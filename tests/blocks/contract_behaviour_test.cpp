@@ -1,8 +1,8 @@
 // What every block must do in a run, whatever it computes; checked in diagrams made from the declarations.
 #include <catch2/catch.hpp>
 
-#include "engine/diagram/flatten.hpp"
-#include "engine/document/yaml_text.hpp"
+#include "engine/base/yaml/yaml_text.hpp"
+#include "engine/model/diagram/flatten.hpp"
 #include "tests/blocks/contract_rig.hpp"
 #include "tests/support/allocations.hpp"
 

@@ -7,10 +7,10 @@
 #include <set>
 #include <sstream>
 
-#include "engine/describe/block_json.hpp"
-#include "engine/describe/words.hpp"
-#include "engine/diagram/block_keys.hpp"
-#include "engine/diagram/unit_expression.hpp"
+#include "engine/app/reference/block_json.hpp"
+#include "engine/app/reference/words.hpp"
+#include "engine/model/diagram/block_keys.hpp"
+#include "engine/model/diagram/unit_expression.hpp"
 #include "tests/blocks/contract_rig.hpp"
 
 using namespace stepwire;

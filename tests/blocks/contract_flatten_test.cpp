@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "engine/diagram/flatten.hpp"
+#include "engine/model/diagram/flatten.hpp"
 #include "tests/blocks/contract_rig.hpp"
 
 using namespace stepwire;

@@ -9,8 +9,8 @@
 #include <fstream>
 #include <set>
 
-#include "engine/generate/compiler.hpp"
-#include "engine/generate/program.hpp"
+#include "engine/simulate/codegen/compiler.hpp"
+#include "engine/simulate/codegen/program.hpp"
 #include "tests/blocks/contract_rig.hpp"
 
 using namespace stepwire;

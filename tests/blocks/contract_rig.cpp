@@ -8,7 +8,7 @@
 #include <set>
 
 #include "blocks/register.hpp"
-#include "engine/diagram/load.hpp"
+#include "engine/model/diagram/load.hpp"
 
 namespace stepwire {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/block/registry.hpp"
-#include "engine/run/simulation.hpp"
+#include "engine/model/block/registry.hpp"
+#include "engine/simulate/run/simulation.hpp"
 
 namespace stepwire {
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "blocks/register.hpp"
-#include "engine/table/surroundings.hpp"
+#include "engine/base/io/surroundings.hpp"
 
 namespace stepwire {
 

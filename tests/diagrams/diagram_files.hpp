@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-#include "engine/run/run.hpp"
+#include "engine/simulate/run/run.hpp"
 
 namespace stepwire {
 

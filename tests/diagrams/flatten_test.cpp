@@ -1,12 +1,12 @@
-#include "engine/diagram/flatten.hpp"
+#include "engine/model/diagram/flatten.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 
 #include <nlohmann/json.hpp>
 
-#include "engine/describe/diagram_schema.hpp"
-#include "engine/record/recorder.hpp"
+#include "engine/app/reference/diagram_schema.hpp"
+#include "engine/simulate/record/recorder.hpp"
 #include "tests/diagrams/diagram_files.hpp"
 #include "tests/support/json_schema.hpp"
 #include "tests/support/plan_text.hpp"

@@ -8,7 +8,7 @@
 #include <mutex>
 #include <thread>
 
-#include "engine/generate/generated_code.hpp"
+#include "engine/simulate/codegen/generated_code.hpp"
 #include "tests/diagrams/diagram_files.hpp"
 #include "tests/support/allocations.hpp"
 

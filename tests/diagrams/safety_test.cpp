@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "engine/run/simulation.hpp"
+#include "engine/simulate/run/simulation.hpp"
 #include "tests/support/plan_text.hpp"
 #include "tests/support/run_text.hpp"
 

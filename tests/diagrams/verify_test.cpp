@@ -1,12 +1,12 @@
-#include "engine/replay/verify.hpp"
+#include "engine/simulate/replay/verify.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "engine/cli/output.hpp"
-#include "engine/replay/replay_folder.hpp"
+#include "engine/app/cli/output.hpp"
+#include "engine/simulate/replay/replay_folder.hpp"
 #include "tests/diagrams/diagram_files.hpp"
-#include "tests/engine/table/scratch.hpp"
+#include "tests/engine/base/table/scratch.hpp"
 #include "tests/support/plan_text.hpp"
 
 using namespace stepwire;

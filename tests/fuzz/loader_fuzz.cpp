@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "blocks/register.hpp"
-#include "engine/cli/work.hpp"
-#include "engine/table/surroundings.hpp"
+#include "engine/app/cli/work.hpp"
+#include "engine/base/io/surroundings.hpp"
 
 namespace {
 

@@ -14,19 +14,19 @@ struct Home {
 
 // The first that fits counts. Eigen, fmt and the standard library are at home everywhere.
 const std::vector<Home> homes{
-    {"boost/math/", "engine/statistics"},
-    {"boost/lockfree/", "engine/realtime"},
+    {"boost/math/", "engine/analyse/statistics"},
+    {"boost/lockfree/", "engine/simulate/realtime"},
     {"boost/geometry", "blocks/haptics"},
-    {"boost/polygon/", "engine/figure"},
-    {"boost/", "engine/plan"},
-    {"yaml-cpp/", "engine/document"},
-    {"udunits2", "engine/unit"},
-    {"matio", "engine/table"},
-    {"nlohmann/", "engine/table"},
-    {"CLI/", "engine/cli"},
-    {"ceres/", "engine/identify"},
-    {"glog/", "engine/identify"},
-    {"xxhash", "engine/base"},
+    {"boost/polygon/", "engine/view/geometry"},
+    {"boost/", "engine/model/plan"},
+    {"yaml-cpp/", "engine/base/yaml"},
+    {"udunits2", "engine/base/unit"},
+    {"matio", "engine/base/table"},
+    {"nlohmann/", "engine/base/json"},
+    {"CLI/", "engine/app/cli"},
+    {"ceres/", "engine/analyse/estimation"},
+    {"glog/", "engine/analyse/estimation"},
+    {"xxhash", "engine/base/hash"},
 };
 
 const Home* home_of(const std::string& header) {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/engine/table/scratch.hpp"
+#include "tests/engine/base/table/scratch.hpp"
 
 /// What a command printed, to both streams, and its exit status.
 struct Outcome {

@@ -3,7 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "engine/document/document.hpp"
+#include "engine/base/yaml/document.hpp"
 
 namespace stepwire {
 

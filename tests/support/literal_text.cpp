@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "engine/block/literal.hpp"
+#include "engine/model/block/literal.hpp"
 
 namespace stepwire {
 

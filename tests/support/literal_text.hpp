@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "engine/block/block_type.hpp"
+#include "engine/model/block/block_type.hpp"
 
 namespace stepwire {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/run/run.hpp"
+#include "engine/simulate/run/run.hpp"
 
 namespace stepwire {
 

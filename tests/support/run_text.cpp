@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "blocks/register.hpp"
-#include "engine/run/run.hpp"
+#include "engine/simulate/run/run.hpp"
 
 namespace stepwire {
 

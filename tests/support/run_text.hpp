@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "engine/table/table.hpp"
+#include "engine/base/table/table.hpp"
 
 namespace stepwire {
 

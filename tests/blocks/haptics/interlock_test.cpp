@@ -1,4 +1,4 @@
-#include "engine/run/simulation.hpp"
+#include "engine/simulate/run/simulation.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

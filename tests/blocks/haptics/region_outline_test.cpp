@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/block/outline.hpp"
+#include "engine/model/block/outline.hpp"
 #include "tests/blocks/haptics/region_rig.hpp"
 
 using namespace stepwire;

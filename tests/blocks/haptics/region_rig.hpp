@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/block/block_type.hpp"
-#include "engine/block/outline.hpp"
+#include "engine/model/block/block_type.hpp"
+#include "engine/model/block/outline.hpp"
 
 namespace stepwire {
 

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "blocks/logic/state_machine.hpp"
-#include "engine/block/declare.hpp"
+#include "engine/model/block/declare.hpp"
 #include "tests/support/literal_text.hpp"
 #include "tests/support/run_text.hpp"
 

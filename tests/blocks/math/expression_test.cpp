@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "blocks/math/expression.hpp"
-#include "engine/block/declare.hpp"
+#include "engine/model/block/declare.hpp"
 #include "tests/support/literal_text.hpp"
 #include "tests/support/run_text.hpp"
 

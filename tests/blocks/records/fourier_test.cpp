@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "engine/signal/normal_quantile.hpp"
+#include "engine/base/math/normal_quantile.hpp"
 
 using namespace stepwire;
 using Series = std::vector<std::complex<double>>;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/table/file.hpp"
+#include "engine/base/table/table_file.hpp"
 #include "tests/support/run_text.hpp"
 
 /// A record with a row every `interval` [s] from 0 on: time, and y in mm of it.

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "tests/blocks/records/played.hpp"
-#include "tests/engine/table/scratch.hpp"
+#include "tests/engine/base/table/scratch.hpp"
 
 using namespace stepwire;
 

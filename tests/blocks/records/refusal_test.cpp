@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "tests/blocks/records/played.hpp"
-#include "tests/engine/table/scratch.hpp"
+#include "tests/engine/base/table/scratch.hpp"
 
 using namespace stepwire;
 using Catch::Contains;

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "engine/table/file.hpp"
+#include "engine/base/table/table_file.hpp"
 #include "tests/support/run_text.hpp"
 
 using namespace stepwire;

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "engine/signal/normal_quantile.hpp"
+#include "engine/base/math/normal_quantile.hpp"
 #include "tests/support/run_text.hpp"
 
 using namespace stepwire;

@@ -10,14 +10,14 @@
 #include <vector>
 
 #include "blocks/register.hpp"
-#include "engine/cli/fitting.hpp"
-#include "engine/cli/studying.hpp"
-#include "engine/cli/work.hpp"
-#include "engine/document/document.hpp"
-#include "engine/document/error.hpp"
-#include "engine/generate/generated_code.hpp"
-#include "engine/table/file.hpp"
-#include "engine/table/surroundings.hpp"
+#include "engine/app/cli/fitting.hpp"
+#include "engine/app/cli/studying.hpp"
+#include "engine/app/cli/work.hpp"
+#include "engine/base/io/file.hpp"
+#include "engine/base/io/surroundings.hpp"
+#include "engine/base/yaml/document.hpp"
+#include "engine/base/yaml/error.hpp"
+#include "engine/simulate/codegen/generated_code.hpp"
 
 using namespace stepwire;
 namespace fs = std::filesystem;

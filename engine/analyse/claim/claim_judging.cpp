@@ -1,0 +1,140 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "engine/analyse/claim/claim.hpp"
+#include "engine/analyse/claim/claim_words.hpp"
+#include "engine/analyse/claim/reduce.hpp"
+
+namespace stepwire {
+namespace {
+
+/// Why a claim has no value.
+struct Unjudged : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+Rows rows_of(const Claim& claim, const Recording& recording) {
+  Rows rows;
+  rows.value = evaluate(claim.values.at(0), recording);
+  if (claim.values.size() > 1) rows.other = evaluate(claim.values[1], recording);
+  if (const Column* time = recording.table.find("time"))
+    rows.time = time->values;
+  else
+    throw Unjudged("no time was recorded");
+  rows.selected.assign(rows.value.size(), true);
+  rows.starts = recording.starts;
+  rows.free_offset = claim.free_offset;
+  if (!claim.where) return rows;
+  const auto where = evaluate(*claim.where, recording);
+  // A condition that is nan is not met.
+  for (std::size_t i = 0; i < where.size(); ++i) rows.selected[i] = where[i] != 0.0 && !std::isnan(where[i]);
+  return rows;
+}
+
+/// Row at which `final` or `at` looks in one run.
+std::size_t row_looked_at(const Claim& claim, const Rows& rows, std::size_t run) {
+  const std::size_t begin = rows.starts[run], end = rows.run_end(run);
+  if (begin >= end) throw Unjudged(fmt::format("run {} recorded no row", run + 1));
+  if (claim.reduction == Reduction::final)
+    for (std::size_t row = end; row-- > begin;)
+      if (rows.selected[row]) return row;
+  const double last = rows.time[end - 1], slack = end - begin > 1 ? last - rows.time[end - 2] : 0.0;
+  if (claim.time < rows.time[begin] || claim.time > last + 0.5 * slack)
+    throw Unjudged(fmt::format("there is no row at {} s; the record goes from {} s to {} s", claim.time,
+                               rows.time[begin], last));
+  std::size_t nearest = begin;
+  for (std::size_t row = begin; row < end; ++row)
+    if (std::abs(rows.time[row] - claim.time) < std::abs(rows.time[nearest] - claim.time)) nearest = row;
+  if (!rows.selected[nearest])
+    throw Unjudged(
+        fmt::format("'{}' does not select the row at {} s", claim.where->text, rows.time[nearest]));
+  return nearest;
+}
+
+bool has_one_row(const Claim& claim) {
+  return claim.reduction == Reduction::final || claim.reduction == Reduction::at;
+}
+
+double value_of_run(const Claim& claim, const Rows& rows, std::size_t run) {
+  return has_one_row(claim) ? rows.value[row_looked_at(claim, rows, run)]
+                            : reduce(claim.reduction, rows.of_run(run));
+}
+
+bool selects_any(const Rows& rows, std::size_t run) {
+  const auto at = [&](std::size_t row) { return rows.selected.begin() + static_cast<std::ptrdiff_t>(row); };
+  return std::find(at(rows.starts[run]), at(rows.run_end(run)), true) != at(rows.run_end(run));
+}
+
+/// The value of the run that comes off worst. Runs that `where` leaves out as a whole (by a swept parameter)
+/// are not judged.
+double worst_run(const Claim& claim, const Rows& rows) {
+  double worst = std::numeric_limits<double>::quiet_NaN(), margin = std::numeric_limits<double>::infinity();
+  bool judged = false;
+  for (std::size_t run = 0; run < rows.starts.size(); ++run) {
+    if (claim.where && !selects_any(rows, run)) continue;
+    const double value = value_of_run(claim, rows, run);
+    const double found = claim.comparison.margin(value);
+    if (judged && found >= margin) continue;
+    judged = true;
+    worst = value;
+    margin = found;
+  }
+  return worst;
+}
+
+double value_of(const Claim& claim, const Rows& rows) {
+  if (rows.value.empty()) throw Unjudged("no row was recorded");
+  if (std::find(rows.selected.begin(), rows.selected.end(), true) == rows.selected.end())
+    throw Unjudged(fmt::format("'{}' selects no row", claim.where->text));
+  if (claim.each_run) return worst_run(claim, rows);
+  return reduce(claim.reduction, rows);
+}
+
+/// How large the recorded quantities of the reduced one's kind are.
+double magnitude_of(const Claim& claim, const Recording& recording) {
+  const auto dimension = reduced_dimension(claim);
+  double largest = 0.0;
+  if (!dimension) return largest;
+  for (const Formula& formula : claim.values)
+    for (const std::string& name : formula.columns) {
+      const Column* column = recording.table.find(name);
+      const auto unit = column ? parse_unit(column->unit) : std::nullopt;
+      if (!unit || unit->dimension != *dimension) continue;
+      for (const double value : column->values)
+        if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+    }
+  return largest;
+}
+
+std::string shown_text(const Claim& claim, double value, const Recording& recording) {
+  std::string text = value_text(claim, value, magnitude_of(claim, recording));
+  const std::size_t runs = recording.starts.size();
+  if (claim.each_run && runs > 1) text += fmt::format(", the worst of {} runs", runs);
+  return text;
+}
+
+}  // namespace
+
+Verdict judge(const Claim& claim, std::span<const Recording> recordings) {
+  Verdict verdict{claim.kind, claim.that, claim.check,     std::numeric_limits<double>::quiet_NaN(),
+                  "none",     false,      claim.disagrees, ""};
+  try {
+    if (claim.recording >= recordings.size()) throw Unjudged("nothing was recorded");
+    const Rows rows = rows_of(claim, recordings[claim.recording]);
+    verdict.value = value_of(claim, rows);
+    verdict.shown = shown_text(claim, verdict.value, recordings[claim.recording]);
+    verdict.holds = claim.comparison.margin(verdict.value) >= 0.0;
+    if (std::isnan(verdict.value)) verdict.note = "the value is not a number";
+  } catch (const Unjudged& reason) {
+    verdict.note = reason.what();
+  } catch (const std::invalid_argument& missing) {
+    verdict.note = missing.what();
+  }
+  return verdict;
+}
+
+}  // namespace stepwire

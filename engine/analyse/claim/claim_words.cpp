@@ -1,0 +1,100 @@
+#include "engine/analyse/claim/claim_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "engine/analyse/query/number.hpp"
+
+namespace stepwire {
+namespace {
+
+std::string reduction_text(const Claim& claim, const std::string& time) {
+  const auto& values = claim.values;
+  switch (claim.reduction) {
+    case Reduction::at:
+      return fmt::format("{} at {}", values[0].text, time);
+    case Reduction::rising:
+      return fmt::format("rising {} over {}", values[0].text, values[1].text);
+    case Reduction::fit:
+      return fmt::format("fit {} to {}{}", values[0].text, values[1].text,
+                         claim.free_offset ? " with a free offset" : "");
+    default:
+      return fmt::format("{} {}", reduction_names()[static_cast<std::size_t>(claim.reduction)],
+                         values[0].text);
+  }
+}
+
+/// The unit of small values where the author gives none.
+std::string handy(const std::string& si, double value) {
+  if (std::abs(value) >= 1.0) return si;
+  if (si == "m" || si == "m/s" || si == "J") return "m" + si;
+  return si;
+}
+
+std::string unit_of(const Claim& claim, double value) {
+  if (claim.reduction == Reduction::fit) return "%";
+  if (!claim.comparison.unit.empty()) return claim.comparison.unit;
+  const auto dimension = reduced_dimension(claim);
+  if (!dimension || *dimension == Dimension{}) return "";
+  return handy(si_name(*dimension), value);
+}
+
+/// 0 where the value is no more than the rounding of what it was made of, if that is on the same side.
+double resolved(const Comparison& comparison, double value, double magnitude) {
+  constexpr double resolution = 1e-12;
+  const double scale = std::max({magnitude, std::abs(comparison.low), std::abs(comparison.high)});
+  const bool alike = (comparison.margin(0.0) >= 0.0) == (comparison.margin(value) >= 0.0);
+  return alike && std::abs(value) <= resolution * scale ? 0.0 : value;
+}
+
+}  // namespace
+
+const std::vector<std::string>& reduction_names() {
+  static const std::vector<std::string> names{"final",    "max",   "min", "mean",   "rms", "spread",
+                                              "fraction", "count", "at",  "rising", "fit"};
+  return names;
+}
+
+Reduction reduction_named(const std::string& name) {
+  const auto& names = reduction_names();
+  return static_cast<Reduction>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+std::optional<Dimension> reduced_dimension(const Claim& claim) {
+  switch (claim.reduction) {
+    case Reduction::fraction:
+    case Reduction::count:
+    case Reduction::rising:
+    case Reduction::fit:
+      return Dimension{};
+    default:
+      return claim.values.empty() ? std::nullopt : claim.values.front().dimension;
+  }
+}
+
+std::string check_text(const Claim& claim, const std::string& time) {
+  const bool pair = claim.reduction == Reduction::rising || claim.reduction == Reduction::fit;
+  if (claim.values.size() != (pair ? 2u : 1u)) return {};
+  std::string text = reduction_text(claim, time) + " " + claim.comparison.text;
+  if (claim.where) text += " where " + claim.where->text;
+  return text;
+}
+
+std::string value_text(const Claim& claim, double exact, double magnitude) {
+  const double value = resolved(claim.comparison, exact, magnitude);
+  const std::string name = unit_of(claim, value);
+  const Unit unit = claim.reduction == Reduction::fit ? Unit{} : parse_unit(name).value_or(Unit{});
+  const bool holds = claim.comparison.margin(value) >= 0.0;
+  std::string text;
+  for (int digits = 4; digits <= 17; ++digits) {
+    text = short_number(unit.from_si(value), digits);
+    const double shown = unit.to_si(std::strtod(text.c_str(), nullptr));
+    if (!std::isfinite(value) || (claim.comparison.margin(shown) >= 0.0) == holds) break;
+  }
+  return name.empty() ? text : text + " " + name;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/analyse/claim/claim.hpp"
+
+namespace stepwire {
+
+/// Keys of the reductions, in the order of `Reduction`.
+const std::vector<std::string>& reduction_names();
+
+/// The reduction of a key that is one.
+Reduction reduction_named(const std::string& name);
+
+/// Dimension of the reduced value, where it is known.
+std::optional<Dimension> reduced_dimension(const Claim& claim);
+
+/// The condition of a claim as text; `time` is the time of `at` as written.
+std::string check_text(const Claim& claim, const std::string& time);
+
+/// A reduced value with its unit: in the author's unit where the claim has one, with so many digits that the
+/// number shown is on the same side of the condition. What is below the resolution of numbers of that
+/// magnitude, and of the condition, is 0.
+std::string value_text(const Claim& claim, double value, double magnitude = 0.0);
+
+}  // namespace stepwire

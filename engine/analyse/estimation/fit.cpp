@@ -1,0 +1,274 @@
+#include "engine/analyse/estimation/fit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "engine/analyse/estimation/certainty.hpp"
+#include "engine/analyse/estimation/least_squares.hpp"
+#include "engine/analyse/estimation/loss.hpp"
+#include "engine/analyse/estimation/starts.hpp"
+
+namespace stepwire {
+
+namespace {
+
+constexpr std::size_t first_look = 6;  // steps after which the starts are compared
+
+class Fit {
+ public:
+  Fit(const ModelSource& source, const Job& job, const FitRequest& request, const FitOptions& options)
+      : source_(source),
+        request_(request),
+        options_(options),
+        runs_(source, job, request),
+        residuals_(runs_, request, options.threads) {}
+
+  FitResult result() {
+    if (request_.parameters.empty())
+      take_as_it_is();
+    else
+      search_parameters();
+    predict();
+    result_.compiled = runs_.compiled();
+    result_.in_part = runs_.in_part();
+    result_.interrupted = interrupted();
+    describe_numbers();
+    set_parameters();
+    result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    return std::move(result_);
+  }
+
+ private:
+  void search_parameters() {
+    refuse_idle_parameters();
+    search();
+  }
+
+  /// Where the call sets all parameters, records are only predicted.
+  void take_as_it_is() {
+    Eigen::VectorXd r;
+    if (residuals_.evaluate(best_.x, r)) best_.cost = cost_of(r, request_);
+    best_.converged = result_.converged = true;
+  }
+
+  bool interrupted() const { return source_.interrupt && *source_.interrupt; }
+
+  void tell(double fraction, const std::string& what) const {
+    if (options_.progress) options_.progress(fraction, what);
+  }
+
+  /// A parameter that moves nothing at the start will move nothing later.
+  void refuse_idle_parameters() {
+    Eigen::VectorXd r;
+    Jacobian slopes;
+    if (!residuals_.evaluate(residuals_.start(), r, slopes, Residuals::Differences::forward)) return;
+    const Eigen::VectorXd lengths = slopes.colwise().norm();
+    Faults faults;
+    for (Eigen::Index i = 0; i < lengths.size(); ++i) {
+      const FitParameter& parameter = residuals_.parameter(static_cast<std::size_t>(i));
+      if (lengths[i] == 0.0)
+        faults.add({parameter.place,
+                    "fit.parameters." + parameter.name,
+                    "moves nothing that is compared; take it out of the fit, or compare what it moves",
+                    {}});
+    }
+    faults.throw_if_any();
+  }
+
+  Minimum descend(const Eigen::VectorXd& from, std::size_t iterations, double done, double share,
+                  const std::string& what) const {
+    LeastSquaresOptions options{iterations, source_.interrupt, {}};
+    options.watch = [&](std::size_t step, double cost) {
+      const double part = 1.0 - std::exp(-static_cast<double>(step) / 8.0);  // nobody knows how many steps
+      tell(done + share * part, fmt::format("{}, step {}: cost {:.5g}", what, step, cost));
+    };
+    return minimise(residuals_, request_, from, options);
+  }
+
+  void search() {
+    std::vector<Eigen::VectorXd> starts = make_starts(residuals_, request_);
+    if (request_.global)
+      starts.push_back(evolve(residuals_, request_, source_.interrupt, [&](std::size_t g, double cost) {
+        tell(0.3 * static_cast<double>(g) / static_cast<double>(request_.global->generations),
+             fmt::format("generation {}: cost {:.5g}", g, cost));
+      }));
+    std::vector<Minimum> minima = first_looks(starts);
+    const std::vector<std::size_t> order = ranking(minima);
+    const std::size_t kept = request_.follow ? *request_.follow : (starts.size() + 3) / 4;
+    for (std::size_t k = 0; k < kept && k < order.size() && !interrupted(); ++k) {
+      Minimum& one = minima[order[k]];
+      if (one.converged || !std::isfinite(one.cost)) continue;
+      const std::size_t before = one.iterations;
+      one =
+          descend(one.x, request_.iterations, 0.6 + 0.4 * static_cast<double>(k) / static_cast<double>(kept),
+                  0.4 / static_cast<double>(kept), fmt::format("start {}", order[k] + 1));
+      one.iterations += before;
+    }
+    best_ = minima[ranking(minima).front()];
+    for (const Minimum& one : minima) result_.starts.push_back({one.cost, one.converged, one.iterations});
+    if (!std::isfinite(best_.cost) && !interrupted())
+      throw Error(Fault{request_.place, "fit", "no start can be evaluated; give a start that runs", {}});
+    if (!std::isfinite(best_.cost)) best_ = {residuals_.start(), 0.0, false, 0};
+    result_.converged = best_.converged;
+  }
+
+  void limit(const std::string& refusal) {
+    result_.limited = true;
+    result_.findings.push_back("the records want what the diagram refuses: " + refusal);
+  }
+
+  /// What is refused has no cost, but the slopes show whether the cost still falls that way.
+  void tell_slope(const Eigen::VectorXd& r, const Jacobian& slopes) {
+    constexpr double flat = 1e-3;  // cosine between the residuals and what a parameter does to them
+    if (result_.limited || best_.refusal.empty()) return;
+    for (Eigen::Index i = 0; i < slopes.cols(); ++i) {
+      const bool held = result_.numbers[static_cast<std::size_t>(i)].at_bound;
+      if (!held && std::abs(slopes.col(i).dot(r)) > flat * slopes.col(i).norm() * r.norm())
+        return limit(best_.refusal);
+    }
+  }
+
+  std::vector<Minimum> first_looks(const std::vector<Eigen::VectorXd>& starts) const {
+    const std::size_t count = starts.size();
+    const std::size_t steps = count == 1 ? request_.iterations : std::min(first_look, request_.iterations);
+    std::vector<Minimum> minima;
+    for (std::size_t k = 0; k < count; ++k) {
+      if (interrupted() && k > 0) break;
+      minima.push_back(descend(starts[k], steps, 0.6 * static_cast<double>(k) / static_cast<double>(count),
+                               0.6 / static_cast<double>(count),
+                               fmt::format("start {} of {}", k + 1, count)));
+    }
+    return minima;
+  }
+
+  static std::vector<std::size_t> ranking(const std::vector<Minimum>& minima) {
+    std::vector<std::size_t> order(minima.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return minima[a].cost < minima[b].cost; });
+    return order;
+  }
+
+  double predict() {
+    double squares = 0.0;
+    result_.records.clear();
+    result_.curves.assign(request_.curves.size(), FittedCurve{});
+    for (std::size_t record = 0; record < runs_.records(); ++record) {
+      FittedRecord one{runs_.label(record), residuals_.held_out(record), residuals_.rows(record)};
+      double own = 0.0;
+      try {
+        if (!interrupted()) own = take(residuals_.predict(record, best_.x), one);
+      } catch (const Error& error) {
+        if (!result_.refused)
+          result_.findings.push_back(fmt::format(
+              "the records want what the diagram does not take; give narrower bounds: {}", error.what()));
+        result_.refused = true;
+      }
+      if (!one.held_out) squares += own;
+      result_.records.push_back(std::move(one));
+    }
+    return squares;
+  }
+
+  double take(Prediction prediction, FittedRecord& record) {
+    record.comparisons = std::move(prediction.comparisons);
+    for (std::size_t i = 0; i < request_.curves.size() && !record.held_out; ++i)
+      add_data(request_.curves[i], prediction.recordings, result_.curves[i]);
+    return prediction.squares;
+  }
+
+  void describe_numbers() {
+    result_.cost = best_.cost;
+    result_.freedom = static_cast<double>(residuals_.count() - best_.x.size()) -
+                      static_cast<double>(residuals_.free_offsets());
+    for (std::size_t i = 0; i < residuals_.unknowns().size(); ++i) result_.numbers.push_back(number(i));
+    Eigen::VectorXd r;
+    Jacobian slopes;
+    if (result_.numbers.empty() || interrupted() ||
+        !residuals_.evaluate(best_.x, r, slopes, Residuals::Differences::central))
+      return;
+    count(request_, r, slopes);
+    tell_slope(r, slopes);
+    Eigen::VectorXd sizes = best_.x;
+    std::vector<std::string> titles;
+    for (std::size_t i = 0; i < result_.numbers.size(); ++i) {
+      auto& size = sizes[static_cast<Eigen::Index>(i)];
+      if (size == 0.0) size = residuals_.parameter(i).scale;
+      titles.push_back(result_.numbers[i].title());
+    }
+    const Certainty certainty = certainty_of(r, slopes, sizes, result_.freedom, residuals_.stretches());
+    result_.deviation = certainty.deviation;
+    result_.correlation = certainty.correlation;
+    result_.together = certainty.serial.rows;
+    for (std::size_t i = 0; i < titles.size(); ++i) {
+      const auto at = static_cast<Eigen::Index>(i);
+      FittedNumber& one = result_.numbers[i];
+      one.standard_error = certainty.standard_errors[at];
+      one.low = one.value - certainty.half_widths[at];
+      one.high = one.value + certainty.half_widths[at];
+    }
+    for (std::size_t i = 0; i < request_.curves.size(); ++i) {
+      std::vector<double> data_range = std::move(result_.curves[i].data_range);
+      result_.curves[i] =
+          fitted_curve(request_.curves[i], titles, best_.x, certainty.covariance, certainty.quantile);
+      result_.curves[i].data_range = std::move(data_range);
+    }
+    for (const Eigen::VectorXd& direction : certainty.free_directions)
+      result_.findings.push_back(in_words(direction, titles));
+  }
+
+  FittedNumber number(std::size_t unknown) {
+    const Unknown& which = residuals_.unknowns()[unknown];
+    const FitParameter& parameter = request_.parameters[which.parameter];
+    FittedNumber one{.name = parameter.name, .record = which.record ? runs_.label(*which.record) : ""};
+    one.value = best_.x[static_cast<Eigen::Index>(unknown)];
+    one.start = parameter.start;
+    one.dimension = parameter.dimension;
+    one.unit = parameter.unit;
+    one.standard_error = one.low = one.high = std::numeric_limits<double>::quiet_NaN();
+    const double near = 1e-6 * (parameter.bounded() ? parameter.upper - parameter.lower : parameter.scale);
+    one.at_bound = one.value - parameter.lower <= near || parameter.upper - one.value <= near;
+    if (one.at_bound)
+      result_.findings.push_back(fmt::format("{} is at its {} bound, beyond which the records may want it",
+                                             one.title(),
+                                             one.value - parameter.lower <= near ? "lower" : "upper"));
+    return one;
+  }
+
+  void set_parameters() {
+    for (std::size_t record = 0; record < runs_.records(); ++record) {
+      std::vector<Setting> own;
+      const std::vector<Setting> all = settings_of(request_.parameters, residuals_.values(record, best_.x));
+      for (std::size_t j = 0; j < all.size(); ++j) {
+        if (request_.parameters[j].each_record) own.push_back(all[j]);
+        if (!request_.parameters[j].each_record && record == 0) result_.shared.push_back(all[j]);
+      }
+      result_.of_records.push_back(std::move(own));
+    }
+  }
+
+  const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  const ModelSource& source_;
+  const FitRequest& request_;
+  const FitOptions& options_;
+  ModelRuns runs_;
+  Residuals residuals_;
+  Minimum best_;
+  FitResult result_;
+};
+
+}  // namespace
+
+std::string FittedNumber::title() const {
+  return record.empty() ? name : fmt::format("{} of {}", name, record);
+}
+
+FitResult fit(const ModelSource& source, const Job& job, const FitRequest& request,
+              const FitOptions& options) {
+  return Fit(source, job, request, options).result();
+}
+
+}  // namespace stepwire

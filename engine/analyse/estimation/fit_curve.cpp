@@ -1,0 +1,105 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/analyse/estimation/fit_request.hpp"
+#include "engine/analyse/query/number.hpp"
+#include "engine/analyse/query/series.hpp"
+
+namespace stepwire {
+
+namespace {
+
+const char* const subject = "fit.curves";
+const char* const over_form = "'over' names the variable and its range in bare numbers: {i: [0, 1]}";
+
+/// What its expression may name: the fitted parameters that all records share, and the variable.
+Names names_in_curve(const Names& names, const std::vector<FitParameter>& parameters,
+                     const std::string& variable) {
+  Names known{names.file,
+              {{variable, Dimension{}, {}}},
+              names.parameters,
+              {},
+              "is neither the variable nor a fitted parameter that all records share"};
+  for (const FitParameter& parameter : parameters)
+    if (!parameter.each_record) known.columns.push_back({parameter.name, parameter.dimension, {}});
+  return known;
+}
+
+/// Where these parameters start; 0 for the variable.
+std::vector<double> starts_of(const std::vector<std::string>& columns,
+                              const std::vector<FitParameter>& parameters) {
+  std::vector<double> starts(columns.size(), 0.0);
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    for (const FitParameter& parameter : parameters)
+      if (parameter.name == columns[i]) starts[i] = parameter.start;
+  return starts;
+}
+
+class CurveReader {
+ public:
+  CurveReader(const Node& node, const Names& names, Faults& faults)
+      : node_(node), names_(names), faults_(faults) {}
+
+  std::optional<FitCurve> read(const std::vector<FitParameter>& parameters) {
+    if (!node_.is_map()) return refused(node_, "is written {y: c1*i + c0, over: {i: [0, 1]}, data: current}");
+    for (const Entry& entry : node_.entries)
+      if (std::find(keys_.begin(), keys_.end(), entry.key) == keys_.end())
+        add_unknown_key(entry, keys_, "a curve", names_, subject, faults_);
+    const Node* over = node_.find("over");
+    if (!over || !over->is_map() || over->entries.size() != 1)
+      return refused(over ? *over : node_, over_form);
+    const Entry& variable = over->entries.front();
+    const auto range = read_range(variable.value);
+    const Node* y = node_.find("y");
+    if (!y) return refused(node_, "'y' is missing: an expression of fitted parameters and the variable");
+    auto series = read_series(*y, names_in_curve(names_, parameters, variable.key), subject, faults_);
+    if (!series || !range) return std::nullopt;
+    std::vector<double> otherwise = starts_of(series->formula.columns, parameters);
+    FitCurve curve{std::move(*series), std::move(otherwise), variable.key, range->first,
+                   range->second,      variable.key,         {},           0};
+    curve.place = {names_.file, node_.mark};
+    read_data(curve);
+    if (const Node* label = node_.find("x_label"))
+      curve.label = read_text(*label, names_, "fit.curves.x_label", faults_);
+    return curve;
+  }
+
+ private:
+  std::nullopt_t refused(const Node& at, const std::string& message) {
+    faults_.add({{names_.file, at.mark}, subject, message, {}});
+    return std::nullopt;
+  }
+
+  std::optional<std::pair<double, double>> read_range(const Node& range) {
+    if (!range.is_list() || range.items.size() != 2) return refused(range, over_form);
+    const auto from = read_number(range.items[0], names_, subject, faults_);
+    const auto to = read_number(range.items[1], names_, subject, faults_);
+    if (!from || !to) return std::nullopt;
+    if (from->value < to->value) return std::pair{from->value, to->value};
+    return refused(range, "the first number of a range is below the second");
+  }
+
+  void read_data(FitCurve& curve) {
+    const Node* data = node_.find("data");
+    if (!data) return;
+    curve.data = read_formula(*data, names_, "fit.curves.data", faults_);
+    if (curve.data)
+      curve.recording = common_recording({&*curve.data}, names_, *data, "fit.curves.data", faults_);
+  }
+
+  const Node& node_;
+  const Names& names_;
+  Faults& faults_;
+  const std::vector<std::string> keys_{"y", "over", "data", "x_label"};
+};
+
+}  // namespace
+
+std::optional<FitCurve> read_fit_curve(const Node& node, const Names& names,
+                                       const std::vector<FitParameter>& parameters, Faults& faults) {
+  return CurveReader(node, names, faults).read(parameters);
+}
+
+}  // namespace stepwire

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/analyse/query/formula.hpp"
+#include "engine/analyse/query/names.hpp"
+#include "engine/analyse/query/series.hpp"
+#include "engine/base/yaml/document.hpp"
+#include "engine/model/diagram/diagram.hpp"
+
+namespace stepwire {
+
+/// A parameter of the diagram that a fit finds. Numbers are SI.
+struct FitParameter {
+  static constexpr double open = std::numeric_limits<double>::infinity();
+
+  std::string name;  ///< as --set takes it: "rig.beta"
+  double start = 0.0;
+  double lower = -open, upper = open;
+  double scale = 1.0;        ///< a change that counts, above 0
+  bool each_record = false;  ///< each record has its own value
+  std::optional<Dimension> dimension{};
+  std::string unit{};  ///< in which the author wrote it, for showing the value; empty: SI
+  Place place{};
+
+  bool bounded() const { return lower > -open && upper < open; }
+};
+
+/// Values of all fitted parameters for one record.
+using Values = std::vector<double>;
+
+inline Values start_of(const std::vector<FitParameter>& parameters) {
+  Values start;
+  for (const FitParameter& parameter : parameters) start.push_back(parameter.start);
+  return start;
+}
+
+/// What is compared: residuals are weight (model - measured) in the rows where `where` holds.
+struct FitComparison {
+  Series model;
+  Formula measured;
+  std::optional<Formula> weight,
+      where;                 ///< of the run with the start values; weight 1 and all rows if absent
+  bool free_offset = false;  ///< the weighted mean of the difference is no error, in each record
+  std::size_t recording = 0;
+  Place place;
+  std::vector<Series> against{};  ///< what pictures show it over, beside the time
+};
+
+/// What follows from the fitted parameters as a function of something, such as alpha of the current.
+struct FitCurve {
+  Series y;                       ///< of parameters that all records share, and of the variable
+  std::vector<double> otherwise;  ///< values of its columns where they are not fitted but set by the call
+  std::string variable;           ///< a bare number
+  double from = 0.0, to = 1.0;    ///< of the variable
+  std::string label;              ///< at its axis
+  std::optional<Formula> data;  ///< where the records have it (SI), as far as they tell anything of the curve
+  std::size_t recording = 0;    ///< that has the data
+  Place place{};
+};
+
+/// What residuals that are large beside `width` count.
+enum class FitLoss { none, huber, cauchy };
+
+/// Differential evolution ahead of the least squares.
+struct GlobalSearch {
+  std::size_t population = 40, generations = 60;
+};
+
+/// The section `fit` of a diagram file.
+struct FitRequest {
+  std::vector<FitParameter> parameters;
+  std::vector<FitComparison> comparisons;
+  std::vector<FitCurve> curves{};
+  std::optional<Formula> hold_out;  ///< of swept parameters: records that are predicted, not fitted
+  FitLoss loss = FitLoss::none;
+  double width = 1.0;                 ///< of the loss, in weighted residuals
+  std::size_t starts = 1;             ///< the first is the given one, the others are random within the bounds
+  std::optional<std::size_t> follow;  ///< how many of them go on after the first steps; a quarter if absent
+  std::uint64_t seed = 1;
+  std::size_t iterations = 100;    ///< of one start, at most
+  std::string records = "record";  ///< what pictures call the records: measured, simulated
+  std::optional<GlobalSearch> global;
+  Place place;
+};
+
+/// Reads one entry of `fit.curves` for a section with these parameters; nothing where it is wrong, which goes
+/// to `faults`.
+std::optional<FitCurve> read_fit_curve(const Node& node, const Names& names,
+                                       const std::vector<FitParameter>& parameters, Faults& faults);
+
+/// Reads the value under the key `fit`. Everything that is wrong goes to `faults`; what is returned then is
+/// of no use.
+FitRequest read_fit(const Node& node, const Names& names, const Diagram& diagram, Faults& faults);
+
+}  // namespace stepwire

@@ -1,0 +1,272 @@
+#include "engine/analyse/estimation/model_runs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <string_view>
+
+#include "engine/simulate/record/recorder.hpp"
+#include "engine/simulate/run/stopper.hpp"
+
+namespace stepwire {
+
+namespace {
+
+/// A swept value to be read: its number with up to five digits, and its unit.
+std::string brief(const std::string& value) {
+  const char* end = value.data() + value.size();
+  double number = 0.0;
+  const auto [rest, problem] = std::from_chars(value.data(), end, number);
+  return problem == std::errc{} ? fmt::format("{:.5g}{}", number, std::string_view(rest, end)) : value;
+}
+
+/// What a record is called: by the first swept parameter where they go together, else by all.
+std::string label_of(const Job& job, std::size_t point) {
+  if (job.points.empty()) return "";
+  const bool together = job.plan.diagram.sweep->together;
+  std::string text;
+  for (const Setting& setting : job.settings_of(point)) {
+    if (!text.empty() && together) break;
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", brief(setting.value));
+  }
+  return text;
+}
+
+/// All columns that comparisons name.
+std::vector<std::string> columns_of(const FitRequest& request) {
+  std::vector<std::string> columns;
+  const auto add = [&](const Formula& formula) {
+    columns.insert(columns.end(), formula.columns.begin(), formula.columns.end());
+  };
+  for (const FitComparison& comparison : request.comparisons) {
+    add(comparison.model.formula);
+    add(comparison.measured);
+    for (const auto* formula : {&comparison.weight, &comparison.where})
+      if (*formula) add(**formula);
+  }
+  return columns;
+}
+
+/// Keeps what a part reads of a run of the whole.
+class TapeWriter : public RunObserver {
+ public:
+  TapeWriter(const MovedPart& part, std::vector<double>& tape) : part_(part), tape_(tape) {}
+  void evaluated(const ObservedRun& run) override { part_.append(run.simulation.values(), tape_); }
+
+ private:
+  const MovedPart& part_;
+  std::vector<double>& tape_;
+};
+
+/// Plays it back into a run of the part.
+class TapePlayer : public RunObserver {
+ public:
+  TapePlayer(const MovedPart& part, const std::vector<double>& tape) : part_(part), tape_(tape) {}
+  Flow before_tick(const ObservedRun& run) override {
+    part_.play(tape_, run.simulation);
+    return Flow::go_on;
+  }
+
+ private:
+  const MovedPart& part_;
+  const std::vector<double>& tape_;
+};
+
+std::string fault_of(const Simulation& simulation) {
+  const auto fault = simulation.fault();
+  return fault ? fault->fault.text() : "the run ended early";
+}
+
+}  // namespace
+
+std::vector<Setting> settings_of(const std::vector<FitParameter>& parameters, const Values& values) {
+  std::vector<Setting> settings;
+  for (std::size_t j = 0; j < parameters.size(); ++j) {
+    const auto& dimension = parameters[j].dimension;
+    const std::string unit = dimension && *dimension != Dimension{} ? " " + si_name(*dimension) : "";
+    settings.push_back({parameters[j].name, fmt::format("{}{}", values[j], unit), parameters[j].place.file,
+                        parameters[j].place.mark});
+  }
+  return settings;
+}
+
+ModelRuns::ModelRuns(ModelSource source, const Job& job, const FitRequest& request)
+    : source_(std::move(source)), job_(job), request_(request) {
+  for (std::size_t record = 0; record < std::max<std::size_t>(1, job.points.size()); ++record) {
+    labels_.push_back(label_of(job, record));
+    swept_.push_back(swept_columns(job, record));
+  }
+  find_part();
+  make_records();
+}
+
+std::vector<std::string> ModelRuns::names() const {
+  std::vector<std::string> names;
+  for (const FitParameter& parameter : request_.parameters) names.push_back(parameter.name);
+  return names;
+}
+
+/// Runs all records at the start, where the parameters move only a part.
+void ModelRuns::find_part() {
+  const Values start = start_of(request_.parameters);
+  for (std::size_t record = 0; record < records(); ++record) {
+    const Plan whole = plan(record, start);
+    if (record == 0) part_ = MovedPart::find(whole, Variation(whole.diagram, names()), columns_of(request_));
+    if (!part_) return;
+    if (!play_in(record, whole)) return part_.reset();
+  }
+}
+
+/// Keeps what the part reads and what does not move; false where the run ends early.
+bool ModelRuns::play_in(std::size_t record, const Plan& whole) {
+  Simulation simulation(whole);
+  std::vector<double>& tape = tapes_.emplace_back();
+  tape.reserve(part_->width() * static_cast<std::size_t>(whole.steps + 1));
+  TapeWriter writer(*part_, tape);
+  still_.push_back(take(record, simulation, nullptr, &writer));
+  const std::vector<std::string> columns = columns_of(request_);
+  for (Recording& recording : still_.back()) {
+    auto& all = recording.table.columns;
+    const auto idle = [&](const Column& column) {
+      const bool wanted = std::find(columns.begin(), columns.end(), column.name) != columns.end();
+      return !wanted || part_->gives(column.name);
+    };
+    all.erase(std::remove_if(all.begin() + 1, all.end(), idle), all.end());
+  }
+  return !still_.back().empty();
+}
+
+void ModelRuns::make_records() {
+  const Values start = start_of(request_.parameters);
+  for (std::size_t r = 0; r < records(); ++r) {
+    Diagram diagram = load(r, start);
+    records_.push_back(
+        std::make_unique<Record>(make_plan(part_ ? part_->of(diagram) : std::move(diagram)), names()));
+    if (source_.code) compile(*records_.back());
+  }
+  compiled_ = std::ranges::all_of(records_, [](const auto& record) { return record->code.has_value(); });
+}
+
+/// The text of records that differ in numbers is the same, since what their sweep varies is read from the
+/// run as well.
+void ModelRuns::compile(Record& record) const {
+  std::vector<std::string> all = names();
+  if (!job_.points.empty())
+    for (const Sweep::Axis& axis : job_.plan.diagram.sweep->axes) all.push_back(axis.parameter);
+  const Variation variation(record.plan.diagram, all);
+  record.code = source_.code->compile(record.plan, variable_blocks(record.plan, variation), {});
+}
+
+Diagram ModelRuns::load(std::size_t record, const Values& values) const {
+  std::vector<Setting> all = source_.settings;
+  if (!job_.points.empty())
+    for (Setting& setting : job_.settings_of(record)) all.push_back(std::move(setting));
+  for (Setting& setting : settings_of(request_.parameters, values)) all.push_back(std::move(setting));
+  const std::lock_guard lock(loading_);
+  return source_.loader.load_point(source_.file, all);
+}
+
+std::vector<Assignment> ModelRuns::assignments(const Values& values) const {
+  std::vector<Assignment> assignments;
+  for (std::size_t j = 0; j < request_.parameters.size(); ++j) {
+    const FitParameter& parameter = request_.parameters[j];
+    assignments.push_back(
+        {parameter.name, value_of_number(values[j], parameter.dimension), parameter.place.file});
+    assignments.back().value.mark = parameter.place.mark;
+  }
+  return assignments;
+}
+
+std::unique_ptr<Simulation> ModelRuns::begin(Record& record, const Values& values) const {
+  std::unique_ptr<Simulation> run;
+  {
+    const std::lock_guard lock(record.mutex);
+    if (!record.idle.empty()) {
+      run = std::move(record.idle.back());
+      record.idle.pop_back();
+    }
+  }
+  if (!run) {
+    run = std::make_unique<Simulation>(record.plan);
+    if (record.code) run->use(*record.code);
+  }
+  if (run->set(record.varied, assignments(values)) != Simulation::Setting::done) return nullptr;
+  run->reset();
+  return run;
+}
+
+void ModelRuns::give_back(Record& record, std::unique_ptr<Simulation> run) const {
+  const std::lock_guard lock(record.mutex);
+  if (run) record.idle.push_back(std::move(run));
+}
+
+std::vector<Recording> ModelRuns::run(std::size_t record, const Values& values, std::string* fault) const {
+  try {
+    Record& of = *records_[record];
+    std::unique_ptr<Simulation> run = begin(of, values);
+    if (!run) return run_anew(record, values, fault);
+    std::optional<TapePlayer> player;
+    if (part_) player.emplace(*part_, tapes_[record]);
+    std::vector<Recording> taken = take(record, *run, fault, player ? &*player : nullptr);
+    give_back(of, std::move(run));
+    return part_ ? complete(record, std::move(taken)) : taken;
+  } catch (const Error& error) {  // refused values are as bad as a run that blows up
+    if (fault) *fault = error.what();
+    return {};
+  }
+}
+
+std::vector<Recording> ModelRuns::complete(std::size_t record, std::vector<Recording> moved) const {
+  if (moved.empty()) return {};
+  std::vector<Recording> recordings = still_[record];
+  for (std::size_t i = 0; i < recordings.size(); ++i)
+    for (Column& column : moved[i].table.columns)
+      if (part_->gives(column.name)) recordings[i].table.columns.push_back(std::move(column));
+  return recordings;
+}
+
+std::vector<Recording> ModelRuns::run_anew(std::size_t record, const Values& values,
+                                           std::string* fault) const {
+  const Plan own = plan(record, values);
+  Simulation simulation(own);
+  return take(record, simulation, fault);
+}
+
+std::string ModelRuns::refusal(std::size_t record, const Values& values) const {
+  try {
+    Record& of = *records_[record];
+    std::unique_ptr<Simulation> run = begin(of, values);
+    if (!run) plan(record, values);
+    give_back(of, std::move(run));
+    return "";
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+std::vector<Recording> ModelRuns::take(std::size_t record, Simulation& simulation, std::string* fault,
+                                       RunObserver* observer) const {
+  RunRecording recording(simulation.plan());
+  Drive drive(simulation, recording.recorders());
+  drive.interrupt = source_.interrupt;
+  if (observer) drive.observers = {&observer, 1};
+  drive.shows_rows = false;  // what is recorded is read at the end
+  if (drive.run() == Drive::End::interrupted) {
+    if (fault) *fault = "interrupted, so that there is nothing yet to write";
+    return {};
+  }
+  if (!simulation.healthy()) {
+    if (fault) *fault = fault_of(simulation);
+    return {};
+  }
+  std::vector<Recording> recordings = recording.take();
+  for (Recording& one : recordings)
+    for (Column column : swept_[record]) {
+      column.values.assign(one.table.rows(), column.values.front());
+      one.table.columns.push_back(std::move(column));
+    }
+  return recordings;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "engine/analyse/estimation/fit_request.hpp"
+#include "engine/analyse/estimation/moved_part.hpp"
+#include "engine/model/diagram/load.hpp"
+#include "engine/simulate/run/drive.hpp"
+#include "engine/simulate/run/run.hpp"
+
+namespace stepwire {
+
+/// What a fit's runs need beside the request.
+struct ModelSource {
+  Loader& loader;
+  std::string file;
+  std::vector<Setting> settings{};               ///< of the call
+  CodeSource* code = nullptr;                    ///< null: interpreted
+  const std::atomic<bool>* interrupt = nullptr;  ///< once true, runs end and give nothing
+};
+
+/// The runs of a file's records with any values of the fitted parameters, which are set in the runs of one
+/// plan for each record. Where that is possible, only the part of the diagram that the parameters move is
+/// run, and what it reads of the rest is played back.
+class ModelRuns {
+ public:
+  /// Throws Error where the diagram refuses the start values.
+  ModelRuns(ModelSource source, const Job& job, const FitRequest& request);
+
+  std::size_t records() const { return labels_.size(); }
+  /// What tells a record from the others: "10mm2Hz_0A"; empty for the only one.
+  const std::string& label(std::size_t record) const { return labels_[record]; }
+  /// Its swept parameters, one row.
+  const std::vector<Column>& swept(std::size_t record) const { return swept_[record]; }
+  /// Are the runs compiled?
+  bool compiled() const { return compiled_; }
+  /// Is only a part of the diagram run, and the rest played back?
+  bool in_part() const { return part_.has_value(); }
+  /// All that a run records, with the swept parameters; nothing where it ends with a fault, which `fault`
+  /// then says. From any thread.
+  std::vector<Recording> run(std::size_t record, const Values& values, std::string* fault = nullptr) const;
+  /// The same from a plan of its own. Throws Error where the diagram refuses the values.
+  std::vector<Recording> run_anew(std::size_t record, const Values& values, std::string* fault) const;
+  /// Why the diagram refuses the values; empty where it takes them.
+  std::string refusal(std::size_t record, const Values& values) const;
+
+ private:
+  /// What is run of one record: the part, or all of it.
+  struct Record {
+    Record(Plan of, const std::vector<std::string>& names)
+        : plan(std::move(of)), varied(plan.diagram, names) {}
+    Plan plan;
+    Variation varied;  ///< the fitted parameters
+    std::optional<CompiledPlan> code;
+    std::mutex mutex;
+    std::vector<std::unique_ptr<Simulation>> idle;
+  };
+
+  Diagram load(std::size_t record, const Values& values) const;
+  Plan plan(std::size_t record, const Values& values) const { return make_plan(load(record, values)); }
+  std::vector<std::string> names() const;
+  std::vector<Assignment> assignments(const Values& values) const;
+  void find_part();
+  bool play_in(std::size_t record, const Plan& whole);
+  void make_records();
+  void compile(Record& record) const;
+  /// A run at time 0 with these values; null where they need another plan. Throws Error for refused ones.
+  std::unique_ptr<Simulation> begin(Record& record, const Values& values) const;
+  void give_back(Record& record, std::unique_ptr<Simulation> run) const;
+  /// Runs to the end and takes all that is recorded; nothing after a fault.
+  std::vector<Recording> take(std::size_t record, Simulation& simulation, std::string* fault,
+                              RunObserver* observer = nullptr) const;
+  std::vector<Recording> complete(std::size_t record, std::vector<Recording> moved) const;
+
+  ModelSource source_;
+  const Job& job_;
+  const FitRequest& request_;
+  std::vector<std::string> labels_;
+  std::vector<std::vector<Column>> swept_;
+  std::vector<std::unique_ptr<Record>> records_;
+  bool compiled_ = false;
+  std::optional<MovedPart> part_;
+  std::vector<std::vector<double>> tapes_;     ///< [record]: what the part reads, tick by tick
+  std::vector<std::vector<Recording>> still_;  ///< [record]: what is compared and does not move
+  mutable std::mutex loading_;
+};
+
+/// What sets these parameters to these values.
+std::vector<Setting> settings_of(const std::vector<FitParameter>& parameters, const Values& values);
+
+}  // namespace stepwire

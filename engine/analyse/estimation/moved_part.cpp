@@ -1,0 +1,171 @@
+#include "engine/analyse/estimation/moved_part.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/model/diagram/external_input.hpp"
+#include "engine/model/diagram/variation.hpp"
+#include "engine/simulate/solve/solver.hpp"
+
+namespace stepwire {
+
+namespace {
+
+/// "rig.x" of the columns "rig.x" and "rig.x.2".
+bool is_column_of(const std::string& column, const std::string& signal) {
+  return column == signal || column.starts_with(signal + ".");
+}
+
+template <class Visit>
+void each_source(const DiagramBlock& block, const Visit& visit) {
+  for (const auto& sources : block.inputs)
+    for (const Source& source : sources)
+      if (source.block >= 0) visit(source);
+}
+
+/// Blocks of which values change, and all that they feed.
+std::vector<char> moved_blocks(const Diagram& diagram, const Variation& variation) {
+  const std::size_t count = diagram.blocks.size();
+  std::vector<char> moved(count, 0);
+  for (const Target& target : variation.targets()) moved[static_cast<std::size_t>(target.block)] = 1;
+  for (bool more = true; more;) {
+    more = false;
+    for (std::size_t b = 0; b < count; ++b)
+      each_source(diagram.blocks[b], [&](const Source& source) {
+        if (moved[b] || !moved[static_cast<std::size_t>(source.block)]) return;
+        moved[b] = more = true;
+      });
+  }
+  return moved;
+}
+
+int place_of(const Binding& binding, const std::vector<int>& place) {
+  return place[static_cast<std::size_t>(binding.target.block)];
+}
+
+}  // namespace
+
+std::optional<MovedPart> MovedPart::find(const Plan& plan, const Variation& moved,
+                                         const std::vector<std::string>& columns) {
+  const Diagram& diagram = plan.diagram;
+  if (diagram.stop_when || !diagram.inputs.empty() || moved.structural()) return std::nullopt;
+  MovedPart part;
+  part.kept_ = moved_blocks(diagram, moved);
+  part.keep_ancestors(diagram, columns);
+  const auto all = static_cast<std::ptrdiff_t>(diagram.blocks.size());
+  const auto kept = std::count(part.kept_.begin(), part.kept_.end(), 1);
+  if (kept == 0 || kept == all || !part.find_reads(plan)) return std::nullopt;
+  return part;
+}
+
+void MovedPart::keep_ancestors(const Diagram& diagram, const std::vector<std::string>& columns) {
+  std::vector<char> needed(kept_.size(), 0);
+  for (const RecordRequest& request : diagram.records)
+    for (const RecordedSignal& signal : request.signals) {
+      const auto block = static_cast<std::size_t>(signal.signal.block);
+      const bool wanted = std::any_of(columns.begin(), columns.end(), [&](const std::string& column) {
+        return is_column_of(column, signal.name);
+      });
+      if (!wanted || !kept_[block]) continue;
+      needed[block] = 1;
+      recorded_.push_back(signal.name);
+    }
+  for (bool more = true; more;) {
+    more = false;
+    for (std::size_t b = 0; b < kept_.size(); ++b)
+      if (needed[b])
+        each_source(diagram.blocks[b], [&](const Source& source) {
+          const auto from = static_cast<std::size_t>(source.block);
+          if (!kept_[from] || needed[from]) return;
+          needed[from] = more = true;
+        });
+  }
+  kept_ = std::move(needed);
+}
+
+bool MovedPart::find_reads(const Plan& plan) {
+  for (std::size_t b = 0; b < kept_.size(); ++b) {
+    if (!kept_[b]) continue;
+    each_source(plan.diagram.blocks[b], [&](const Source& source) {
+      const SignalRef signal{source.block, source.output, -1};
+      const auto from = static_cast<std::size_t>(source.block);
+      const auto same = [&](const Read& read) { return read.signal == signal; };
+      if (kept_[from] || std::any_of(reads_.begin(), reads_.end(), same)) return;
+      reads_.push_back({signal, plan.slot(signal).size, plan.blocks[from].rate});
+    });
+  }
+  const bool ticks_only = evaluates_ticks_only(plan.diagram.solver);
+  for (const Read& read : reads_) {
+    if (read.rate.kind == Rate::Kind::continuous && !ticks_only) return false;
+    for (Eigen::Index i = 0; i < read.size; ++i)
+      offsets_.push_back(plan.slot(read.signal).offset + static_cast<std::size_t>(i));
+  }
+  return true;
+}
+
+void MovedPart::play(const std::vector<double>& tape, Simulation& simulation) const {
+  const double* numbers = tape.data() + static_cast<std::size_t>(simulation.tick()) * width();
+  for (std::size_t i = 0; i < reads_.size(); numbers += reads_[i++].size) simulation.write_input(i, numbers);
+}
+
+bool MovedPart::gives(const std::string& column) const {
+  return std::any_of(recorded_.begin(), recorded_.end(),
+                     [&](const std::string& signal) { return is_column_of(column, signal); });
+}
+
+DiagramBlock MovedPart::input(const Diagram& diagram, const Read& read) const {
+  DiagramBlock block(fmt::format("read_{}_{}", read.signal.block, read.signal.output), external_input_type());
+  static_cast<ExternalInput*>(block.block.get())->value =
+      PerElement(Numbers(std::vector<double>(static_cast<std::size_t>(read.size), 0.0)));
+  block.parameter_marks.resize(1);
+  block.parameter_dimensions.resize(1);
+  block.origin = diagram.blocks[static_cast<std::size_t>(read.signal.block)].origin;
+  if (read.rate.kind == Rate::Kind::discrete)
+    block.every = static_cast<double>(read.rate.ticks) * diagram.step;
+  return block;
+}
+
+Diagram MovedPart::of(const Diagram& diagram) const {
+  Diagram part = diagram;
+  part.blocks.clear();
+  part.unit_demands.clear();  // they hold, as the whole has shown
+  part.outputs.clear();
+  part.output_dimensions.clear();
+  part.state_dimensions.clear();
+  std::vector<int> place(kept_.size(), -1);
+  for (std::size_t b = 0; b < kept_.size(); ++b) {
+    if (!kept_[b]) continue;
+    place[b] = static_cast<int>(part.blocks.size());
+    part.blocks.push_back(diagram.blocks[b]);
+  }
+  const int first_read = static_cast<int>(part.blocks.size());
+  for (DiagramBlock& block : part.blocks)
+    for (auto& sources : block.inputs)
+      for (Source& source : sources) {
+        if (source.block < 0) continue;
+        const int kept = place[static_cast<std::size_t>(source.block)];
+        const auto same = [&](const Read& read) {
+          return read.signal == SignalRef{source.block, source.output, -1};
+        };
+        const auto read = std::find_if(reads_.begin(), reads_.end(), same);
+        source.block = kept >= 0 ? kept : first_read + static_cast<int>(read - reads_.begin());
+        source.output = kept >= 0 ? source.output : 0;
+      }
+  for (const Read& read : reads_) {
+    part.inputs.push_back({"", static_cast<int>(part.blocks.size()), ""});
+    part.blocks.push_back(input(diagram, read));
+  }
+  for (RecordRequest& request : part.records) {
+    std::erase_if(request.signals, [&](const RecordedSignal& signal) { return !gives(signal.name); });
+    for (RecordedSignal& signal : request.signals)
+      signal.signal.block = place[static_cast<std::size_t>(signal.signal.block)];
+  }
+  auto bindings = std::make_shared<Bindings>(*diagram.bindings);
+  std::erase_if(bindings->bindings, [&](const Binding& binding) { return place_of(binding, place) < 0; });
+  for (Binding& binding : bindings->bindings) binding.target.block = place_of(binding, place);
+  part.bindings = std::move(bindings);
+  return part;
+}
+
+}  // namespace stepwire

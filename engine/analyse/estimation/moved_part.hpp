@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/model/plan/plan.hpp"
+#include "engine/simulate/run/simulation.hpp"
+
+namespace stepwire {
+
+/// The part of a diagram that fitted parameters move and that what is compared depends on. All else gives the
+/// same in every run of a record: it is run once, and what the part reads of it is played back.
+class MovedPart {
+ public:
+  /// Of a plan and what changes in it; `columns` are those that are compared. Nothing where the part reads a
+  /// signal that changes between ticks and the solver looks there, or where a condition ends the run.
+  static std::optional<MovedPart> find(const Plan& plan, const Variation& moved,
+                                       const std::vector<std::string>& columns);
+
+  /// The part of the same diagram with other numbers, its inputs being those of `tape`, in their order.
+  Diagram of(const Diagram& diagram) const;
+  /// How many numbers the inputs are at a tick.
+  std::size_t width() const { return offsets_.size(); }
+  /// Appends what the part reads at this tick of a run of the whole diagram.
+  void append(const double* values, std::vector<double>& tape) const {
+    for (const std::size_t offset : offsets_) tape.push_back(values[offset]);
+  }
+  /// Writes what was read at the present tick into a run of the part.
+  void play(const std::vector<double>& tape, Simulation& simulation) const;
+  /// Does the part give this recorded column?
+  bool gives(const std::string& column) const;
+
+ private:
+  /// An output that the part reads, and how it changes.
+  struct Read {
+    SignalRef signal;
+    Eigen::Index size;
+    Rate rate;
+  };
+
+  MovedPart() = default;
+  void keep_ancestors(const Diagram& diagram, const std::vector<std::string>& columns);
+  bool find_reads(const Plan& plan);
+  DiagramBlock input(const Diagram& diagram, const Read& read) const;
+
+  std::vector<char> kept_;  ///< blocks
+  std::vector<Read> reads_;
+  std::vector<std::size_t> offsets_;  ///< of all that is read, in the workspace of the whole
+  std::vector<std::string> recorded_;
+};
+
+}  // namespace stepwire

@@ -1,0 +1,260 @@
+#include "engine/analyse/estimation/residuals.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "engine/analyse/estimation/row_values.hpp"
+#include "engine/base/parallel/parallel.hpp"
+
+namespace stepwire {
+
+namespace {
+
+// Of a parameter's size. The derivative's error is of this order forward, of its square central; rounding of
+// a run (1e-12 or so) over it is smaller.
+constexpr double forward_step = 1e-6, central_step = 1e-4;
+
+bool is_true(double value) {
+  return value != 0.0 && !std::isnan(value);
+}
+
+/// The value of a formula of swept parameters.
+double value_of(const Formula& formula, const std::vector<Column>& swept) {
+  std::vector<double> values;
+  for (const std::string& name : formula.columns)
+    for (const Column& column : swept)
+      if (column.name == name) values.push_back(column.values.front());
+  return formula.expression(values);
+}
+
+}  // namespace
+
+Residuals::Residuals(const ModelRuns& runs, const FitRequest& request, unsigned threads)
+    : runs_(runs), request_(request), threads_(threads) {
+  const bool sought = !request.parameters.empty();  // else nothing is held out of anything
+  for (std::size_t record = 0; record < runs.records(); ++record) {
+    const bool held = sought && request.hold_out && is_true(value_of(*request.hold_out, runs.swept(record)));
+    held_out_.push_back(held);
+    if (!held) fitted_.push_back(record);
+  }
+  if (fitted_.empty())
+    throw Error(Fault{request.place, "fit.hold_out", "holds out every record; leave some to be fitted", {}});
+  selections_.resize(runs.records());
+  in_parallel(runs.records(), threads, [&](std::size_t record) { selections_[record] = select(record); });
+  find_unknowns();
+  first_row_.assign(runs.records(), 0);
+  for (std::size_t record : fitted_) {
+    first_row_[record] = count_;
+    count_ += rows_of(record);
+    for (const FitComparison& comparison : request.comparisons) free_offsets_ += comparison.free_offset;
+  }
+  if (sought && static_cast<std::size_t>(count_) <= unknowns_.size() + free_offsets_)
+    throw Error(Fault{request.place,
+                      "fit",
+                      fmt::format("{} rows are compared, too few for {} unknown numbers", count_,
+                                  unknowns_.size() + free_offsets_),
+                      {}});
+}
+
+void Residuals::find_unknowns() {
+  unknown_of_.assign(runs_.records(), std::vector<std::optional<std::size_t>>(request_.parameters.size()));
+  for (std::size_t j = 0; j < request_.parameters.size(); ++j) {
+    if (!request_.parameters[j].each_record) {
+      for (auto& of_record : unknown_of_) of_record[j] = unknowns_.size();
+      unknowns_.push_back({j, std::nullopt});
+      continue;
+    }
+    for (std::size_t record : fitted_) {
+      unknown_of_[record][j] = unknowns_.size();
+      unknowns_.push_back({j, record});
+    }
+  }
+}
+
+Fault Residuals::fault(const Place& place, const std::string& message, std::size_t record) const {
+  const std::string& label = runs_.label(record);
+  return {place, "fit", label.empty() ? message : fmt::format("{} (in the record {})", message, label), {}};
+}
+
+std::vector<Residuals::Selection> Residuals::select(std::size_t record) const {
+  Values start;
+  for (const FitParameter& parameter : request_.parameters) start.push_back(parameter.start);
+  std::string why;
+  const std::vector<Recording> recordings = runs_.run(record, start, &why);
+  if (recordings.empty())
+    throw Error(fault(request_.place, "the run with the start values ended early: " + why, record));
+  std::vector<Selection> selections;
+  for (const FitComparison& comparison : request_.comparisons) {
+    const Recording& recording = recordings[comparison.recording];
+    const std::vector<double> measured = values_of(comparison.measured, recording);
+    const std::vector<double> where = comparison.where ? values_of(*comparison.where, recording)
+                                                       : std::vector<double>(measured.size(), 1.0);
+    const std::vector<double> weight = comparison.weight ? values_of(*comparison.weight, recording)
+                                                         : std::vector<double>(measured.size(), 1.0);
+    Selection selection;
+    selection.recorded = measured.size();
+    for (std::size_t row = 0; row < measured.size(); ++row) {
+      if (!is_true(where[row])) continue;
+      const double time = recording.table.columns.front().values[row];
+      if (!std::isfinite(measured[row]) || !std::isfinite(weight[row]))
+        throw Error(
+            fault(comparison.place,
+                  fmt::format("'{}' is {} at {} s; leave such rows out by 'where'",
+                              std::isfinite(weight[row]) ? comparison.measured.text : comparison.weight->text,
+                              std::isfinite(weight[row]) ? measured[row] : weight[row], time),
+                  record));
+      selection.rows.push_back(row);
+      selection.weights.push_back(weight[row]);
+    }
+    if (selection.rows.empty())
+      throw Error(fault(comparison.place,
+                        comparison.where ? fmt::format("'{}' selects no row", comparison.where->text)
+                                         : "nothing is recorded",
+                        record));
+    selections.push_back(std::move(selection));
+  }
+  return selections;
+}
+
+Eigen::Index Residuals::rows_of(std::size_t record) const {
+  return static_cast<Eigen::Index>(rows(record));
+}
+
+std::size_t Residuals::rows(std::size_t record) const {
+  std::size_t rows = 0;
+  for (const Selection& selection : selections_[record]) rows += selection.rows.size();
+  return rows;
+}
+
+Eigen::VectorXd Residuals::start() const {
+  Eigen::VectorXd x(static_cast<Eigen::Index>(unknowns_.size()));
+  for (std::size_t i = 0; i < unknowns_.size(); ++i) x[static_cast<Eigen::Index>(i)] = parameter(i).start;
+  return x;
+}
+
+std::vector<Eigen::Index> Residuals::stretches() const {
+  std::vector<Eigen::Index> starts;
+  for (const std::size_t record : fitted_) {
+    Eigen::Index first = first_row_[record];
+    for (const Selection& selection : selections_[record]) {
+      starts.push_back(first);
+      first += static_cast<Eigen::Index>(selection.rows.size());
+    }
+  }
+  return starts;
+}
+
+Values Residuals::values(std::size_t record, const Eigen::VectorXd& x) const {
+  Values values;
+  for (std::size_t j = 0; j < request_.parameters.size(); ++j) {
+    const auto unknown = unknown_of_[record][j];
+    values.push_back(unknown ? x[static_cast<Eigen::Index>(*unknown)] : request_.parameters[j].start);
+  }
+  return values;
+}
+
+bool Residuals::differences(std::size_t record, const std::vector<Recording>& recordings, double* out) const {
+  for (std::size_t c = 0; c < request_.comparisons.size(); ++c) {
+    const FitComparison& comparison = request_.comparisons[c];
+    const Selection& selection = selections_[record][c];
+    const std::vector<double> model = values_of(comparison.model.formula, recordings[comparison.recording]);
+    const std::vector<double> measured = values_of(comparison.measured, recordings[comparison.recording]);
+    if (model.size() != selection.recorded) return false;  // it stopped at another time
+    double sum = 0.0, weights = 0.0;
+    for (std::size_t i = 0; i < selection.rows.size(); ++i) {
+      const double square = selection.weights[i] * selection.weights[i];
+      out[i] = model[selection.rows[i]] - measured[selection.rows[i]];
+      sum += square * out[i];
+      weights += square;
+    }
+    const double offset = comparison.free_offset && weights > 0.0 ? sum / weights : 0.0;
+    for (std::size_t i = 0; i < selection.rows.size(); ++i) {
+      out[i] = selection.weights[i] * (out[i] - offset);
+      if (!std::isfinite(out[i])) return false;
+    }
+    out += selection.rows.size();
+  }
+  return true;
+}
+
+bool Residuals::run(std::size_t record, const Values& values, double* out) const {
+  const std::vector<Recording> recordings = runs_.run(record, values);
+  return !recordings.empty() && differences(record, recordings, out);
+}
+
+bool Residuals::evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& residuals) const {
+  residuals.resize(count_);
+  std::atomic<bool> good = true;
+  in_parallel(fitted_.size(), threads_, [&](std::size_t i) {
+    const std::size_t record = fitted_[i];
+    if (good && !run(record, values(record, x), residuals.data() + first_row_[record])) good = false;
+  });
+  return good;
+}
+
+std::string Residuals::refusal(const Eigen::VectorXd& x) const {
+  const bool alike = unknowns_.size() == request_.parameters.size();  // for all records
+  for (const std::size_t record : fitted_) {
+    std::string why = runs_.refusal(record, values(record, x));
+    if (!why.empty() || alike) return why;
+  }
+  return "";
+}
+
+bool Residuals::column(std::size_t record, std::size_t parameter, const Eigen::VectorXd& x,
+                       Differences differences, const double* base, double* out) const {
+  const FitParameter& of = request_.parameters[parameter];
+  const Values at = values(record, x);
+  const double size = std::max(std::abs(at[parameter]), 0.1 * of.scale);
+  double step = (differences == Differences::central ? central_step : forward_step) * size;
+  const auto run_at = [&](double change, double* where) {
+    Values values = at;
+    values[parameter] += change;
+    return run(record, values, where);
+  };
+  const auto rows = static_cast<std::size_t>(rows_of(record));
+  if (differences == Differences::central) {
+    std::vector<double> below(rows);
+    if (at[parameter] - step >= of.lower && at[parameter] + step <= of.upper && run_at(step, out) &&
+        run_at(-step, below.data())) {
+      for (std::size_t i = 0; i < rows; ++i) out[i] = (out[i] - below[i]) / (2.0 * step);
+      return true;
+    }
+    step = forward_step * size;  // at a bound, or where one side is refused
+  }
+  if (at[parameter] + step > of.upper) step = -step;
+  if (!run_at(step, out)) {
+    step = -step;
+    if (!run_at(step, out)) return false;
+  }
+  for (std::size_t i = 0; i < rows; ++i) out[i] = (out[i] - base[i]) / step;
+  return true;
+}
+
+bool Residuals::evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& residuals, Jacobian& jacobian,
+                         Differences differences) const {
+  return evaluate(x, residuals) && differentiate(x, residuals, jacobian, differences);
+}
+
+bool Residuals::differentiate(const Eigen::VectorXd& x, const Eigen::VectorXd& residuals, Jacobian& jacobian,
+                              Differences differences) const {
+  jacobian.setZero(count_, x.size());
+  const std::size_t parameters = request_.parameters.size();
+  std::atomic<bool> good = true;
+  in_parallel(fitted_.size() * parameters, threads_, [&](std::size_t task) {
+    const std::size_t record = fitted_[task / parameters], parameter = task % parameters;
+    const Eigen::Index first = first_row_[record], rows = rows_of(record);
+    Eigen::VectorXd slope(rows);
+    if (!good || !column(record, parameter, x, differences, residuals.data() + first, slope.data())) {
+      good = false;
+      return;
+    }
+    jacobian.col(static_cast<Eigen::Index>(*unknown_of_[record][parameter])).segment(first, rows) = slope;
+  });
+  return good;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,294 @@
+#include "engine/analyse/query/formula.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <stdexcept>
+
+#include "engine/analyse/query/number.hpp"
+
+namespace stepwire {
+namespace {
+
+bool is_word(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+/// The name that starts at a position, dots included.
+std::string name_at(std::string_view text, std::size_t position) {
+  std::size_t end = position;
+  while (end < text.size() && (is_word(text[end]) || text[end] == '.')) ++end;
+  if (end == position || std::isdigit(static_cast<unsigned char>(text[position])) != 0) return {};
+  return std::string(text.substr(position, end - position));
+}
+
+/// A text in which each $name and each "word" is replaced by its number and each name of something drawn by
+/// its expression, and for each character where it came from.
+struct Substituted {
+  std::string text;
+  std::vector<std::size_t> origin;
+
+  void append(std::string_view part, std::size_t from) {
+    text += part;
+    origin.insert(origin.end(), part.size(), from);
+  }
+  std::size_t origin_of(std::size_t position) const {
+    if (origin.empty()) return 0;
+    return position < origin.size() ? origin[position] : origin.back() + 1;
+  }
+};
+
+std::string unknown_parameter(const std::string& name, const Names& names) {
+  std::vector<std::string> all;
+  for (const auto& parameter : names.parameters) all.push_back(parameter.name);
+  if (all.empty()) return fmt::format("there is no parameter '{}'; this diagram has none", name);
+  return fmt::format("there is no parameter '{}'{}", name, nearest_or_all(name, all, "there are"));
+}
+
+std::string unknown_column(const std::string& name, const Names& names) {
+  std::vector<std::string> all;
+  for (const auto& column : names.columns) all.push_back(column.name);
+  const bool is_shown = name.starts_with("figure.") || name.starts_with("scene.");
+  const auto beginning = [&](const std::string& of) {
+    return of.substr(0, is_shown ? of.find('.') : of.rfind('.'));
+  };
+  for (const auto& drawn : names.drawn)
+    if (beginning(drawn.name) == beginning(name)) all.push_back(drawn.name);
+  if (!names.unknown.empty())
+    return fmt::format("'{}' {}{}", name, names.unknown, nearest_or_all(name, all, "there are"));
+  const bool is_vector = names.find(name + ".1") != nullptr;
+  if (names.lacks(name) && !is_vector) return fmt::format("'{}' is not recorded; add it to 'record'", name);
+  return fmt::format("'{}' is not recorded{}", name, nearest_or_all(name, all, "recorded are"));
+}
+
+/// A parameter as a number, with its unit where that can stand in an expression.
+std::string number_text(const KnownParameter& parameter, const Names& names) {
+  std::string number = fmt::format("{}", parameter.value);
+  if (!parameter.dimension || *parameter.dimension == Dimension{}) return number;
+  std::string unit = si_name(*parameter.dimension);
+  std::replace(unit.begin(), unit.end(), ' ', '.');
+  const auto known = [&](std::string_view name) { return names.find(name) != nullptr; };
+  return unit_prefix(unit, known) == unit.size() ? number + " " + unit : number;
+}
+
+/// The column of words before a comparison, whose sign ends at `end`; null where it is none.
+const RecordedName* compared_column(std::string_view text, std::size_t end, const Names& names) {
+  const auto last_of = [&](std::size_t behind) {
+    while (behind > 0 && text[behind - 1] == ' ') --behind;
+    return behind;
+  };
+  const std::size_t sign = last_of(end);
+  if (sign < 2 || text[sign - 1] != '=' || (text[sign - 2] != '=' && text[sign - 2] != '!')) return nullptr;
+  const std::size_t behind = last_of(sign - 2);
+  std::size_t begin = behind;
+  while (begin > 0 && (is_word(text[begin - 1]) || text[begin - 1] == '.')) --begin;
+  const RecordedName* found = names.find(text.substr(begin, behind - begin));
+  return found && !found->words.empty() ? found : nullptr;
+}
+
+/// Replaces the quoted word that starts at `begin` by its number; returns the position behind it.
+std::size_t append_word(std::string_view text, std::size_t begin, const Names& names, Substituted& result) {
+  const std::size_t end = text.find(text[begin], begin + 1);
+  if (end == std::string_view::npos) throw ExpressionError("the word that begins here has no end", begin);
+  const RecordedName* column = compared_column(text, begin, names);
+  if (!column)
+    throw ExpressionError(
+        "a word stands behind == or != and the name of a column of words: condition == \"V\"", begin);
+  const std::string word(text.substr(begin + 1, end - begin - 1));
+  const auto found = std::find(column->words.begin(), column->words.end(), word);
+  if (found == column->words.end())
+    throw ExpressionError(fmt::format("'{}' is never '{}'{}", column->name, word,
+                                      nearest_or_all(word, column->words, "there are")),
+                          begin + 1);
+  if (std::find(found + 1, column->words.end(), word) != column->words.end())
+    throw ExpressionError(fmt::format("several values of '{}' are '{}'", column->name, word), begin + 1);
+  result.append(std::to_string(found - column->words.begin()), begin);
+  return end + 1;
+}
+
+Substituted substitute(std::string_view text, const Names& names);
+
+/// Replaces the name of something drawn, or of a number of a block, that starts at `begin` by its expression;
+/// returns the position behind it, or `begin` where there is none. What is recorded under that name comes
+/// first.
+std::size_t append_drawn(std::string_view text, std::size_t begin, const Names& names, Substituted& result) {
+  if (names.drawn.empty() || (begin > 0 && (is_word(text[begin - 1]) || text[begin - 1] == '.')))
+    return begin;
+  const std::string name = name_at(text, begin);
+  const auto found = std::ranges::find(names.drawn, name, &NamedFormula::name);
+  if (found == names.drawn.end() || names.find(name)) return begin;
+  result.append("(" + substitute(found->text, names).text + ")", begin);
+  return begin + name.size();
+}
+
+Substituted substitute(std::string_view text, const Names& names) {
+  Substituted result;
+  for (std::size_t i = 0; i < text.size();) {
+    if (const std::size_t behind = append_drawn(text, i, names, result); behind > i) {
+      i = behind;
+      continue;
+    }
+    if (text[i] == '"' || text[i] == '\'') {
+      i = append_word(text, i, names, result);
+      continue;
+    }
+    if (text[i] != '$') {
+      result.append(text.substr(i, 1), i);
+      ++i;
+      continue;
+    }
+    std::size_t end = i + 1;
+    while (end < text.size() && is_word(text[end])) ++end;
+    const std::string name(text.substr(i + 1, end - i - 1));
+    const auto found = std::find_if(names.parameters.begin(), names.parameters.end(),
+                                    [&](const KnownParameter& known) { return known.name == name; });
+    if (found == names.parameters.end()) throw ExpressionError(unknown_parameter(name, names), i);
+    result.append(fmt::format("({})", number_text(*found, names)), i);
+    i = end;
+  }
+  return result;
+}
+
+/// Where a name that is in a text stands first, not as a part of another.
+std::size_t place_of(const std::string& name, std::string_view text) {
+  std::size_t at = text.find(name);
+  while (name_at(text, at) != name || (at > 0 && (is_word(text[at - 1]) || text[at - 1] == '.')))
+    at = text.find(name, at + 1);
+  return at;
+}
+
+Expression parse(std::string_view text, const Names& names) {
+  const Substituted substituted = substitute(text, names);
+  try {
+    // A signal called "e" that is not recorded is no constant either.
+    Expression expression(substituted.text, [&](std::string_view name) {
+      return names.find(name) != nullptr || ((name == "e" || name == "pi") && names.lacks(name));
+    });
+    for (const std::string& name : expression.variables())
+      if (names.lacks(name))
+        throw ExpressionError(unknown_column(name, names), place_of(name, substituted.text));
+    return expression;
+  } catch (const ExpressionError& error) {
+    const std::size_t position = substituted.origin_of(error.position);
+    const std::string name = name_at(text, position);
+    const std::size_t behind = text.find_first_not_of(' ', position + name.size());
+    const bool function = behind != std::string_view::npos && text[behind] == '(';
+    const bool unknown = !name.empty() && !function && names.find(name) == nullptr &&
+                         std::string_view(error.what()).find(name) != std::string_view::npos;
+    throw ExpressionError(unknown ? unknown_column(name, names) : error.what(), position);
+  }
+}
+
+/// Throws ExpressionError where units do not fit each other, with the place in the text as it was written.
+std::optional<Dimension> find_dimension(const Expression& expression, std::string_view text,
+                                        const Names& names) {
+  std::vector<Measure> measures;
+  for (const auto& name : expression.variables()) {
+    const auto& dimension = names.find(name)->dimension;
+    measures.push_back({dimension, dimension.has_value()});
+  }
+  try {
+    return expression.measure(measures).dimension;
+  } catch (const ExpressionError& error) {
+    throw ExpressionError(error.what(), substitute(text, names).origin_of(error.position));
+  }
+}
+
+std::string trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return std::string(text.substr(first, text.find_last_not_of(" \t") - first + 1));
+}
+
+/// The recording of all names, or nothing with the names that are recorded apart in `apart`.
+std::optional<std::size_t> recording_of(const std::vector<std::string>& variables, const Names& names,
+                                        std::vector<std::string>& apart) {
+  std::optional<std::size_t> recording;
+  std::string first;
+  for (const auto& variable : variables) {
+    const auto& wanted = names.find(variable)->recording;
+    if (!wanted) continue;
+    if (recording && *recording != *wanted) apart = {first, variable};
+    if (!recording) first = variable;
+    recording = recording.value_or(*wanted);
+  }
+  return recording;
+}
+
+std::string apart_message(const std::vector<std::string>& apart) {
+  return fmt::format(
+      "'{}' and '{}' are recorded at different periods; record them in one entry to use them together",
+      apart.front(), apart.back());
+}
+
+}  // namespace
+
+Place place_in(const Node& node, std::size_t offset, const Names& names) {
+  Place place{names.file, node.mark};
+  place.mark.column += static_cast<int>(offset) + (node.quoted ? 1 : 0);
+  return place;
+}
+
+std::optional<Formula> read_formula(const Node& node, const Names& names, const std::string& subject,
+                                    Faults& faults) {
+  if (!node.is_scalar()) {
+    faults.add({{names.file, node.mark}, subject, "an expression is wanted here, such as 'abs(rig.x)'", {}});
+    return std::nullopt;
+  }
+  return read_formula(node, node.text, 0, names, subject, faults);
+}
+
+std::optional<Formula> read_formula(const Node& node, std::string_view text, std::size_t offset,
+                                    const Names& names, const std::string& subject, Faults& faults) {
+  try {
+    Expression expression = parse(text, names);
+    const auto& variables = expression.variables();
+    std::vector<std::string> columns, apart;
+    for (const auto& variable : variables) {
+      const RecordedName& known = *names.find(variable);
+      columns.push_back(known.column.empty() ? known.name : known.column);
+    }
+    const auto recording = recording_of(variables, names, apart);
+    if (!apart.empty()) {
+      faults.add({place_in(node, offset, names), subject, apart_message(apart), {}});
+      return std::nullopt;
+    }
+    const auto dimension = find_dimension(expression, text, names);
+    const Mark mark = place_in(node, offset, names).mark;
+    return Formula{trimmed(text), std::move(expression), std::move(columns), recording, dimension, mark};
+  } catch (const ExpressionError& error) {
+    faults.add({place_in(node, offset + error.position, names), subject, error.what(), {}});
+    return std::nullopt;
+  }
+}
+
+std::size_t common_recording(const std::vector<const Formula*>& formulas, const Names& names, const Node& at,
+                             const std::string& subject, Faults& faults) {
+  std::vector<std::string> variables, apart;
+  for (const Formula* formula : formulas) {
+    if (formula == nullptr) continue;
+    const auto& used = formula->expression.variables();
+    variables.insert(variables.end(), used.begin(), used.end());
+  }
+  const auto recording = recording_of(variables, names, apart);
+  if (!apart.empty()) faults.add({{names.file, at.mark}, subject, apart_message(apart), {}});
+  return recording.value_or(0);
+}
+
+std::vector<double> evaluate(const Formula& formula, const Recording& recording) {
+  std::vector<const double*> columns;
+  for (const auto& name : formula.columns) {
+    const Column* column = recording.table.find(name);
+    if (column == nullptr) throw std::invalid_argument(fmt::format("'{}' was not recorded", name));
+    columns.push_back(column->values.data());
+  }
+  std::vector<double> result(recording.table.rows()), values(columns.size());
+  for (std::size_t row = 0; row < result.size(); ++row) {
+    for (std::size_t i = 0; i < columns.size(); ++i) values[i] = columns[i][row];
+    result[row] = formula.expression(values);
+  }
+  return result;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/base/text/text_table.hpp"
+#include "engine/base/unit/unit.hpp"
+#include "engine/model/block/outline.hpp"
+
+namespace stepwire {
+
+class DiagramView;
+struct Scene;
+
+/// A name that figures and claims may use for a recorded column.
+struct RecordedName {
+  std::string name;
+  std::optional<Dimension> dimension;  ///< none where the unit is not known
+  std::optional<std::size_t>
+      recording;         ///< which recording has it; none: each has it (time, swept parameters)
+  std::string column{};  ///< its name in the table where that differs ("lag" for "lag.y"); else empty
+  std::vector<std::string> words{};  ///< that its numbers 0, 1, ... stand for; empty: they are numbers
+};
+
+/// A parameter of the diagram, used in figures and claims as "$name".
+struct KnownParameter {
+  std::string name;
+  double value = 0.0;  ///< SI
+  std::optional<Dimension> dimension{};
+};
+
+/// A block whose outline figures may draw.
+struct NamedOutline {
+  std::string name;
+  Outline outline;
+};
+
+/// A table that figures may show. It is filled in before they are drawn.
+struct NamedTable {
+  std::string name;
+  std::shared_ptr<TextTable> table = std::make_shared<TextTable>();
+};
+
+/// A name that stands for an expression.
+struct NamedFormula {
+  std::string name;
+  std::string text;  ///< as the file has it
+};
+
+/// All that the figures and claims of one diagram file may name.
+struct Names {
+  std::string file;  ///< for the places of faults
+  std::vector<RecordedName> columns;
+  std::vector<KnownParameter> parameters{};
+  std::vector<std::string> signals{};    ///< what could be recorded, by the names that the diagram has for it
+  std::string unknown{};                 ///< said of a name that is no column, where columns are no records
+  const DiagramView* diagram = nullptr;  ///< the diagram itself; null where it cannot be drawn
+  std::vector<NamedOutline> outlines{};
+  std::vector<NamedTable> tables{};
+  std::vector<NamedFormula> drawn{};     ///< what the figures draw, and numbers of blocks
+  std::shared_ptr<const Scene> scene{};  ///< what the file shows; null where it has none
+
+  const RecordedName* find(std::string_view name) const;
+  /// Is it a signal that the file does not record?
+  bool lacks(std::string_view name) const;
+};
+
+}  // namespace stepwire

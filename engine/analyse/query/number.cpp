@@ -1,0 +1,102 @@
+#include "engine/analyse/query/number.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cstdlib>
+
+#include "engine/analyse/query/formula.hpp"
+
+namespace stepwire {
+namespace {
+
+std::string unit_after_number(const std::string& text) {
+  char* end = nullptr;
+  std::strtod(text.c_str(), &end);
+  std::string unit(end);
+  unit.erase(0, std::min(unit.find_first_not_of(' '), unit.size()));
+  return unit;
+}
+
+std::string unit_phrase(const Dimension& dimension) {
+  return dimension == Dimension{} ? "has no unit" : "is in " + si_name(dimension);
+}
+
+}  // namespace
+
+std::optional<WantedNumber> read_number(const Node& node, const Names& names, const std::string& subject,
+                                        Faults& faults) {
+  if (node.is_scalar()) {
+    if (const auto quantity = parse_quantity(node.text))
+      return WantedNumber{quantity->value, quantity->dimension, unit_after_number(node.text), node.text};
+  } else {
+    faults.add({{names.file, node.mark}, subject, "a number is wanted here, such as '2 N'", {}});
+    return std::nullopt;
+  }
+  const auto formula = read_formula(node, names, subject, faults);
+  if (!formula) return std::nullopt;
+  if (!formula->columns.empty()) {
+    const auto& name = formula->expression.variables().front();
+    faults.add({place_in(node, node.text.find(name), names),
+                subject,
+                fmt::format("a number is wanted here, but '{}' is a recorded column", name),
+                {}});
+    return std::nullopt;
+  }
+  return WantedNumber{formula->expression({}), std::nullopt, "", formula->text};
+}
+
+void check_dimension(const WantedNumber& number, const std::optional<Dimension>& dimension,
+                     const std::string& what, const Node& node, const Names& names,
+                     const std::string& subject, Faults& faults) {
+  if (!number.dimension || !dimension || *number.dimension == *dimension) return;
+  faults.add({{names.file, node.mark},
+              subject,
+              fmt::format("{} {}, but {} {}", number.text, unit_phrase(*number.dimension), what,
+                          unit_phrase(*dimension)),
+              {}});
+}
+
+void add_unknown_key(const Entry& entry, const std::vector<std::string>& known, const std::string& owner,
+                     const Names& names, const std::string& subject, Faults& faults) {
+  std::string message = fmt::format("{} has no '{}'", owner, entry.key);
+  if (entry.key.find_first_of("()+*/<>=&|?$") != std::string::npos)
+    message +=
+        "; it looks like a piece of an expression: put an expression with a comma or a colon in quotes";
+  else if (entry.key.find(' ') != std::string::npos)
+    message += "; it looks like a piece of a sentence: put a text with a comma or a colon in quotes";
+  else
+    message += nearest_or_all(entry.key, known, "it has");
+  faults.add({{names.file, entry.mark}, subject, message, {}});
+}
+
+std::string nearest_or_all(const std::string& word, const std::vector<std::string>& names, std::string what) {
+  constexpr std::size_t most = 24;
+  const std::string nearest = did_you_mean(word, names);
+  if (!nearest.empty())
+    what.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(what.front())));
+  const auto end = names.begin() + static_cast<std::ptrdiff_t>(std::min(most, names.size()));
+  return fmt::format("{} {}: {}{}", nearest.empty() ? ";" : nearest, what,
+                     fmt::join(names.begin(), end, ", "), names.size() > most ? ", ..." : "");
+}
+
+std::string read_text(const Node& node, const Names& names, const std::string& subject, Faults& faults) {
+  if (node.is_scalar() && !node.text.empty()) return node.text;
+  faults.add({{names.file, node.mark}, subject, "a text is wanted here", {}});
+  return {};
+}
+
+double rounded(double value, int digits) {
+  const std::string text = fmt::format("{:.{}g}", value, digits);
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+std::string short_number(double value, int digits) {
+  // A zero that carries a sign would only puzzle a reader.
+  return fmt::format("{:.{}g}", value == 0.0 ? 0.0 : value, digits);
+}
+
+}  // namespace stepwire

@@ -1,0 +1,82 @@
+#include "engine/analyse/query/place_reading.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "engine/analyse/query/number.hpp"
+
+namespace stepwire {
+namespace {
+
+std::optional<Formula> read_length_of(const Node& node, const std::string& text, const Names& names,
+                                      const std::string& subject, Faults& faults) {
+  auto formula = read_formula(node, text, 0, names, subject, faults);
+  if (!formula || !formula->dimension || *formula->dimension == length_dimension ||
+      *formula->dimension == Dimension{})
+    return formula;
+  faults.add({{names.file, node.mark},
+              subject,
+              fmt::format("'{}' is in {}, but a length is wanted", text, si_name(*formula->dimension)),
+              {}});
+  return std::nullopt;
+}
+
+std::vector<Formula> read_coordinates(const Node& node, const Names& names, const std::string& subject,
+                                      Faults& faults) {
+  std::vector<Formula> place;
+  if (node.items.empty() || node.items.size() > most_coordinates)
+    faults.add({{names.file, node.mark}, subject, "a point has one to three coordinates: [x, y]", {}});
+  else
+    for (const Node& item : node.items)
+      if (auto formula = read_length(item, names, subject, faults)) place.push_back(std::move(*formula));
+  return place.size() == node.items.size() ? place : std::vector<Formula>{};
+}
+
+/// Names of what was recorded as several columns: v for v.1, v.2.
+std::vector<std::string> vectors_of(const Names& names) {
+  std::vector<std::string> vectors;
+  for (const RecordedName& column : names.columns)
+    if (column.name.ends_with(".1")) vectors.push_back(column.name.substr(0, column.name.size() - 2));
+  return vectors;
+}
+
+/// A word that is no column, no signal and no number.
+bool is_unknown_name(const std::string& text, const Names& names) {
+  const auto of_name = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '.'; };
+  return !text.empty() && std::isdigit(static_cast<unsigned char>(text.front())) == 0 &&
+         std::ranges::all_of(text, of_name) && !names.find(text) && !names.lacks(text);
+}
+
+}  // namespace
+
+std::optional<Formula> read_length(const Node& node, const Names& names, const std::string& subject,
+                                   Faults& faults) {
+  if (!node.is_scalar()) return read_formula(node, names, subject, faults);
+  return read_length_of(node, node.text, names, subject, faults);
+}
+
+std::vector<Formula> read_place(const Node& node, const Names& names, const std::string& subject,
+                                Faults& faults) {
+  if (node.is_list()) return read_coordinates(node, names, subject, faults);
+  std::vector<Formula> place;
+  for (std::size_t i = 1; i <= most_coordinates; ++i) {
+    const std::string element = fmt::format("{}.{}", node.text, i);
+    if (names.find(element) == nullptr) break;
+    if (auto formula = read_length_of(node, element, names, subject, faults))
+      place.push_back(std::move(*formula));
+  }
+  if (!place.empty()) return place;
+  if (is_unknown_name(node.text, names))
+    faults.add({{names.file, node.mark},
+                subject,
+                fmt::format("'{}' is not recorded{}", node.text,
+                            nearest_or_all(node.text, vectors_of(names), "recorded vectors are")),
+                {}});
+  else if (auto formula = read_length(node, names, subject, faults))
+    place.push_back(std::move(*formula));
+  return place;
+}
+
+}  // namespace stepwire

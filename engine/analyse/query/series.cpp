@@ -1,0 +1,105 @@
+#include "engine/analyse/query/series.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "engine/analyse/query/number.hpp"
+#include "engine/base/text/characters.hpp"
+
+namespace stepwire {
+namespace {
+
+/// Reads the unit behind " in " and checks that the formula can be drawn in it.
+bool read_unit(const Node& node, std::string_view text, std::size_t offset, Series& series,
+               const Names& names, const std::string& subject, Faults& faults) {
+  const auto unit = parse_unit(text);
+  const auto& dimension = series.formula.dimension;
+  std::string message;
+  if (!unit)
+    message = fmt::format("'{}' is no unit", text);
+  else if (dimension && *dimension != unit->dimension)
+    message = fmt::format("'{}' is in {} and cannot be drawn in {}", series.formula.text, si_name(*dimension),
+                          text);
+  if (!message.empty()) {
+    faults.add({place_in(node, offset, names), subject, message, {}});
+    return false;
+  }
+  series.unit = *unit;
+  series.unit_text = std::string(text);
+  return true;
+}
+
+/// "force of left damper" for the bare name left_damper.force; other formulas as they are.
+std::string words_of(const Formula& formula) {
+  const std::string& text = formula.text;
+  const bool bare = formula.columns.size() == 1 && formula.columns.front() == text;
+  if (!bare) return text;
+  // A number at the end tells which of several it is.
+  std::size_t last = text.find_last_of('.');
+  while (last != std::string::npos && last > 0 && std::isdigit(static_cast<unsigned char>(text[last + 1])))
+    last = text.find_last_of('.', last - 1);
+  std::string words =
+      last == std::string::npos ? text : text.substr(last + 1) + " of " + text.substr(0, last);
+  std::ranges::replace_if(
+      words, [](char c) { return c == '.' || c == '_'; }, ' ');
+  return words;
+}
+
+std::optional<Series> read_signal(const Node& node, const Names& names, const std::string& subject,
+                                  Faults& faults) {
+  const std::size_t in = node.is_scalar() ? node.text.rfind(" in ") : std::string::npos;
+  auto formula = in == std::string::npos ? read_formula(node, names, subject, faults)
+                                         : read_formula(node, std::string_view(node.text).substr(0, in), 0,
+                                                        names, subject, faults);
+  if (!formula) return std::nullopt;
+  Series series{*formula, Unit{}, "", words_of(*formula)};
+  if (in == std::string::npos) {
+    if (formula->dimension) series.unit_text = si_name(*formula->dimension);
+    return series;
+  }
+  const std::size_t start = node.text.find_first_not_of(' ', in + 4);
+  const std::size_t end = node.text.find_last_not_of(' ') + 1;
+  const std::string_view unit =
+      std::string_view(node.text).substr(std::min(start, end), end - std::min(start, end));
+  if (!read_unit(node, unit, start, series, names, subject, faults)) return std::nullopt;
+  return series;
+}
+
+}  // namespace
+
+std::string printed_unit(const std::string& unit) {
+  if (unit.empty() || unit == "1") return "–";
+  std::string text = unit;
+  replace_all(text, "^2", "²");
+  replace_all(text, "^3", "³");
+  replace_all(text, ".", "·");
+  if (text == "deg") return "°";
+  if (text == "um") return "µm";
+  return text;
+}
+
+std::string Series::axis_label() const {
+  return unit_text.empty() ? label : fmt::format("{} [{}]", label, printed_unit(unit_text));
+}
+
+std::optional<Series> read_series(const Node& node, const Names& names, const std::string& subject,
+                                  Faults& faults) {
+  if (!node.is_map()) return read_signal(node, names, subject, faults);
+  for (const auto& entry : node.entries)
+    if (entry.key != "signal" && entry.key != "label")
+      add_unknown_key(entry, {"signal", "label"}, subject, names, subject, faults);
+  const Node* signal = node.find("signal");
+  if (signal == nullptr) {
+    faults.add(
+        {{names.file, node.mark}, subject, "'signal' is missing: {signal: rig.x in mm, label: ...}", {}});
+    return std::nullopt;
+  }
+  auto series = read_signal(*signal, names, subject, faults);
+  const Node* label = node.find("label");
+  if (series && label != nullptr) series->label = read_text(*label, names, subject, faults);
+  return series;
+}
+
+}  // namespace stepwire

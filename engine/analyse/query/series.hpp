@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "engine/analyse/query/formula.hpp"
+#include "engine/analyse/query/names.hpp"
+#include "engine/base/yaml/document.hpp"
+
+namespace stepwire {
+
+/// A unit as people print it: mm, N m, m/s², °; "–" where there is none.
+std::string printed_unit(const std::string& unit);
+
+/// What is drawn along an axis or as a colour: a formula, the unit it is drawn in, and its label without
+/// unit.
+struct Series {
+  Formula formula;
+  Unit unit;
+  std::string unit_text;  ///< empty where the unit is not known
+  std::string label;      ///< the expression unless the file says otherwise
+
+  /// "rig.x [mm]".
+  std::string axis_label() const;
+};
+
+/// Reads "EXPR", "EXPR in UNIT" or {signal: ..., label: ...}.
+std::optional<Series> read_series(const Node& node, const Names& names, const std::string& subject,
+                                  Faults& faults);
+
+}  // namespace stepwire

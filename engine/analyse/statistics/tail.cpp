@@ -1,0 +1,28 @@
+#include "engine/analyse/statistics/tail.hpp"
+
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
+#include <cmath>
+
+namespace stepwire {
+namespace {
+
+/// Rounding may leave a sum of squares a little below zero.
+template <class Distribution>
+double tail(const Distribution& distribution, double value) {
+  if (std::isnan(value)) return value;
+  if (std::isinf(value)) return 0.0;
+  return boost::math::cdf(boost::math::complement(distribution, std::max(0.0, value)));
+}
+
+}  // namespace
+
+double fisher_tail(double value, double above, double below) {
+  return tail(boost::math::fisher_f(above, below), value);
+}
+
+double chi_squared_tail(double value, double freedom) {
+  return tail(boost::math::chi_squared(freedom), value);
+}
+
+}  // namespace stepwire

@@ -1,0 +1,191 @@
+#include "engine/analyse/study/analysis.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/analyse/statistics/quartiles.hpp"
+#include "engine/analyse/statistics/repeated_measures.hpp"
+#include "engine/analyse/statistics/statistics_error.hpp"
+
+namespace stepwire {
+namespace {
+
+/// The feedbacks among the factors.
+std::vector<std::string> feedbacks(const Observations& observations) {
+  std::vector<std::string> names;
+  for (const Factor& factor : observations.factors)
+    if (!factor.subject && factor.name != "condition") names.push_back(factor.name);
+  return names;
+}
+
+bool all_combined(const Observations& observations, const std::vector<std::string>& factors) {
+  const auto all = cells(observations, factors);
+  return std::none_of(all.begin(), all.end(), [](const Cell& cell) { return cell.values.empty(); });
+}
+
+std::vector<std::vector<double>> by_condition(const PathErrors& errors) {
+  const auto conditions = errors.conditions();
+  std::vector<std::vector<double>> samples(conditions.size());
+  for (const PathError& row : errors.rows) {
+    const auto at = std::find(conditions.begin(), conditions.end(), row.condition);
+    samples[static_cast<std::size_t>(at - conditions.begin())].push_back(row.normalised);
+  }
+  return samples;
+}
+
+/// 1 for each of these conditions that gives a feedback, 0 for each other.
+Eigen::VectorXd presence(const std::vector<NamedValue>& means,
+                         const std::vector<FeedbackCondition>& conditions, bool FeedbackCondition::*member) {
+  Eigen::VectorXd present = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(means.size()));
+  for (std::size_t i = 0; i < means.size(); ++i)
+    for (const FeedbackCondition& condition : conditions)
+      if (condition.name == means[i].name && condition.*member) present[static_cast<Eigen::Index>(i)] = 1.0;
+  return present;
+}
+
+std::string number(double value) {
+  return std::isnan(value) ? "–" : fmt::format("{:.4g}", value);
+}
+
+void add_row(TextTable& table, const AnovaRow& row, bool spherical) {
+  std::vector<std::string> cells{
+      row.name,      number(row.sum_of_squares), fmt::format("{:g}", row.freedom), number(row.mean_square),
+      number(row.f), printed_probability(row.p), number(row.partial_eta_squared)};
+  if (spherical) {
+    cells.push_back(row.sphericity ? fmt::format("{:.3f}", row.sphericity->epsilon) : "–");
+    cells.push_back(row.sphericity ? printed_probability(row.sphericity->p_corrected) : "–");
+  }
+  table.rows.push_back(std::move(cells));
+}
+
+Json row_json(const AnovaRow& row) {
+  Json json = Json::object()
+                  .set("name", row.name)
+                  .set("sum_of_squares", row.sum_of_squares)
+                  .set("degrees_of_freedom", row.freedom)
+                  .set("mean_square", row.mean_square)
+                  .set("F", row.f)
+                  .set("P", row.p)
+                  .set("partial_eta_squared", row.partial_eta_squared)
+                  .set("against", row.against);
+  if (row.sphericity)
+    json.set("sphericity", Json::object()
+                               .set("epsilon", row.sphericity->epsilon)
+                               .set("P_corrected", row.sphericity->p_corrected)
+                               .set("mauchly_W", row.sphericity->mauchly)
+                               .set("mauchly_P", row.sphericity->p_mauchly));
+  return json;
+}
+
+}  // namespace
+
+double value_of(const std::vector<NamedValue>& values, const std::string& name) {
+  const auto found =
+      std::find_if(values.begin(), values.end(), [&](const NamedValue& value) { return value.name == name; });
+  return found == values.end() ? std::numeric_limits<double>::quiet_NaN() : found->value;
+}
+
+std::string printed_probability(double p) {
+  if (std::isnan(p)) return "–";
+  return p < 1e-3 ? fmt::format("{:.2e}", p) : fmt::format("{:.3g}", p);
+}
+
+std::vector<NamedValue> feedback_effects(const std::vector<NamedValue>& means,
+                                         const std::vector<FeedbackCondition>& conditions) {
+  const auto rows = static_cast<Eigen::Index>(means.size());
+  const std::vector<std::pair<const char*, bool FeedbackCondition::*>> kinds{
+      {"haptic", &FeedbackCondition::haptic},
+      {"visual", &FeedbackCondition::visual},
+      {"guiding path", &FeedbackCondition::guiding_path}};
+  Eigen::MatrixXd terms = Eigen::MatrixXd::Ones(rows, 1);
+  Eigen::VectorXd errors(rows);
+  for (Eigen::Index row = 0; row < rows; ++row) errors[row] = means[static_cast<std::size_t>(row)].value;
+  std::vector<NamedValue> effects;
+  for (const auto& [name, member] : kinds) {
+    const Eigen::VectorXd present = presence(means, conditions, member);
+    if (present.minCoeff() == present.maxCoeff()) continue;  // it is there always or never
+    terms.conservativeResize(Eigen::NoChange, terms.cols() + 1);
+    terms.rightCols(1) = present;
+    effects.push_back({name, std::numeric_limits<double>::quiet_NaN()});
+  }
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(terms);
+  if (solver.rank() < terms.cols()) return effects;
+  const Eigen::VectorXd found = solver.solve(errors);
+  for (std::size_t i = 0; i < effects.size(); ++i) effects[i].value = found[static_cast<Eigen::Index>(i) + 1];
+  return effects;
+}
+
+TaskAnalysis analyse(const PathErrors& errors, const std::vector<FeedbackCondition>& conditions) {
+  const Observations all = observations(errors, conditions);
+  const auto factors = feedbacks(all);
+  TaskAnalysis result;
+  const auto names = errors.conditions();
+  const auto samples = by_condition(errors);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    result.means.push_back({names[i], box_summary(samples[i]).mean});
+  result.effects = feedback_effects(result.means, conditions);
+  result.additive = anova(all, additive_terms(factors));
+  auto with_subject = additive_terms(factors);
+  with_subject.push_back({{"subject"}, {}});
+  result.with_subject = anova(all, with_subject);
+  const bool crossed = all_combined(all, factors);
+  try {
+    result.repeated =
+        repeated_measures(all, crossed ? factors : std::vector<std::string>{"condition"}, "subject");
+  } catch (const StatisticsError& error) {
+    result.not_repeated = error.what();
+  }
+  return result;
+}
+
+TextTable anova_table(const Anova& anova, const std::string& title) {
+  TextTable table{title, {"term", "sum of squares", "df", "mean square", "F", "P", "partial η²"}, {}, {}};
+  const bool spherical = std::any_of(anova.terms.begin(), anova.terms.end(),
+                                     [](const AnovaRow& row) { return row.sphericity.has_value(); });
+  if (spherical) table.columns.insert(table.columns.end(), {"ε (GG)", "P (GG)"});
+  for (const AnovaRow& row : anova.terms) add_row(table, row, spherical);
+  if (anova.residual.freedom > 0.0) add_row(table, anova.residual, spherical);
+  add_row(table, anova.total, spherical);
+  table.notes.push_back(fmt::format("Response: {}; {} ({}). Sums of squares: {}.", anova.response,
+                                    anova.design, anova.balanced ? "balanced" : "not balanced",
+                                    words_of(anova.sums)));
+  for (const std::string& warning : anova.warnings) table.notes.push_back("Mind: " + warning + ".");
+  return table;
+}
+
+Json anova_json(const Anova& anova) {
+  Json terms = Json::list();
+  for (const AnovaRow& row : anova.terms) terms.push(row_json(row));
+  return Json::object()
+      .set("response", anova.response)
+      .set("design", anova.design)
+      .set("balanced", anova.balanced)
+      .set("sums_of_squares", words_of(anova.sums))
+      .set("terms", std::move(terms))
+      .set("residual", row_json(anova.residual))
+      .set("total", row_json(anova.total))
+      .set("warnings", Json::list_of(anova.warnings));
+}
+
+TextTable error_summary(const PathErrors& errors) {
+  TextTable table{
+      "Path errors of task " + errors.task,
+      {"condition", "trials", "mean", "least", "lower quartile", "median", "upper quartile", "largest"},
+      {},
+      {"Normalised: " + errors.rule + "."}};
+  const auto names = errors.conditions();
+  const auto samples = by_condition(errors);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const BoxSummary box = box_summary(samples[i]);
+    table.rows.push_back({names[i], std::to_string(samples[i].size())});
+    for (const double value : {box.mean, box.min, box.lower, box.median, box.upper, box.max})
+      table.rows.back().push_back(fmt::format("{:.3f}", value));
+  }
+  return table;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,108 @@
+#include "engine/analyse/study/signal_map.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/model/diagram/external_input.hpp"
+
+namespace stepwire {
+
+namespace {
+
+bool is(const Source& source, const SignalRef& signal) {
+  return source.block == signal.block && source.output == signal.output;
+}
+
+/// Blocks on which `to` depends, but for those behind `from`.
+std::vector<char> blocks_between(const Diagram& diagram, const SignalRef& from, const SignalRef& to) {
+  std::vector<char> between(diagram.blocks.size(), 0);
+  std::vector<int> open{to.block};
+  while (!open.empty()) {
+    const auto block = static_cast<std::size_t>(open.back());
+    open.pop_back();
+    if (std::exchange(between[block], 1)) continue;
+    for (const auto& sources : diagram.blocks[block].inputs)
+      for (const Source& source : sources)
+        if (source.block >= 0 && !is(source, from)) open.push_back(source.block);
+  }
+  return between;
+}
+
+/// Does a block give the same for the same inputs at any time?
+bool is_function(const BlockType& type) {
+  return type.states.empty() && type.clocks.empty() && !type.run_update;
+}
+
+DiagramBlock point_source(const Diagram& diagram, const SignalRef& from) {
+  DiagramBlock block("point", external_input_type());
+  static_cast<ExternalInput*>(block.block.get())->value = PerElement(Numbers(std::vector<double>(2, 0.0)));
+  block.parameter_marks.resize(1);
+  block.parameter_dimensions.resize(1);
+  block.origin = diagram.blocks[static_cast<std::size_t>(from.block)].origin;
+  return block;
+}
+
+/// The diagram of these blocks alone, fed by one input; `to` is then where the signal is in it.
+Diagram cut_out(const Diagram& diagram, const std::vector<char>& between, const SignalRef& from,
+                SignalRef& to) {
+  Diagram part;
+  part.file = diagram.file;
+  part.scopes = diagram.scopes;
+  part.step = part.stop = diagram.step;
+  part.step_origin = diagram.step_origin;
+  part.stop_origin = diagram.stop_origin;
+  std::vector<int> place(between.size(), -1);
+  for (std::size_t b = 0; b < between.size(); ++b) {
+    if (!between[b]) continue;
+    place[b] = static_cast<int>(part.blocks.size());
+    part.blocks.push_back(diagram.blocks[b]);
+    part.blocks.back().every.reset();  // what is a function needs no rate
+  }
+  const int input = static_cast<int>(part.blocks.size());
+  for (DiagramBlock& block : part.blocks)
+    for (auto& sources : block.inputs)
+      for (Source& source : sources) {
+        if (source.block < 0) continue;
+        const bool cut = is(source, from);
+        source.block = cut ? input : place[static_cast<std::size_t>(source.block)];
+        if (cut) source.output = 0;
+      }
+  part.inputs.push_back({"", input, ""});
+  part.blocks.push_back(point_source(diagram, from));
+  to.block = place[static_cast<std::size_t>(to.block)];
+  return part;
+}
+
+}  // namespace
+
+SignalMap::SignalMap(const Diagram& diagram, const SignalRef& from, const SignalRef& to, const Place& place) {
+  const std::vector<char> between = blocks_between(diagram, from, to);
+  for (std::size_t b = 0; b < between.size(); ++b) {
+    const DiagramBlock& block = diagram.blocks[b];
+    if (between[b] && !is_function(block.type()))
+      throw Error(
+          Fault{place,
+                "study.way_back",
+                fmt::format("is no function of the place alone: '{}' ({}), on which it depends, "
+                            "remembers or follows from the time. Take the direction from the map itself, "
+                            "or say from which recorded signal it follows: {{direction: .., position: ..}}",
+                            block.name, block.type().name),
+                {}});
+  }
+  SignalRef result = to;
+  plan_ = std::make_unique<const Plan>(make_plan(cut_out(diagram, between, from, result)));
+  simulation_ = std::make_unique<Simulation>(*plan_);
+  start_ = simulation_->workspace();
+  result_ = plan_->slot(result).offset;
+}
+
+Eigen::Vector2d SignalMap::operator()(const Eigen::Vector2d& point) const {
+  simulation_->restore(start_);
+  simulation_->write_input(0, point.data());
+  simulation_->evaluate();
+  const double* value = simulation_->values() + result_;
+  return {value[0], value[1]};
+}
+
+}  // namespace stepwire

@@ -1,0 +1,78 @@
+#include "engine/analyse/study/study_request.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/analyse/query/number.hpp"
+
+namespace stepwire {
+
+void read_recorded(StudyRequest& request, Faults& faults) {
+  request.recorded = read_trials(request.trials);
+  std::erase_if(request.recorded, [&](const Trial& trial) { return trial.task != request.task; });
+  const std::vector<std::string> conditions = request.condition_names(), subjects = request.subject_names();
+  for (const Trial& trial : request.recorded)
+    if (std::find(conditions.begin(), conditions.end(), trial.condition) == conditions.end())
+      return faults.add(
+          {{request.trials, {}},
+           "",
+           fmt::format("subject {}: there is no condition '{}' in the study{}", trial.subject,
+                       trial.condition, nearest_or_all(trial.condition, conditions, "there are")),
+           {}});
+  if (request.recorded.empty())
+    return faults.add(
+        {{request.trials, {}}, "", fmt::format("there are no trials of task {}", request.task), {}});
+  const auto place = [](const std::vector<std::string>& all, const std::string& name) {
+    return std::find(all.begin(), all.end(), name) - all.begin();
+  };
+  const auto key = [&](const Trial& trial) {
+    return std::pair(place(subjects, trial.subject), place(conditions, trial.condition));
+  };
+  std::stable_sort(request.recorded.begin(), request.recorded.end(),
+                   [&](const Trial& a, const Trial& b) { return key(a) < key(b); });
+}
+
+void check_sweep(const StudyRequest& request, const Diagram& diagram, Faults& faults) {
+  if (!diagram.sweep || diagram.sweep->axes.empty()) return;
+  if (!request.trials.empty())
+    faults.add({request.place,
+                "study",
+                fmt::format("the trials of {} were recorded as they are, and 'sweep' would change nothing; "
+                            "analyse them with a file without it",
+                            request.trials),
+                {}});
+  std::vector<std::string> own{request.subject_parameter, request.seed_parameter};
+  for (const StudyCondition& condition : request.conditions)
+    for (const Setting& setting : condition.settings) own.push_back(setting.name);
+  for (const Sweep::Axis& axis : diagram.sweep->axes)
+    if (std::find(own.begin(), own.end(), axis.parameter) != own.end())
+      faults.add({diagram.place(axis.origin),
+                  "sweep." + axis.parameter,
+                  "the study sets this for each trial; a study is swept over what all of its trials share",
+                  {}});
+}
+
+std::vector<std::string> StudyRequest::subject_names() const {
+  std::vector<std::string> result;
+  for (const Trial& trial : recorded)
+    if (std::find(result.begin(), result.end(), trial.subject) == result.end())
+      result.push_back(trial.subject);
+  if (trials.empty())
+    for (const std::size_t subject : subjects) result.push_back(std::to_string(subject));
+  return result;
+}
+
+std::vector<std::string> StudyRequest::condition_names() const {
+  std::vector<std::string> result;
+  for (const StudyCondition& condition : conditions) result.push_back(condition.feedback.name);
+  return result;
+}
+
+std::vector<FeedbackCondition> StudyRequest::feedbacks() const {
+  std::vector<FeedbackCondition> result;
+  for (const StudyCondition& condition : conditions) result.push_back(condition.feedback);
+  return result;
+}
+
+}  // namespace stepwire

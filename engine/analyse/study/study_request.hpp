@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/analyse/query/names.hpp"
+#include "engine/analyse/study/path_errors.hpp"
+#include "engine/model/diagram/load.hpp"
+
+namespace stepwire {
+
+/// A condition of a study: what it sets in the diagram, and which feedbacks that switches on.
+struct StudyCondition {
+  FeedbackCondition feedback;
+  std::vector<Setting> settings;
+};
+
+/// Task 1: which condition is drawn first, and which parameters of the other trials take the circle that is
+/// fitted to it.
+struct CircleHandover {
+  std::string of;  ///< the condition, "NO"
+  std::string x, y, radius;
+};
+
+/// Task 2: the signals between which the way back (equation 24) is found as a function of the place.
+struct WayBackSignals {
+  SignalRef position, direction;
+  Place place;
+};
+
+/// The section `study` of a diagram file: a human-subject study whose trials are runs of the file.
+struct StudyRequest {
+  std::string task;                   ///< "1": drawing a circle, "2": returning
+  std::vector<std::size_t> subjects;  ///< numbers of people, from 1
+  std::uint64_t seed = 1;             ///< which people they are, and all that is random
+  std::string subject_parameter;      ///< that takes the person
+  std::string seed_parameter;         ///< that takes the noise of a trial
+  std::vector<StudyCondition> conditions;
+  std::string position;       ///< a recorded signal of two elements
+  std::size_t recording = 0;  ///< that has it
+  std::optional<CircleHandover> circle;
+  std::optional<WayBackSignals> way_back;
+  std::size_t attempts = 10;    ///< runs of one trial at most, until one ends by `stop_when`
+  std::string trials;           ///< a CSV file of recorded trials in place of the runs; empty: none
+  std::vector<Trial> recorded;  ///< in it, by subject, conditions in the order of the request
+  Place place;
+
+  /// Names of the subjects in order: those of the recorded trials, or the numbers.
+  std::vector<std::string> subject_names() const;
+  std::vector<std::string> condition_names() const;
+  std::vector<FeedbackCondition> feedbacks() const;
+};
+
+/// What a call asks of a study in place of the file's words.
+struct StudyWords {
+  std::optional<std::size_t> subjects{};  ///< how many
+  std::optional<std::uint64_t> seed{};
+  std::string trials{};  ///< a CSV file
+};
+
+/// Reads the value under the key `study`. `like` takes the section from another file, in which the keys given
+/// here replace those of the same name. Everything that is wrong goes to `faults`; what is returned then is
+/// of no use. Throws TableError and SurroundingsError for a file of trials that cannot be read.
+StudyRequest read_study(const Node& node, const Names& names, const Diagram& diagram, Loader& loader,
+                        const StudyWords& words, Faults& faults);
+
+/// What the study sets for each trial cannot be swept as well, and recorded trials have no swept values.
+void check_sweep(const StudyRequest& request, const Diagram& diagram, Faults& faults);
+
+/// Reads the file of recorded trials: those of the request's task, sorted. Trials of conditions that the
+/// study does not have go to `faults`. Throws TableError and SurroundingsError.
+void read_recorded(StudyRequest& request, Faults& faults);
+
+}  // namespace stepwire

@@ -1,0 +1,87 @@
+#include "engine/analyse/study/study_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/analyse/study/published.hpp"
+#include "engine/analyse/study/side_by_side.hpp"
+
+namespace stepwire {
+
+namespace {
+
+std::string shown(double value) {
+  return std::isnan(value) ? "–" : fmt::format("{:.4f}", value);
+}
+
+/// The thesis' tables 3 and 5: a line for each condition, a column for each subject, and what is published.
+TextTable subjects_table(const Experiment& experiment, const StudyRequest& request) {
+  TextTable table{"Normalised errors of task " + request.task, {"condition"}, {}, {}};
+  for (const std::string& subject : request.subject_names()) table.columns.push_back(subject);
+  for (const PublishedValues& example : published_task(request.task).examples)
+    table.columns.push_back("thesis, " + example.source);
+  for (const std::string& condition : request.condition_names()) {
+    std::vector<std::string> row{condition};
+    for (const std::string& subject : request.subject_names()) {
+      const auto& rows = experiment.errors.rows;
+      const auto found = std::find_if(rows.begin(), rows.end(), [&](const PathError& error) {
+        return error.subject == subject && error.condition == condition;
+      });
+      row.push_back(found == rows.end() ? "–" : shown(found->normalised));
+    }
+    for (const PublishedValues& example : published_task(request.task).examples)
+      row.push_back(shown(value_of(example.values, condition)));
+    table.rows.push_back(std::move(row));
+  }
+  table.notes = {"Normalised: " + experiment.errors.rule + ". Subjects by number: " + whose_trials(request) +
+                 "."};
+  return table;
+}
+
+TextTable none(const std::string& title, const std::string& why) {
+  return {title, {"not analysed"}, {}, {why}};
+}
+
+TextTable table_of(const std::string& name, const Experiment& experiment, const StudyRequest& request) {
+  if (name == "errors") return error_summary(experiment.errors);
+  if (name == "subjects") return subjects_table(experiment, request);
+  const std::string of = " of task " + request.task;
+  if (!experiment.analysis) return none("Analysis" + of, experiment.not_analysed);
+  const TaskAnalysis& analysis = *experiment.analysis;
+  if (name == "anova") return anova_table(analysis.additive, "Analysis of variance" + of);
+  if (name == "anova_with_subject")
+    return anova_table(analysis.with_subject, "Analysis of variance" + of + ", with the subject as a factor");
+  if (name == "repeated_measures")
+    return analysis.repeated ? anova_table(*analysis.repeated, "Repeated measures" + of)
+                             : none("Repeated measures" + of, analysis.not_repeated);
+  if (name == "means")
+    return side_by_side_table(compare_errors(published_task(request.task).means, analysis.means,
+                                             published_task(request.task).order));
+  return side_by_side_table(compare_significance(published_task(request.task), analysis));
+}
+
+}  // namespace
+
+std::vector<NamedTable> empty_study_tables(bool swept) {
+  if (swept) return {{"means"}, {"significance"}};
+  std::vector<NamedTable> tables;
+  for (const char* name :
+       {"errors", "subjects", "anova", "anova_with_subject", "repeated_measures", "means", "significance"})
+    tables.push_back({name, std::make_shared<TextTable>()});
+  return tables;
+}
+
+void fill_study_tables(const Experiment& experiment, const StudyRequest& request,
+                       std::vector<NamedTable>& tables) {
+  for (NamedTable& one : tables) {
+    *one.table = table_of(one.name, experiment, request);
+    one.table->title += fmt::format(" ({})", whose_trials(request));
+  }
+}
+
+std::string whose_trials(const StudyRequest& request) {
+  return request.trials.empty() ? "simulated operators" : "recorded trials";
+}
+
+}  // namespace stepwire

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/analyse/query/names.hpp"
+#include "engine/analyse/study/experiment.hpp"
+
+namespace stepwire {
+
+/// The tables that a study makes, by the names that `plot: table` has for them, still empty. Over a sweep
+/// these are means and significance alone, a line for each point.
+std::vector<NamedTable> empty_study_tables(bool swept);
+
+/// Fills in those of one experiment. What cannot be analysed is said in the table's place.
+void fill_study_tables(const Experiment& experiment, const StudyRequest& request,
+                       std::vector<NamedTable>& tables);
+
+/// Fills in those of a sweep: at each point the means of the conditions, or P of the factors, and
+/// whether the statements of the thesis hold there.
+void fill_sweep_tables(const Experiments& experiments, const StudyRequest& request,
+                       std::vector<NamedTable>& tables);
+
+/// Whose trials they are, for titles: "simulated operators", "recorded trials".
+std::string whose_trials(const StudyRequest& request);
+
+}  // namespace stepwire

@@ -1,0 +1,59 @@
+#include "engine/app/cli/interrupt.hpp"
+
+#include <csignal>
+
+#include "engine/base/io/leftovers.hpp"
+#include "engine/base/subprocess/process.hpp"
+
+namespace stepwire {
+
+namespace {
+
+// A signal handler can reach nothing else.
+std::atomic<bool> flag = false;
+std::atomic<int> delays_of_first = 0, delays_of_all = 0;
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
+
+void handle(int signal) {
+  processes_stop() = true;
+  const bool is_first = !flag.exchange(true);
+  if ((is_first && delays_of_first > 0) || delays_of_all > 0) return;
+  remove_leftovers();
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+void catch_signal(int signal) {
+  struct sigaction action {};
+  action.sa_handler = handle;
+  action.sa_flags = SA_RESTART;
+  sigemptyset(&action.sa_mask);
+  for (const int other : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&action.sa_mask, other);
+  ::sigaction(signal, &action, nullptr);
+}
+
+}  // namespace
+
+const std::atomic<bool>& interrupted() {
+  return flag;
+}
+
+void catch_signals() {
+  processes_stop() = false;  // it is made before a handler needs it
+  for (const int signal : {SIGINT, SIGTERM}) catch_signal(signal);
+  struct sigaction known {};
+  ::sigaction(SIGHUP, nullptr, &known);
+  if (known.sa_handler != SIG_IGN) catch_signal(SIGHUP);  // nohup
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+EndDelay::EndDelay(Signals signals) : count_(signals == Signals::first ? delays_of_first : delays_of_all) {
+  ++count_;
+}
+
+EndDelay::~EndDelay() {
+  --count_;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,6 @@
+#include "blocks/register.hpp"
+#include "engine/app/cli/command_line.hpp"
+
+int main(int argc, char** argv) {
+  return stepwire::run_command_line(argc, argv, stepwire::all_blocks);
+}

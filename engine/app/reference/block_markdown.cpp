@@ -1,0 +1,73 @@
+#include "engine/app/reference/block_markdown.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/app/reference/families.hpp"
+#include "engine/app/reference/sheet.hpp"
+#include "engine/app/reference/words.hpp"
+
+namespace stepwire {
+
+namespace {
+
+/// A bar would end the cell; in a formula it stands for an absolute value. A star would begin emphasis.
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (char c : text) {
+    if (c == '|' || c == '*') result += '\\';
+    result += c;
+  }
+  return result;
+}
+
+std::string row_text(const std::vector<std::string>& cells) {
+  return fmt::format("| {} |\n", fmt::join(cells, " | "));
+}
+
+std::string table_text(const SheetTable& table, const std::string& marks) {
+  std::string text = "\n" + marks + "# " + table.title + "\n\n" + row_text(table.header);
+  text += row_text(std::vector<std::string>(table.header.size(), "---"));
+  for (std::vector<std::string> row : table.rows) {
+    for (std::string& cell : row) cell = escaped(cell);
+    row.front() = "`" + row.front() + "`";
+    text += row_text(row);
+  }
+  return text;
+}
+
+/// The anchor that a heading gets on the usual hosts.
+std::string anchor(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return "#" + name;
+}
+
+}  // namespace
+
+std::string block_markdown(const BlockType& type, int level) {
+  const BlockSheet sheet = sheet_of(type);
+  const std::string marks(static_cast<std::size_t>(level), '#');
+  std::string page = fmt::format("{} {}\n\n{}\n\n", marks, sheet.name, escaped(sheet.doc));
+  page += fmt::format("- **family**: {}\n", sheet.folder);
+  for (const auto& [label, text] : sheet.facts) page += fmt::format("- **{}**: {}\n", label, escaped(text));
+  for (const SheetTable& table : sheet.tables) page += table_text(table, marks);
+  if (!sheet.remark.empty()) page += "\n" + sheet.remark + "\n";
+  return page + fmt::format("\n{}# Example\n\n```yaml\n{}\n```\n", marks, sheet.example);
+}
+
+std::string blocks_markdown(const Registry& registry) {
+  std::string index = "# Blocks\n", pages;
+  for (const auto& [folder, types] : families_of(registry)) {
+    index += "\n## " + folder + "\n\n";
+    for (const BlockType* type : types) {
+      index +=
+          fmt::format("- [{}]({}): {}\n", type->name, anchor(type->name), escaped(first_sentence(type->doc)));
+      pages += "\n" + block_markdown(*type, 2);
+    }
+  }
+  return index + pages;
+}
+
+}  // namespace stepwire

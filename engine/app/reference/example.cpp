@@ -1,0 +1,93 @@
+#include "engine/app/reference/example.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "engine/app/reference/words.hpp"
+
+namespace stepwire {
+
+namespace {
+
+using ExampleKeys = std::vector<std::pair<std::string, std::string>>;
+
+constexpr std::size_t widest_line = 96;
+constexpr std::size_t most_defaults = 2;
+
+std::string source_text(const InputSpec& input) {
+  if (input.list) return "[first, second]";
+  return input.name == "u" ? "source" : input.name;
+}
+
+/// Something that may stand for a value which only the user knows.
+std::string example_value(const ParameterSpec& spec) {
+  switch (spec.kind) {
+    case ParameterKind::file:
+      return "record.csv";
+    case ParameterKind::text:
+      return spec.name;
+    case ParameterKind::texts:
+      return "[" + spec.name + "]";
+    case ParameterKind::vector:
+      return "[1, 1]";
+    case ParameterKind::matrix:
+      return "[[1, 0], [0, 1]]";
+    case ParameterKind::word:
+      return spec.words.empty() ? "" : spec.words.front();
+    case ParameterKind::flag:
+      return "true";
+    case ParameterKind::tree:
+      return "{...}";
+    default:
+      return value_text(spec, {spec.range.at_least.value_or(1.0)});
+  }
+}
+
+/// Only numbers and words that say something: neither an absent bound nor an empty text.
+bool is_telling(const ParameterSpec& spec, const std::string& text) {
+  const bool short_kind = spec.kind == ParameterKind::number || spec.kind == ParameterKind::per_element ||
+                          spec.kind == ParameterKind::integer || spec.kind == ParameterKind::word;
+  return short_kind && text.find("none") == std::string::npos && text[0] != '[';
+}
+
+void add_defaults(const BlockType& type, ExampleKeys& keys) {
+  std::size_t count = 0;
+  for (const ParameterSpec& parameter : type.parameters) {
+    if (count == most_defaults) continue;
+    const std::string text = default_text(type, parameter);
+    if (!is_telling(parameter, text)) continue;
+    keys.emplace_back(parameter.name, text);
+    ++count;
+  }
+}
+
+ExampleKeys keys_to_show(const BlockType& type) {
+  ExampleKeys keys{{"block", type.name}};
+  if (!type.presets.empty()) keys.emplace_back("preset", type.presets.front().name);
+  for (const InputSpec& input : type.inputs)
+    if (!input.optional) keys.emplace_back(input.name, source_text(input));
+  for (const ParameterSpec& parameter : type.parameters)
+    if (parameter.required) keys.emplace_back(parameter.name, example_value(parameter));
+  const bool says_nothing_yet =
+      type.presets.empty() && std::none_of(type.parameters.begin(), type.parameters.end(),
+                                           [](const ParameterSpec& parameter) { return parameter.required; });
+  if (says_nothing_yet) add_defaults(type, keys);
+  return keys;
+}
+
+}  // namespace
+
+std::string block_example(const BlockType& type) {
+  const std::string name = snake_case(type.name);
+  std::string line = name + ": {", lines = name + ":";
+  bool first = true;
+  for (const auto& [key, value] : keys_to_show(type)) {
+    line += (first ? "" : ", ") + key + ": " + value;
+    lines += "\n  " + key + ": " + value;
+    first = false;
+  }
+  return line.size() < widest_line ? line + "}" : lines;
+}
+
+}  // namespace stepwire

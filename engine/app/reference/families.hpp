@@ -1,0 +1,18 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "engine/model/block/registry.hpp"
+
+namespace stepwire {
+
+/// All blocks by folder; both in the order of the alphabet.
+inline std::map<std::string, std::vector<const BlockType*>> families_of(const Registry& registry) {
+  std::map<std::string, std::vector<const BlockType*>> families;
+  for (const BlockType* type : registry.types()) families[type->folder].push_back(type);
+  return families;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,100 @@
+#include "engine/app/reference/schema_blocks.hpp"
+
+#include <fmt/format.h>
+
+#include "engine/app/reference/schema_values.hpp"
+#include "engine/app/reference/words.hpp"
+#include "engine/model/diagram/block_keys.hpp"
+
+namespace stepwire {
+
+namespace {
+
+std::string definition_of(const BlockType& type) {
+  return "block." + type.name;
+}
+
+Json preset_schema(const BlockType& type) {
+  Json words = Json::list();
+  for (const PresetSpec& preset : type.presets) words.push(constant(preset.name, preset.doc));
+  words.push(typed("string").set("pattern", "\\$"));
+  return Json::object()
+      .set("anyOf", std::move(words))
+      .set("description", "a named set of parameter values; keys beside it come on top");
+}
+
+Json input_schema(const InputSpec& input) {
+  std::string doc = input.doc;
+  if (input.unit != "1" && input.unit != "*") doc += fmt::format(" [{}]", input.unit);
+  if (input.optional) doc += "; optional";
+  const Json source = schema_ref("source");
+  return explained(input.list ? one_or_list_of(source) : source, doc);
+}
+
+Json initial_schema(const StateSpec& state) {
+  ParameterSpec number;
+  number.unit = state.unit;
+  return explained(schema_ref("numbers"),
+                   fmt::format("where the state {} starts ({}); default {}", state.name, state.doc,
+                               value_text(number, {state.initial})));
+}
+
+Json type_schema(const BlockType& type) {
+  Json properties = Json::object().set("block", Json::object().set("const", type.name));
+  std::vector<std::string> required{"block"};
+  for (const InputSpec& input : type.inputs) {
+    properties.set(input.name, input_schema(input));
+    if (!input.optional) required.push_back(input.name);
+  }
+  for (const ParameterSpec& parameter : type.parameters) {
+    properties.set(parameter.name, parameter_schema(type, parameter));
+    if (parameter.required) required.push_back(parameter.name);
+  }
+  for (const StateSpec& state : type.states)
+    if (state.settable) properties.set(initial_key(type, state), initial_schema(state));
+  if (!type.presets.empty()) properties.set("preset", preset_schema(type));
+  if (!type.has_continuous_state())
+    properties.set("every", explained(schema_ref("time"),
+                                      "time between two runs of this block; " + timing_text(type.timing)));
+  return explained(closed_map(std::move(properties), required), type.doc);
+}
+
+/// The keys of a part are its inputs and parameters, which stand in its own file.
+Json part_schema() {
+  Json properties = Json::object().set("diagram", schema_ref("file"));
+  return Json::object()
+      .set("type", "object")
+      .set("properties", std::move(properties))
+      .set("required", Json::list({"diagram"}));
+}
+
+/// The condition that picks a definition: {"properties": {"block": {"const": "Lag"}}, "required": ["block"]}.
+Json when_block_is(const std::string& name) {
+  Json properties = Json::object().set("block", Json::object().set("const", name));
+  return Json::object().set("properties", std::move(properties)).set("required", Json::list({"block"}));
+}
+
+}  // namespace
+
+void add_block_definitions(const Registry& registry, Json& definitions) {
+  Json names = Json::list(), choices = Json::list();
+  for (const BlockType* type : registry.types()) {
+    definitions.set(definition_of(*type), type_schema(*type));
+    names.push(constant(type->name, type->doc));
+    choices.push(
+        Json::object().set("if", when_block_is(type->name)).set("then", schema_ref(definition_of(*type))));
+  }
+  definitions.set("part", part_schema());
+  const Json kind = Json::object()
+                        .set("anyOf", std::move(names))
+                        .set("description", "kind of block; `stepwire blocks` lists them");
+  const Json file =
+      explained(schema_ref("file"),
+                "a part: the file of another diagram; its inputs and parameters are the keys beside it");
+  Json block = Json::object().set("type", "object");
+  block.set("properties", Json::object().set("block", kind).set("diagram", file));
+  block.set("oneOf", Json::list({Json::object().set("required", Json::list({"block"})), schema_ref("part")}));
+  definitions.set("block", block.set("allOf", std::move(choices)));
+}
+
+}  // namespace stepwire

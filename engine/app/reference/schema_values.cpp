@@ -1,0 +1,182 @@
+#include "engine/app/reference/schema_values.hpp"
+
+#include <fmt/format.h>
+
+#include "engine/app/reference/block_json.hpp"
+#include "engine/app/reference/words.hpp"
+
+namespace stepwire {
+
+namespace {
+
+Json patterned(const char* pattern) {
+  return typed("string").set("pattern", pattern);
+}
+
+/// A word of the file's own, by its parameter: `$law`.
+Json parameter_word() {
+  return patterned("\\$");
+}
+
+/// A bare number is SI, as bounds are; what carries a unit is text here and is checked on loading.
+Json bounded_number(const Range& range, const char* type = "number") {
+  Json number = typed(type);
+  if (range.above) number.set("exclusiveMinimum", *range.above);
+  if (range.at_least) number.set("minimum", *range.at_least);
+  if (range.below) number.set("exclusiveMaximum", *range.below);
+  if (range.at_most) number.set("maximum", *range.at_most);
+  return number;
+}
+
+Json number_with(const Range& range, const char* type = "number") {
+  return any_of({bounded_number(range, type), schema_ref("quantity"), schema_ref("value_with_unit")});
+}
+
+Json element_with(const Range& range) {
+  return any_of({bounded_number(range), schema_ref("quantity")});
+}
+
+Json list_with(const Range& range, bool rows) {
+  const Json row = list_of(element_with(range));
+  return any_of({bounded_number(range), schema_ref("quantity"), schema_ref("value_with_unit"),
+                 rows ? list_of(row) : row});
+}
+
+Json kind_schema(const ParameterSpec& spec) {
+  switch (spec.kind) {
+    case ParameterKind::number:
+      return number_with(spec.range);
+    case ParameterKind::integer:
+      return number_with(spec.range, "integer");
+    case ParameterKind::flag:
+      return any_of({typed("boolean"), parameter_word()});
+    case ParameterKind::word:
+      return any_of({one_word_of(spec.words), parameter_word()});
+    case ParameterKind::text:
+      return schema_ref("text");
+    case ParameterKind::file:
+      return typed("string");
+    case ParameterKind::per_element:
+    case ParameterKind::vector:
+      return list_with(spec.range, false);
+    case ParameterKind::matrix:
+      return list_with(spec.range, true);
+    case ParameterKind::texts:
+      return any_of({schema_ref("text"), list_of(schema_ref("text"))});
+    case ParameterKind::tree:
+      return any_of({typed("object"), typed("array")});
+  }
+  return Json::object();
+}
+
+std::string explanation(const BlockType& type, const ParameterSpec& spec) {
+  std::string text = spec.doc;
+  if (const std::string unit = fixed_unit(spec.unit); !unit.empty()) text += fmt::format(" [{}]", unit);
+  if (const std::string allowed = allowed_text(spec); !allowed.empty()) text += "; " + allowed;
+  return text + (spec.required ? "; required" : "; default " + default_text(type, spec));
+}
+
+/// Offered by editors: a default that a file can hold as it is.
+bool is_simple(const ParameterSpec& spec, const std::string& text) {
+  const bool plain = spec.kind == ParameterKind::number || spec.kind == ParameterKind::integer ||
+                     spec.kind == ParameterKind::flag || spec.kind == ParameterKind::word ||
+                     spec.kind == ParameterKind::per_element;
+  return !spec.required && plain && text.find("none") == std::string::npos && text[0] != '[';
+}
+
+}  // namespace
+
+Json schema_ref(const std::string& definition) {
+  return Json::object().set("$ref", "#/$defs/" + definition);
+}
+
+Json typed(const std::string& type) {
+  return Json::object().set("type", type);
+}
+
+Json expression_schema(const std::string& doc) {
+  return explained(schema_ref("expression"), doc);
+}
+
+Json whole_schema(int least, const std::string& doc) {
+  return explained(typed("integer").set("minimum", least), doc);
+}
+
+Json any_of(std::vector<Json> schemas) {
+  return Json::object().set("anyOf", Json::list(std::move(schemas)));
+}
+
+Json one_word_of(const std::vector<std::string>& words) {
+  return Json::object().set("enum", Json::list_of(words));
+}
+
+Json list_of(Json items) {
+  return typed("array").set("items", std::move(items));
+}
+
+Json map_of(const Json& values) {
+  return Json::object().set("type", "object").set("minProperties", 1).set("additionalProperties", values);
+}
+
+Json one_or_list_of(const Json& item) {
+  return any_of({item, list_of(item).set("minItems", 1)});
+}
+
+Json pair_of(Json items) {
+  return list_of(std::move(items)).set("minItems", 2).set("maxItems", 2);
+}
+
+Json closed_map(Json properties, const std::vector<std::string>& required) {
+  Json map = typed("object").set("properties", std::move(properties));
+  if (!required.empty()) map.set("required", Json::list_of(required));
+  return map.set("additionalProperties", false);
+}
+
+Json explained(Json schema, const std::string& doc) {
+  return schema.set("description", doc);
+}
+
+Json constant(const std::string& word, const std::string& doc) {
+  return explained(Json::object().set("const", word), doc);
+}
+
+Json parameter_schema(const BlockType& type, const ParameterSpec& spec) {
+  Json schema = explained(kind_schema(spec), explanation(type, spec));
+  const Value value = default_of(type, spec);
+  const std::string text = value_text(spec, value);
+  if (!is_simple(spec, text)) return schema;
+  const bool with_unit = !fixed_unit(spec.unit).empty() && spec.kind != ParameterKind::word;
+  return schema.set("default", with_unit ? Json(text) : value_json(spec, value));
+}
+
+void add_value_definitions(Json& definitions) {
+  Range above_zero;
+  above_zero.above = 0.0;
+  definitions.set("text", Json::object().set("type", Json::list({"string", "number", "boolean"})));
+  definitions.set(
+      "expression",
+      explained(
+          schema_ref("text"),
+          "an expression over recorded columns: abs(rig.x) > 2 mm; quoted where it has , [ { or a colon"));
+  definitions.set(
+      "quantity",
+      explained(patterned("^\\s*[-+$=.0-9]"),
+                "a number with a unit (5 mm), a parameter ($tau) or an expression of parameters (= 2*pi*f)"));
+  definitions.set(
+      "value_with_unit",
+      closed_map(Json::object()
+                     .set("value", any_of({typed("number"), schema_ref("quantity"), typed("array")}))
+                     .set("unit", explained(schema_ref("text"), "unit of all numbers: N/mm")),
+                 {"value"}));
+  definitions.set("number", number_with({}));
+  definitions.set("time",
+                  explained(number_with(above_zero), "a time above 0, in s unless a unit is given: 1 ms"));
+  definitions.set("numbers", list_with({}, false));
+  definitions.set(
+      "source",
+      explained(any_of({schema_ref("text"), list_of(element_with({})), schema_ref("value_with_unit")}),
+                "a block (lag), its output (rig.x), an input of this part, or a number (5 mm)"));
+  definitions.set("file", explained(typed("string"), "a path beside this file"));
+}
+
+}  // namespace stepwire

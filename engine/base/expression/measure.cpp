@@ -1,0 +1,148 @@
+#include "engine/base/expression/measure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "engine/base/expression/fold.hpp"
+
+namespace stepwire {
+namespace {
+
+/// A value on the way: what is known of its unit, and of a bare number the number, which may be an exponent.
+struct Piece {
+  Measure measure;
+  bool bare = false;
+  std::optional<double> number{};
+};
+
+const Piece truth{{Dimension{}, true}};
+
+bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::optional<double> folded(const Operation& operation, const std::vector<Piece>& values) {
+  std::vector<double> numbers;
+  for (const Piece& value : values) {
+    if (!value.number) return std::nullopt;
+    numbers.push_back(*value.number);
+  }
+  return operation.value(numbers.data(), static_cast<int>(numbers.size()));
+}
+
+class MakeMeasure {
+ public:
+  explicit MakeMeasure(const std::vector<Measure>& variables) : variables_(variables) {}
+
+  Piece variable(std::size_t i) const { return {variables_[i]}; }
+
+  Piece number(const Program::Number& number) const {
+    return number.dimension ? Piece{{number.dimension, true}} : Piece{{}, true, number.value};
+  }
+
+  Piece operation(const Operation& operation, const std::vector<Piece>& values, std::size_t place) const {
+    const Binding binding = operation.binding;
+    if (binding == Binding::atom) return call(operation.name, values, place);
+    if (binding == Binding::either || binding == Binding::both || &operation == &negation) return truth;
+    Piece result = unit_of(operation, values, place);
+    result.number = folded(operation, values);
+    return binding == Binding::comparison ? truth : result;
+  }
+
+  Piece choice(const Piece&, const Piece& a, const Piece& b) const {
+    Piece joined = a.bare ? b : a;
+    const bool differ = !a.bare && !b.bare && a.measure.dimension != b.measure.dimension;
+    if (differ) joined.measure = {};
+    return joined;
+  }
+
+ private:
+  static Piece unit_of(const Operation& operation, const std::vector<Piece>& values, std::size_t place) {
+    const Piece& a = values.front();
+    if (operation.binding == Binding::prefix) return {a.measure, a.bare};
+    if (operation.binding == Binding::product) return product(operation.name, a, values[1]);
+    if (operation.binding == Binding::power) return to_the(a, values[1]);
+    return join(a, values[1], operation.name, place);
+  }
+
+  static Piece call(std::string_view function, const std::vector<Piece>& values, std::size_t place) {
+    const Piece& first = values.front();
+    if (is_one_of(function, {"min", "max", "mod", "hypot", "atan2"})) {
+      Piece all = first;
+      for (std::size_t i = 1; i < values.size(); ++i) all = join(all, values[i], function, place);
+      return function == "atan2" ? truth : all;
+    }
+    if (is_one_of(function, {"sign", "uniform", "lognormal"})) return truth;
+    if (function == "abs") return {first.measure, first.bare};
+    if (function == "sqrt") return to_the(first, {{}, true, 0.5});
+    if (function == "cbrt") return to_the(first, {{}, true, 1.0 / 3.0});
+    require_pure_number(function, first, place);
+    return of_a_pure_number(first);
+  }
+
+  /// Values of one unit, as a sum, a comparison or min() needs them.
+  static Piece join(const Piece& a, const Piece& b, std::string_view sign, std::size_t place) {
+    if (a.bare && b.bare) return {{}, true};
+    if (a.bare || b.bare) return {known_for_sure(a.bare ? b.measure : a.measure)};
+    const Measure &x = a.measure, &y = b.measure;
+    const bool differ = x.dimension != y.dimension;
+    if (differ && x.sure && y.sure)
+      throw ExpressionError(fmt::format("'{}' joins {} and {}; they must have the same unit", sign,
+                                        si_name(*x.dimension), si_name(*y.dimension)),
+                            place);
+    return differ ? Piece{} : Piece{{x.dimension, x.sure || y.sure}};
+  }
+
+  /// "3 + 10*current" may well be a force.
+  static Measure known_for_sure(const Measure& measure) { return measure.sure ? measure : Measure{}; }
+
+  static Piece product(std::string_view sign, const Piece& a, const Piece& b) {
+    if (a.bare && b.bare) return a;
+    const auto one = [](const Piece& piece) { return piece.bare ? Dimension{} : piece.measure.dimension; };
+    const auto x = one(a), y = one(b);
+    if (!x || !y) return {};
+    return {{sign == "*" ? *x * *y : *x / *y, a.measure.sure && b.measure.sure}};
+  }
+
+  static Piece to_the(const Piece& a, const Piece& b) {
+    if (a.bare) return {{}, true, folded(*find_operator("^"), {a, b})};
+    const auto& dimension = a.measure.dimension;
+    if (dimension == Dimension{}) return {a.measure};
+    if (!dimension || !b.number) return {};
+    return {{power(*dimension, *b.number), a.measure.sure}};
+  }
+
+  /// A length has neither a sine nor an exponential. Times may stand there, see below; logarithms and
+  /// roundings take all.
+  static void require_pure_number(std::string_view function, const Piece& value, std::size_t place) {
+    const Measure& measure = value.measure;
+    const bool takes_all =
+        !is_one_of(function, {"sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp"});
+    if (takes_all || value.bare || !measure.sure || !measure.dimension) return;
+    if (*measure.dimension == Dimension{} || *measure.dimension == Dimension{{0, 0, 1}}) return;
+    throw ExpressionError(
+        fmt::format("'{}' takes a pure number, and this one is in {}; divide it by a value of that unit",
+                    function, si_name(*measure.dimension)),
+        place);
+  }
+
+  /// Of seconds as well: "exp(-time)" stands for a time constant of one second, and is of no unit that is
+  /// known for sure; a logarithm and a rounding have none at all then.
+  static Piece of_a_pure_number(const Piece& value) {
+    const Measure& measure = value.measure;
+    if (value.bare || measure.dimension == Dimension{}) return {{Dimension{}, measure.sure}};
+    return {};
+  }
+
+  const std::vector<Measure>& variables_;
+};
+
+}  // namespace
+
+Measure measure_of(const Program& program, const std::vector<Measure>& variables) {
+  return fold<Piece>(program, MakeMeasure(variables)).measure;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,101 @@
+#include "engine/base/expression/operation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "engine/base/expression/language.hpp"
+
+namespace stepwire {
+namespace {
+
+constexpr int any_number = std::numeric_limits<int>::max();
+
+struct Power {
+  double operator()(double a, double b) const { return std::pow(a, b); }
+};
+
+template <class Of>
+constexpr Operation between(std::string_view sign, Binding binding) {
+  return {sign, binding, 2, 2, [](const double* v, int) -> double { return Of()(v[0], v[1]); }};
+}
+
+template <double (*f)(double)>
+constexpr Operation one(std::string_view name) {
+  return {name, Binding::atom, 1, 1, [](const double* v, int) { return f(v[0]); }};
+}
+
+template <double (*f)(double, double)>
+constexpr Operation two(std::string_view name) {
+  return {name, Binding::atom, 2, 2, [](const double* v, int) { return f(v[0], v[1]); }};
+}
+
+constexpr std::array operators{between<std::logical_or<>>("||", Binding::either),
+                               between<std::logical_and<>>("&&", Binding::both),
+                               between<std::less_equal<>>("<=", Binding::comparison),
+                               between<std::greater_equal<>>(">=", Binding::comparison),
+                               between<std::equal_to<>>("==", Binding::comparison),
+                               between<std::not_equal_to<>>("!=", Binding::comparison),
+                               between<std::less<>>("<", Binding::comparison),
+                               between<std::greater<>>(">", Binding::comparison),
+                               between<std::plus<>>("+", Binding::sum),
+                               between<std::minus<>>("-", Binding::sum),
+                               between<std::multiplies<>>("*", Binding::product),
+                               between<std::divides<>>("/", Binding::product),
+                               between<Power>("^", Binding::power)};
+
+double lognormal(const double* v, int) {
+  return language::lognormal(v[0], v[1], v[2]);
+}
+
+constexpr std::array functions{one<std::sin>("sin"),
+                               one<std::cos>("cos"),
+                               one<std::tan>("tan"),
+                               one<std::asin>("asin"),
+                               one<std::acos>("acos"),
+                               one<std::atan>("atan"),
+                               one<std::sinh>("sinh"),
+                               one<std::cosh>("cosh"),
+                               one<std::tanh>("tanh"),
+                               one<std::exp>("exp"),
+                               one<std::log>("log"),
+                               one<std::log2>("log2"),
+                               one<std::log10>("log10"),
+                               one<std::sqrt>("sqrt"),
+                               one<std::cbrt>("cbrt"),
+                               one<std::fabs>("abs"),
+                               one<language::sign>("sign"),
+                               one<std::floor>("floor"),
+                               one<std::ceil>("ceil"),
+                               one<std::round>("round"),
+                               two<std::atan2>("atan2"),
+                               two<language::mod>("mod"),
+                               two<std::hypot>("hypot"),
+                               two<language::uniform>("uniform"),
+                               Operation{"min", Binding::atom, 2, any_number, language::smallest},
+                               Operation{"max", Binding::atom, 2, any_number, language::largest},
+                               Operation{"lognormal", Binding::atom, 3, 3, lognormal}};
+
+template <class Operations>
+const Operation* find(const Operations& among, std::string_view name) {
+  const auto found = std::ranges::find(among, name, &Operation::name);
+  return found == among.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+constexpr Operation minus{"-", Binding::prefix, 1, 1, [](const double* v, int) { return -v[0]; }};
+constexpr Operation negation{"!", Binding::prefix, 1, 1,
+                             [](const double* v, int) -> double { return v[0] == 0.0; }};
+
+const Operation* find_operator(std::string_view sign) {
+  return find(operators, sign);
+}
+
+const Operation* find_function(std::string_view name) {
+  return find(functions, name);
+}
+
+}  // namespace stepwire

@@ -1,0 +1,256 @@
+#include "engine/base/expression/program.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <numbers>
+#include <utility>
+
+#include "engine/base/expression/draws.hpp"
+#include "engine/base/expression/expression.hpp"
+#include "engine/base/expression/token.hpp"
+
+namespace stepwire {
+namespace {
+
+using Known = std::function<bool(std::string_view)>;
+
+constexpr std::size_t deepest = 200;
+
+/// An operator, a sign or a parenthesis that waits for what follows; the whole text is a parenthesis, too.
+struct Waiting {
+  Binding binding;
+  const Token* token = nullptr;
+  const Operation* operation = nullptr;  ///< of a parenthesis: its function, if it has one
+  int values = 1;
+  std::size_t instruction = 0;  ///< of '?' its branch, of ':' its jump
+};
+
+Instruction::Kind kind_of(const Operation& operation) {
+  using Kind = Instruction::Kind;
+  if (operation.binding == Binding::sum) return operation.name == "+" ? Kind::sum : Kind::difference;
+  if (operation.binding == Binding::product) return operation.name == "*" ? Kind::product : Kind::quotient;
+  return Kind::operation;
+}
+
+/// Walks the pieces once. A value and a sign alternate; what waits is on a stack of our own, so that no text
+/// can exhaust the real one.
+class Translator {
+ public:
+  Translator(std::string_view text, const Known& known) : tokens_(tokens(text, known)), known_(known) {
+    program_.text = text;
+  }
+
+  Program run() {
+    if (tokens_.size() == 1) throw ExpressionError("the expression is empty", 0);
+    waiting_.push_back({Binding::open});
+    for (; tokens_[at_].kind != Token::Kind::end; ++at_) {
+      value_comes_ ? value(tokens_[at_]) : sign(tokens_[at_]);
+    }
+    finish(tokens_[at_]);
+    return std::move(program_);
+  }
+
+ private:
+  [[noreturn]] static void fail(const Token& token, const std::string& message) {
+    throw ExpressionError(message, token.position);
+  }
+
+  static std::string shown(const Token& token) {
+    return token.kind == Token::Kind::end ? "the end" : fmt::format("'{}'", token.text);
+  }
+
+  void value(const Token& token) {
+    if (token.kind == Token::Kind::number) return number({token.value, token.dimension});
+    if (token.kind == Token::Kind::name) return name(token);
+    if (token.is("(")) return open(token, nullptr);
+    if (token.is("-") || token.is("!")) return prefix(token.is("-"));
+    if (!token.is("+")) missing_value(token);
+  }
+
+  [[noreturn]] void missing_value(const Token& token) const {
+    const bool power = at_ > 0 && token.is("*") && tokens_[at_ - 1].is("*");
+    fail(token, fmt::format("a value is missing before {}{}", shown(token), power ? "; a power is x^y" : ""));
+  }
+
+  void number(const Program::Number& number) {
+    operand(Instruction::Kind::number, program_.numbers.size());
+    program_.numbers.push_back(number);
+  }
+
+  void operand(Instruction::Kind kind, std::size_t index) {
+    take_prefixes();
+    program_.code.push_back({kind, 0, index});
+    value_comes_ = false;
+  }
+
+  void name(const Token& token) {
+    const bool called = tokens_[at_ + 1].is("(");
+    const bool exists = known_ && known_(token.text);
+    if (called) return call(token, exists);
+    if (!exists && token.text == "pi") return number({std::numbers::pi, {}});
+    if (!exists && token.text == "e") return number({std::numbers::e, {}});
+    if (!exists && find_function(token.text))
+      fail(token, fmt::format("'{0}' is a function; write {0}(...)", token.text));
+    if (!exists && known_) fail(token, fmt::format("unknown name '{}'", token.text));
+    variable(token);
+  }
+
+  void variable(const Token& token) {
+    const auto [place, added] = variables_.try_emplace(token.text, program_.variables.size());
+    if (added) program_.variables.emplace_back(token.text);
+    program_.uses.push_back({place->second, token.position});
+    operand(Instruction::Kind::variable, place->second);
+  }
+
+  void call(const Token& token, bool exists) {
+    const Operation* const function = find_function(token.text);
+    if (!function)
+      fail(token, exists ? fmt::format("'{}' is a value, not a function", token.text)
+                         : fmt::format("unknown function '{}'", token.text));
+    open(tokens_[++at_], function);
+  }
+
+  void open(const Token& token, const Operation* function) {
+    if (open_.size() >= deepest) fail(token, fmt::format("more than {} parentheses are open", deepest));
+    take_prefixes();
+    open_.push_back(waiting_.size());
+    waiting_.push_back({Binding::open, &token, function});
+    value_comes_ = true;
+  }
+
+  /// Inside a "not" a minus changes nothing.
+  void prefix(bool minus) {
+    if (minus && nots_ == 0) negative_ = !negative_;
+    if (!minus) nots_ = nots_ == 1 ? 2 : 1;
+  }
+
+  void take_prefixes() {
+    if (negative_) waiting_.push_back({Binding::prefix, &tokens_[at_], &minus});
+    for (; nots_ > 0; --nots_) waiting_.push_back({Binding::prefix, &tokens_[at_], &negation});
+    negative_ = false;
+  }
+
+  void sign(const Token& token) {
+    if (token.is(")")) return close(token);
+    value_comes_ = true;
+    if (token.is(",")) return next_value(token);
+    if (token.is("?")) return question(token);
+    if (token.is(":")) return answer(token);
+    const Operation* const operation = find_operator(token.text);
+    if (!operation) missing_operator(token);
+    settle(operation->binding == Binding::power ? Binding::atom : operation->binding);
+    waiting_.push_back({operation->binding, &token, operation, 2});
+  }
+
+  [[noreturn]] static void missing_operator(const Token& token) {
+    const bool power = token.text == "e" || token.text == "E";
+    fail(token, fmt::format("an operator is missing before {}{}", shown(token),
+                            power ? "; a power of ten has no blanks, as in 2e-3" : ""));
+  }
+
+  void next_value(const Token& token) {
+    if (open_.empty() || !waiting_[open_.back()].operation)
+      fail(token, "',' only separates the values of a function");
+    settle(Binding::condition);
+    ++waiting_.back().values;
+  }
+
+  void question(const Token& token) {
+    settle(Binding::either);
+    add_choice(token, Instruction::Kind::branch);
+  }
+
+  void answer(const Token& token) {
+    while (!is_question(waiting_.back())) {
+      if (waiting_.back().binding == Binding::open) fail(token, "':' without '?'");
+      apply();
+    }
+    program_.code[waiting_.back().instruction].index = program_.code.size();
+    waiting_.pop_back();
+    add_choice(token, Instruction::Kind::jump);
+  }
+
+  void add_choice(const Token& token, Instruction::Kind kind) {
+    waiting_.push_back({Binding::condition, &token, nullptr, 3, program_.code.size()});
+    program_.code.push_back({kind});
+  }
+
+  static bool is_question(const Waiting& waiting) {
+    return waiting.binding == Binding::condition && waiting.token->is("?");
+  }
+
+  void close(const Token& token) {
+    if (open_.empty()) fail(token, "')' without '('");
+    settle(Binding::condition);
+    const Waiting opened = take_waiting();
+    open_.pop_back();
+    if (!opened.operation) return;
+    const Token& name = *(opened.token - 1);
+    check_arity(*opened.operation, opened.values, name);
+    add_operation(*opened.operation, opened.values, name);
+  }
+
+  static void check_arity(const Operation& function, int values, const Token& name) {
+    if (values >= function.least && values <= function.most) return;
+    if (name.text == "min" || name.text == "max")
+      fail(name, fmt::format("'{0}' of one value is that value; {0}(a, b) compares several, and the {1} "
+                             "of a recording is the reduction of a claim, '{0}: ...'",
+                             name.text, name.text == "min" ? "smallest" : "largest"));
+    fail(name, fmt::format("'{}' takes {} value{}, not {}", name.text, function.least,
+                           function.least == 1 ? "" : "s", values));
+  }
+
+  /// What binds at least so strongly has all its values now.
+  void settle(Binding least) {
+    while (waiting_.back().binding >= least) apply();
+  }
+
+  void apply() {
+    const Waiting top = take_waiting();
+    if (is_question(top)) fail(*top.token, "'?' without ':'");
+    if (top.operation) return add_operation(*top.operation, top.values, *top.token);
+    program_.code[top.instruction].index = program_.code.size();
+    program_.code.push_back({Instruction::Kind::choice, 3, program_.code.size()});
+  }
+
+  Waiting take_waiting() {
+    const Waiting taken = waiting_.back();
+    waiting_.pop_back();
+    return taken;
+  }
+
+  void add_operation(const Operation& operation, int values, const Token& token) {
+    program_.code.push_back({kind_of(operation), values, token.position, &operation});
+  }
+
+  void finish(const Token& end) {
+    if (value_comes_) fail(end, "a value is missing at the end");
+    if (!open_.empty()) fail(*waiting_[open_.back()].token, "'(' without ')'");
+    settle(Binding::condition);
+  }
+
+  const std::vector<Token> tokens_;
+  const Known& known_;
+  Program program_;
+  std::vector<Waiting> waiting_;
+  std::vector<std::size_t> open_;  ///< parentheses among them
+  std::map<std::string_view, std::size_t> variables_;
+  bool negative_ = false;
+  int nots_ = 0;
+  std::size_t at_ = 0;
+  bool value_comes_ = true;
+};
+
+}  // namespace
+
+Program translate(std::string_view text, const Known& known) {
+  if (text.size() > longest_text) {
+    throw ExpressionError(fmt::format("an expression has at most {} characters", longest_text), longest_text);
+  }
+  Program program = Translator(text, known).run();
+  check_draws(program, std::vector<std::optional<double>>(program.variables.size()));
+  return program;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,166 @@
+#include "engine/base/expression/token.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "engine/base/expression/expression.hpp"
+#include "engine/base/unit/unit.hpp"
+
+namespace stepwire {
+namespace {
+
+using Known = std::function<bool(std::string_view)>;
+
+constexpr std::array<std::string_view, 19> signs{"<=", ">=", "==", "!=", "&&", "||", "+", "-", "*", "/",
+                                                 "^",  "(",  ")",  "<",  ">",  "!",  "?", ":", ","};
+
+/// What people write out of habit from other languages, and what it is called here.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> habits{{
+    {"=", "an expression assigns nothing; to compare write '=='"},
+    {"&", "write '&&'"},
+    {"|", "write '||'"},
+    {"%", "the remainder is mod(x, y)"},
+    {"\"", "an expression has no text"},
+    {"'", "an expression has no text"},
+}};
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
+
+bool is_letter(char c) {
+  const char lower = static_cast<char>(c | 0x20);
+  return (lower >= 'a' && lower <= 'z') || c == '_';
+}
+
+class Lexer {
+ public:
+  Lexer(std::string_view text, const Known& known) : text_(text), known_(known) {}
+
+  Token next() {
+    skip_blanks();
+    if (at_ == text_.size()) return {Token::Kind::end, {}, at_, 0.0};
+    if (is_digit(peek()) || (peek() == '.' && is_digit(peek(1)))) return number();
+    if (is_letter(peek())) return name();
+    return sign();
+  }
+
+ private:
+  char peek(std::size_t ahead = 0) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
+
+  void skip_blanks() {
+    while (is_blank(peek())) ++at_;
+  }
+
+  Token finish(Token::Kind kind, std::size_t first, double value = 0.0) const {
+    return {kind, text_.substr(first, at_ - first), first, value, {}};
+  }
+
+  Token number() {
+    const std::size_t first = at_;
+    double value = 0.0;
+    const char* const end = text_.data() + text_.size();
+    const auto [rest, error] = std::from_chars(text_.data() + at_, end, value);
+    at_ = static_cast<std::size_t>(rest - text_.data());
+    std::optional<Dimension> dimension;
+    if (const auto unit = take_unit()) {
+      value = unit->to_si(value);
+      dimension = unit->dimension;
+    }
+    if (error != std::errc{} || !std::isfinite(value)) {
+      throw ExpressionError(fmt::format("'{}' is out of range", text_.substr(first, at_ - first)), first);
+    }
+    Token token = finish(Token::Kind::number, first, value);
+    token.dimension = dimension;
+    return token;
+  }
+
+  /// A number directly before a unit has it; "5 1/s" has, "51/s" is a quotient.
+  std::optional<Unit> take_unit() {
+    const std::size_t before = at_;
+    skip_blanks();
+    const std::string_view rest = text_.substr(at_);
+    const bool apart = at_ > before || peek() != '1';
+    const std::size_t length = apart ? unit_prefix(rest, known_) : 0;
+    if (length == 0) {
+      at_ = before;
+      return std::nullopt;
+    }
+    at_ += length;
+    return parse_unit(rest.substr(0, length));
+  }
+
+  Token name() {
+    const std::size_t first = at_;
+    while (word() || (peek() == '.' && name_goes_on()) || index()) {
+    }
+    return finish(Token::Kind::name, first);
+  }
+
+  bool word() {
+    const std::size_t before = at_;
+    while (is_letter(peek()) || is_digit(peek())) ++at_;
+    return at_ > before;
+  }
+
+  /// Takes the dot of "rig.x".
+  bool name_goes_on() {
+    const bool on = is_letter(peek(1)) || is_digit(peek(1));
+    at_ += on ? 1 : 0;
+    return on;
+  }
+
+  /// Takes the index of "rig.x[2]".
+  bool index() {
+    std::size_t length = 1;
+    while (is_digit(peek(length))) ++length;
+    const bool is = peek() == '[' && length > 1 && peek(length) == ']';
+    at_ += is ? length + 1 : 0;
+    return is;
+  }
+
+  Token sign() {
+    for (const std::string_view sign : signs) {
+      if (text_.substr(at_).starts_with(sign)) {
+        at_ += sign.size();
+        return finish(Token::Kind::sign, at_ - sign.size());
+      }
+    }
+    throw ExpressionError(strange(), at_);
+  }
+
+  std::string strange() const {
+    for (const auto& [habit, cure] : habits) {
+      if (text_.substr(at_).starts_with(habit)) return fmt::format("unexpected {}; {}", habit, cure);
+    }
+    if (peek() >= 0 && peek() < ' ')
+      return fmt::format("unexpected character {:#04x}", static_cast<int>(peek()));
+    std::size_t length = 1;  // all bytes of a UTF-8 character
+    while ((static_cast<unsigned char>(peek(length)) & 0xC0) == 0x80) ++length;
+    return fmt::format("unexpected '{}'", text_.substr(at_, length));
+  }
+
+  std::string_view text_;
+  const Known& known_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace
+
+std::vector<Token> tokens(std::string_view text, const Known& known) {
+  Lexer lexer(text, known);
+  std::vector<Token> result;
+  do result.push_back(lexer.next());
+  while (result.back().kind != Token::Kind::end);
+  return result;
+}
+
+}  // namespace stepwire

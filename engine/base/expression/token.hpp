@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "engine/base/unit/unit.hpp"
+
+namespace stepwire {
+
+/// One piece of an expression. A number has its value (SI, where it carries a unit).
+struct Token {
+  enum class Kind { number, name, sign, end };
+  Kind kind = Kind::end;
+  std::string_view text;
+  std::size_t position = 0;
+  double value = 0.0;
+  std::optional<Dimension> dimension{};  ///< of a number that carries a unit
+
+  bool is(std::string_view sign) const { return kind == Kind::sign && text == sign; }
+};
+
+/// Cuts a text into its pieces, the last of kind `end`. After a sign inside a unit, what is `known` is a
+/// name: "4 A/m" is 4 A over m where m is known. Throws ExpressionError.
+std::vector<Token> tokens(std::string_view text, const std::function<bool(std::string_view)>& known);
+
+}  // namespace stepwire

@@ -1,0 +1,70 @@
+#include "engine/base/io/growing_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "engine/base/io/owned_folder.hpp"
+#include "engine/base/io/temporary.hpp"
+
+namespace stepwire {
+
+namespace fs = std::filesystem;
+
+GrowingFile::GrowingFile(const std::string& path)
+    : path_(path), temporary_(temporary_beside(path)), leftover_(temporary_) {
+  std::error_code error;
+  const fs::path folder = fs::path(path).parent_path();
+  if (!folder.empty()) fs::create_directories(folder, error);
+  if (error) refuse_file(folder.string(), error.value());
+  note_written(path);
+  file_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (file_ < 0) refuse_file(path_, errno);
+}
+
+GrowingFile::~GrowingFile() {
+  if (file_ < 0) return;
+  ::close(file_);
+  std::error_code ignored;
+  fs::remove(temporary_, ignored);
+}
+
+bool GrowingFile::append(std::string_view piece) {
+  if (write_all(piece)) {
+    size_ += static_cast<std::int64_t>(piece.size());
+    return true;
+  }
+  if (trouble_.empty()) trouble_ = fmt::format("{}: {}", path_, std::generic_category().message(errno));
+  // What was written of the piece must go, or the next one would follow half a row.
+  if (::ftruncate(file_, size_) == 0) ::lseek(file_, size_, SEEK_SET);
+  return false;
+}
+
+bool GrowingFile::write_all(std::string_view piece) {
+  while (!piece.empty()) {
+    const ssize_t written = ::write(file_, piece.data(), piece.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    piece.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+void GrowingFile::finish() {
+  const int file = std::exchange(file_, -1);
+  const bool closed = ::close(file) == 0;
+  const int reason = errno;
+  std::error_code error;
+  if (closed) fs::rename(temporary_, path_, error);
+  if (closed && !error) return;
+  std::error_code ignored;
+  fs::remove(temporary_, ignored);
+  refuse_file(path_, closed ? error.value() : reason);
+}
+
+}  // namespace stepwire

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "engine/base/io/leftovers.hpp"
+
+namespace stepwire {
+
+/// A file that is written piece by piece under a temporary name beside `path`, which it replaces at the end;
+/// without finish() nothing of it is left. A disk that is full loses pieces, never a part of one.
+class GrowingFile {
+ public:
+  /// Missing folders are made. Throws SurroundingsError with the system's reason.
+  explicit GrowingFile(const std::string& path);
+  ~GrowingFile();
+  GrowingFile(const GrowingFile&) = delete;
+  GrowingFile& operator=(const GrowingFile&) = delete;
+
+  /// Writes a piece behind the others. False where the system refuses it: then the file is what it was
+  /// before, and a later piece may fit again.
+  bool append(std::string_view piece);
+  /// "PATH: No space left on device", of the first piece that was refused; empty if none was.
+  const std::string& trouble() const { return trouble_; }
+  /// Gives the file its name. Throws SurroundingsError with the system's reason.
+  void finish();
+
+ private:
+  bool write_all(std::string_view piece);
+
+  std::string path_, temporary_, trouble_;
+  Leftover leftover_;
+  int file_ = -1;
+  std::int64_t size_ = 0;  ///< [bytes] of whole pieces
+};
+
+}  // namespace stepwire

@@ -1,0 +1,76 @@
+#include "engine/base/io/leftovers.hpp"
+
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <climits>
+#include <csignal>
+#include <cstring>
+
+namespace stepwire {
+
+namespace {
+
+enum class State { free, taken, ready };
+
+struct PathPlace {
+  std::atomic<State> state = State::free;
+  bool folder = false;
+  std::array<char, PATH_MAX> path;
+};
+
+// A signal handler can reach nothing but such; more files or processes than these are not open at a time.
+std::array<PathPlace, 128> paths;
+std::array<std::atomic<pid_t>, 256> groups;
+
+/// A handler may not walk through a folder, but another process may.
+void remove(const PathPlace& place) noexcept {
+  if (!place.folder) {
+    ::unlink(place.path.data());
+  } else if (::_Fork() == 0) {
+    ::execl("/bin/rm", "rm", "-rf", "--", place.path.data(), nullptr);
+    ::_exit(1);
+  }
+}
+
+}  // namespace
+
+Leftover::Leftover(const std::string& path, bool folder) {
+  if (path.size() >= PATH_MAX) return;
+  for (std::size_t i = 0; i < paths.size() && place_ < 0; ++i) {
+    State expected = State::free;
+    if (!paths[i].state.compare_exchange_strong(expected, State::taken)) continue;
+    std::memcpy(paths[i].path.data(), path.c_str(), path.size() + 1);
+    paths[i].folder = folder;
+    paths[i].state = State::ready;
+    place_ = static_cast<int>(i);
+  }
+}
+
+Leftover::~Leftover() {
+  if (place_ >= 0) paths[static_cast<std::size_t>(place_)].state = State::free;
+}
+
+void note_group(pid_t group) {
+  for (std::atomic<pid_t>& place : groups) {
+    pid_t none = 0;
+    if (place.compare_exchange_strong(none, group)) return;
+  }
+}
+
+void forget_group(pid_t group) {
+  for (std::atomic<pid_t>& place : groups) {
+    pid_t known = group;
+    if (place.compare_exchange_strong(known, 0)) return;
+  }
+}
+
+void remove_leftovers() noexcept {
+  for (std::atomic<pid_t>& place : groups)
+    if (const pid_t group = place; group > 0) ::kill(-group, SIGKILL);
+  for (PathPlace& place : paths)
+    if (place.state == State::ready) remove(place);
+}
+
+}  // namespace stepwire

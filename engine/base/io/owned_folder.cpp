@@ -1,0 +1,159 @@
+#include "engine/base/io/owned_folder.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <mutex>
+#include <regex>
+#include <sstream>
+#include <vector>
+
+#include "engine/base/io/file.hpp"
+#include "engine/base/io/temporary.hpp"
+#include "engine/base/text/characters.hpp"
+
+namespace stepwire {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* list_name = ".stepwire";
+constexpr const char* list_head = "# What runs wrote here; the next one removes it, and nothing else.\n";
+
+/// The folders that runs of this process own now.
+struct Owned {
+  std::mutex mutex;
+  std::vector<OwnedFolder*> folders;
+
+  static Owned& of_process() {
+    static Owned owned;
+    return owned;
+  }
+};
+
+std::string normal(const std::string& path) {
+  std::string result = fs::absolute(path).lexically_normal().string();
+  if (result.size() > 1 && result.ends_with('/')) result.pop_back();
+  return result;
+}
+
+/// Does a name of the list lead to something inside of the folder, whatever links there are?
+bool leads_inside(const fs::path& folder, const fs::path& name) {
+  if (name.empty() || name.is_absolute()) return false;
+  for (const fs::path& part : name)
+    if (part == "..") return false;
+  std::error_code error;
+  const fs::path parent = fs::weakly_canonical((folder / name).parent_path(), error);
+  const fs::path root = fs::weakly_canonical(folder, error);
+  return !error && std::mismatch(root.begin(), root.end(), parent.begin(), parent.end()).first == root.end();
+}
+
+/// Removes pieces of files that this program was writing when it ended.
+void remove_pieces(const fs::path& folder) {
+  static const std::regex piece(R"([^]+\.[0-9]+-[0-9]+\.part)");
+  std::error_code none;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, none))
+    if (std::regex_match(entry.path().filename().string(), piece) && !entry.is_directory(none))
+      fs::remove(entry.path(), none);
+}
+
+}  // namespace
+
+OwnedFolder::OwnedFolder(const std::string& path, const Spared& spared) : path_(normal(path)) {
+  require_folder(path);
+  lock(path);
+  try {
+    clear(listed(), spared);
+  } catch (...) {
+    ::close(list_);
+    throw;
+  }
+  Owned& owned = Owned::of_process();
+  const std::lock_guard guard(owned.mutex);
+  owned.folders.push_back(this);
+}
+
+OwnedFolder::~OwnedFolder() {
+  Owned& owned = Owned::of_process();
+  const std::lock_guard guard(owned.mutex);
+  std::erase(owned.folders, this);
+  ::close(list_);
+}
+
+void OwnedFolder::lock(const std::string& shown) {
+  const std::string file = path_ + "/" + list_name;
+  list_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_APPEND | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
+  if (list_ < 0) refuse_file(shown + "/" + list_name, errno);
+  if (::flock(list_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;  // not all file systems lock
+  ::close(list_);
+  throw SurroundingsError(
+      fmt::format("{}: another run is writing into this folder; give --out another one, or wait", shown));
+}
+
+OwnedFolder::Files OwnedFolder::listed() const {
+  std::istringstream lines(read_file(path_ + "/" + list_name));
+  Files names;
+  for (std::string line; std::getline(lines, line);)
+    if (!line.starts_with('#') && leads_inside(path_, line)) names.insert(line);
+  return names;
+}
+
+void OwnedFolder::clear(const Files& listed, const Spared& spared) {
+  Files stays;
+  if (!listed.empty() && spared)
+    for (const std::string& path : spared()) stays.insert(normal(path));
+  if (::ftruncate(list_, 0) != 0) refuse_file(path_ + "/" + list_name, errno);
+  std::set<fs::path> folders{path_};
+  std::error_code none;
+  for (const std::string& name : listed) {
+    const fs::path file = fs::path(path_) / name;
+    folders.insert(file.parent_path());
+    if (stays.contains(file.string())) {
+      note(name);
+    } else if (!fs::is_directory(fs::symlink_status(file, none))) {
+      fs::remove(file, none);
+    }
+  }
+  for (const fs::path& folder : folders) remove_pieces(folder);
+  for (auto folder = folders.rbegin(); folder != folders.rend(); ++folder)
+    if (*folder != path_) fs::remove(*folder, none);  // where it is empty
+}
+
+/// What the run before left is gone by now, so what is there and is not of this run belongs to somebody else.
+void OwnedFolder::refuse_foreign(const std::string& name, const std::string& shown) const {
+  if (!leads_inside(path_, name))
+    throw SurroundingsError(fmt::format("{}: a link leads out of the folder of the results", shown));
+  std::error_code none;
+  if (names_.contains(name) || !fs::exists(fs::symlink_status(fs::path(path_) / name, none))) return;
+  throw SurroundingsError(fmt::format(
+      "{}: there is one already that no run wrote; give --out another folder, or move it away", shown));
+}
+
+/// A name that would be two lines of the list is in none.
+void OwnedFolder::note(const std::string& name) {
+  if (!names_.insert(name).second || visible(name) != name || name.starts_with('#')) return;
+  const std::string text = (names_.size() == 1 ? list_head : "") + name + "\n";
+  [[maybe_unused]] const ssize_t written =
+      ::write(list_, text.data(), text.size());  // a full disk shows at the file itself
+}
+
+void note_written(const std::string& path) {
+  Owned& owned = Owned::of_process();
+  const std::lock_guard guard(owned.mutex);
+  if (owned.folders.empty()) return;
+  const std::string file = normal(path);
+  for (OwnedFolder* folder : owned.folders)
+    if (file.starts_with(folder->path_ + "/")) {
+      const std::string name = file.substr(folder->path_.size() + 1);
+      folder->refuse_foreign(name, path);
+      folder->note(name);
+    }
+}
+
+}  // namespace stepwire

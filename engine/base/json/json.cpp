@@ -1,0 +1,74 @@
+#include "engine/base/json/json.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "engine/base/text/characters.hpp"
+
+namespace stepwire {
+
+/// What the library writes, made of ours.
+struct JsonText {
+  using Out = nlohmann::ordered_json;
+
+  static Out of(const Json& json) { return std::visit(JsonText{}, json.value_); }
+
+  Out operator()(const Json::Members& members) const {
+    Out result = Out::object();
+    // Past the library's own look-up, which walks all keys: ours are different already.
+    auto& pairs = result.get_ref<Out::object_t&>();
+    for (const auto& [key, value] : members) pairs.push_back({key, of(value)});
+    return result;
+  }
+  Out operator()(const std::vector<Json>& items) const {
+    Out result = Out::array();
+    for (const Json& item : items) result.push_back(of(item));
+    return result;
+  }
+  template <class T>
+  Out operator()(const T& value) const {
+    return Out(value);
+  }
+};
+
+Json Json::list(std::vector<Json> items) {
+  Json result;
+  result.value_ = std::move(items);
+  return result;
+}
+
+Json Json::object() {
+  Json result;
+  result.value_ = Members{};
+  return result;
+}
+
+Json& Json::push(Json item) {
+  if (std::holds_alternative<std::nullptr_t>(value_)) value_ = std::vector<Json>{};
+  auto* const items = std::get_if<std::vector<Json>>(&value_);
+  if (!items) throw std::logic_error("only a list takes items");
+  items->push_back(std::move(item));
+  return *this;
+}
+
+Json& Json::set(std::string key, Json value) {
+  if (std::holds_alternative<std::nullptr_t>(value_)) value_ = Members{};
+  auto* const members = std::get_if<Members>(&value_);
+  if (!members) throw std::logic_error("only an object takes keys");
+  const auto same =
+      std::find_if(members->begin(), members->end(), [&](const auto& m) { return m.first == key; });
+  if (same != members->end()) {
+    same->second = std::move(value);
+  } else {
+    members->emplace_back(std::move(key), std::move(value));
+  }
+  return *this;
+}
+
+std::string Json::text(int indent) const {
+  return json_escaped(
+      JsonText::of(*this).dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+}
+
+}  // namespace stepwire

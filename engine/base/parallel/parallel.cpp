@@ -1,0 +1,40 @@
+#include "engine/base/parallel/parallel.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <system_error>
+
+namespace stepwire {
+
+std::vector<std::jthread> begin_threads(std::size_t wanted, const std::function<void()>& work) {
+  std::vector<std::jthread> threads;
+  try {
+    while (threads.size() + 1 < wanted) threads.emplace_back(work);
+  } catch (const std::system_error&) {  // the system gives no more: those that are there do the work
+  }
+  return threads;
+}
+
+void in_parallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& task) {
+  std::atomic<std::size_t> next = 0;
+  std::mutex mutex;
+  std::exception_ptr failure;
+  const auto work = [&] {
+    try {
+      for (std::size_t i = next++; i < count; i = next++) task(i);
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      failure = std::current_exception();
+    }
+  };
+  const std::size_t wanted = threads ? threads : std::max(1u, std::thread::hardware_concurrency());
+  {
+    const std::vector<std::jthread> others = begin_threads(std::min(wanted, count), work);
+    work();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace stepwire

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+#include <vector>
+
+#include "engine/base/io/descriptor.hpp"
+
+namespace stepwire {
+
+/// A program that runs in a process group of its own, with the ends of its three streams.
+class Child {
+ public:
+  /// Begins it; alive() is false where that fails.
+  Child(const std::vector<std::string>& command, const std::string& scratch);
+  /// Ends the whole group.
+  ~Child();
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  bool alive() const { return id_ > 0; }
+  /// Has it ended by itself? It is still there to be waited for.
+  bool ended() const;
+  /// Ends the group, and gives the status that waitpid() has of the program.
+  int end();
+
+  Descriptor input, output, errors;
+
+ private:
+  pid_t id_ = -1;
+};
+
+}  // namespace stepwire

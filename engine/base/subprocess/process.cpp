@@ -1,0 +1,189 @@
+#include "engine/base/subprocess/process.hpp"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <string_view>
+
+#include "engine/base/io/surroundings.hpp"
+#include "engine/base/subprocess/child.hpp"
+#include "engine/base/subprocess/scratch_folder.hpp"
+
+namespace stepwire {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using End = ProcessResult::End;
+
+constexpr int milliseconds_between_looks = 20;
+constexpr std::size_t most_errors = 1u << 16u;
+
+/// Writes some of a text that a program reads; closes its side at the end, or when the program has gone.
+void send_some(Descriptor& to, std::string_view& rest) {
+  const ssize_t count = ::send(to.number(), rest.data(), rest.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+  if (count > 0) rest.remove_prefix(static_cast<std::size_t>(count));
+  const bool gone = count < 0 && errno != EAGAIN && errno != EINTR;
+  if (rest.empty() || gone) to.close();
+}
+
+/// Reads what is there, of which `most` bytes are kept; false if there was nothing.
+bool receive(Descriptor& from, std::string& text, std::size_t most) {
+  std::array<char, 1 << 16> buffer;
+  const ssize_t count = ::recv(from.number(), buffer.data(), buffer.size(), MSG_DONTWAIT);
+  if (count < 0 && (errno == EAGAIN || errno == EINTR)) return false;
+  if (count <= 0) {
+    from.close();
+    return false;
+  }
+  text.append(buffer.data(), std::min(static_cast<std::size_t>(count), most - std::min(most, text.size())));
+  return true;
+}
+
+/// Talks with a program until it ends or is to be ended.
+class Conversation {
+ public:
+  Conversation(Child& child, const ProcessCall& call, ProcessResult& result)
+      : child_(child),
+        call_(call),
+        result_(result),
+        rest_(call.input),
+        end_(Clock::now() + (call.limit.count() > 0 ? call.limit : usual_limit())) {}
+
+  End hold() {
+    while (true) {
+      if (call_.stop.stop_requested() || processes_stop()) return End::stopped;
+      if (Clock::now() > end_) return End::overdue;
+      if (result_.output.size() > call_.most_output) return End::too_much;
+      if (child_.ended()) return finish();
+      exchange();
+    }
+  }
+
+ private:
+  /// Writes and reads as either side is ready, so that neither waits for the other for ever.
+  void exchange() {
+    if (rest_.empty()) child_.input.close();
+    std::array<pollfd, 3> waits{{{child_.input.number(), POLLOUT, 0},
+                                 {child_.output.number(), POLLIN, 0},
+                                 {child_.errors.number(), POLLIN, 0}}};
+    // Who has closed its streams and goes on is looked at soon: most are about to end.
+    const bool silent = !child_.output.open() && !child_.errors.open();
+    if (::poll(waits.data(), waits.size(), silent ? 1 : milliseconds_between_looks) <= 0) return;
+    if (child_.input.open() && waits[0].revents != 0) send_some(child_.input, rest_);
+    if (child_.output.open() && waits[1].revents != 0)
+      receive(child_.output, result_.output, call_.most_output + 1);
+    if (child_.errors.open() && waits[2].revents != 0) receive(child_.errors, result_.errors, most_errors);
+  }
+
+  /// The program has ended; what it began may still hold its streams, and is not waited for.
+  End finish() {
+    while (child_.output.open() && receive(child_.output, result_.output, call_.most_output + 1)) {
+    }
+    while (child_.errors.open() && receive(child_.errors, result_.errors, most_errors)) {
+    }
+    return result_.output.size() > call_.most_output ? End::too_much : End::exited;
+  }
+
+  Child& child_;
+  const ProcessCall& call_;
+  ProcessResult& result_;
+  std::string_view rest_;
+  Clock::time_point end_;
+};
+
+std::chrono::milliseconds limit_or(double seconds) {
+  constexpr double most = 1e6;
+  const char* given = std::getenv("STEPWIRE_HELPER_LIMIT");
+  if (const double own = given ? std::strtod(given, nullptr) : 0.0; own > 0.0) seconds = std::min(own, most);
+  return std::chrono::milliseconds(static_cast<std::int64_t>(1000.0 * seconds) + 1);
+}
+
+std::string trimmed(std::string text) {
+  text.erase(text.find_last_not_of(" \n") + 1);
+  text.erase(0, std::min(text.find_first_not_of(" \n"), text.size()));
+  return text;
+}
+
+std::string end_text(End end, int status) {
+  switch (end) {
+    case End::overdue:
+      return "does not come to an end and was ended; STEPWIRE_HELPER_LIMIT allows more seconds";
+    case End::too_much:
+      return "writes without end and was ended";
+    case End::not_started:
+      return "could not be run";
+    case End::stopped:
+      return "was stopped";
+    case End::killed:
+      return "was killed by a signal";
+    default:
+      return fmt::format("ended with exit code {}", status);
+  }
+}
+
+}  // namespace
+
+std::string ProcessResult::problem(const std::string& name) const {
+  if (succeeded()) return "";
+  const bool spoke = end == End::exited && !errors.empty();
+  return spoke ? errors : fmt::format("{} {}", name, end_text(end, status));
+}
+
+std::string find_program(const std::string& name) {
+  const char* path = std::getenv("PATH");
+  std::string_view rest = path == nullptr ? "/usr/local/bin:/usr/bin:/bin" : path;
+  while (!rest.empty()) {
+    const auto colon = rest.find(':');
+    const std::string file = std::string(rest.substr(0, colon)) + "/" + name;
+    if (::access(file.c_str(), X_OK) == 0) return file;
+    rest.remove_prefix(colon == std::string_view::npos ? rest.size() : colon + 1);
+  }
+  return {};
+}
+
+std::chrono::milliseconds usual_limit() {
+  return limit_or(60.0);
+}
+
+std::chrono::milliseconds compiler_limit() {
+  return limit_or(300.0);
+}
+
+std::atomic<bool>& processes_stop() {
+  static std::atomic<bool> stop = false;
+  return stop;
+}
+
+ProcessResult run_process(const ProcessCall& call) {
+  ProcessResult result;
+  if (processes_stop()) {
+    result.end = End::stopped;
+    return result;
+  }
+  const ScratchFolder scratch;
+  Child child(call.command, scratch.path());
+  if (!child.alive()) return result;
+  result.end = Conversation(child, call, result).hold();
+  const int status = child.end();
+  if (result.end == End::exited && !WIFEXITED(status)) result.end = End::killed;
+  if (result.end == End::exited) result.status = WEXITSTATUS(status);
+  result.errors = trimmed(result.errors);
+  return result;
+}
+
+ProcessResult run_helper(const std::string& name, const ProcessCall& call) {
+  ProcessResult result = run_process(call);
+  if (result.end == End::stopped) throw ProcessStopped(name + " was stopped");
+  if (!result.succeeded()) throw SurroundingsError(result.problem(name));
+  return result;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,16 @@
+#include "engine/base/table/table_file.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+namespace stepwire {
+
+Table read_table(const std::string& path) {
+  const std::string ending = std::filesystem::path(path).extension().string();
+  if (ending == ".csv" || ending == ".CSV") return read_csv(path);
+  if (ending == ".mat" || ending == ".MAT") return read_mat(path);
+  throw TableError(fmt::format("{}: a table is a .csv or a .mat file, not '{}'", path, ending));
+}
+
+}  // namespace stepwire

@@ -1,0 +1,130 @@
+#include "engine/base/unit/named_unit.hpp"
+
+#include <udunits2.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
+#include <string>
+
+#include "engine/base/unit/decimal.hpp"
+
+namespace stepwire {
+namespace {
+
+constexpr std::size_t longest_word = 64;
+constexpr std::size_t most_words = 10'000;  // a bound on the cache, whatever texts come
+
+/// Words that udunits2 knows but that would turn a slip of the pen into a number nobody meant: the elementary
+/// charge, atomic mass, are, barn, roentgen, and pi, which is a constant and no unit.
+constexpr std::array<std::string_view, 6> refused{"e", "u", "a", "b", "R", "pi"};
+
+/// What udunits2 lacks, or, as mph and kph, reads as a thousandth and a thousand of a phot.
+constexpr std::array<std::pair<const char*, const char*>, 8> added{{{"deg", "degree"},
+                                                                    {"rev", "revolution"},
+                                                                    {"Nm", "N.m"},
+                                                                    {"Wh", "W.h"},
+                                                                    {"Ah", "A.h"},
+                                                                    {"mph", "mile/hour"},
+                                                                    {"kph", "km/hour"},
+                                                                    {"gn", "9.80665 m/s2"}}};
+
+struct Free {
+  void operator()(ut_system* system) const { ut_free_system(system); }
+  void operator()(ut_unit* unit) const { ut_free(unit); }
+};
+using System = std::unique_ptr<ut_system, Free>;
+using Parsed = std::unique_ptr<ut_unit, Free>;
+
+System read_system() {
+  ut_set_error_message_handler(ut_ignore);
+  System system(ut_read_xml(nullptr));
+  if (!system)
+    throw std::runtime_error("the unit database of udunits2 cannot be read; is libudunits2-data installed?");
+  for (const auto& [name, meaning] : added) {
+    const Parsed unit(ut_parse(system.get(), meaning, UT_ASCII));
+    ut_map_symbol_to_unit(name, UT_ASCII, unit.get());
+  }
+  return system;
+}
+
+/// Adds `power` of one base unit; the radian is 1.
+void raise(Dimension& dimension, const ut_unit* base, int power) {
+  constexpr std::array<std::string_view, 7> symbols{"m", "kg", "s", "A", "K", "mol", "cd"};
+  const char* symbol = ut_get_symbol(base, UT_ASCII);
+  const auto at = std::find(symbols.begin(), symbols.end(), symbol ? symbol : "");
+  if (at != symbols.end()) dimension.exponents.at(static_cast<std::size_t>(at - symbols.begin())) += power;
+}
+
+ut_status visit_basic(const ut_unit* base, void* unit) {
+  raise(static_cast<Unit*>(unit)->dimension, base, 1);
+  return UT_SUCCESS;
+}
+
+ut_status visit_product(const ut_unit*, int count, const ut_unit* const* bases, const int* powers,
+                        void* unit) {
+  for (int i = 0; i < count; ++i) raise(static_cast<Unit*>(unit)->dimension, bases[i], powers[i]);
+  return UT_SUCCESS;
+}
+
+ut_status visit(const ut_unit* parsed, Unit& unit);
+
+ut_status visit_galilean(const ut_unit*, double scale, const ut_unit* underlying, double offset, void* unit) {
+  auto& result = *static_cast<Unit*>(unit);
+  result.scale = as_published(scale);
+  result.offset = result.scale * as_decimal(offset);
+  return visit(underlying, result);
+}
+
+/// Dates and logarithms are no scales of a base unit.
+ut_status visit_timestamp(const ut_unit*, const ut_unit*, double, void*) {
+  return UT_MEANINGLESS;
+}
+ut_status visit_logarithm(const ut_unit*, double, const ut_unit*, void*) {
+  return UT_MEANINGLESS;
+}
+
+ut_status visit(const ut_unit* parsed, Unit& unit) {
+  const ut_visitor visitor{visit_basic, visit_product, visit_galilean, visit_timestamp, visit_logarithm};
+  return ut_accept_visitor(parsed, &visitor, &unit);
+}
+
+/// The database is read once, at the first use, and what was asked is kept; udunits2 itself knows no threads.
+class Words {
+ public:
+  std::optional<Unit> find(const std::string& word) {
+    const std::lock_guard lock(mutex_);
+    if (const auto known = known_.find(word); known != known_.end()) return known->second;
+    if (!system_) system_ = read_system();
+    if (known_.size() >= most_words) known_.clear();
+    return known_[word] = read(word);
+  }
+
+ private:
+  std::optional<Unit> read(const std::string& word) const {
+    const Parsed parsed(ut_parse(system_.get(), word.c_str(), UT_UTF8));
+    Unit unit;
+    if (!parsed || visit(parsed.get(), unit) != UT_SUCCESS) return std::nullopt;
+    return unit;
+  }
+
+  std::mutex mutex_;
+  System system_;
+  std::map<std::string, std::optional<Unit>> known_;
+};
+
+}  // namespace
+
+std::optional<Unit> named_unit(std::string_view word) {
+  static Words words;
+  if (word.empty() || word.size() > longest_word) return std::nullopt;
+  const auto letters = word.substr(0, word.find_last_not_of("0123456789") + 1);
+  if (std::find(refused.begin(), refused.end(), letters) != refused.end()) return std::nullopt;
+  if (letters.size() < word.size() && word[letters.size()] == '0') return std::nullopt;  // "m0" is a name
+  return words.find(std::string(word));
+}
+
+}  // namespace stepwire

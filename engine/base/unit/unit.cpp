@@ -1,0 +1,75 @@
+#include "engine/base/unit/unit.hpp"
+
+#include <charconv>
+#include <cmath>
+
+#include "engine/base/unit/decimal.hpp"
+
+namespace stepwire {
+namespace {
+
+template <class Combine>
+Dimension combine(const Dimension& a, const Dimension& b, Combine&& with) {
+  Dimension result;
+  for (std::size_t i = 0; i < result.exponents.size(); ++i) {
+    result.exponents[i] = with(a.exponents[i], b.exponents[i]);
+  }
+  return result;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+/// Whether a number starts here; without this "inf" and "nan" would.
+bool starts_number(std::string_view text) {
+  if (!text.empty() && text.front() == '-') text.remove_prefix(1);
+  if (!text.empty() && text.front() == '.') text.remove_prefix(1);
+  return !text.empty() && text.front() >= '0' && text.front() <= '9';
+}
+
+}  // namespace
+
+Dimension operator*(const Dimension& a, const Dimension& b) {
+  return combine(a, b, [](double x, double y) { return x + y; });
+}
+
+Dimension operator/(const Dimension& a, const Dimension& b) {
+  return combine(a, b, [](double x, double y) { return x - y; });
+}
+
+Dimension power(const Dimension& a, double exponent) {
+  return combine(a, a, [exponent](double x, double) { return x == 0.0 ? 0.0 : x * exponent; });
+}
+
+double Unit::to_si(double value) const {
+  if (scale == 1.0L && offset == 0.0L) return value;
+  return static_cast<double>(offset + scale * as_decimal(value));
+}
+
+double Unit::from_si(double value) const {
+  if (scale == 1.0L && offset == 0.0L) return value;
+  return static_cast<double>((as_decimal(value) - offset) / scale);
+}
+
+std::optional<Quantity> parse_quantity(std::string_view text) {
+  text = trimmed(text);
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  if (!starts_number(text)) return std::nullopt;
+  Quantity result;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, result.value);
+  if (error != std::errc{}) return std::nullopt;
+  const std::string_view unit_text = trimmed({rest, static_cast<std::size_t>(end - rest)});
+  if (unit_text.empty()) return result;
+  const auto unit = parse_unit(unit_text);
+  if (!unit || unit_text == "1") return std::nullopt;
+  result.value = unit->to_si(result.value);
+  result.dimension = unit->dimension;
+  if (!std::isfinite(result.value)) return std::nullopt;
+  return result;
+}
+
+}  // namespace stepwire

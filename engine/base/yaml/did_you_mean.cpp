@@ -1,0 +1,81 @@
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdlib>
+#include <vector>
+
+#include "engine/base/yaml/error.hpp"
+
+namespace stepwire {
+namespace {
+
+constexpr std::size_t longest_word = 64;  // the distance costs the product of both lengths
+
+std::string lower(std::string word) {
+  for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return word;
+}
+
+// Optimal string alignment: inserts, deletes, replacements and swaps of neighbours cost one each. Words have
+// at most longest_word letters; `most` stands for all that is more.
+std::size_t distance(const std::string& a, const std::string& b, std::size_t most) {
+  if (std::max(a.size(), b.size()) - std::min(a.size(), b.size()) >= most) return most;
+  std::array<std::array<std::size_t, longest_word + 1>, 3> rows;
+  const auto row = [&](std::size_t i) -> auto& {
+    return rows[i % 3];
+  };
+  for (std::size_t j = 0; j <= b.size(); ++j) row(0)[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    row(i)[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      row(i)[j] = std::min(
+          {row(i - 1)[j] + 1, row(i)[j - 1] + 1, row(i - 1)[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+      if (swapped) row(i)[j] = std::min(row(i)[j], row(i - 2)[j - 2] + 1);
+    }
+  }
+  return std::min(row(a.size())[b.size()], most);
+}
+
+/// "zoh" of "ZeroOrderHold"; empty for what is no such name.
+std::string initials(const std::string& name) {
+  std::string result;
+  for (const char c : name)
+    if (std::isupper(static_cast<unsigned char>(c))) result += c;
+  return lower(result);
+}
+
+// "freq" for "frequency" is meant, far as it is by letters, and so are "coulomb" for "coulomb_force" and
+// "force" for it, and "ZOH" for "ZeroOrderHold".
+bool abbreviates(const std::string& word, const std::string& name) {
+  if (word.size() < 3) return false;
+  return lower(name).starts_with(word) || name.ends_with("_" + word) || initials(name) == word;
+}
+
+}  // namespace
+
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& names) {
+  if (word.empty() || word.size() > longest_word) return "";
+  const std::string wanted = lower(word);
+  const std::size_t near = std::max<std::size_t>(1, word.size() / 3);
+  const std::string* nearest = nullptr;
+  std::size_t least = near + 1;
+  for (const std::string& name : names) {
+    if (name == word || name.size() > longest_word) continue;
+    std::size_t far = distance(wanted, lower(name), near + 1);
+    if (far > near && abbreviates(wanted, name)) far = near;
+    // A word of which no letter is right is no near miss.
+    if (far >= least || far >= std::max(word.size(), name.size())) continue;
+    least = far;
+    nearest = &name;
+  }
+  return nearest ? "; did you mean '" + *nearest + "'?" : "";
+}
+
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& names,
+                         const std::string& sentence) {
+  const std::string nearest = did_you_mean(word, names);
+  return (nearest.empty() ? "." : nearest) + " " + sentence;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,79 @@
+#include "engine/base/yaml/document.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+#include <utility>
+
+#include "engine/base/yaml/text_check.hpp"
+#include "engine/base/yaml/yaml_reader.hpp"
+
+namespace stepwire {
+namespace {
+
+[[noreturn]] void fail(const std::string& file, Mark mark, std::string message) {
+  throw Error(Fault{.place = {file, mark}, .subject = "", .message = std::move(message), .used_by = {}});
+}
+
+std::string megabytes(std::uintmax_t bytes) {
+  return fmt::format("{:.1f} MB", static_cast<double>(bytes) / (1 << 20));
+}
+
+void check_size(std::uintmax_t size, const std::string& file, const DocumentLimits& limits) {
+  if (size <= limits.bytes) return;
+  fail(file, {},
+       fmt::format("the file has {}, and at most {} are read", megabytes(size), megabytes(limits.bytes)));
+}
+
+// The size is looked at first; the file may grow since, so that reading stops at the limit, too.
+std::string contents(const std::string& path, const DocumentLimits& limits) {
+  std::error_code none;
+  const auto status = std::filesystem::status(path, none);
+  if (std::filesystem::is_directory(status)) fail(path, {}, "this is a folder, not a file");
+  // A pipe would keep us waiting, and a device need not end.
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    fail(path, {}, "this is no regular file; write the diagram into one");
+  if (std::filesystem::is_regular_file(status))
+    check_size(std::filesystem::file_size(path, none), path, limits);
+
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
+  if (!file)
+    fail(path, {},
+         errno == ENOENT ? "no such file" : fmt::format("cannot be read: {}", std::strerror(errno)));
+  std::string text;
+  char chunk[1 << 16];
+  while (const std::size_t read = std::fread(chunk, 1, sizeof chunk, file.get())) {
+    text.append(chunk, read);
+    check_size(text.size(), path, limits);
+  }
+  if (std::ferror(file.get())) fail(path, {}, fmt::format("cannot be read: {}", std::strerror(errno)));
+  return text;
+}
+
+}  // namespace
+
+const Node* Node::find(std::string_view key) const {
+  const auto at =
+      std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) { return entry.key == key; });
+  return at == entries.end() ? nullptr : &at->value;
+}
+
+Document parse_document(std::string_view text, const std::string& file, const DocumentLimits& limits) {
+  check_size(text.size(), file, limits);
+  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  if (const auto wrong = check_text(text)) fail(file, wrong->mark, wrong->message);
+  return {file, read_yaml(text, file, limits)};
+}
+
+Document read_document(const std::string& path, const DocumentLimits& limits) {
+  return parse_document(contents(path, limits), path, limits);
+}
+
+}  // namespace stepwire

@@ -1,0 +1,100 @@
+#include "engine/base/yaml/error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "engine/base/text/characters.hpp"
+
+namespace stepwire {
+namespace {
+
+constexpr std::size_t most_faults = 100;
+constexpr std::size_t longest_line = 4000;  // [bytes]
+
+std::string text_of(const Place& place) {
+  if (place.mark.line == 0) return place.file;
+  const std::string in_file = fmt::format("{}:{}", place.mark.line, place.mark.column);
+  return place.file.empty() ? in_file : place.file + ":" + in_file;
+}
+
+bool same(const Place& a, const Place& b) {
+  return a.file == b.file && a.mark.line == b.mark.line && a.mark.column == b.mark.column;
+}
+
+bool same_fault(const Fault& a, const Fault& b) {
+  return same(a.place, b.place) && a.subject == b.subject && a.message == b.message &&
+         std::equal(a.used_by.begin(), a.used_by.end(), b.used_by.begin(), b.used_by.end(), same);
+}
+
+// Files keep the order in which they first come up: that is the order in which they were read.
+std::vector<Fault> in_order(std::vector<Fault> faults) {
+  std::vector<std::string> files;
+  const auto rank = [&](const std::string& file) {
+    const auto at = std::find(files.begin(), files.end(), file);
+    if (at != files.end()) return at - files.begin();
+    files.push_back(file);
+    return static_cast<std::ptrdiff_t>(files.size()) - 1;
+  };
+  using Key = std::tuple<std::ptrdiff_t, int, int>;
+  std::vector<std::pair<Key, Fault>> keyed;
+  keyed.reserve(faults.size());
+  for (Fault& fault : faults) {
+    const Key key{rank(fault.place.file), fault.place.mark.line, fault.place.mark.column};
+    keyed.emplace_back(key, std::move(fault));
+  }
+  std::stable_sort(keyed.begin(), keyed.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+
+  std::vector<Fault> sorted;
+  sorted.reserve(keyed.size());
+  std::size_t first_here = 0;  // duplicates can only be among the faults of one place
+  for (std::size_t i = 0; i < keyed.size(); ++i) {
+    if (i > 0 && keyed[i].first != keyed[i - 1].first) first_here = sorted.size();
+    const auto is_known = [&](const Fault& known) { return same_fault(known, keyed[i].second); };
+    if (std::none_of(sorted.begin() + static_cast<std::ptrdiff_t>(first_here), sorted.end(), is_known))
+      sorted.push_back(std::move(keyed[i].second));
+  }
+  return sorted;
+}
+
+}  // namespace
+
+std::string Fault::text() const {
+  std::string line = text_of(place);
+  if (!line.empty()) line += ": ";
+  if (!subject.empty()) line += subject + ": ";
+  line += message;
+  for (const Place& user : used_by) line += " (used by " + text_of(user) + ")";
+  if (line.size() > longest_line) {
+    std::size_t end = longest_line;
+    while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xc0) == 0x80)
+      --end;  // within a letter of UTF-8
+    line = fmt::format("{} ... and {} bytes more", line.substr(0, end), line.size() - end);
+  }
+  return visible(line);  // what a user wrote may hold line breaks, and a fault is one line
+}
+
+Error::Error(Fault fault) : Error(std::vector<Fault>{std::move(fault)}) {}
+
+Error::Error(std::vector<Fault> faults) : faults_(in_order(std::move(faults))) {
+  for (const Fault& fault : faults_) text_ += (text_.empty() ? "" : "\n") + fault.text();
+}
+
+void Faults::add(Fault fault) {
+  faults_.push_back(std::move(fault));
+  if (faults_.size() < most_faults) return;
+  faults_.push_back({.place = {},
+                     .subject = "",
+                     .message = fmt::format("there may be more than these {} faults", most_faults),
+                     .used_by = {}});
+  throw Error(faults_);
+}
+
+void Faults::throw_if_any() const {
+  if (!faults_.empty()) throw Error(faults_);
+}
+
+}  // namespace stepwire

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "engine/base/yaml/place.hpp"
+
+namespace stepwire {
+
+/// One thing that is wrong in what a user wrote: where, in which block and port, what is wrong and what would
+/// be right.
+struct Fault {
+  Place place;
+  std::string subject;  ///< "lag.tau", "lag", or empty
+  std::string message;
+  std::vector<Place> used_by;  ///< innermost first: the lines that used the part in which the fault lies
+
+  /// "file:line:col: subject: message", with "(used by file:line:col)" for each user.
+  std::string text() const;
+};
+
+/// The one exception for what a user wrote; carries everything that one pass found, in order of place.
+class Error : public std::exception {
+ public:
+  explicit Error(Fault fault);
+  explicit Error(std::vector<Fault> faults);
+  const std::vector<Fault>& faults() const { return faults_; }
+  /// All faults, one line each.
+  const char* what() const noexcept override { return text_.c_str(); }
+
+ private:
+  std::vector<Fault> faults_;
+  std::string text_;
+};
+
+/// Gathers faults of one pass, so that a user sees all of them at once.
+class Faults {
+ public:
+  /// Throws Error with what there is where one more would be too many to read.
+  void add(Fault fault);
+  bool empty() const { return faults_.empty(); }
+  std::size_t size() const { return faults_.size(); }
+  /// Throws Error with all faults if there are any.
+  void throw_if_any() const;
+  const std::vector<Fault>& list() const { return faults_; }
+
+ private:
+  std::vector<Fault> faults_;
+};
+
+/// "; did you mean 'tau'?" for the nearest of `names`, or "" if none is near.
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& names);
+/// The same, and a sentence behind it: "; did you mean 'tau'? It has: tau, u", or ". It has: tau, u" if none
+/// is near.
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& names,
+                         const std::string& sentence);
+
+}  // namespace stepwire

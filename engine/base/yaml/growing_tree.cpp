@@ -1,0 +1,197 @@
+#include "engine/base/yaml/growing_tree.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace stepwire {
+namespace {
+
+constexpr std::size_t characters_per_node = 32;  // so that copies of one long text cost what they take
+constexpr std::size_t nodes_per_anchor = 8;      // about what keeping the way to it takes
+
+struct Extent {
+  std::size_t cost = 0;
+  std::size_t depth = 0;
+};
+
+std::size_t cost_of(const std::string& text) {
+  return 1 + text.size() / characters_per_node;
+}
+
+Extent extent_of(const Node& node) {
+  Extent extent{cost_of(node.text), 0};
+  const auto add = [&](const Node& child) {
+    const Extent inner = extent_of(child);
+    extent.cost += inner.cost;
+    extent.depth = std::max(extent.depth, inner.depth);
+  };
+  for (const Node& item : node.items) add(item);
+  for (const Entry& entry : node.entries) {
+    extent.cost += entry.key.size() / characters_per_node;
+    add(entry.value);
+  }
+  if (node.is_list() || node.is_map()) ++extent.depth;
+  return extent;
+}
+
+}  // namespace
+
+GrowingTree::GrowingTree(std::string file, const DocumentLimits& limits)
+    : file_(std::move(file)), limits_(limits) {
+  root_.mark = {1, 1};
+}
+
+void GrowingTree::open(Node::Kind kind, Mark mark, std::size_t anchor) {
+  if (awaits_key())
+    fail(mark, "a list or a map cannot be a key; close the bracket, or quote text that starts with [ or {");
+  check_depth(open_.size() + 1, mark);
+  spend(1, mark);
+  Node node;
+  node.kind = kind;
+  node.mark = mark;
+  open_.push_back({&attach(std::move(node), anchor)});
+}
+
+void GrowingTree::close() {
+  if (open_.back().node->is_map()) check_double_keys(*open_.back().node);
+  open_.pop_back();
+}
+
+void GrowingTree::scalar(Mark mark, const std::string& text, bool quoted, std::size_t anchor) {
+  spend(cost_of(text), mark);
+  if (awaits_key()) return key(mark, text, anchor);
+  Node node;
+  node.kind = Node::Kind::scalar;
+  node.quoted = quoted;
+  node.mark = mark;
+  node.text = text;
+  attach(std::move(node), anchor);
+}
+
+void GrowingTree::empty(Mark mark, bool written, std::size_t anchor) {
+  spend(1, mark);
+  if (awaits_key()) {
+    fault(mark, written ? "null is no key; quote it if it is meant as a word"
+                        : "a key is missing before the value");
+    return key(mark, "", 0);
+  }
+  Node node;
+  node.mark = mark;
+  if (!written && !open_.empty() && open_.back().node->is_map()) {
+    const Entry& entry = open_.back().node->entries.back();
+    node.mark = entry.mark;
+    if (entry.key.find(':') != std::string::npos)
+      fault(entry.mark,
+            fmt::format("'{}' is a key without a value; a blank is missing after ':'", entry.key));
+  }
+  attach(std::move(node), anchor);
+}
+
+void GrowingTree::alias(Mark mark, std::size_t anchor) {
+  if (awaits_key()) {
+    fault(mark, "an alias (*name) cannot be a key; write the key out");
+    return key(mark, "", 0);
+  }
+  const auto known = anchors_.find(anchor);
+  if (known == anchors_.end()) return empty(mark, true, 0);  // its anchor stood on a key: a fault already
+  const Node& meant = at(known->second);
+  const bool is_open =
+      std::any_of(open_.begin(), open_.end(), [&](auto& level) { return level.node == &meant; });
+  if (is_open) fail(mark, "the alias stands inside the value that it names, so that it would never end");
+  const Extent extent = extent_of(meant);
+  check_depth(open_.size() + extent.depth, mark);
+  spend(extent.cost, mark);
+  Node copy = meant;
+  attach(std::move(copy), 0);
+}
+
+Mark GrowingTree::innermost() const {
+  return open_.empty() ? root_.mark : open_.back().node->mark;
+}
+
+void GrowingTree::fault(Mark mark, std::string message) {
+  faults_.add({.place = {file_, mark}, .subject = "", .message = std::move(message), .used_by = {}});
+}
+
+void GrowingTree::fail(Mark mark, std::string message) {
+  fault(mark, std::move(message));
+  throw Error(faults_.list());
+}
+
+Node GrowingTree::take() {
+  faults_.throw_if_any();
+  return std::move(root_);
+}
+
+bool GrowingTree::awaits_key() const {
+  return !open_.empty() && open_.back().node->is_map() && !open_.back().awaits_value;
+}
+
+void GrowingTree::key(Mark mark, std::string text, std::size_t anchor) {
+  if (anchor != 0) fault(mark, "an anchor (&name) belongs to a value, not to a key");
+  if (text == "<<")
+    fault(mark, "merge keys (<<) are not known here; write the keys out, or give the value an alias");
+  open_.back().node->entries.push_back({std::move(text), mark, {}});
+  open_.back().awaits_value = true;
+}
+
+Node& GrowingTree::attach(Node node, std::size_t anchor) {
+  Node* place = &root_;
+  if (!open_.empty()) {
+    Node& parent = *open_.back().node;
+    open_.back().awaits_value = false;
+    place = parent.is_map() ? &parent.entries.back().value : &parent.items.emplace_back();
+  }
+  *place = std::move(node);
+  if (anchor != 0) {
+    spend(nodes_per_anchor, place->mark);
+    Path path;
+    for (const Level& level : open_)
+      path.push_back((level.node->is_map() ? level.node->entries.size() : level.node->items.size()) - 1);
+    anchors_[anchor] = std::move(path);
+  }
+  return *place;
+}
+
+void GrowingTree::spend(std::size_t cost, Mark mark) {
+  cost_ += cost;
+  if (cost_ <= limits_.nodes) return;
+  fail(mark, fmt::format("the file holds more than {} values (aliases expanded), more than is read",
+                         limits_.nodes));
+}
+
+void GrowingTree::check_depth(std::size_t depth, Mark mark) {
+  if (depth <= static_cast<std::size_t>(limits_.depth)) return;
+  fail(mark, fmt::format("nested deeper than {} levels, more than is read", limits_.depth));
+}
+
+void GrowingTree::check_double_keys(const Node& map) {
+  const std::vector<Entry>& entries = map.entries;
+  std::vector<std::size_t> order(entries.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](auto a, auto b) { return entries[a].key < entries[b].key; });
+  std::size_t first = 0;
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    const Entry& original = entries[order[first]];
+    const Entry& entry = entries[order[i]];
+    if (entry.key != original.key) {
+      first = i;
+    } else if (!entry.key.empty()) {
+      fault(entry.mark, fmt::format("'{}' is given twice; the first is at {}:{}", entry.key,
+                                    original.mark.line, original.mark.column));
+    }
+  }
+}
+
+Node& GrowingTree::at(const Path& path) {
+  Node* node = &root_;
+  for (const std::size_t index : path)
+    node = node->is_map() ? &node->entries[index].value : &node->items[index];
+  return *node;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,30 @@
+#include "engine/base/yaml/text_source.hpp"
+
+#include <algorithm>
+
+namespace stepwire {
+namespace {
+
+// A list in brackets of about this many numbers can be read; its tokens then take less than 100 MB.
+constexpr std::size_t most_signs = 250'000;
+
+bool makes_token(char c) {
+  return c == ',' || c == '[' || c == '{' || c == ']' || c == '}' || c == ':' || c == '?' || c == '-' ||
+         c == '&' || c == '*' || c == '!' || c == '"' || c == '\'';
+}
+
+}  // namespace
+
+TextSource::TextSource(std::string_view text) {
+  char* begin = const_cast<char*>(text.data());  // a stream buffer wants it so; nothing writes
+  setg(begin, begin, begin + text.size());
+}
+
+std::streamsize TextSource::xsgetn(char* to, std::streamsize count) {
+  const std::streamsize taken = std::streambuf::xsgetn(to, count);
+  signs_ += static_cast<std::size_t>(std::count_if(to, to + taken, makes_token));
+  if (signs_ > most_signs) throw TooFarAhead{};
+  return taken;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,147 @@
+#include "engine/base/yaml/yaml_reader.hpp"
+
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/mark.h>
+#include <yaml-cpp/parser.h>
+
+#include <exception>
+#include <istream>
+#include <string>
+#include <utility>
+
+#include "engine/base/yaml/growing_tree.hpp"
+#include "engine/base/yaml/spots.hpp"
+#include "engine/base/yaml/text_source.hpp"
+#include "engine/base/yaml/yaml_message.hpp"
+
+namespace stepwire {
+namespace {
+
+// A mark of the library in our words; where it has none, the file starts.
+Spot spot_of(const YAML::Mark& mark) {
+  if (mark.is_null()) return {};
+  return {static_cast<std::size_t>(mark.pos), mark.line, mark.column};
+}
+
+// Everything that the library finds ends up in the tree. Its recursion is bounded by the depth of the tree,
+// since it goes no level deeper without opening a list or a map.
+class Events : public YAML::EventHandler {
+ public:
+  Events(GrowingTree& tree, TextSource& source, Spots& spots) : tree_(tree), source_(source), spots_(spots) {}
+
+  /// Where the last value was found.
+  Mark last() { return place(last_); }
+
+  /// The library takes the end of the file for a closing quote; only the last text can run into it.
+  void check_last_quote() {
+    if (lacks_closing_quote(last_text_))
+      tree_.fail(place(last_), "the closing quote of this text is missing");
+  }
+
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    if (++documents_ == 1) return;
+    const bool announced = spots_.text_at(spot_of(mark)).starts_with("---");
+    tree_.fail(place(mark), announced ? "a second document starts here; a file holds one"
+                                      : "text after the end of the document; check brackets and indentation");
+  }
+  void OnDocumentEnd() override {}
+
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    found(mark);
+    const std::string_view here = spots_.text_at(spot_of(mark));
+    refuse_tag(mark, here.starts_with('!') ? "!" : "");
+    tree_.empty(place(mark), starts_with_null(here), anchor);
+  }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    found(mark);
+    tree_.alias(place(mark), anchor);
+  }
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                const std::string& value) override {
+    found(mark);
+    refuse_tag(mark, tag);
+    last_text_ = spots_.text_at(spot_of(mark));
+    tree_.scalar(place(mark), value, tag == "!", anchor);
+  }
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value) override {
+    open(Node::Kind::list, mark, tag, anchor);
+  }
+  void OnSequenceEnd() override { tree_.close(); }
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value) override {
+    open(Node::Kind::map, mark, tag, anchor);
+  }
+  void OnMapEnd() override { tree_.close(); }
+
+ private:
+  Mark place(const YAML::Mark& mark) { return spots_.mark(spot_of(mark)); }
+  void found(const YAML::Mark& mark) {
+    last_ = mark;
+    source_.progress();
+  }
+  void open(Node::Kind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
+    found(mark);
+    refuse_tag(mark, tag);
+    tree_.open(kind, place(mark), anchor);
+  }
+  // "?" is the library's word for no tag, and "!" for one in quotes or an explicit "!", which says nothing
+  // more.
+  void refuse_tag(const YAML::Mark& mark, const std::string& tag) {
+    const bool written =
+        tag != "" && tag != "?" && (tag != "!" || spots_.text_at(spot_of(mark)).starts_with('!'));
+    if (written) tree_.fault(place(mark), "tags (!) are not used here; quote text that starts with !");
+  }
+
+  GrowingTree& tree_;
+  TextSource& source_;
+  Spots& spots_;
+  YAML::Mark last_;
+  std::string_view last_text_;
+  int documents_ = 0;
+};
+
+// A parser's word is about where a bracket or quote should end, a person looks for its start; and a tab looks
+// like blanks.
+[[noreturn]] void explain(GrowingTree& tree, Spots& spots, Mark last, const YAML::Exception& wrong) {
+  const auto text = [](Mark mark) { return std::to_string(mark.line) + ":" + std::to_string(mark.column); };
+  const Mark place = spots.mark(spot_of(wrong.mark));
+  if (const auto tab = spots.tab_in_indentation(spot_of(wrong.mark)))
+    tree.fail({place.line, *tab}, "a tab in the indentation; use blanks");
+  if (wrong.msg == YAML::ErrorMsg::EOF_IN_SCALAR)
+    tree.fail(place,
+              "the file ends inside a text that starts after " + text(last) + "; a closing quote is missing");
+  const bool in_brackets =
+      wrong.msg == YAML::ErrorMsg::END_OF_MAP_FLOW || wrong.msg == YAML::ErrorMsg::END_OF_SEQ_FLOW;
+  tree.fail(place,
+            yaml_message(wrong.msg) + (in_brackets ? " (opened at " + text(tree.innermost()) + ")" : ""));
+}
+
+}  // namespace
+
+Node read_yaml(std::string_view text, const std::string& file, const DocumentLimits& limits) {
+  GrowingTree tree(file, limits);
+  TextSource source(text);
+  Spots spots(text);
+  Events events(tree, source, spots);
+  try {
+    std::istream stream(&source);
+    YAML::Parser parser(stream);
+    while (parser.HandleNextDocument(events)) {
+    }
+    events.check_last_quote();
+  } catch (const YAML::Exception& wrong) {
+    explain(tree, spots, events.last(), wrong);
+  } catch (const TextSource::TooFarAhead&) {
+    tree.fail(events.last(),
+              "a list or map in brackets that is too long starts here; put its values into a data file");
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& wrong) {
+    tree.fail(events.last(), std::string("cannot be read as YAML: ") + wrong.what());
+  }
+  return tree.take();
+}
+
+}  // namespace stepwire

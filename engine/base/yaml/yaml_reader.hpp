@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "engine/base/yaml/document.hpp"
+
+namespace stepwire {
+
+/// Reads one YAML document out of sound UTF-8 text into a tree; throws Error for all that is wrong with it.
+Node read_yaml(std::string_view text, const std::string& file, const DocumentLimits& limits);
+
+}  // namespace stepwire

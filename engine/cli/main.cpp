@@ -1,6 +1,0 @@
-#include "blocks/register.hpp"
-#include "engine/cli/command_line.hpp"
-
-int main(int argc, char** argv) {
-  return stepwire::run_command_line(argc, argv, stepwire::all_blocks);
-}

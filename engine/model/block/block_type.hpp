@@ -1,0 +1,84 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/model/block/configure.hpp"
+#include "engine/model/block/kernels.hpp"
+#include "engine/model/block/spec.hpp"
+#include "engine/model/block/symbol.hpp"
+
+namespace stepwire {
+
+struct Outline;
+
+/// When a block runs unless its file says `every`.
+enum class Timing {
+  inherited,   ///< at the rate of its inputs; once at the start if it has none
+  continuous,  ///< follows time itself (sources) or has continuous states
+  discrete     ///< acts at ticks; without `every` at its inputs' period, or at every step where those are
+               ///< continuous
+};
+
+/// Everything known of a kind of block, from its declaration alone.
+struct BlockType {
+  std::string name;
+  std::string doc;
+  std::string source;  ///< equation, paper or datasheet, if any
+  std::string folder;  ///< the family, e.g. "continuous"
+  Symbol symbol;
+  Timing timing = Timing::inherited;
+  bool file_output = false;
+  std::string struct_name;  ///< in C++, with its namespace
+  std::string header;  ///< that declares the struct, from the root of the sources; empty if there is none
+  std::string not_real_time;  ///< why its steps are not fit for a real-time loop; empty: they are
+
+  std::vector<ParameterSpec> parameters;
+  std::vector<InputSpec> inputs;
+  std::vector<OutputSpec> outputs;
+  std::vector<StateSpec> states;
+  std::vector<NoticeSpec> notices;
+  std::vector<PresetSpec> presets;
+  std::vector<MemberSpec> members;  ///< that a run reads and never changes
+  std::vector<ClockSpec> clocks;
+
+  Kernels run_outputs, run_derivatives, run_update;
+  void (*configure)(void* block, Configure& is) = nullptr;
+  void (*prepare)(void* block) = nullptr;
+  void (*start)(void* block) = nullptr;
+  /// Adds the lines that a configured block offers to figures; null where it has none.
+  void (*outline)(const void* block, Outline& lines) = nullptr;
+
+  std::size_t bytes = 0, alignment = 0;
+  void (*construct)(void* memory) = nullptr;
+  void (*copy)(void* memory, const void* block) = nullptr;
+  void (*destroy)(void* block) = nullptr;
+
+  const ParameterSpec* parameter(std::string_view key) const;
+  int input(std::string_view key) const;   ///< index, or -1
+  int output(std::string_view key) const;  ///< index, or -1
+  int state(std::string_view key) const;   ///< index, or -1
+  bool has_continuous_state() const;
+};
+
+/// Owns one block of a type known only at run time.
+class AnyBlock {
+ public:
+  explicit AnyBlock(const BlockType& type);
+  AnyBlock(const AnyBlock& other);
+  AnyBlock(AnyBlock&& other) noexcept;
+  AnyBlock& operator=(AnyBlock other) noexcept;
+  ~AnyBlock();
+
+  const BlockType& type() const { return *type_; }
+  void* get() { return memory_; }
+  const void* get() const { return memory_; }
+
+ private:
+  const BlockType* type_;
+  void* memory_;
+};
+
+}  // namespace stepwire

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "engine/model/block/member_name.hpp"
+#include "engine/model/block/value.hpp"
+
+namespace stepwire {
+
+/// What a block refuses about its own parameters; the loader adds the place.
+class ParameterRefused : public std::runtime_error {
+ public:
+  ParameterRefused(std::string parameter, const std::string& message, int line = 0, int column = 0)
+      : std::runtime_error(message), parameter(std::move(parameter)), line(line), column(column) {}
+  std::string parameter;
+  int line, column;  ///< of the piece of a tree that is wrong; 0: the parameter as a whole
+};
+
+/// What a block says of itself in configure(): two blocks that say the same fit into the same plan.
+struct Configuration {
+  std::map<std::string, Eigen::Index> sizes, least_sizes;
+  std::map<std::string, std::string> units;
+  std::map<std::pair<std::string, std::string>, bool> feedthrough;
+  std::vector<std::pair<std::string, std::string>> required;  ///< inputs, and why
+  /// State and input, where one is the other's derivative; both empty where there are none.
+  std::pair<std::string, std::string> slope_source;
+  bool skips_outputs = false, skips_update = false;
+
+  bool operator==(const Configuration&) const = default;
+};
+
+/// Passed to a block's optional configure() once its parameters, connections and period are known and before
+/// shapes, order and memory are: here a block checks its parameters against each other, and says what its
+/// declaration left open.
+class Configure {
+ public:
+  Configure(std::set<std::string> connected, double period, std::map<std::string, Eigen::Index> counts = {})
+      : connected_(std::move(connected)), period_(period), counts_(std::move(counts)) {}
+
+  /// Is this optional input fed?
+  template <auto input>
+  bool connected() const {
+    return connected_.contains(std::string(member_name<input>()));
+  }
+  /// How many elements does this list of inputs have?
+  template <auto input>
+  Eigen::Index count() const {
+    const auto found = counts_.find(std::string(member_name<input>()));
+    return found == counts_.end() ? 0 : found->second;
+  }
+  /// Time between two updates of this block [s].
+  double period() const { return period_; }
+
+  /// Gives a size that no port or parameter determines, by its letter in the declared shapes.
+  void size(const std::string& symbol, Eigen::Index elements) { answers_.sizes[symbol] = elements; }
+  /// Refuses a size, which comes from a wire, below this: there is no element `elements` to work on.
+  void size_at_least(const std::string& symbol, Eigen::Index elements) {
+    answers_.least_sizes[symbol] = elements;
+  }
+  /// Says what a unit variable of the declaration is in this instance, e.g. ("'u", "mm") from a file's
+  /// header.
+  void unit(const std::string& variable, const std::string& unit) { answers_.units[variable] = unit; }
+  /// Says whether this instance's output depends on this input at the same instant.
+  template <auto input, auto output>
+  void feedthrough(bool depends) {
+    answers_.feedthrough[{std::string(member_name<input>()), std::string(member_name<output>())}] = depends;
+  }
+  /// Requires an input that the declaration calls optional.
+  template <auto input>
+  void require(const std::string& reason) {
+    if (!connected<input>()) answers_.required.emplace_back(member_name<input>(), reason);
+  }
+  /// Outputs that are states need no call of outputs() in this instance.
+  void skip_outputs() { answers_.skips_outputs = true; }
+  /// This instance has nothing to do in update().
+  void skip_update() { answers_.skips_update = true; }
+  /// The slope of this state is this input as it stands, and derivatives() does nothing else: where the plan
+  /// lets the input's source write into the slope's place, nothing needs to be called.
+  template <auto state, auto input>
+  void slope_is_input() {
+    answers_.slope_source = {std::string(member_name<state>()), std::string(member_name<input>())};
+  }
+  /// Refuses a parameter: what is wrong and what would be right.
+  template <auto parameter>
+  [[noreturn]] void refuse(const std::string& message) const {
+    throw ParameterRefused(std::string(member_name<parameter>()), message);
+  }
+  template <auto parameter>
+  [[noreturn]] void refuse(const std::string& message, const Value& where) const {
+    throw ParameterRefused(std::string(member_name<parameter>()), message, where.line, where.column);
+  }
+
+  const Configuration& answers() const { return answers_; }
+
+ private:
+  std::set<std::string> connected_;
+  double period_;
+  std::map<std::string, Eigen::Index> counts_;
+  Configuration answers_;
+};
+
+}  // namespace stepwire

@@ -1,0 +1,296 @@
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "engine/model/block/block.hpp"
+#include "engine/model/block/block_type.hpp"
+#include "engine/model/block/kernels.hpp"
+#include "engine/model/block/literal.hpp"
+#include "engine/model/block/member_name.hpp"
+#include "engine/model/block/parameter_access.hpp"
+
+namespace stepwire {
+
+struct BlockOptions {
+  std::string doc;
+  std::string source = "";
+  Timing timing = Timing::inherited;
+  /// Why a real-time loop refuses the block: "reads a file at every step". Left out where no step allocates,
+  /// locks, calls the system, or takes a time that nothing bounds.
+  std::string not_real_time = "";
+  Symbol symbol{};
+};
+
+struct ParameterOptions {
+  std::string unit = "1";
+  std::string shape = "";
+  std::string doc;
+  std::optional<double> above{}, below{}, at_least{}, at_most{};
+  std::vector<std::string> words{};
+  bool required = false;
+};
+
+struct InputOptions {
+  std::string unit = "1";
+  std::string shape = "";
+  std::string doc;
+  bool feedthrough = true;
+  bool optional = false;
+  bool multiply_units = false;
+};
+
+struct OutputOptions {
+  std::string unit = "1";
+  std::string shape = "";
+  std::string doc;
+};
+
+struct StateOptions {
+  std::string unit = "1";
+  std::string shape = "";
+  std::string doc;
+  double initial = 0.0;
+  bool settable = true;
+};
+
+struct NoticeOptions {
+  std::string doc;
+  bool ends_run = false;
+};
+
+namespace detail {
+
+template <class T>
+struct PortSize;
+template <int n>
+struct PortSize<Input<n>> : std::integral_constant<int, n> {};
+template <>
+struct PortSize<Inputs> : std::integral_constant<int, any_size> {};
+template <int n>
+struct PortSize<Output<n>> : std::integral_constant<int, n> {};
+template <int n>
+struct PortSize<State<n>> : std::integral_constant<int, n> {};
+template <int n>
+struct PortSize<DiscreteState<n>> : std::integral_constant<int, n> {};
+
+/// A fixed size is known from the type; a free one is called n unless the declaration names it.
+template <class Port>
+std::string shape_of(const std::string& given) {
+  if constexpr (PortSize<Port>::value == any_size) {
+    return given.empty() ? "n" : given;
+  } else {
+    return std::to_string(PortSize<Port>::value);
+  }
+}
+
+/// "blocks/math/gain.hpp" for what "blocks/math/gain.cpp" declares; empty for what is not of the library.
+std::string header_beside(std::string_view source);
+
+template <class Port>
+inline constexpr int unbound_size = PortSize<Port>::value == any_size ? 0 : PortSize<Port>::value;
+
+template <class T>
+struct IsContinuous : std::false_type {};
+template <int n>
+struct IsContinuous<State<n>> : std::true_type {};
+
+}  // namespace detail
+
+/// Collects what a block says of itself; `declare(Declare<Block>&)` names each member once.
+///
+/// Units: a unit ("N", "mm/s"; numbers inside are SI all the same), "1" for none, "*" for anything, or with
+/// unit variables, which are what is wired to the block: "'u" (a name after a quote), "'u s", "'k 'u",
+/// "'a/'b", "'u^0.5". Shapes: a number, a letter that stands for the same size in the whole block, or "n x m"
+/// for matrices.
+template <class Block>
+class Declare {
+ public:
+  Declare() {
+    type_.bytes = sizeof(Block);
+    type_.alignment = alignof(Block);
+    type_.construct = [](void* memory) { ::new (memory) Block{}; };
+    type_.copy = [](void* memory, const void* block) {
+      ::new (memory) Block(*static_cast<const Block*>(block));
+    };
+    type_.destroy = [](void* block) { static_cast<Block*>(block)->~Block(); };
+    find_phases();
+  }
+
+  void block(
+      std::string name, BlockOptions options,
+      const char* file = __builtin_FILE()) {  // of the declaration; clang 14 has no std::source_location
+    type_.name = std::move(name);
+    type_.struct_name = detail::type_name<Block>();
+    type_.header = detail::header_beside(file);
+    type_.doc = std::move(options.doc);
+    type_.source = std::move(options.source);
+    type_.not_real_time = std::move(options.not_real_time);
+    type_.symbol = std::move(options.symbol);
+    if (options.timing != Timing::inherited) type_.timing = options.timing;
+  }
+
+  template <auto member>
+  void parameter(ParameterOptions is) {
+    using Access = ParameterAccess<MemberType<member>>;
+    ParameterSpec spec{std::string(member_name<member>()),
+                       Access::kind,
+                       is.unit,
+                       is.shape,
+                       is.doc,
+                       {is.above, is.below, is.at_least, is.at_most},
+                       is.words,
+                       is.required};
+    if (Access::kind == ParameterKind::per_element && spec.shape.empty()) spec.shape.assign(1, 'n');
+    spec.set = [](void* block, const Value& value) { Access::set(of<member>(block), value); };
+    spec.get = [](const void* block) { return Access::get(static_cast<const Block*>(block)->*member); };
+    if constexpr (has_literal<MemberType<member>>) {
+      derived<member>();
+      spec.member = static_cast<int>(type_.members.size()) - 1;
+    }
+    type_.parameters.push_back(std::move(spec));
+  }
+
+  /// A member that configure() or prepare() compute from the parameters, and a run reads.
+  template <auto member>
+  void derived() {
+    type_.members.push_back(
+        {std::string(member_identifier<member>()), [](const void* block, LiteralWriter& writer) {
+           return Literal<MemberType<member>>::text(static_cast<const Block*>(block)->*member, writer);
+         }});
+  }
+
+  template <auto member>
+  void input(InputOptions is) {
+    using Port = MemberType<member>;
+    InputSpec spec{std::string(member_name<member>()),
+                   is.unit,
+                   detail::shape_of<Port>(is.shape),
+                   is.doc,
+                   std::string(member_identifier<member>()),
+                   is.feedthrough,
+                   is.optional,
+                   std::is_same_v<Port, Inputs>,
+                   is.multiply_units};
+    if constexpr (std::is_same_v<Port, Inputs>) {
+      spec.bind_list = [](void* block, const Inputs::Element* elements, Eigen::Index count) {
+        of<member>(block).bind(elements, count);
+      };
+      spec.unbind = [](void* block) { of<member>(block).bind(nullptr, 0); };
+    } else {
+      spec.bind = [](void* block, const double* data, Eigen::Index size) {
+        of<member>(block).bind(data, size);
+      };
+      spec.unbind = [](void* block) { of<member>(block).bind(nullptr, detail::unbound_size<Port>); };
+    }
+    type_.inputs.push_back(std::move(spec));
+  }
+
+  template <auto member>
+  void output(OutputOptions is) {
+    type_.outputs.push_back(
+        {std::string(member_name<member>()), is.unit, detail::shape_of<MemberType<member>>(is.shape), is.doc,
+         std::string(member_identifier<member>()), "",
+         [](void* block, double* data, Eigen::Index size) { of<member>(block).bind(data, size); }});
+  }
+
+  /// An output that is a continuous state: it needs no computation and no memory of its own, unless the block
+  /// also has outputs() and does not skip it in configure().
+  template <auto member, auto state>
+  void output(OutputOptions is) {
+    output<member>(std::move(is));
+    type_.outputs.back().state = std::string(member_name<state>());
+  }
+
+  template <auto member>
+  void state(StateOptions is) {
+    using Kind = MemberType<member>;
+    constexpr bool continuous = detail::IsContinuous<Kind>::value;
+    StateSpec spec{std::string(member_name<member>()),
+                   is.unit,
+                   detail::shape_of<Kind>(is.shape),
+                   is.doc,
+                   std::string(member_identifier<member>()),
+                   continuous,
+                   is.settable,
+                   is.initial};
+    spec.bind = [](void* block, double* data, double* dot, Eigen::Index size) {
+      of<member>(block).bind(data, size);
+      if constexpr (continuous) of<member>(block).dot.bind(dot, size);
+      static_cast<void>(dot);
+    };
+    if (type_.timing == Timing::inherited) type_.timing = Timing::discrete;
+    if (continuous) type_.timing = Timing::continuous;
+    type_.states.push_back(std::move(spec));
+  }
+
+  /// `detail`, a std::string(const Block&), adds the names and numbers of the case; it may read parameters
+  /// and discrete states, which stay as they were when the notice was raised.
+  template <auto member, auto detail = nullptr>
+  void notice(NoticeOptions is) {
+    type_.notices.push_back({std::string(member_name<member>()), is.doc,
+                             std::string(member_identifier<member>()), is.ends_run,
+                             [](void* block, double* first) { of<member>(block).bind(first); }});
+    if constexpr (!std::is_null_pointer_v<decltype(detail)>)
+      type_.notices.back().detail = [](const void* block) {
+        return detail(*static_cast<const Block*>(block));
+      };
+  }
+
+  /// Gives the block the time, or the time between its updates.
+  template <auto member>
+  void clock() {
+    const std::string name(member_identifier<member>());
+    if constexpr (std::is_same_v<MemberType<member>, Time>) {
+      type_.clocks.push_back(
+          {name, [](void* block, const double* time) { of<member>(block).bind(time); }, nullptr});
+      if (type_.timing == Timing::inherited) type_.timing = Timing::continuous;
+    } else {
+      type_.clocks.push_back(
+          {name, nullptr, [](void* block, double period) { of<member>(block).bind(period); }});
+    }
+  }
+
+  /// A named set of values: `set` changes the parameters' defaults; keys of the file still come on top.
+  template <void (*set)(Block&)>
+  void preset(std::string name, std::string doc) {
+    type_.presets.push_back(
+        {std::move(name), std::move(doc), [](void* block) { set(*static_cast<Block*>(block)); }});
+  }
+
+  BlockType take() { return std::move(type_); }
+
+ private:
+  template <auto member>
+  using MemberType = std::remove_cvref_t<decltype(std::declval<Block&>().*member)>;
+
+  template <auto member>
+  static auto& of(void* block) {
+    return static_cast<Block*>(block)->*member;
+  }
+
+  void find_phases() {
+    if constexpr (requires(Block b) { b.outputs(); })
+      type_.run_outputs = detail::kernels_of<Block, &Block::outputs>();
+    if constexpr (requires(Block b) { b.derivatives(); })
+      type_.run_derivatives = detail::kernels_of<Block, &Block::derivatives>();
+    if constexpr (requires(Block b) { b.update(); })
+      type_.run_update = detail::kernels_of<Block, &Block::update>();
+    if constexpr (requires(Block b, Configure & is) { b.configure(is); })
+      type_.configure = [](void* block, Configure& is) { static_cast<Block*>(block)->configure(is); };
+    if constexpr (requires(Block b) { b.prepare(); })
+      type_.prepare = [](void* block) { static_cast<Block*>(block)->prepare(); };
+    if constexpr (requires(const Block b, Outline& lines) { b.outline(lines); })
+      type_.outline = [](const void* block, Outline& lines) {
+        static_cast<const Block*>(block)->outline(lines);
+      };
+    if constexpr (requires(Block b) { b.start(); })
+      type_.start = [](void* block) { static_cast<Block*>(block)->start(); };
+  }
+
+  BlockType type_;
+};
+
+}  // namespace stepwire

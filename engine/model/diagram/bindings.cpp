@@ -1,0 +1,94 @@
+#include "engine/model/diagram/bindings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/model/diagram/report.hpp"
+
+namespace stepwire {
+
+namespace {
+
+template <class Check>
+bool all_of_numbers(const Value& value, const Check& check) {
+  if (const auto* number = std::get_if<double>(&value.content)) return check(*number);
+  if (const auto* vector = std::get_if<Eigen::VectorXd>(&value.content))
+    return std::all_of(vector->begin(), vector->end(), check);
+  const auto* matrix = std::get_if<Eigen::MatrixXd>(&value.content);
+  return !matrix || std::all_of(matrix->data(), matrix->data() + matrix->size(), check);
+}
+
+bool holds(const std::string& bound, double number, double limit) {
+  if (bound == "above") return number > limit;
+  if (bound == "at_least") return number >= limit;
+  return bound == "below" ? number < limit : number <= limit;
+}
+
+/// "at least" of "at_least".
+std::string words_of(std::string bound) {
+  std::replace(bound.begin(), bound.end(), '_', ' ');
+  return bound;
+}
+
+/// Checks values of one definition.
+class Acceptance {
+ public:
+  Acceptance(const Definition& definition, const ParameterScope& scope, const std::string& full_name,
+             ParameterUses& uses, FaultReport& report)
+      : definition_(definition), scope_(scope), full_name_(full_name), uses_(uses), report_(report) {}
+
+  void check_unit(WrittenValue& value, const Origin& origin) {
+    if (!value.dimension) value.dimension = definition_.dimension;
+    const std::string complaint = unit_complaint(value.dimension, definition_.dimension);
+    if (complaint.empty()) return;
+    report_.add(origin, full_name_, fmt::format("{} {}", value.text, complaint));
+    value.dimension = definition_.dimension;  // so that its uses do not repeat the fault
+  }
+
+  bool in_bounds(const WrittenValue& value, const Origin& origin) {
+    return std::all_of(definition_.bounds.begin(), definition_.bounds.end(), [&](const Entry& bound) {
+      const auto limit = read(bound, value);
+      if (!limit) return false;
+      if (all_of_numbers(value.value, [&](double number) { return holds(bound.key, number, *limit); }))
+        return true;
+      report_.add(origin, full_name_,
+                  fmt::format("{} is not allowed; it must be {} {}", value.text, words_of(bound.key),
+                              bound.value.text));
+      return false;
+    });
+  }
+
+ private:
+  std::optional<double> read(const Entry& bound, const WrittenValue& value) {
+    const std::string subject = full_name_ + "." + bound.key;
+    const auto limit = ValueReader(scope_, report_, definition_.scope, &uses_).read(bound.value, subject);
+    if (!limit) return std::nullopt;
+    const double* number = std::get_if<double>(&limit->value.content);
+    const std::string complaint = number ? unit_complaint(limit->dimension, value.dimension)
+                                         : std::string("is no number, and a bound is one");
+    if (complaint.empty()) return *number;
+    report_.add({definition_.scope, bound.value.mark}, subject,
+                fmt::format("'{}' {}", limit->text, complaint));
+    return std::nullopt;
+  }
+
+  const Definition& definition_;
+  const ParameterScope& scope_;
+  const std::string& full_name_;
+  ParameterUses& uses_;
+  FaultReport& report_;
+};
+
+}  // namespace
+
+const std::vector<std::string> bound_keys = {"above", "at_least", "below", "at_most"};
+
+bool accepts(const Definition& definition, const ParameterScope& scope, WrittenValue& value,
+             const Origin& origin, const std::string& full_name, ParameterUses& uses, FaultReport& report) {
+  Acceptance acceptance(definition, scope, full_name, uses, report);
+  acceptance.check_unit(value, origin);
+  return acceptance.in_bounds(value, origin);
+}
+
+}  // namespace stepwire

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/model/block/block_type.hpp"
+
+namespace stepwire {
+
+/// Every key that a block of this type may have in a file, `block` itself aside.
+std::vector<std::string> keys_of(const BlockType& type);
+
+/// The key that gives a state its initial value: `initial` for the only settable one, else `initial_x`.
+std::string initial_key(const BlockType& type, const StateSpec& state);
+
+}  // namespace stepwire

@@ -1,0 +1,227 @@
+// Values for parameters of blocks: converted to the kind that the block declares, range and unit checked.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include "engine/base/io/surroundings.hpp"
+#include "engine/model/diagram/parameters.hpp"
+#include "engine/model/diagram/report.hpp"
+
+namespace stepwire {
+
+namespace {
+
+const char* wanted(ParameterKind kind) {
+  switch (kind) {
+    case ParameterKind::number:
+      return "a finite number";
+    case ParameterKind::integer:
+      return "a whole number";
+    case ParameterKind::flag:
+      return "true or false";
+    case ParameterKind::per_element:
+      return "a finite number or a list of numbers";
+    case ParameterKind::vector:
+      return "a list of numbers";
+    case ParameterKind::matrix:
+      return "a list of rows of numbers, as [[1, 2], [3, 4]]";
+    default:
+      return "a word";
+  }
+}
+
+std::optional<Eigen::VectorXd> as_vector(const Value& value) {
+  if (const double* number = std::get_if<double>(&value.content))
+    return Eigen::VectorXd::Constant(1, *number);
+  if (const auto* vector = std::get_if<Eigen::VectorXd>(&value.content)) return *vector;
+  return std::nullopt;
+}
+
+std::optional<Value> as_matrix(const Value& value) {
+  if (const double* number = std::get_if<double>(&value.content))
+    return Value{Eigen::MatrixXd(Eigen::MatrixXd::Constant(1, 1, *number))};
+  if (std::holds_alternative<Eigen::MatrixXd>(value.content)) return value;
+  return std::nullopt;
+}
+
+std::string broken_bound(const Range& range, double value) {
+  if (range.above && !(value > *range.above)) return fmt::format("above {}", *range.above);
+  if (range.at_least && !(value >= *range.at_least)) return fmt::format("at least {}", *range.at_least);
+  if (range.below && !(value < *range.below)) return fmt::format("below {}", *range.below);
+  if (range.at_most && !(value <= *range.at_most)) return fmt::format("at most {}", *range.at_most);
+  return "";
+}
+
+/// What stands behind a number as its unit and is none: "Ns/m" of "8 Ns/m"; empty where no number begins the
+/// text.
+std::string unknown_unit(const std::string& text) {
+  char* end = nullptr;
+  std::strtod(text.c_str(), &end);
+  std::string unit(end);
+  unit.erase(0, unit.find_first_not_of(' '));
+  return end == text.c_str() || unit.empty() || parse_unit(unit) ? "" : unit;
+}
+
+bool is_text(ParameterKind kind) {
+  return kind == ParameterKind::word || kind == ParameterKind::text || kind == ParameterKind::file ||
+         kind == ParameterKind::texts || kind == ParameterKind::tree;
+}
+
+}  // namespace
+
+std::optional<Dimension> demanded_dimension(const ParameterSpec& spec) {
+  if (spec.unit.find('\'') != std::string::npos || spec.unit == "*") return std::nullopt;
+  const auto unit = parse_unit(spec.unit);
+  return unit ? std::optional(unit->dimension) : std::nullopt;
+}
+
+const ParameterSpec& numbers_of_any_unit() {
+  static const ParameterSpec spec = [] {
+    ParameterSpec numbers;
+    numbers.kind = ParameterKind::per_element;
+    numbers.unit = "*";
+    return numbers;
+  }();
+  return spec;
+}
+
+std::optional<WrittenValue> ValueReader::read_for(const ParameterSpec& spec,
+                                                  const std::optional<Dimension>& demanded, const Node& node,
+                                                  const std::string& subject) const {
+  if (is_text(spec.kind)) return read_words(spec, node, subject);
+  auto written = read(node, subject);
+  if (!written) return std::nullopt;
+  const std::string complaint = unit_complaint(written->dimension, demanded);
+  if (!complaint.empty()) return refuse(node, subject, fmt::format("{} {}", written->text, complaint));
+  auto value = convert(spec, *written, node, subject);
+  if (!value) return std::nullopt;
+  written->value = std::move(*value);
+  if (!in_range(spec, *written, node, subject)) return std::nullopt;
+  return written;
+}
+
+std::optional<Value> ValueReader::convert(const ParameterSpec& spec, const WrittenValue& written,
+                                          const Node& node, const std::string& subject) const {
+  const Value& value = written.value;
+  const double* number = std::get_if<double>(&value.content);
+  if (spec.kind == ParameterKind::number && number) return value;
+  if (spec.kind == ParameterKind::integer && number && std::floor(*number) == *number &&
+      std::abs(*number) < 9e15)
+    return value;
+  if (spec.kind == ParameterKind::flag && std::holds_alternative<bool>(value.content)) return value;
+  if (spec.kind == ParameterKind::per_element || spec.kind == ParameterKind::vector)
+    if (auto vector = as_vector(value); vector && vector->size() > 0) return Value{std::move(*vector)};
+  if (spec.kind == ParameterKind::matrix)
+    if (auto matrix = as_matrix(value)) return matrix;
+  if (node.quoted && parse_quantity(node.text))
+    return refuse(node, subject,
+                  fmt::format("'{}' is text because of its quotes; leave them out for a number", node.text));
+  if (const std::string unit = unknown_unit(written.text); !unit.empty())
+    return refuse(node, subject,
+                  fmt::format("'{}' is no unit; a product of units is written N s or N.s", unit));
+  if (node.is_list() && node.items.empty())
+    return refuse(node, subject, fmt::format("the list is empty; it must be {}", wanted(spec.kind)));
+  const std::string what = node.is_scalar() ? "'" + written.text + "'" : written.text;
+  return refuse(node, subject, fmt::format("{} is not allowed; it must be {}", what, wanted(spec.kind)));
+}
+
+bool ValueReader::in_range(const ParameterSpec& spec, const WrittenValue& written, const Node& node,
+                           const std::string& subject) const {
+  std::string broken;
+  const auto check = [&](double element) {
+    if (broken.empty()) broken = broken_bound(spec.range, element);
+  };
+  if (const double* number = std::get_if<double>(&written.value.content)) check(*number);
+  if (const auto* vector = std::get_if<Eigen::VectorXd>(&written.value.content))
+    for (double element : *vector) check(element);
+  if (const auto* matrix = std::get_if<Eigen::MatrixXd>(&written.value.content))
+    for (double element : matrix->reshaped()) check(element);
+  if (broken.empty()) return true;
+  const bool with_unit =
+      !spec.unit.empty() && spec.unit != "1" && spec.unit != "*" && spec.unit.find('\'') == std::string::npos;
+  const std::string unit = with_unit && !broken.ends_with(" 0") ? " " + spec.unit : "";
+  refuse(node, subject, fmt::format("{} is not allowed; it must be {}{}", written.text, broken, unit));
+  return false;
+}
+
+std::optional<WrittenValue> ValueReader::read_words(const ParameterSpec& spec, const Node& node,
+                                                    const std::string& subject) const {
+  if (spec.kind == ParameterKind::tree) {
+    auto tree = read_tree(node, subject);
+    return tree ? std::optional(WrittenValue{std::move(*tree), {}, "the tree"}) : std::nullopt;
+  }
+  if (spec.kind == ParameterKind::texts) {
+    Value::List list;
+    for (const Node& item : node.is_list() ? node.items : std::vector<Node>{node}) {
+      const auto text = item.is_scalar() ? fill_in(item, subject) : refuse(item, subject, "must be a word");
+      if (!text) return std::nullopt;
+      list.push_back({*text, item.mark.line, item.mark.column});
+    }
+    return WrittenValue{{std::move(list)}, {}, "the list"};
+  }
+  if (!node.is_scalar()) return refuse(node, subject, "must be a word");
+  const auto text = fill_in(node, subject);
+  if (!text) return std::nullopt;
+  if (spec.kind == ParameterKind::file) {
+    const std::string path = resolve_file(*text, node, subject);
+    return path.empty() ? std::nullopt : std::optional(WrittenValue{{path}, {}, *text});
+  }
+  if (spec.kind == ParameterKind::text)
+    return WrittenValue{{*text, node.mark.line, node.mark.column}, {}, *text};
+  for (std::size_t i = 0; i < spec.words.size(); ++i)
+    if (spec.words[i] == *text) return WrittenValue{{static_cast<double>(i)}, {}, *text};
+  const std::string choice = fmt::format("It must be one of: {}", fmt::join(spec.words, ", "));
+  return refuse(node, subject,
+                fmt::format("'{}' is not allowed{}", *text, did_you_mean(*text, spec.words, choice)));
+}
+
+std::optional<Value> ValueReader::read_tree(const Node& node, const std::string& subject) const {
+  Value result;
+  result.line = node.mark.line;
+  result.column = node.mark.column;
+  if (node.is_scalar()) {
+    const auto text = fill_in(node, subject);
+    if (!text) return std::nullopt;
+    result.content = *text;
+  } else if (node.is_list()) {
+    Value::List list;
+    for (const Node& item : node.items) {
+      auto value = read_tree(item, subject);
+      if (!value) return std::nullopt;
+      list.push_back(std::move(*value));
+    }
+    result.content = std::move(list);
+  } else {
+    Value::Map map;
+    for (const Entry& entry : node.entries) {
+      auto value = read_tree(entry.value, subject);
+      if (!value) return std::nullopt;
+      map.push_back({entry.key, std::move(*value)});
+    }
+    result.content = std::move(map);
+  }
+  return result;
+}
+
+std::string ValueReader::resolve_file(const std::string& text, const Node& node,
+                                      const std::string& subject) const {
+  namespace fs = std::filesystem;
+  const fs::path path(text);
+  if (path.is_absolute()) return path.string();
+  if (path.begin() != path.end() && *path.begin() == "data") {
+    const char* named = std::getenv("STEPWIRE_DATA");
+    const std::string folder = named ? named : "";
+    std::error_code none;
+    if (fs::is_directory(folder, none)) return (fs::path(folder) / path.lexically_relative("data")).string();
+    const std::string why = folder.empty() ? "set STEPWIRE_DATA to that folder"
+                                           : fmt::format("STEPWIRE_DATA is '{}', which is no folder", folder);
+    throw SurroundingsError(
+        report_.fault(at(node.mark), subject, fmt::format("'{}' is in the data folder; {}", text, why))
+            .text());
+  }
+  return (fs::path(report_.file_of(scope_)).parent_path() / path).string();
+}
+
+}  // namespace stepwire

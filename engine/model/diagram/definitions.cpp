@@ -1,0 +1,184 @@
+#include "engine/model/diagram/definitions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "engine/model/diagram/keys.hpp"
+#include "engine/model/diagram/report.hpp"
+
+namespace stepwire {
+
+namespace {
+
+const std::vector<std::string> definition_keys = {"value", "unit",  "doc",      "assumed",
+                                                  "above", "below", "at_least", "at_most"};
+
+constexpr std::size_t longest_chain = 1000;  // of parameters that each use one further down
+
+/// Evaluates definitions on demand, so that they may stand in any order.
+class Definitions {
+ public:
+  Definitions(Scope& scope, const Overrides& overrides, Settings& settings, Report& report)
+      : scope_(scope), overrides_(overrides), settings_(settings), report_(report) {
+    if (const Node* map = scope.document->root.find("parameters"))
+      for (const Entry& entry : map->entries) entries_[entry.key] = &entry;
+  }
+
+  void define_all() {
+    const Node* map = scope_.document->root.find("parameters");
+    if (!map) return;
+    if (!map->is_map())
+      return report_.add(scope_.at(map->mark), "parameters", "must be a map of name: value");
+    for (const Entry& entry : map->entries) define(entry.key);
+  }
+
+ private:
+  void define(const std::string& name) {
+    const auto found = entries_.find(name);
+    if (found == entries_.end() || scope_.parameters.defined(name) || failed_.contains(name)) return;
+    const Entry& entry = *found->second;
+    if (!is_name(name) || name == "time" || name == "pi" || name == "e")
+      return fail(entry,
+                  "is no name for a parameter; use letters, digits and '_' ('time', 'pi' and 'e' have a "
+                  "meaning of their own)");
+    if (const auto circle = std::find(open_.begin(), open_.end(), name); circle != open_.end())
+      return fail(entry,
+                  fmt::format("depends on itself: {} -> {}", fmt::join(circle, open_.end(), " -> "), name));
+    if (open_.size() >= longest_chain)
+      return fail(entry,
+                  fmt::format("is reached from '{}' through more than {} parameters that use each other; "
+                              "write what others use above them",
+                              open_.front(), longest_chain));
+    open_.push_back(name);
+    define_what_it_uses(entry.value);
+    open_.pop_back();
+    if (failed_.contains(name)) return;
+    if (auto value = evaluate(entry)) {
+      scope_.parameters.define(name, std::move(*value), last_index());
+    } else {
+      failed_.insert(name);
+      scope_.parameters.define(name, {{1.0}, {}, "", true});
+    }
+  }
+
+  /// Of the parameter that was listed last.
+  int last_index() const { return static_cast<int>(report_.diagram().parameters.size()) - 1; }
+
+  void fail(const Entry& entry, const std::string& message) {
+    if (failed_.insert(entry.key).second) report_.add(scope_.at(entry.mark), entry.key, message);
+    scope_.parameters.define(entry.key, {{1.0}, {}, "", true});
+  }
+
+  static const Node& definition(const Entry& entry) {
+    const Node* value = entry.value.is_map() ? entry.value.find("value") : nullptr;
+    return value ? *value : entry.value;
+  }
+
+  /// Every name of this file that occurs in the text as a word; that is more than is needed at worst.
+  void define_what_it_uses(const Node& node) {
+    for (const Node& item : node.items) define_what_it_uses(item);
+    for (const Entry& entry : node.entries)
+      if (entry.key != "doc") define_what_it_uses(entry.value);
+    if (!node.is_scalar() || (!node.text.starts_with('=') && !node.text.starts_with('$'))) return;
+    std::string word;
+    for (char c : node.text + " ") {
+      if (std::isalnum(static_cast<unsigned char>(c)) || c == '_') {
+        word += c;
+      } else {
+        if (entries_.contains(word)) define(word);
+        word.clear();
+      }
+    }
+  }
+
+  std::optional<WrittenValue> evaluate(const Entry& entry) {
+    const std::string full = scope_.prefix + entry.key;
+    if (entry.value.is_map()) {
+      const bool other_key = refuse_unknown_keys(entry.value, definition_keys, full, scope_, report_);
+      if (!entry.value.find("value")) {
+        if (!other_key)
+          report_.add(scope_.at(entry.value.mark), full, "'value' is missing, as {value: 2 kg}");
+        settings_.offer(full);
+        return std::nullopt;
+      }
+    }
+    ParameterUses own;
+    ValueReader reader(scope_.parameters, report_, scope_.index, &own);
+    Definition made{entry.key, scope_.index, {stripped(entry.value), scope_.index, scope_.index},
+                    {},        {},           own};
+    auto written = reader.read(made.text.node, full);
+    made.uses = std::move(own);
+    settings_.offer(full);
+    if (written) made.dimension = written->dimension;
+    const bool set = replace(entry, full, made, written);
+    if (!written) return std::nullopt;
+    made.bounds = bounds_of(entry.value);
+    if (!accepts(made, scope_.parameters, *written, value_origin_, full, made.uses, report_))
+      return std::nullopt;
+    list(full, entry, *written, set);
+    report_.bindings().definitions.push_back(std::move(made));
+    return written;
+  }
+
+  /// The definition without what is said about it, as {value: .., unit: ..}.
+  static Node stripped(const Node& node) {
+    if (!node.is_map()) return node;
+    Node result = node;
+    std::erase_if(result.entries,
+                  [](const Entry& entry) { return entry.key != "value" && entry.key != "unit"; });
+    return result;
+  }
+
+  static std::vector<Entry> bounds_of(const Node& node) {
+    std::vector<Entry> bounds;
+    for (const std::string& key : bound_keys)
+      if (const Node* limit = node.is_map() ? node.find(key) : nullptr) bounds.push_back({key, {}, *limit});
+    return bounds;
+  }
+
+  /// Reads what the using file and the call put in the place of the file's own value; says whether the call
+  /// did.
+  bool replace(const Entry& entry, const std::string& full, Definition& made,
+               std::optional<WrittenValue>& written) {
+    value_origin_ = scope_.at(definition(entry).mark);
+    const auto read = [&](const Node& node, const Scope& names, const Origin& origin) {
+      value_origin_ = origin;
+      made.text = {node, names.index, origin.scope};
+      made.uses.clear();
+      written = ValueReader(names.parameters, report_, origin.scope, &made.uses).read(node, full);
+    };
+    if (const auto given = overrides_.values.find(entry.key); given != overrides_.values.end())
+      read(*given->second, *overrides_.from, overrides_.from->at(given->second->mark));
+    Settings::Entry* setting = settings_.take(full);
+    if (setting) read(setting->document.root, scope_, setting->origin);
+    return setting != nullptr;
+  }
+
+  void list(const std::string& full, const Entry& entry, const WrittenValue& written, bool set) {
+    const Node* doc = entry.value.find("doc");
+    const Node* assumed = entry.value.find("assumed");
+    report_.diagram().parameters.push_back(
+        {full, written.text, written.value, written.dimension,
+         doc ? read_text(*doc, full + ".doc", scope_, report_) : "",
+         assumed && read_flag(*assumed, full + ".assumed", scope_, report_), set});
+  }
+
+  Scope& scope_;
+  const Overrides& overrides_;
+  Settings& settings_;
+  Report& report_;
+  std::map<std::string, const Entry*> entries_;
+  std::vector<std::string> open_;  ///< what is being defined, the outermost first
+  std::set<std::string> failed_;
+  Origin value_origin_;
+};
+
+}  // namespace
+
+void define_parameters(Scope& scope, const Overrides& overrides, Settings& settings, Report& report) {
+  Definitions(scope, overrides, settings, report).define_all();
+}
+
+}  // namespace stepwire

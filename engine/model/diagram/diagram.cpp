@@ -1,0 +1,14 @@
+#include "engine/model/diagram/diagram.hpp"
+
+namespace stepwire {
+
+Fault Diagram::fault(const Origin& origin, std::string subject, std::string message) const {
+  Fault fault{place(origin), std::move(subject), std::move(message), {}};
+  const auto user_of = [this](int scope) { return scopes[static_cast<std::size_t>(scope)].used_at; };
+  // Neither the file itself nor a setting is used by anything.
+  for (Origin user = user_of(origin.scope); user.scope >= 0; user = user_of(user.scope))
+    fault.used_by.push_back(place(user));
+  return fault;
+}
+
+}  // namespace stepwire

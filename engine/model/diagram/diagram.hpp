@@ -1,0 +1,199 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/base/expression/expression.hpp"
+#include "engine/base/unit/unit.hpp"
+#include "engine/base/yaml/document.hpp"
+#include "engine/model/block/block_type.hpp"
+
+namespace stepwire {
+
+struct Binding;
+struct Bindings;
+
+/// A place in one of the files of a diagram: `scope` says in which file, and who uses it.
+struct Origin {
+  int scope = 0;
+  Mark mark;
+};
+
+/// A file as it is used at one place of a diagram: the diagram itself (scope 0), or a part inside of it.
+struct ScopeInfo {
+  std::string file;
+  std::string prefix;  ///< "rig." for what stands in the part called rig; "" for the diagram itself
+  Origin used_at;      ///< the block that uses it; unused for scope 0
+};
+
+/// What feeds an input: an output of a block, or constant numbers.
+struct Source {
+  int block = -1;  ///< -1: the constant
+  int output = -1;
+  Eigen::VectorXd constant;
+  std::optional<Dimension> dimension;  ///< of the constant, if it was written with a unit
+  Origin origin;
+  std::shared_ptr<const Binding> text;  ///< of a constant that follows from parameters
+};
+
+/// An initial value that the file gives to a state.
+struct InitialValue {
+  int state = -1;
+  Eigen::VectorXd value;
+  std::optional<Dimension> dimension;
+  Origin origin;
+};
+
+/// One block after parts are opened.
+struct DiagramBlock {
+  DiagramBlock(std::string name, const BlockType& type) : name(std::move(name)), block(type) {}
+
+  std::string name;  ///< full: "rig.carriage"
+  AnyBlock block;    ///< with its parameters set
+  Origin origin;
+  std::vector<std::vector<Source>> inputs;  ///< for each input of the type; empty where not connected
+  std::vector<Mark> input_marks;
+  std::vector<Mark> parameter_marks;
+  std::vector<std::optional<Dimension>>
+      parameter_dimensions;         ///< of each parameter, where written with a unit
+  std::vector<std::size_t> spread;  ///< parameters whose one number the plan repeats for every element
+  std::vector<InitialValue> initial;
+  std::vector<std::pair<std::string, Dimension>>
+      known_units;              ///< unit variables that the block itself fixes: ("'u", mm)
+  std::optional<double> every;  ///< period [s]
+  Mark every_mark;
+
+  const BlockType& type() const { return block.type(); }
+};
+
+/// An output of a block, or one of its states.
+struct SignalRef {
+  int block = -1;
+  int output = -1;
+  int state = -1;  ///< where output is -1
+
+  bool operator==(const SignalRef&) const = default;
+};
+
+struct RecordedSignal {
+  std::string name;  ///< as the file wrote it, and as figures and claims call it
+  SignalRef signal;
+  Origin origin;
+};
+
+/// Signals that are recorded at one period.
+struct RecordRequest {
+  std::optional<double> every;  ///< [s]; every step if absent
+  Origin origin;
+  std::vector<RecordedSignal> signals;
+};
+
+/// An input of the diagram itself: a block of type ExternalInput, which whoever runs the diagram may write.
+struct DiagramInput {
+  std::string name;
+  int block = -1;
+  std::string doc;
+};
+
+/// An output of the diagram itself: what whoever runs it hands on, e.g. to an amplifier.
+struct DiagramOutput {
+  std::string name;
+  SignalRef signal;
+  std::optional<Eigen::VectorXd> safe;  ///< what to hand on once the diagram no longer runs
+  std::optional<Dimension> safe_dimension;
+  std::string doc;
+  Origin origin;
+};
+
+/// A port of a part with a declared unit: what passes must have it.
+struct UnitDemand {
+  Source source;
+  Dimension dimension;
+  std::string port;  ///< "rig.force"
+  Origin origin;
+};
+
+/// A parameter of the diagram or of one of its parts, after expressions and settings.
+struct DiagramParameter {
+  std::string name;  ///< full: "rig.mass"
+  std::string text;  ///< as written or set
+  Value value;
+  std::optional<Dimension> dimension;
+  std::string doc;
+  bool assumed = false;
+  bool set = false;  ///< not the file's own value
+};
+
+/// What a file asks to be varied: each point sets these parameters to one text each.
+struct Sweep {
+  struct Axis {
+    std::string parameter;
+    std::vector<std::string> values;
+    std::vector<Mark> marks;  ///< of each value
+    Origin origin;
+  };
+  std::vector<Axis> axes;
+  bool together = false;
+};
+
+/// `stop_when`, with what its expression reads, in the order of its variables.
+struct StopCondition {
+  struct Variable {
+    SignalRef signal{};        ///< "time" has block -1
+    Eigen::Index element = 0;  ///< as it is written, from 1; 0: all there is of a signal of one element
+    std::size_t offset() const { return element > 0 ? static_cast<std::size_t>(element - 1) : 0; }
+  };
+
+  Expression expression;
+  std::vector<Variable> variables;
+  Origin origin;
+};
+
+/// What of the thesis a diagram shows.
+struct ThesisReference {
+  std::optional<int> figure, table;
+  std::string section;
+  std::string caption;                  ///< of the figure, as the thesis prints it
+  std::string says;                     ///< what its text says of the figure, word for word
+  std::vector<std::string> departures;  ///< what is done otherwise here, a sentence each
+};
+
+/// A checked diagram: names resolved, parts opened, parameters in their blocks.
+struct Diagram {
+  std::string file, title, caption;
+  double step = 0.0;  ///< [s]
+  double stop = 0.0;  ///< [s]
+  Origin step_origin, stop_origin;
+  std::string solver;  ///< empty if the file names none
+  Origin solver_origin;
+  double tolerance = 1.0;  ///< largest error of a step of an implicit solver, in sizes of its state
+  ThesisReference thesis;
+
+  std::vector<ScopeInfo> scopes;
+  std::vector<DiagramBlock> blocks;
+  std::vector<UnitDemand> unit_demands;
+  std::vector<DiagramInput> inputs;
+  std::vector<DiagramOutput> outputs;
+  std::vector<RecordRequest> records;
+  std::vector<DiagramParameter> parameters;
+  std::shared_ptr<const Bindings> bindings;  ///< how its values follow from the parameters
+  std::vector<std::vector<std::optional<Dimension>>>
+      output_dimensions;  ///< [block][output], where known; see infer_units
+  std::vector<std::vector<std::optional<Dimension>>> state_dimensions;  ///< [block][state], where known
+  std::optional<Sweep> sweep;
+  std::optional<StopCondition> stop_when;
+  Node figure, claims, invariants;  ///< as written, read by the figure room; empty where absent
+  Node scene;                       ///< as written, read by the figure room; empty where absent
+  Node fit;                         ///< as written, read by the identify room; empty where absent
+
+  Place place(const Origin& origin) const {
+    return {scopes[static_cast<std::size_t>(origin.scope)].file, origin.mark};
+  }
+  /// A fault with its place and everybody who used the part in which it lies.
+  Fault fault(const Origin& origin, std::string subject, std::string message) const;
+};
+
+}  // namespace stepwire

@@ -1,0 +1,239 @@
+#include "engine/model/diagram/flatten.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "engine/base/hash/hash.hpp"
+#include "engine/base/io/file.hpp"
+#include "engine/base/yaml/yaml_text.hpp"
+#include "engine/model/diagram/block_keys.hpp"
+#include "engine/model/diagram/external_input.hpp"
+#include "engine/model/diagram/written.hpp"
+
+namespace stepwire {
+
+namespace {
+
+constexpr Dimension time_dimension{{0.0, 0.0, 1.0}};
+
+/// Who reads the text: a person or this program, or the hash, which sees only what decides on numbers.
+enum class Reader { anyone, hash };
+
+/// A diagram as the tree of its flattened file.
+class Flattener {
+ public:
+  Flattener(const Diagram& diagram, const FileName& file_name, Reader reader)
+      : diagram_(diagram), file_name_(file_name), reader_(reader) {}
+
+  std::optional<Node> value(const Target& target) const {
+    const DiagramBlock& of = block(target.block);
+    const auto index = static_cast<std::size_t>(target.index);
+    if (target.kind == Target::Kind::parameter) return parameter(of, index, of.parameter_dimensions[index]);
+    if (target.kind == Target::Kind::constant)
+      return source(of.inputs[index][static_cast<std::size_t>(target.element)]);
+    for (const InitialValue& initial : of.initial)
+      if (initial.state == target.index) return written_numbers(initial.value, initial.dimension);
+    return std::nullopt;
+  }
+
+  Node run() {
+    Node root;
+    add_head(root);
+    add_if_any(root, "inputs", inputs());
+    add_if_any(root, "outputs", outputs());
+    if (reader_ == Reader::anyone) add_if_any(root, "units", units());
+    add_if_any(root, "blocks", blocks());
+    add_if_any(root, "record", record());
+    return root;
+  }
+
+ private:
+  void add_head(Node& root) const {
+    const std::optional<Dimension> time = unit(time_dimension);
+    add_key(root, "stepwire", written_text("1"));
+    if (reader_ == Reader::anyone && !diagram_.title.empty())
+      add_key(root, "title", written_text(diagram_.title));
+    add_key(root, "step", written_numbers(one(diagram_.step), time));
+    add_key(root, "stop", written_numbers(one(diagram_.stop), time));
+    if (!diagram_.solver.empty()) add_key(root, "solver", written_text(diagram_.solver));
+    if (diagram_.tolerance != Diagram{}.tolerance)
+      add_key(root, "tolerance", written_numbers(one(diagram_.tolerance), std::nullopt));
+    if (diagram_.stop_when) add_key(root, "stop_when", stop_condition(*diagram_.stop_when));
+  }
+
+  static void add_if_any(Node& map, const char* key, Node value) {
+    if (!value.entries.empty() || !value.items.empty()) add_key(map, key, std::move(value));
+  }
+
+  static Eigen::VectorXd one(double number) { return Eigen::VectorXd::Constant(1, number); }
+
+  std::optional<Dimension> unit(const std::optional<Dimension>& dimension) const {
+    return reader_ == Reader::anyone ? dimension : std::nullopt;
+  }
+
+  const DiagramBlock& block(int index) const { return diagram_.blocks[static_cast<std::size_t>(index)]; }
+
+  std::string name(const SignalRef& signal) const {
+    const DiagramBlock& owner = block(signal.block);
+    const BlockType& type = owner.type();
+    if (signal.output < 0) return owner.name + "." + type.states[static_cast<std::size_t>(signal.state)].name;
+    if (type.outputs.size() == 1) return owner.name;
+    return owner.name + "." + type.outputs[static_cast<std::size_t>(signal.output)].name;
+  }
+
+  Node stop_condition(const StopCondition& condition) const {
+    std::vector<std::string> names;
+    for (const auto& [signal, element] : condition.variables)
+      names.push_back(signal.block < 0 ? "time"
+                      : element > 0    ? fmt::format("{}.{}", name(signal), element)
+                                       : name(signal));
+    return written_text(condition.expression.renamed(names));
+  }
+
+  void add_doc(Node& port, const std::string& doc) const {
+    if (reader_ == Reader::anyone && !doc.empty()) add_key(port, "doc", written_text(doc));
+  }
+
+  Node inputs() const {
+    Node map;
+    for (const DiagramInput& input : diagram_.inputs) {
+      const DiagramBlock& source = block(input.block);
+      const auto dimension = unit(source.parameter_dimensions[0]);
+      Node port;
+      if (dimension) add_key(port, "unit", written_text(si_name(*dimension)));
+      add_key(port, "default", *parameter(source, 0, {}));
+      add_doc(port, input.doc);
+      add_key(map, input.name, std::move(port));
+    }
+    return map;
+  }
+
+  Node outputs() const {
+    Node map;
+    for (const DiagramOutput& output : diagram_.outputs) {
+      Node port;
+      add_key(port, "signal", written_text(name(output.signal)));
+      if (output.safe) add_key(port, "safe", written_numbers(*output.safe, unit(output.safe_dimension)));
+      add_doc(port, output.doc);
+      add_key(map, output.name, std::move(port));
+    }
+    return map;
+  }
+
+  /// What ports of parts demanded of their signals.
+  Node units() const {
+    Node map;
+    std::set<std::string> said;
+    for (const UnitDemand& demand : diagram_.unit_demands) {
+      if (demand.source.block < 0) continue;
+      std::string signal = name({demand.source.block, demand.source.output});
+      if (said.insert(signal).second)
+        add_key(map, std::move(signal), written_text(si_name(demand.dimension)));
+    }
+    return map;
+  }
+
+  Node blocks() const {
+    Node map;
+    map.entries.reserve(diagram_.blocks.size());
+    for (const DiagramBlock& block : diagram_.blocks)
+      if (&block.type() != &external_input_type()) add_key(map, block.name, keys(block));
+    return map;
+  }
+
+  Node keys(const DiagramBlock& block) const {
+    const BlockType& type = block.type();
+    Node map;
+    add_key(map, "block", written_text(type.name));
+    if (block.every) add_key(map, "every", written_numbers(one(*block.every), unit(time_dimension)));
+    for (std::size_t i = 0; i < block.inputs.size(); ++i)
+      if (!block.inputs[i].empty()) add_key(map, type.inputs[i].name, input(type.inputs[i], block.inputs[i]));
+    for (std::size_t i = 0; i < type.parameters.size(); ++i)
+      if (auto value = parameter(block, i, unit(block.parameter_dimensions[i])))
+        add_key(map, type.parameters[i].name, std::move(*value));
+    for (const InitialValue& initial : block.initial)
+      add_key(map, initial_key(type, type.states[static_cast<std::size_t>(initial.state)]),
+              written_numbers(initial.value, unit(initial.dimension)));
+    return map;
+  }
+
+  Node input(const InputSpec& spec, const std::vector<Source>& sources) const {
+    if (!spec.list) return source(sources.front());
+    Node list;
+    list.kind = Node::Kind::list;
+    for (const Source& element : sources) list.items.push_back(source(element));
+    return list;
+  }
+
+  Node source(const Source& source) const {
+    if (source.block < 0) return written_numbers(source.constant, unit(source.dimension));
+    return written_signal(name({source.block, source.output}));
+  }
+
+  std::optional<Node> parameter(const DiagramBlock& block, std::size_t index,
+                                const std::optional<Dimension>& dimension) const {
+    const ParameterSpec& spec = block.type().parameters[index];
+    Value value = spec.get(block.block.get());
+    if (spec.kind == ParameterKind::file) return written_filled_in(file_name_(*value.text()));
+    if (std::find(block.spread.begin(), block.spread.end(), index) != block.spread.end())
+      value.content = one(std::get<Eigen::VectorXd>(value.content)[0]);
+    return written_value(spec, value, dimension);
+  }
+
+  Node record() const {
+    Node list;
+    list.kind = Node::Kind::list;
+    for (const RecordRequest& request : diagram_.records) {
+      Node entry;
+      if (request.every) add_key(entry, "every", written_numbers(one(*request.every), unit(time_dimension)));
+      Node signals;
+      signals.kind = Node::Kind::list;
+      for (const RecordedSignal& signal : request.signals) signals.items.push_back(recorded(signal));
+      add_key(entry, "signals", std::move(signals));
+      list.items.push_back(std::move(entry));
+    }
+    return list;
+  }
+
+  Node recorded(const RecordedSignal& signal) const {
+    std::string full = name(signal.signal);
+    if (full == signal.name) return written_text(std::move(full));
+    Node renamed;
+    add_key(renamed, signal.name, written_text(std::move(full)));
+    return renamed;
+  }
+
+  const Diagram& diagram_;
+  const FileName& file_name_;
+  Reader reader_;
+};
+
+}  // namespace
+
+std::string absolute_path(const std::string& path) {
+  return std::filesystem::absolute(path).lexically_normal().string();
+}
+
+std::optional<Node> flattened_value(const Diagram& diagram, const Target& target, const FileName& file_name) {
+  return Flattener(diagram, file_name, Reader::anyone).value(target);
+}
+
+std::string flattened_text(const Diagram& diagram, const FileName& file_name) {
+  return yaml_text(Flattener(diagram, file_name, Reader::anyone).run());
+}
+
+std::string diagram_hash(const Diagram& diagram) {
+  std::map<std::string, std::string> known;
+  const FileName content = [&](const std::string& path) {
+    const auto [hash, is_new] = known.try_emplace(path);
+    if (is_new) hash->second = hash_of(read_file(path));
+    return hash->second;
+  };
+  return hash_of(yaml_text(Flattener(diagram, content, Reader::hash).run()));
+}
+
+}  // namespace stepwire

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "engine/model/diagram/resolve.hpp"
+#include "engine/model/diagram/scope.hpp"
+#include "engine/model/diagram/settings.hpp"
+
+namespace stepwire {
+
+/// Reads title, step, stop, solver, thesis, caption of the diagram itself. Settings may replace step, stop
+/// and solver.
+void read_head(const Scope& scope, Settings& settings, Report& report);
+/// Reads what is of the file and of no single run: sweep, figures, claims.
+void read_head_of_file(const Scope& scope, Report& report);
+
+/// Reads the sweep: lists of values, and ranges of them.
+void read_sweep(const Scope& scope, Report& report);
+
+/// Refuses keys that no diagram file has; also asked of parts.
+void check_head_keys(const Scope& scope, Report& report);
+
+/// Reads `record` and `stop_when`, once the names are known.
+void read_record(const Scope& scope, const Resolver& resolver, Report& report);
+void read_stop_condition(const Scope& scope, const Resolver& resolver, Report& report);
+
+/// Refuses a `stop_when` whose units do not fit each other, once those of the signals are known.
+void check_stop_condition(Report& report);
+
+}  // namespace stepwire

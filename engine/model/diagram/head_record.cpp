@@ -1,0 +1,176 @@
+// What a file asks to be recorded, and the condition that ends its run.
+#include <fmt/format.h>
+
+#include "engine/model/diagram/head.hpp"
+#include "engine/model/diagram/keys.hpp"
+
+namespace stepwire {
+
+namespace {
+
+void record_all(const Scope& scope, const std::string& prefix, const Origin& origin, RecordRequest& request,
+                const Diagram& diagram) {
+  for (const auto& [name, named] : scope.names) {
+    if (named.part) {
+      record_all(*named.part, prefix + name + ".", origin, request, diagram);
+      continue;
+    }
+    const BlockType& type = diagram.blocks[static_cast<std::size_t>(named.block)].type();
+    for (std::size_t i = 0; i < type.outputs.size(); ++i)
+      request.signals.push_back(
+          {type.outputs.size() == 1 ? prefix + name : prefix + name + "." + type.outputs[i].name,
+           {named.block, static_cast<int>(i), -1},
+           origin});
+  }
+}
+
+/// Signals under names of the file's own: {position: rig.x, force: push.force}.
+void read_named(const Node& map, const Scope& scope, const Resolver& resolver, RecordRequest& request,
+                Report& report) {
+  for (const Entry& entry : map.entries) {
+    const Origin origin = scope.at(entry.value.mark);
+    if (!is_dotted_name(entry.key) || entry.key == "time") {
+      report.add(scope.at(entry.mark), "record",
+                 fmt::format("'{}' is no name for a signal; use letters, digits, '_' and dots ('time' has a "
+                             "meaning of its own)",
+                             entry.key));
+    } else if (!entry.value.is_scalar()) {
+      report.add(origin, "record", "a name is given to one signal, as {position: rig.x}");
+    } else if (const auto signal = resolver.signal(entry.value.text, scope, origin, "record")) {
+      request.signals.push_back({entry.key, *signal, origin});
+    }
+  }
+}
+
+void read_signal(const Node& node, const Scope& scope, const Resolver& resolver, RecordRequest& request,
+                 Report& report) {
+  const Origin origin = scope.at(node.mark);
+  if (node.is_map()) return read_named(node, scope, resolver, request, report);
+  if (!node.is_scalar()) return report.add(origin, "record", "names signals, as [rig.x, limit]");
+  if (node.text == "all") return record_all(scope, "", origin, request, report.diagram());
+  if (const auto signal = resolver.signal(node.text, scope, origin, "record"))
+    request.signals.push_back({node.text, *signal, origin});
+}
+
+/// Signals of the same period belong to one recording.
+RecordRequest& request_for(std::optional<double> every, const Origin& origin,
+                           std::vector<RecordRequest>& requests) {
+  for (RecordRequest& request : requests)
+    if (request.every == every) return request;
+  return requests.emplace_back(RecordRequest{every, origin, {}});
+}
+
+void read_entry(const Node& node, const Scope& scope, const Resolver& resolver, Report& report) {
+  auto& requests = report.diagram().records;
+  if (!node.is_map())
+    return read_signal(node, scope, resolver, request_for({}, scope.at(node.mark), requests), report);
+  const bool other_key = refuse_unknown_keys(node, {"every", "signals"}, "record", scope, report);
+  const Node* signals = node.find("signals");
+  if (!signals && other_key) return;
+  if (!signals)
+    return report.add(scope.at(node.mark), "record",
+                      "'signals' is missing, as {every: 1 ms, signals: [rig.x]}");
+  std::optional<double> every;
+  const Node* period = node.find("every");
+  const ValueReader reader(scope.parameters, report, scope.index);
+  if (period) every = reader.read_number(*period, parse_unit("s")->dimension, "record.every");
+  if (every && *every <= 0) report.add(scope.at(period->mark), "record.every", "must be above 0");
+  RecordRequest& request = request_for(every, scope.at(period ? period->mark : node.mark), requests);
+  if (signals->is_list())
+    for (const Node& item : signals->items) read_signal(item, scope, resolver, request, report);
+  else
+    read_signal(*signals, scope, resolver, request, report);
+}
+
+/// Keeps a signal once in a recording, however often it is named; two signals cannot have one name.
+void drop_repeated(RecordRequest& request, Report& report) {
+  std::map<std::string, SignalRef> seen;
+  std::erase_if(request.signals, [&](const RecordedSignal& signal) {
+    const auto [first, is_new] = seen.emplace(signal.name, signal.signal);
+    if (first->second != signal.signal)
+      report.add(signal.origin, "record", fmt::format("two signals are named '{}' here", signal.name));
+    return !is_new;
+  });
+}
+
+/// A swept parameter is a column, too, and columns are told apart by their names.
+void refuse_swept_names(Report& report) {
+  const Diagram& diagram = report.diagram();
+  if (!diagram.sweep) return;
+  for (const RecordRequest& request : diagram.records)
+    for (const RecordedSignal& signal : request.signals)
+      for (const Sweep::Axis& axis : diagram.sweep->axes)
+        if (axis.parameter == signal.name)
+          report.add(signal.origin, "record",
+                     fmt::format("'{0}' is a swept parameter as well, and both would be a column '{0}'; give "
+                                 "the signal another name: {{{0}_y: {0}}}",
+                                 signal.name));
+}
+
+/// Takes the number of an element off the end of a name, "rig.position.1"; 0 where there is none.
+Eigen::Index take_element(std::string& name) {
+  const std::size_t dot = name.rfind('.');
+  const std::string digits = dot == std::string::npos ? "" : name.substr(dot + 1);
+  const bool is_number = !digits.empty() && digits.size() < 10 && digits[0] != '0' &&
+                         digits.find_first_not_of("0123456789") == std::string::npos;
+  if (!is_number) return 0;
+  name.resize(dot);
+  return std::stol(digits);
+}
+
+}  // namespace
+
+void read_record(const Scope& scope, const Resolver& resolver, Report& report) {
+  const Node* record = scope.document->root.find("record");
+  if (!record) return;
+  if (record->is_list())
+    for (const Node& item : record->items) read_entry(item, scope, resolver, report);
+  else
+    read_entry(*record, scope, resolver, report);
+  for (RecordRequest& request : report.diagram().records) drop_repeated(request, report);
+  refuse_swept_names(report);
+}
+
+void read_stop_condition(const Scope& scope, const Resolver& resolver, Report& report) {
+  const Node* node = scope.document->root.find("stop_when");
+  if (!node) return;
+  const ValueReader reader(scope.parameters, report, scope.index);
+  const auto text = reader.fill_in(*node, "stop_when");
+  if (!text) return;
+  try {
+    StopCondition condition{Expression(*text), {}, scope.at(node->mark)};
+    for (std::string name : condition.expression.variables()) {
+      const Eigen::Index element = take_element(name);
+      if (name == "time") {
+        condition.variables.push_back({});
+      } else if (const auto signal = resolver.signal(name, scope, scope.at(node->mark), "stop_when")) {
+        condition.variables.push_back({*signal, element});
+      }
+    }
+    report.diagram().stop_when = std::move(condition);
+  } catch (const ExpressionError& error) {
+    report.add(scope.at(node->mark), "stop_when", error.what());
+  }
+}
+
+void check_stop_condition(Report& report) {
+  const Diagram& diagram = report.diagram();
+  if (!diagram.stop_when) return;
+  std::vector<Measure> measures;
+  for (const auto& [signal, element] : diagram.stop_when->variables) {
+    std::optional<Dimension> dimension = parse_unit("s")->dimension;
+    const auto block = static_cast<std::size_t>(signal.block);
+    if (signal.block >= 0 && signal.output >= 0)
+      dimension = diagram.output_dimensions[block][static_cast<std::size_t>(signal.output)];
+    else if (signal.block >= 0)
+      dimension = diagram.state_dimensions[block][static_cast<std::size_t>(signal.state)];
+    measures.push_back({dimension, dimension.has_value()});
+  }
+  try {
+    static_cast<void>(diagram.stop_when->expression.measure(measures));
+  } catch (const ExpressionError& error) {
+    report.add(diagram.stop_when->origin, "stop_when", error.what());
+  }
+}
+
+}  // namespace stepwire

@@ -1,0 +1,173 @@
+#include "engine/model/diagram/load.hpp"
+
+#include <fmt/format.h>
+
+#include "engine/model/diagram/head.hpp"
+#include "engine/model/diagram/open.hpp"
+#include "engine/model/diagram/resolve.hpp"
+#include "engine/model/diagram/unused.hpp"
+
+namespace stepwire {
+
+namespace {
+
+void connect(const PendingInput& pending, const Resolver& resolver, Report& report) {
+  DiagramBlock& block = report.diagram().blocks[static_cast<std::size_t>(pending.block)];
+  const InputSpec& spec = block.type().inputs[static_cast<std::size_t>(pending.input)];
+  auto& sources = block.inputs[static_cast<std::size_t>(pending.input)];
+  const std::string subject = block.name + "." + spec.name;
+  const auto connect_one = [&](const Node& node) {
+    auto source = resolver.source(node, *pending.scope, subject);
+    if (!source) return;
+    if (source->text) {
+      report.bindings().bindings.push_back(*source->text);
+      report.bindings().bindings.back().target = {Target::Kind::constant, pending.block, pending.input,
+                                                  static_cast<int>(sources.size())};
+      source->text.reset();
+    }
+    sources.push_back(std::move(*source));
+  };
+  const Node& node = *pending.node;
+  if (spec.list && node.is_list()) {
+    if (node.items.empty())
+      report.add(pending.scope->at(node.mark), subject, "is an empty list; name at least one signal");
+    for (const Node& item : node.items) connect_one(item);
+  } else {
+    connect_one(node);
+  }
+}
+
+void require_inputs(Report& report) {
+  for (const DiagramBlock& block : report.diagram().blocks)
+    for (std::size_t i = 0; i < block.inputs.size(); ++i) {
+      const InputSpec& spec = block.type().inputs[i];
+      if (!spec.optional && block.input_marks[i].line == 0)
+        report.add(block.origin, block.name,
+                   fmt::format("the input '{}' is missing ({})", spec.name, spec.doc));
+    }
+}
+
+/// Units that a file says its signals have.
+void demand_named_units(const Scope& scope, const Resolver& resolver, Report& report) {
+  const Node* units = scope.document->root.find("units");
+  if (!units) return;
+  if (!units->is_map())
+    return report.add(scope.at(units->mark), scope.prefix + "units", "must be a map of signal: unit");
+  for (const Entry& entry : units->entries) {
+    const std::string subject = scope.prefix + "units." + entry.key;
+    const auto unit = parse_unit(entry.value.text);
+    if (!unit || !entry.value.is_scalar()) {
+      report.add(scope.at(entry.value.mark), subject, fmt::format("'{}' is no unit", entry.value.text));
+    } else if (auto source = resolver.source(entry.key, scope, scope.at(entry.mark), subject)) {
+      report.diagram().unit_demands.push_back(
+          {std::move(*source), unit->dimension, subject, scope.at(entry.value.mark)});
+    }
+  }
+}
+
+/// Units that parts declare for their ports and files for their signals, in every file.
+void demand_units(const Scope& scope, const Resolver& resolver, Report& report) {
+  demand_named_units(scope, resolver, report);
+  auto& demands = report.diagram().unit_demands;
+  for (const auto& [name, port] : scope.inputs) {
+    if (!port.dimension || !port.fed_by || !scope.parent || port.fed_by->is_list()) continue;
+    if (auto source = resolver.source(*port.fed_by, *scope.parent, scope.prefix + name))
+      demands.push_back(
+          {std::move(*source), *port.dimension, scope.prefix + name, scope.parent->at(port.fed_by->mark)});
+  }
+  for (const auto& [name, out] : scope.outputs) {
+    if (!out.dimension || !out.signal) continue;
+    if (auto source = resolver.source(*out.signal, scope, scope.prefix + name))
+      demands.push_back(
+          {std::move(*source), *out.dimension, scope.prefix + name, scope.at(out.signal->mark)});
+  }
+  for (const auto& [name, named] : scope.names)
+    if (named.part) demand_units(*named.part, resolver, report);
+}
+
+/// The outputs of the diagram itself, with what each is while the diagram does not run.
+void read_outputs(const Scope& root, const Resolver& resolver, Report& report) {
+  for (const auto& [name, out] : root.outputs) {
+    const auto signal =
+        out.signal ? resolver.signal(out.signal->text, root, root.at(out.signal->mark), name) : std::nullopt;
+    if (!signal) continue;
+    DiagramOutput output{name, *signal, {}, out.dimension, out.doc, root.at(out.mark)};
+    if (out.safe) {
+      const auto safe = ValueReader(root.parameters, report, root.index)
+                            .read_for(numbers_of_any_unit(), {}, *out.safe, name);
+      if (safe) output.safe = std::get<Eigen::VectorXd>(safe->value.content);
+      if (safe && safe->dimension) output.safe_dimension = safe->dimension;
+    }
+    report.diagram().outputs.push_back(std::move(output));
+  }
+}
+
+/// Takes what the parameters of a file and its parts are, by the index of their scopes.
+void take_parameters(Scope& scope, Bindings& bindings) {
+  bindings.scopes[static_cast<std::size_t>(scope.index)] = std::move(scope.parameters);
+  for (auto& [name, named] : scope.names)
+    if (named.part) take_parameters(*named.part, bindings);
+}
+
+enum class Extent { whole_file, one_run };
+
+Diagram build(Loader& loader, const Document& document, const std::vector<Setting>& given,
+              Extent extent = Extent::whole_file) {
+  Diagram diagram;
+  diagram.file = document.file;
+  diagram.scopes.push_back({document.file, "", {-1, {}}});
+  Report report(diagram);
+  Settings settings(given, report);
+  Scope root;
+  root.document = &document;
+  check_head_keys(root, report);
+  Opener opener(loader, settings, report);
+  if (document.root.is_map()) {
+    opener.open(root, {});
+    read_head(root, settings, report);
+    if (extent == Extent::whole_file) read_head_of_file(root, report);
+    const Resolver resolver(report);
+    for (const PendingInput& pending : opener.pending()) connect(pending, resolver, report);
+    require_inputs(report);
+    read_record(root, resolver, report);
+    read_outputs(root, resolver, report);
+    read_stop_condition(root, resolver, report);
+    demand_units(root, resolver, report);
+    settings.report_unused(report);
+    if (report.faults().empty()) refuse_unused_parameters(root, report);  // else it may follow from a fault
+  }
+  report.faults().throw_if_any();
+  report.bindings().scopes.resize(diagram.scopes.size());
+  take_parameters(root, report.bindings());
+  diagram.bindings = std::make_shared<const Bindings>(std::move(report.bindings()));
+  return diagram;
+}
+
+}  // namespace
+
+const Document& Loader::document(const std::string& path) {
+  auto& slot = documents_[path];
+  if (!slot) slot = std::make_unique<Document>(read_document(path, limits_));
+  return *slot;
+}
+
+void Loader::add(Document document) {
+  auto& slot = documents_[document.file];
+  slot = std::make_unique<Document>(std::move(document));
+}
+
+Diagram Loader::load(const std::string& path, const std::vector<Setting>& settings) {
+  return build(*this, document(path), settings);
+}
+
+Diagram Loader::load_point(const std::string& path, const std::vector<Setting>& settings) {
+  return build(*this, document(path), settings, Extent::one_run);
+}
+
+Diagram Loader::load_text(std::string_view text, const std::string& file,
+                          const std::vector<Setting>& settings) {
+  const Document document = parse_document(text, file, limits_);
+  return build(*this, document, settings);
+}
+
+}  // namespace stepwire

@@ -1,0 +1,205 @@
+#include "engine/model/diagram/open.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "engine/model/diagram/block_keys.hpp"
+#include "engine/model/diagram/keys.hpp"
+
+namespace stepwire {
+
+void Opener::open(Scope& scope, const Overrides& overrides) {
+  const Node& root = scope.document->root;
+  open_files_.push_back(std::filesystem::path(scope.document->file).lexically_normal().string());
+  declare_ports(scope);
+  define_parameters(scope, overrides, settings_, report_);
+  if (!scope.parent) make_inputs(scope);
+  const Node* blocks = root.find("blocks");
+  if (!blocks || !blocks->is_map() || blocks->entries.empty()) {
+    report_.add(scope.at(blocks ? blocks->mark : root.mark), scope.prefix.empty() ? "" : "blocks",
+                "blocks are missing; a diagram has 'blocks:' with a map of name: {block: ..}");
+    report_.faults().throw_if_any();  // every name would be unknown
+  }
+  if (scope.index == 0) report_.diagram().blocks.reserve(blocks->entries.size());
+  for (const Entry& entry : blocks->entries) open_block(scope, entry);
+  open_files_.pop_back();
+}
+
+void Opener::fail(Scope& scope, const Entry& entry, const Mark& mark, std::string message) {
+  scope.failed.insert(entry.key);
+  report_.add(scope.at(mark), scope.prefix + (entry.key.empty() ? "''" : entry.key), std::move(message));
+}
+
+void Opener::open_block(Scope& scope, const Entry& entry) {
+  const Node& map = entry.value;
+  if (!is_dotted_name(entry.key) || entry.key == "time" || entry.key == "all")
+    return fail(
+        scope, entry, entry.mark,
+        "is no name for a block; use letters, digits and '_' ('time' and 'all' have a meaning of their own)");
+  if (const std::string rival = scope.rival_of(entry.key); !rival.empty())
+    return fail(scope, entry, entry.mark,
+                fmt::format("and '{}' cannot stand side by side: one would be a signal of the other", rival));
+  if (!map.is_map())
+    return fail(scope, entry, map.mark, "must be a map such as {block: Gain, gain: 2, u: source}");
+  if (scope.inputs.contains(entry.key))
+    return fail(scope, entry, entry.mark, "is also the name of an input of this part; choose another");
+  const Node* kind = map.find("block");
+  const Node* part = map.find("diagram");
+  if (part && !kind) return open_part(scope, entry, *part);
+  if (!kind || part)
+    return fail(scope, entry, map.mark, "needs either 'block:' (a type) or 'diagram:' (a file)");
+  if (!kind->is_scalar()) return fail(scope, entry, kind->mark, "'block:' names one type, as Gain");
+  const BlockType* type = loader_.registry().find(kind->text);
+  if (!type)
+    return fail(
+        scope, entry, kind->mark,
+        fmt::format("there is no block '{}'{}", kind->text,
+                    did_you_mean(kind->text, loader_.registry().names(), "'stepwire blocks' lists them")));
+  make_block(scope, entry, *type);
+}
+
+void Opener::make_block(Scope& scope, const Entry& entry, const BlockType& type) {
+  Diagram& diagram = report_.diagram();
+  const int index = static_cast<int>(diagram.blocks.size());
+  scope.names[entry.key] = {index, nullptr, entry.mark};
+  DiagramBlock& block = diagram.blocks.emplace_back(scope.prefix + entry.key, type);
+  block.origin = scope.at(entry.value.mark);
+  block.inputs.resize(type.inputs.size());
+  block.input_marks.resize(type.inputs.size());
+  block.parameter_marks.resize(type.parameters.size());
+  block.parameter_dimensions.resize(type.parameters.size());
+  apply_preset(scope, entry.value, block);
+  for (const Entry& key : entry.value.entries) read_key(scope, key, block, index);
+  read_settings(scope, block, block.name);
+  require_parameters(scope, entry.value, block);
+}
+
+void Opener::apply_preset(Scope& scope, const Node& map, DiagramBlock& block) {
+  const Node* preset = map.find("preset");
+  const BlockType& type = block.type();
+  if (!preset || type.presets.empty()) return;
+  std::vector<std::string> names;
+  const ValueReader reader(scope.parameters, report_, scope.index);
+  const auto wanted = reader.fill_in(*preset, block.name + ".preset");
+  if (!wanted) return;
+  for (const PresetSpec& known : type.presets) {
+    if (known.name == *wanted) return known.apply(block.block.get());
+    names.push_back(known.name);
+  }
+  report_.add(scope.at(preset->mark), block.name + ".preset",
+              fmt::format("there is no preset '{}'{}", *wanted,
+                          did_you_mean(*wanted, names,
+                                       fmt::format("{} has: {}", type.name, fmt::join(names, ", ")))));
+}
+
+int Opener::state_of_key(const BlockType& type, const std::string& key) const {
+  if (!key.starts_with("initial")) return -1;
+  for (std::size_t i = 0; i < type.states.size(); ++i)
+    if (type.states[i].settable && initial_key(type, type.states[i]) == key) return static_cast<int>(i);
+  return -1;
+}
+
+void Opener::read_key(Scope& scope, const Entry& key, DiagramBlock& block, int index) {
+  const BlockType& type = block.type();
+  if (key.key == "block" || (key.key == "preset" && !type.presets.empty())) return;
+  if (key.key == "every") return read_period(scope, key.value, block);
+  if (const int input = type.input(key.key); input >= 0) {
+    block.input_marks[static_cast<std::size_t>(input)] = key.value.mark;
+    pending_.push_back({index, input, &key.value, &scope});
+    return;
+  }
+  if (const ParameterSpec* parameter = type.parameter(key.key))
+    return read_parameter(scope, scope.index, key.value, block,
+                          static_cast<std::size_t>(parameter - type.parameters.data()));
+  if (const int state = state_of_key(type, key.key); state >= 0)
+    return read_initial(scope, key.value, block, state);
+  const auto known = keys_of(type);
+  const std::string all = fmt::format("It has: {}", fmt::join(known, ", "));
+  report_.add(scope.at(key.mark), block.name,
+              fmt::format("{} has no '{}'{}", type.name, key.key,
+                          is_name(key.key) ? did_you_mean(key.key, known, all)
+                                           : "; a comma ends a value: a number has a point, and what has a "
+                                             "comma in it stands in quotes"));
+}
+
+void Opener::read_settings(Scope& scope, DiagramBlock& block, const std::string& full) {
+  const BlockType& type = block.type();
+  for (const std::string& key : settings_.keys_of(full + ".")) {
+    for (const ParameterSpec& parameter : type.parameters) settings_.offer(full + "." + parameter.name);
+    const ParameterSpec* parameter = type.parameter(key);
+    const int state = state_of_key(type, key);
+    if (!parameter && state < 0) continue;
+    Settings::Entry* setting = settings_.take(full + "." + key);
+    const Node& node = setting->document.root;
+    Scope at_setting;
+    at_setting.index = setting->origin.scope;
+    if (parameter) {
+      read_parameter(scope, at_setting.index, node, block,
+                     static_cast<std::size_t>(parameter - type.parameters.data()));
+    } else {
+      read_initial(at_setting, node, block, state);
+    }
+  }
+}
+
+void Opener::read_parameter(const Scope& scope, int reader_scope, const Node& node, DiagramBlock& block,
+                            std::size_t parameter) {
+  const ParameterSpec& spec = block.type().parameters[parameter];
+  ParameterUses uses;
+  const ValueReader reader(scope.parameters, report_, reader_scope, &uses);
+  const auto written = reader.read_for(spec, demanded_dimension(spec), node, block.name + "." + spec.name);
+  block.parameter_marks[parameter] = node.mark;
+  if (!written) return;
+  block.parameter_dimensions[parameter] = written->dimension;
+  spec.set(block.block.get(), written->value);
+  bind({Target::Kind::parameter, index_of(block), static_cast<int>(parameter)},
+       {node, scope.index, reader_scope}, std::move(uses));
+}
+
+int Opener::index_of(const DiagramBlock& block) {
+  return static_cast<int>(&block - report_.diagram().blocks.data());
+}
+
+void Opener::bind(const Target& target, ValueText text, ParameterUses uses) {
+  auto& bindings = report_.bindings().bindings;
+  for (std::size_t b = bindings.size(); b-- > 0 && bindings[b].target.block == target.block;)
+    if (bindings[b].target == target)
+      bindings.erase(bindings.begin() + static_cast<std::ptrdiff_t>(b));  // a setting comes after the file
+  if (!uses.empty()) bindings.push_back({target, std::move(text), std::move(uses)});
+}
+
+void Opener::read_initial(const Scope& scope, const Node& node, DiagramBlock& block, int state) {
+  const StateSpec& declared = block.type().states[static_cast<std::size_t>(state)];
+  ParameterUses uses;
+  const ValueReader reader(scope.parameters, report_, scope.index, &uses);
+  const auto written = reader.read_for(numbers_of_any_unit(), {}, node,
+                                       block.name + "." + initial_key(block.type(), declared));
+  if (!written) return;
+  std::erase_if(block.initial, [&](const InitialValue& value) { return value.state == state; });
+  block.initial.push_back(
+      {state, std::get<Eigen::VectorXd>(written->value.content), written->dimension, scope.at(node.mark)});
+  bind({Target::Kind::initial, index_of(block), state}, {node, scope.index, scope.index}, std::move(uses));
+}
+
+void Opener::read_period(const Scope& scope, const Node& node, DiagramBlock& block) {
+  const ValueReader reader(scope.parameters, report_, scope.index);
+  const auto period = reader.read_number(node, parse_unit("s")->dimension, block.name + ".every");
+  block.every_mark = node.mark;
+  if (!period) return;
+  if (*period <= 0.0)
+    return report_.add(scope.at(node.mark), block.name + ".every",
+                       fmt::format("{} is not allowed; it must be above 0", node.text));
+  block.every = *period;
+}
+
+void Opener::require_parameters(const Scope& scope, const Node& map, const DiagramBlock& block) {
+  for (std::size_t i = 0; i < block.type().parameters.size(); ++i) {
+    const ParameterSpec& spec = block.type().parameters[i];
+    if (spec.required && block.parameter_marks[i].line == 0 && !map.find(spec.name))
+      report_.add(scope.at(map.mark), block.name, fmt::format("'{}' is missing ({})", spec.name, spec.doc));
+  }
+}
+
+}  // namespace stepwire

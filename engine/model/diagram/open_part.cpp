@@ -1,0 +1,189 @@
+// Parts: a file with ports that stands in another file like a block.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "engine/model/diagram/external_input.hpp"
+#include "engine/model/diagram/head.hpp"
+#include "engine/model/diagram/keys.hpp"
+#include "engine/model/diagram/open.hpp"
+#include "engine/model/diagram/resolve.hpp"
+
+namespace stepwire {
+
+namespace {
+
+constexpr std::size_t deepest_nesting = 32;
+constexpr std::size_t most_parts = 100'000;  // parts that use parts twice grow without end
+
+std::string part_path(const std::string& user, const std::string& path) {
+  return (std::filesystem::path(user).parent_path() / path).lexically_normal().string();
+}
+
+std::vector<std::string> keys_of_map(const Node& root, const char* key) {
+  std::vector<std::string> names;
+  if (const Node* map = root.find(key))
+    for (const Entry& entry : map->entries) names.push_back(entry.key);
+  return names;
+}
+
+std::string doc_of(const Entry& port) {
+  const Node* doc = port.value.is_map() ? port.value.find("doc") : nullptr;
+  return doc ? doc->text : "";
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace
+
+void Opener::declare_ports(Scope& scope) {
+  for (const char* key : {"inputs", "outputs"}) {
+    const Node* ports = scope.document->root.find(key);
+    if (ports && !ports->is_map())
+      report_.add(scope.at(ports->mark), scope.prefix + key, "must be a map of the ports' names");
+  }
+  if (const Node* inputs = scope.document->root.find("inputs"))
+    for (const Entry& port : inputs->entries) declare_input(scope, port);
+  if (const Node* outputs = scope.document->root.find("outputs"))
+    for (const Entry& port : outputs->entries) declare_output(scope, port);
+}
+
+std::optional<Dimension> Opener::declared_unit(const Scope& scope, const Entry& port) {
+  const Node* unit = port.value.is_map() ? port.value.find("unit") : nullptr;
+  if (!unit) return std::nullopt;
+  if (const auto parsed = parse_unit(unit->text)) return parsed->dimension;
+  report_.add(scope.at(unit->mark), scope.prefix + port.key, fmt::format("'{}' is no unit", unit->text));
+  return std::nullopt;
+}
+
+void Opener::declare_input(Scope& scope, const Entry& port) {
+  if (port.value.is_map())
+    refuse_unknown_keys(port.value, {"unit", "doc", "default"}, scope.prefix + port.key, scope, report_);
+  Scope::Port& declared = scope.inputs[port.key];
+  declared.dimension = declared_unit(scope, port);
+  declared.fallback = port.value.is_map() ? port.value.find("default") : nullptr;
+  declared.doc = doc_of(port);
+  declared.mark = port.mark;
+}
+
+void Opener::declare_output(Scope& scope, const Entry& port) {
+  if (port.value.is_map())
+    refuse_unknown_keys(port.value, {"signal", "unit", "doc", "safe"}, scope.prefix + port.key, scope,
+                        report_);
+  const Node* signal = port.value.is_map() ? port.value.find("signal") : &port.value;
+  if (!signal || !signal->is_scalar()) {
+    report_.add(scope.at(port.value.mark), scope.prefix + port.key,
+                "names no signal; write the output of a block, as lag.y");
+    signal = nullptr;
+  }
+  const Node* safe = port.value.is_map() ? port.value.find("safe") : nullptr;
+  scope.outputs[port.key] = {signal, safe, declared_unit(scope, port), doc_of(port), port.mark};
+}
+
+void Opener::make_inputs(Scope& scope) {
+  for (auto& [name, port] : scope.inputs) {
+    if (!port.fallback || names_signal(*port.fallback)) continue;
+    const BlockType& type = external_input_type();
+    Diagram& diagram = report_.diagram();
+    port.block = static_cast<int>(diagram.blocks.size());
+    diagram.inputs.push_back({name, port.block, port.doc});
+    DiagramBlock& block = diagram.blocks.emplace_back(name, type);
+    block.origin = scope.at(port.mark);
+    block.parameter_marks.resize(1);
+    block.parameter_dimensions.resize(1);
+    read_parameter(scope, scope.index, *port.fallback, block, 0);
+    if (!port.dimension) continue;
+    const std::string complaint = unit_complaint(block.parameter_dimensions[0], port.dimension);
+    if (!complaint.empty()) report_.add(scope.at(port.fallback->mark), name, complaint);
+    block.parameter_dimensions[0] = port.dimension;
+  }
+}
+
+bool Opener::refuse_nesting(Scope& scope, const Entry& entry, const Node& path, const std::string& file) {
+  const auto circle = std::find(open_files_.begin(), open_files_.end(), file);
+  if (circle != open_files_.end()) {
+    fail(scope, entry, path.mark,
+         fmt::format("this file contains itself: {} -> {}; a part cannot use a file that uses it",
+                     fmt::join(circle, open_files_.end(), " -> "), file));
+  } else if (open_files_.size() >= deepest_nesting) {
+    fail(scope, entry, path.mark, fmt::format("parts are nested more than {} deep here", deepest_nesting));
+    report_.faults().throw_if_any();  // parts that use parts twice would say so without end
+  } else if (report_.diagram().scopes.size() > most_parts) {
+    fail(scope, entry, path.mark, fmt::format("the diagram has more than {} parts here", most_parts));
+    report_.faults().throw_if_any();  // each of the rest would say the same
+  } else if (std::error_code none; std::filesystem::is_other(std::filesystem::status(file, none))) {
+    fail(scope, entry, path.mark,
+         fmt::format("{} is no file", file));  // a pipe or a device would keep us waiting
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void Opener::open_part(Scope& scope, const Entry& entry, const Node& path) {
+  if (!path.is_scalar()) return fail(scope, entry, path.mark, "'diagram:' names a file, as parts/rig.yaml");
+  const std::string file = part_path(scope.document->file, path.text);
+  if (refuse_nesting(scope, entry, path, file)) return;
+  auto named = std::make_unique<Scope>();
+  Scope& part = *named;
+  Diagram& diagram = report_.diagram();
+  part.index = static_cast<int>(diagram.scopes.size());
+  part.parent = &scope;
+  part.prefix = scope.prefix + entry.key + ".";
+  diagram.scopes.push_back({file, part.prefix, scope.at(path.mark)});
+  if (!read_part(scope, entry, path, part)) return;
+  scope.names[entry.key] = {-1, std::move(named), entry.mark};
+  const Overrides overrides = feed(scope, entry, path, part);
+  open(part, overrides);
+  for (const auto& [name, port] : part.inputs)
+    if (!port.fed_by && !port.fallback)
+      report_.add(scope.at(entry.value.mark), scope.prefix + entry.key,
+                  fmt::format("the input '{}' is missing", name));
+}
+
+bool Opener::read_part(Scope& scope, const Entry& entry, const Node& path, Scope& part) {
+  try {
+    part.document = &loader_.document(report_.diagram().scopes[static_cast<std::size_t>(part.index)].file);
+  } catch (const Error& error) {
+    scope.failed.insert(entry.key);
+    for (const Fault& fault : error.faults())
+      if (fault.place.mark.line > 0) {
+        report_.add(part.at(fault.place.mark), scope.prefix + entry.key, fault.message);
+      } else {
+        report_.add(scope.at(path.mark), scope.prefix + entry.key,
+                    fmt::format("{}: {}", path.text, fault.message));
+      }
+    return false;
+  }
+  check_head_keys(part, report_);
+  if (!part.document->root.is_map()) scope.failed.insert(entry.key);
+  return part.document->root.is_map();
+}
+
+Overrides Opener::feed(const Scope& scope, const Entry& entry, const Node& path, Scope& part) {
+  Overrides overrides{&scope, {}};
+  const auto parameters = keys_of_map(part.document->root, "parameters");
+  const auto inputs = keys_of_map(part.document->root, "inputs");
+  for (const Entry& key : entry.value.entries) {
+    if (key.key == "diagram") continue;
+    if (contains(inputs, key.key)) {
+      part.inputs[key.key].fed_by = &key.value;
+    } else if (contains(parameters, key.key)) {
+      overrides.values[key.key] = &key.value;
+    } else {
+      std::vector<std::string> all = parameters;
+      all.insert(all.end(), inputs.begin(), inputs.end());
+      report_.add(scope.at(key.mark), scope.prefix + entry.key,
+                  fmt::format("{} has no '{}'{}", path.text, key.key,
+                              did_you_mean(key.key, all,
+                                           all.empty() ? "It has neither inputs nor parameters"
+                                                       : fmt::format("It has: {}", fmt::join(all, ", ")))));
+    }
+  }
+  return overrides;
+}
+
+}  // namespace stepwire

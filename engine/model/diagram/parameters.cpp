@@ -1,0 +1,259 @@
+#include "engine/model/diagram/parameters.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include "engine/model/diagram/report.hpp"
+
+namespace stepwire {
+
+const WrittenValue* ParameterScope::find(const std::string& name, ParameterUses* uses) const {
+  const auto found = values_.find(name);
+  if (found == values_.end()) return nullptr;
+  const Entry& entry = found->second;
+  entry.used = true;
+  if (uses && entry.index >= 0)
+    uses->push_back(entry.index);
+  else
+    entry.structural = true;
+  return &entry.value;
+}
+
+void ParameterScope::define(const std::string& name, WrittenValue value, int index) {
+  values_[name] = {std::move(value), index};
+}
+
+WrittenValue ParameterScope::replace(const std::string& name, WrittenValue value) {
+  return std::exchange(values_.at(name).value, std::move(value));
+}
+
+const Value* ParameterScope::value(const std::string& name) const {
+  const auto found = values_.find(name);
+  return found == values_.end() ? nullptr : &found->second.value.value;
+}
+
+bool ParameterScope::failed(const std::string& name) const {
+  const auto found = values_.find(name);
+  return found != values_.end() && found->second.value.failed;
+}
+
+bool ParameterScope::used(const std::string& name) const {
+  const auto found = values_.find(name);
+  return found != values_.end() && found->second.used;
+}
+
+bool ParameterScope::is_structural(const std::string& name) const {
+  const auto found = values_.find(name);
+  return found != values_.end() && found->second.structural;
+}
+
+std::vector<std::string> ParameterScope::names() const {
+  std::vector<std::string> result;
+  for (const auto& [name, entry] : values_) result.push_back(name);
+  return result;
+}
+
+const Expression& ParameterScope::expression(const std::string& text) const {
+  const auto found = expressions_.find(text);
+  if (found != expressions_.end()) return found->second;
+  const auto known = [this](std::string_view name) { return defined(std::string(name)); };
+  return expressions_.emplace(text, Expression(text, known)).first->second;
+}
+
+std::string unit_complaint(const std::optional<Dimension>& written,
+                           const std::optional<Dimension>& demanded) {
+  if (!written || !demanded || *written == *demanded) return "";
+  if (*demanded == Dimension{})
+    return fmt::format("is in {}; it must be a pure number, without a unit", si_name(*written));
+  return fmt::format("is in {}; it must be in {}", si_name(*written), si_name(*demanded));
+}
+
+bool means_not_finite(const std::string& text) {
+  const std::size_t sign = text.starts_with('-') || text.starts_with('+') ? 1 : 0;
+  const std::size_t dot = text.substr(sign).starts_with('.') ? 1 : 0;
+  const char* begin = text.c_str() + sign + dot;
+  if (text.size() == sign + dot || (dot == 1 && !std::isalpha(static_cast<unsigned char>(*begin))))
+    return false;
+  char* end = nullptr;
+  return !std::isfinite(std::strtod(begin, &end)) && *end == '\0';
+}
+
+std::nullopt_t ValueReader::refuse(const Node& node, const std::string& subject, std::string message) const {
+  report_.add(at(node.mark), subject, std::move(message));
+  return std::nullopt;
+}
+
+std::optional<WrittenValue> ValueReader::read(const Node& node, const std::string& subject) const {
+  if (node.is_map()) return read_with_unit(node, subject);
+  if (node.is_list()) return read_list(node, subject);
+  if (node.is_scalar()) return read_scalar(node, subject);
+  return refuse(node, subject, "has no value");
+}
+
+std::optional<WrittenValue> ValueReader::read_scalar(const Node& node, const std::string& subject) const {
+  const std::string& text = node.text;
+  // An expression with a comma, a colon or a quotation mark in it needs quotes around it.
+  if (node.quoted && !text.starts_with('=')) return WrittenValue{{text}, {}, text};
+  if (text.starts_with('$')) {
+    if (parameters_.failed(text.substr(1))) return std::nullopt;
+    if (const WrittenValue* parameter = parameters_.find(text.substr(1), uses_)) return *parameter;
+    return refuse(node, subject,
+                  fmt::format("there is no parameter '{}'{}", text.substr(1),
+                              did_you_mean(text.substr(1), parameters_.names())));
+  }
+  if (text.starts_with('=')) return read_expression(node, subject);
+  if (const auto quantity = parse_quantity(text))
+    return WrittenValue{{quantity->value}, quantity->dimension, text};
+  if (means_not_finite(text))
+    return refuse(node, subject,
+                  fmt::format("'{}' is not a finite number; a bound that is absent is left out", text));
+  if (text == "true" || text == "false") return WrittenValue{{text == "true"}, {}, text};
+  const auto filled = fill_in(node, subject);  // a path such as data/$name.csv
+  return filled ? std::optional(WrittenValue{{*filled}, {}, *filled}) : std::nullopt;
+}
+
+std::optional<WrittenValue> ValueReader::read_expression(const Node& node, const std::string& subject) const {
+  try {
+    const Expression& expression = parameters_.expression(node.text.substr(1));
+    std::vector<double> values;
+    std::vector<Measure> measures;
+    for (const std::string& name : expression.variables()) {
+      if (parameters_.failed(name)) return std::nullopt;
+      const WrittenValue& parameter = *parameters_.find(name, uses_);
+      const double* number = std::get_if<double>(&parameter.value.content);
+      if (!number) return refuse(node, subject, fmt::format("'{}' is no single number", name));
+      values.push_back(*number);
+      const auto& dimension = parameter.dimension;
+      measures.push_back({dimension, dimension.has_value()});
+    }
+    const Measure measure = expression.measure(measures);
+    expression.check_draws(std::vector<std::optional<double>>(values.begin(), values.end()));
+    const double result = expression(values);
+    if (!std::isfinite(result))
+      return refuse(node, subject, fmt::format("'{}' is {}, not a finite number", node.text, result));
+    return WrittenValue{{result}, measure.sure ? measure.dimension : std::nullopt, node.text};
+  } catch (const ExpressionError& error) {
+    Mark mark = node.mark;  // of a setting there is none
+    if (mark.line > 0) mark.column += 1 + (node.quoted ? 1 : 0) + static_cast<int>(error.position);
+    report_.add(at(mark), subject, error.what());
+    return std::nullopt;
+  }
+}
+
+std::optional<WrittenValue> ValueReader::read_list(const Node& node, const std::string& subject) const {
+  if (!node.items.empty() && node.items.front().is_list()) return read_rows(node, subject);
+  std::vector<WrittenValue> elements;
+  for (const Node& item : node.items) {
+    auto element = item.is_scalar() ? read_scalar(item, subject)
+                                    : refuse(item, subject, "a list holds numbers or words");
+    if (!element) return std::nullopt;
+    elements.push_back(std::move(*element));
+  }
+  WrittenValue result{{Eigen::VectorXd(static_cast<Eigen::Index>(elements.size()))}, {}, "the list"};
+  Value::List texts;
+  bool numbers = true;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const double* number = std::get_if<double>(&elements[i].value.content);
+    numbers = numbers && number;
+    if (number) std::get<Eigen::VectorXd>(result.value.content)[static_cast<Eigen::Index>(i)] = *number;
+    if (elements[i].dimension && result.dimension && *elements[i].dimension != *result.dimension)
+      return refuse(node.items[i], subject, "has another unit than the elements before it");
+    if (elements[i].dimension) result.dimension = elements[i].dimension;
+    texts.push_back({node.items[i].text, node.items[i].mark.line, node.items[i].mark.column});
+  }
+  if (!numbers) result.value.content = std::move(texts);
+  return result;
+}
+
+std::optional<WrittenValue> ValueReader::read_rows(const Node& node, const std::string& subject) const {
+  WrittenValue result{{Eigen::MatrixXd()}, {}, "the matrix"};
+  auto& matrix = std::get<Eigen::MatrixXd>(result.value.content);
+  for (std::size_t row = 0; row < node.items.size(); ++row) {
+    const Node& item = node.items[row];
+    const auto written = item.is_list() ? read_list(item, subject) : std::nullopt;
+    const auto* numbers = written ? std::get_if<Eigen::VectorXd>(&written->value.content) : nullptr;
+    if (!numbers) return refuse(item, subject, "a matrix is a list of rows of numbers, as [[1, 2], [3, 4]]");
+    if (row == 0) matrix.resize(static_cast<Eigen::Index>(node.items.size()), numbers->size());
+    if (numbers->size() != matrix.cols())
+      return refuse(item, subject,
+                    fmt::format("this row has {} numbers, the first has {}", numbers->size(), matrix.cols()));
+    matrix.row(static_cast<Eigen::Index>(row)) = numbers->transpose();
+    if (written->dimension) result.dimension = written->dimension;
+  }
+  return result;
+}
+
+std::optional<WrittenValue> ValueReader::read_with_unit(const Node& node, const std::string& subject) const {
+  const Node* value = node.find("value");
+  const Node* unit_node = node.find("unit");
+  if (!value || node.entries.size() > (unit_node ? 2u : 1u))
+    return refuse(node, subject, "is a map; a number with its unit is written {value: .., unit: ..}");
+  auto written = read(*value, subject);
+  if (!written || !unit_node) return written;
+  const auto unit = parse_unit(unit_node->text);
+  if (!unit) return refuse(*unit_node, subject, fmt::format("'{}' is no unit", unit_node->text));
+  if (written->dimension) return refuse(*unit_node, subject, "the numbers carry units already");
+  if (auto* number = std::get_if<double>(&written->value.content)) *number = unit->to_si(*number);
+  if (auto* vector = std::get_if<Eigen::VectorXd>(&written->value.content))
+    for (double& element : *vector) element = unit->to_si(element);
+  if (auto* matrix = std::get_if<Eigen::MatrixXd>(&written->value.content))
+    for (double& element : matrix->reshaped()) element = unit->to_si(element);
+  written->dimension = unit->dimension;
+  written->text += " " + unit_node->text;
+  return written;
+}
+
+std::optional<double> ValueReader::read_number(const Node& node, const Dimension& demanded,
+                                               const std::string& subject) const {
+  const auto written = read(node, subject);
+  if (!written) return std::nullopt;
+  const double* number = std::get_if<double>(&written->value.content);
+  if (!number)
+    return refuse(
+        node, subject,
+        fmt::format("'{}' is not a finite number with a unit", node.is_scalar() ? node.text : "a list"));
+  const std::string complaint = unit_complaint(written->dimension, demanded);
+  if (!complaint.empty()) return refuse(node, subject, fmt::format("'{}' {}", written->text, complaint));
+  return *number;
+}
+
+std::optional<std::string> ValueReader::fill_in(const Node& node, const std::string& subject) const {
+  std::string result;
+  const std::string& text = node.text;
+  for (std::size_t i = 0; i < text.size();) {
+    if (text[i] != '$') {
+      result += text[i++];
+      continue;
+    }
+    if (text.substr(i, 2) == "$$") {
+      result += '$';
+      i += 2;
+      continue;
+    }
+    std::size_t end = i + 1;
+    while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '_'))
+      ++end;
+    const std::string name = text.substr(i + 1, end - i - 1);
+    const WrittenValue* parameter = parameters_.find(name, uses_);
+    if (parameter && parameter->failed) return std::nullopt;
+    if (!parameter)
+      return refuse(
+          node, subject,
+          fmt::format("there is no parameter '{}'{}", name, did_you_mean(name, parameters_.names())));
+    if (const double* number = std::get_if<double>(&parameter->value.content)) {
+      result += *number < 0 ? fmt::format("({})", *number) : fmt::format("{}", *number);
+    } else if (parameter->value.text()) {
+      result += *parameter->value.text();
+    } else {
+      return refuse(node, subject, fmt::format("parameter '{}' is neither a number nor a word", name));
+    }
+    i = end;
+  }
+  return result;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/model/block/spec.hpp"
+#include "engine/model/diagram/diagram.hpp"
+
+namespace stepwire {
+
+class FaultReport;
+
+/// A value as a file writes it, before it is known what it is for.
+struct WrittenValue {
+  Value value;  ///< a number, vector or matrix in SI; a flag; text; a list of text
+  std::optional<Dimension> dimension;
+  std::string text;     ///< as written, for messages
+  bool failed = false;  ///< stands for a definition that was refused; what uses it stays silent
+};
+
+/// Parameters that a value was read from, by their index in Diagram::parameters.
+using ParameterUses = std::vector<int>;
+
+/// The parameters that expressions and `$name` of one file see.
+class ParameterScope {
+ public:
+  /// The value of a parameter, and notes that something uses it; nullptr if there is none. `uses` gathers
+  /// what can be evaluated again; without it the parameter decides what the diagram is made of, see
+  /// is_structural.
+  const WrittenValue* find(const std::string& name, ParameterUses* uses) const;
+  bool defined(const std::string& name) const { return values_.contains(name); }
+  void define(const std::string& name, WrittenValue value, int index = -1);
+  /// Puts another value in the place of one that is defined, and returns the former.
+  WrittenValue replace(const std::string& name, WrittenValue value);
+  /// The value of a parameter that is defined, which is no use of it; else nullptr.
+  const Value* value(const std::string& name) const;
+  std::vector<std::string> names() const;
+  bool failed(const std::string& name) const;
+  /// Does anything use it?
+  bool used(const std::string& name) const;
+  /// Does anything use it that is not evaluated again: a file's times, records, words of presets?
+  bool is_structural(const std::string& name) const;
+  /// The expression of a text that follows its '='; each text is parsed once. Throws ExpressionError.
+  const Expression& expression(const std::string& text) const;
+
+ private:
+  struct Entry {
+    WrittenValue value;
+    int index = -1;  ///< in Diagram::parameters
+    mutable bool used = false, structural = false;
+  };
+  std::map<std::string, Entry> values_;
+  mutable std::map<std::string, Expression> expressions_;  // no value depends on what is parsed already
+};
+
+/// Reads values of one file: numbers with units, `$name`, `= expression`, vectors, matrices, text.
+class ValueReader {
+ public:
+  /// `uses` gathers the parameters that are read, where the reader of the values keeps how to read them
+  /// again.
+  ValueReader(const ParameterScope& parameters, FaultReport& report, int scope, ParameterUses* uses = nullptr)
+      : parameters_(parameters), report_(report), scope_(scope), uses_(uses) {}
+
+  /// A value whose purpose is open (a parameter's definition). Nothing, and a fault, if it cannot be read.
+  std::optional<WrittenValue> read(const Node& node, const std::string& subject) const;
+  /// A value for a parameter of a block: converted to its kind, its unit and range checked. `demanded` is the
+  /// dimension of a fixed unit; nothing lets any unit pass.
+  std::optional<WrittenValue> read_for(const ParameterSpec& spec, const std::optional<Dimension>& demanded,
+                                       const Node& node, const std::string& subject) const;
+  /// One finite number of the given dimension.
+  std::optional<double> read_number(const Node& node, const Dimension& demanded,
+                                    const std::string& subject) const;
+  /// Replaces each `$name` inside of a text by that parameter's number or text, and `$$` by `$`.
+  std::optional<std::string> fill_in(const Node& node, const std::string& subject) const;
+
+  Origin at(const Mark& mark) const { return {scope_, mark}; }
+
+ private:
+  std::optional<WrittenValue> read_scalar(const Node& node, const std::string& subject) const;
+  std::optional<WrittenValue> read_list(const Node& node, const std::string& subject) const;
+  std::optional<WrittenValue> read_rows(const Node& node, const std::string& subject) const;
+  std::optional<WrittenValue> read_with_unit(const Node& node, const std::string& subject) const;
+  std::optional<WrittenValue> read_expression(const Node& node, const std::string& subject) const;
+  std::optional<WrittenValue> read_words(const ParameterSpec& spec, const Node& node,
+                                         const std::string& subject) const;
+  std::optional<Value> read_tree(const Node& node, const std::string& subject) const;
+  std::optional<Value> convert(const ParameterSpec& spec, const WrittenValue& written, const Node& node,
+                               const std::string& subject) const;
+  bool in_range(const ParameterSpec& spec, const WrittenValue& written, const Node& node,
+                const std::string& subject) const;
+  std::string resolve_file(const std::string& text, const Node& node, const std::string& subject) const;
+  std::nullopt_t refuse(const Node& node, const std::string& subject, std::string message) const;
+
+  const ParameterScope& parameters_;
+  FaultReport& report_;
+  int scope_;
+  ParameterUses* uses_;
+};
+
+/// The dimension of a parameter with a fixed unit; nothing where any unit passes, or one that wires decide.
+std::optional<Dimension> demanded_dimension(const ParameterSpec& spec);
+
+/// The form of numbers that a wire or a state has: one or several, of any unit.
+const ParameterSpec& numbers_of_any_unit();
+
+/// Is this how YAML or C writes a number that is not finite (.inf, -nan, 1e999)?
+bool means_not_finite(const std::string& text);
+
+/// Checks that a dimension is the demanded one; a bare number always is. Says what is wrong otherwise.
+std::string unit_complaint(const std::optional<Dimension>& written, const std::optional<Dimension>& demanded);
+
+}  // namespace stepwire

@@ -1,0 +1,194 @@
+#include "engine/model/diagram/resolve.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+namespace stepwire {
+
+namespace {
+
+// More ports than this cannot lie one behind the other: parts are nested at most 32 deep.
+constexpr int most_hops = 256;
+
+std::vector<std::string> output_names(const BlockType& type) {
+  std::vector<std::string> names;
+  for (const OutputSpec& output : type.outputs) names.push_back(output.name);
+  return names;
+}
+
+/// A reference may be to a block itself or to one of its outputs, and names of blocks may have dots.
+std::string no_block(const std::string& text, const Scope& scope) {
+  std::vector<std::string> plain, dotted;
+  for (std::string& name : scope.block_names())
+    (name.find('.') == std::string::npos ? plain : dotted).push_back(std::move(name));
+  const std::string first = text.substr(0, text.find('.')), owner = text.substr(0, text.rfind('.'));
+  for (const auto& [name, names] :
+       {std::pair(first, &plain), std::pair(text, &dotted), std::pair(owner, &dotted)})
+    if (const std::string cure = did_you_mean(name, *names); !cure.empty())
+      return fmt::format("there is no block '{}'{}", name, cure);
+  return fmt::format("there is no block '{}'", first);
+}
+
+// A state is carried in a Source as an output number below -1.
+int encode_state(int state) {
+  return -2 - state;
+}
+
+}  // namespace
+
+bool names_signal(const Node& node) {
+  if (!node.is_scalar() || node.text.starts_with('$') || node.text.starts_with('=')) return false;
+  return node.quoted || !(parse_quantity(node.text) || means_not_finite(node.text));
+}
+
+std::nullopt_t Resolver::refuse(const Query& query, std::string message) const {
+  report_.add(query.origin, query.subject, std::move(message));
+  return std::nullopt;
+}
+
+std::optional<Source> Resolver::source(const Node& node, const Scope& scope,
+                                       const std::string& subject) const {
+  return element(node, scope, {scope.at(node.mark), scope.at(node.mark), subject, false});
+}
+
+std::optional<Source> Resolver::source(const std::string& name, const Scope& scope, const Origin& origin,
+                                       const std::string& subject) const {
+  return reference(name, scope, {origin, origin, subject, false});
+}
+
+std::optional<SignalRef> Resolver::signal(const std::string& text, const Scope& scope, const Origin& origin,
+                                          const std::string& subject) const {
+  const auto found = reference(text, scope, {origin, origin, subject, true});
+  if (!found) return std::nullopt;
+  if (found->block < 0) {
+    report_.add(origin, subject, fmt::format("'{}' is a constant number here, not a signal", text));
+    return std::nullopt;
+  }
+  if (found->output >= 0) return SignalRef{found->block, found->output, -1};
+  return SignalRef{found->block, -1, -2 - found->output};
+}
+
+std::optional<Source> Resolver::element(const Node& node, const Scope& scope, Query query) const {
+  if (node.kind == Node::Kind::empty)
+    return refuse(query, "is fed by nothing; name a block or give a number");
+  if (names_signal(node)) return reference(node.text, scope, std::move(query));
+  if (std::any_of(node.items.begin(), node.items.end(), names_signal))
+    return refuse(query, "takes one signal, not a list; join signals with a Mux");
+  ParameterUses uses;
+  const ValueReader reader(scope.parameters, report_, scope.index, &uses);
+  const auto written = reader.read_for(numbers_of_any_unit(), {}, node, query.subject);
+  if (!written) return std::nullopt;
+  Source source{
+      -1,     -1, std::get<Eigen::VectorXd>(written->value.content), written->dimension, scope.at(node.mark),
+      nullptr};
+  if (!uses.empty())
+    source.text =
+        std::make_shared<const Binding>(Binding{{}, {node, scope.index, scope.index}, std::move(uses)});
+  return source;
+}
+
+std::optional<Source> Resolver::reference(const std::string& text, const Scope& scope, Query query) const {
+  if (++query.hops > most_hops)
+    return refuse(query,
+                  fmt::format("'{}' is wired to itself through ports only, with no block in between", text));
+  if (scope.inputs.contains(text)) return port(scope, text, std::move(query));
+  const std::string_view name = scope.start_of(text);
+  if (name.empty()) return refuse(query, no_block(text, scope));
+  const auto found = scope.names.find(name);
+  if (found == scope.names.end()) return std::nullopt;  // it could not be made, which has been told
+  const std::string rest = name.size() == text.size() ? "" : text.substr(name.size() + 1);
+  if (found->second.part) return of_part(rest, *found->second.part, std::move(query));
+  return of_block(rest, found->second.block, query);
+}
+
+std::optional<Source> Resolver::port(const Scope& scope, const std::string& name, Query query) const {
+  const Scope::Port& port = scope.inputs.at(name);
+  if (port.fed_by) {
+    // What the using file wires to a part is to be mended there.
+    query.origin = query.wire = scope.parent->at(port.fed_by->mark);
+    query.subject = scope.prefix + name;
+    return element(*port.fed_by, *scope.parent, std::move(query));
+  }
+  if (port.block >= 0) {
+    Source source;
+    source.block = port.block;
+    source.output = 0;
+    source.origin = query.wire;
+    return source;
+  }
+  if (port.fallback) return element(*port.fallback, scope, std::move(query));
+  // A part that is not fed has been reported where it is used; a file that is run by itself has not.
+  if (!scope.parent)
+    report_.add(scope.at(port.mark), name,
+                "nothing feeds this input; use this file as a part, or give it a 'default:'");
+  return std::nullopt;
+}
+
+std::optional<Source> Resolver::of_block(const std::string& rest, int block, const Query& query) const {
+  const DiagramBlock& found = report_.diagram().blocks[static_cast<std::size_t>(block)];
+  const BlockType& type = found.type();
+  Source source;
+  source.block = block;
+  source.origin = query.wire;
+  if (rest.empty()) {
+    if (type.outputs.size() != 1)
+      return refuse(query,
+                    type.outputs.empty()
+                        ? fmt::format("'{}' ({}) has no output", found.name, type.name)
+                        : fmt::format("'{}' has several outputs; say which: {}.{}", found.name, found.name,
+                                      fmt::join(output_names(type), fmt::format(", {}.", found.name))));
+    source.output = 0;
+    return source;
+  }
+  source.output = type.output(rest);
+  if (source.output >= 0) return source;
+  if (const int state = type.state(rest); state >= 0) {
+    if (!query.look_inside)
+      return refuse(
+          query, fmt::format("'{}' is a state inside of {}, not an output; it can be recorded but not wired",
+                             rest, type.name));
+    source.output = encode_state(state);
+    return source;
+  }
+  const auto names = output_names(type);
+  if (names.empty()) return refuse(query, fmt::format("'{}' ({}) has no output", found.name, type.name));
+  if (std::all_of(rest.begin(), rest.end(), [](unsigned char c) { return std::isdigit(c); }))
+    return refuse(
+        query,
+        fmt::format("'{0}.{1}' is no signal of its own; {2}", found.name, rest,
+                    query.look_inside ? fmt::format("'{0}' brings all its elements, {0}.1, ...", found.name)
+                                      : "pick an element with Select"));
+  return refuse(query,
+                fmt::format("{} has no output '{}'{}", type.name, rest,
+                            did_you_mean(rest, names, fmt::format("It has: {}", fmt::join(names, ", ")))));
+}
+
+std::optional<Source> Resolver::of_part(const std::string& rest, const Scope& part, Query query) const {
+  std::vector<std::string> names;
+  for (const auto& [name, out] : part.outputs) names.push_back(name);
+  const std::string part_name = part.prefix.substr(0, part.prefix.size() - 1);
+  const auto out = rest.empty() && names.size() == 1 ? part.outputs.begin() : part.outputs.find(rest);
+  if (out != part.outputs.end()) {
+    if (!out->second.signal) return std::nullopt;
+    // What is wrong inside of a part is to be mended in the part's file.
+    query.origin = part.at(out->second.signal->mark);
+    query.subject = part.prefix + out->first;
+    return reference(out->second.signal->text, part, std::move(query));
+  }
+  const bool inside = query.look_inside && (!part.start_of(rest).empty() || part.inputs.contains(rest));
+  if (inside) return reference(rest, part, std::move(query));
+  if (names.empty())
+    return refuse(query, fmt::format("'{}' is a part without outputs; its file names them under 'outputs:'",
+                                     part_name));
+  if (rest.empty())
+    return refuse(query, fmt::format("'{}' has several outputs; say which: {}.{}", part_name, part_name,
+                                     fmt::join(names, fmt::format(", {}.", part_name))));
+  return refuse(query,
+                fmt::format("'{}' has no output '{}'{}", part_name, rest,
+                            did_you_mean(rest, names, fmt::format("It has: {}", fmt::join(names, ", ")))));
+}
+
+}  // namespace stepwire

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "engine/model/diagram/open.hpp"
+
+namespace stepwire {
+
+/// Is this the name of a signal, not a number, `$name`, `= expression`, list or map?
+bool names_signal(const Node& node);
+
+/// Finds what a reference such as "lag", "lag.y" or "rig.x" means in a file, through the ports of parts.
+class Resolver {
+ public:
+  explicit Resolver(Report& report) : report_(report) {}
+
+  /// What one element of an input is fed by: a reference, a number, `$name` or `= expression`.
+  std::optional<Source> source(const Node& node, const Scope& scope, const std::string& subject) const;
+  /// The same for the name of a signal.
+  std::optional<Source> source(const std::string& name, const Scope& scope, const Origin& origin,
+                               const std::string& subject) const;
+  /// A signal by name; states and what lies inside of parts may be named too. `origin` is for messages.
+  std::optional<SignalRef> signal(const std::string& text, const Scope& scope, const Origin& origin,
+                                  const std::string& subject) const;
+
+ private:
+  struct Query {
+    Origin origin;  ///< what to blame where a name means nothing
+    Origin wire;    ///< what to blame where the ends do not fit
+    std::string subject;
+    bool look_inside;  ///< may states and the inside of parts be named?
+    int hops = 0;
+  };
+  std::optional<Source> element(const Node& node, const Scope& scope, Query query) const;
+  std::optional<Source> reference(const std::string& text, const Scope& scope, Query query) const;
+  std::optional<Source> port(const Scope& scope, const std::string& name, Query query) const;
+  std::optional<Source> of_block(const std::string& rest, int block, const Query& query) const;
+  std::optional<Source> of_part(const std::string& rest, const Scope& part, Query query) const;
+  std::nullopt_t refuse(const Query& query, std::string message) const;
+
+  Report& report_;
+};
+
+}  // namespace stepwire

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/model/diagram/parameters.hpp"
+
+namespace stepwire {
+
+/// One file at one place of the diagram while it is built: what its names mean.
+struct Scope {
+  int index = 0;  ///< in Diagram::scopes
+  const Document* document = nullptr;
+  Scope* parent = nullptr;
+  ParameterScope parameters;
+  std::string prefix;
+
+  /// What a name stands for: a block of the diagram, or a part.
+  struct Named {
+    int block = -1;
+    std::unique_ptr<Scope> part;
+    Mark mark;
+  };
+  std::map<std::string, Named, std::less<>> names;
+  /// Names whose block or part could not be made: reported once, so what is wired to them stays silent.
+  std::set<std::string, std::less<>> failed;
+
+  /// A port of this part: what the using file wrote at it, and what may pass.
+  struct Port {
+    const Node* fed_by = nullptr;  ///< in the parent's file
+    const Node* fallback = nullptr;
+    std::optional<Dimension> dimension;
+    std::string doc;
+    int block = -1;  ///< that stands for it in the diagram itself, which nobody uses
+    Mark mark;
+  };
+  std::map<std::string, Port, std::less<>> inputs;
+
+  /// An output of this part: the signal that it is, written in this part's file.
+  struct Out {
+    const Node* signal = nullptr;
+    const Node* safe = nullptr;
+    std::optional<Dimension> dimension;
+    std::string doc;
+    Mark mark;
+  };
+  std::map<std::string, Out, std::less<>> outputs;
+
+  Origin at(const Mark& mark) const { return {index, mark}; }
+  /// The name of a block or part with which a reference begins: "rig.carriage" of "rig.carriage.position"
+  /// where there is such a block, since names of blocks may have dots; empty where there is none.
+  std::string_view start_of(std::string_view reference) const;
+  /// The block, part or input of which `name` would be a signal, or whose name would be a signal of `name`;
+  /// empty where there is none.
+  std::string rival_of(const std::string& name) const;
+  std::vector<std::string> block_names() const;
+};
+
+}  // namespace stepwire

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "engine/base/unit/unit.hpp"
+
+namespace stepwire {
+
+/// The unit of a port as a block declares it: a constant dimension times powers of unit variables.
+struct UnitExpression {
+  bool any = false;  ///< declared "*": nothing is known and nothing is checked
+  Dimension constant;
+  std::vector<std::pair<std::string, double>> variables;  ///< name without the quote, exponent
+};
+
+/// Reads "N m/s", "'u", "'k 'u", "'u/s", "'u^0.5", "*"; '/' turns only what follows it. Nothing if it cannot
+/// be read.
+std::optional<UnitExpression> parse_unit_expression(std::string_view text);
+
+}  // namespace stepwire

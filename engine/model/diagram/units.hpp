@@ -1,0 +1,12 @@
+#pragma once
+
+#include "engine/model/diagram/report.hpp"
+
+namespace stepwire {
+
+/// Infers the unit of every wire from declared ports, numbers with units and the rules of the blocks between
+/// them; fills Diagram::output_dimensions and state_dimensions, and reports every wire whose ends do not
+/// agree.
+void infer_units(Report& report);
+
+}  // namespace stepwire

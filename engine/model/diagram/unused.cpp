@@ -1,0 +1,59 @@
+#include "engine/model/diagram/unused.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+namespace stepwire {
+
+namespace {
+
+bool is_word(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
+
+/// Does "$name" stand in the text?
+bool mentions(const std::string& text, const std::string& name) {
+  const std::string wanted = "$" + name;
+  for (std::size_t at = text.find(wanted); at != std::string::npos; at = text.find(wanted, at + 1))
+    if (at + wanted.size() == text.size() || !is_word(text[at + wanted.size()])) return true;
+  return false;
+}
+
+bool mentions(const Node& node, const std::string& name) {
+  const auto in = [&](const Node& child) { return mentions(child, name); };
+  return mentions(node.text, name) || std::any_of(node.items.begin(), node.items.end(), in) ||
+         std::any_of(node.entries.begin(), node.entries.end(),
+                     [&](const Entry& entry) { return in(entry.value); });
+}
+
+/// Figures, scenes, claims, fits and studies read parameters only after the diagram is built.
+bool is_drawn_or_claimed(const Node& root, const std::string& name) {
+  for (const char* key : {"figure", "scene", "claims", "invariants", "fit", "study"})
+    if (const Node* node = root.find(key); node && mentions(*node, name)) return true;
+  const Node* sweep = root.find("sweep");
+  return sweep && sweep->find(name);
+}
+
+void refuse_unused(const Scope& scope, std::set<const Document*>& seen, Report& report) {
+  if (!seen.insert(scope.document).second) return;  // a part that is used twice is told about once
+  const Node& root = scope.document->root;
+  if (const Node* parameters = root.find("parameters"))
+    for (const Entry& entry : parameters->entries)
+      if (!scope.parameters.used(entry.key) && !is_drawn_or_claimed(root, entry.key))
+        report.add(scope.at(entry.mark), scope.prefix + entry.key,
+                   fmt::format("nothing uses this parameter; use it as ${}, or take it out", entry.key));
+  for (const auto& [name, named] : scope.names)
+    if (named.part) refuse_unused(*named.part, seen, report);
+}
+
+}  // namespace
+
+void refuse_unused_parameters(const Scope& scope, Report& report) {
+  std::set<const Document*> seen;
+  refuse_unused(scope, seen, report);
+}
+
+}  // namespace stepwire

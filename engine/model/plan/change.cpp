@@ -1,0 +1,247 @@
+#include "engine/model/plan/change.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <optional>
+
+#include "engine/model/block/literal.hpp"
+#include "engine/model/plan/configuring.hpp"
+
+namespace stepwire {
+
+namespace {
+
+/// What a block's members are beside their numbers: lengths that are 1, or not, and functions.
+class Outlines : public LiteralWriter {
+ public:
+  std::string number(double) override { return ""; }
+  std::string flag(bool) override { return ""; }
+  std::string enumerator(int, const std::string&) override { return ""; }
+  std::string numbers(const double*, Index) override { return ""; }
+  std::string whole(std::int64_t) override { return ""; }
+  std::string natural(std::uint64_t) override { return ""; }
+};
+
+/// A member with its numbers.
+class Contents : public Outlines {
+ public:
+  std::string number(double value) override { return add(value); }
+  std::string flag(bool value) override { return add(value ? 1.0 : 0.0); }
+  std::string enumerator(int value, const std::string&) override { return add(value); }
+  std::string numbers(const double* values, Index size) override {
+    for (Index i = 0; i < size; ++i) add(values[i]);
+    return "";
+  }
+  std::string whole(std::int64_t value) override { return add(static_cast<double>(value)); }
+  std::string natural(std::uint64_t value) override { return std::to_string(value); }
+
+  std::vector<std::uint64_t> bits;
+
+ private:
+  std::string add(double value) {
+    bits.push_back(std::bit_cast<std::uint64_t>(value));
+    return "";
+  }
+};
+
+std::pair<std::string, std::vector<std::uint64_t>> contents_of(const MemberSpec& member,
+                                                               const AnyBlock& block) {
+  Contents writer;
+  std::string text = member.literal(block.get(), writer);
+  return {std::move(text), std::move(writer.bits)};
+}
+
+std::string outline_of(const AnyBlock& block) {
+  Outlines writer;
+  std::string text;
+  for (const MemberSpec& member : block.type().members) text += member.literal(block.get(), writer) + ";";
+  return text;
+}
+
+Eigen::Index size_of(const Value& value) {
+  if (const auto* vector = std::get_if<Eigen::VectorXd>(&value.content)) return vector->size();
+  const auto* matrix = std::get_if<Eigen::MatrixXd>(&value.content);
+  return matrix ? matrix->size() : 1;
+}
+
+/// Gathers the change, block by block.
+class Changing {
+ public:
+  Changing(const Plan& plan, const WrittenBlocks& written) : plan_(plan), written_(written) {}
+
+  void add(const ChangedValue& value) {
+    switch (value.target.kind) {
+      case Target::Kind::parameter:
+        return set_parameter(value);
+      case Target::Kind::initial:
+        return set_initial(value);
+      default:
+        return set_constant(value);
+    }
+  }
+
+  PlanChange take() {
+    for (auto& [block, written] : changed_) rebuild(block, std::move(written));
+    faults_.throw_if_any();
+    return std::move(change_);
+  }
+
+ private:
+  const DiagramBlock& block_of(const Target& target) const {
+    return plan_.diagram.blocks[static_cast<std::size_t>(target.block)];
+  }
+
+  void refuse_structure(std::size_t block, const std::string& name, const std::string& what) {
+    if (change_.structure.empty())
+      change_.structure = fmt::format("{}.{}: {}", plan_.diagram.blocks[block].name, name, what);
+  }
+
+  /// The units of wires are those of the plan; a bare number is in the unit that was there before.
+  void check_unit(const ChangedValue& value, const std::optional<Dimension>& known, const std::string& name) {
+    if (value.value.dimension && value.value.dimension != known)
+      refuse_structure(static_cast<std::size_t>(value.target.block), name,
+                       "the value has another unit, or one where it had none");
+  }
+
+  AnyBlock& written(std::size_t block) {
+    const auto found = changed_.find(block);
+    if (found != changed_.end()) return found->second;
+    const auto before = written_.find(block);
+    const auto& planned = plan_.blocks[block].written;
+    const AnyBlock& from = before != written_.end() ? before->second
+                           : planned                ? *planned
+                                                    : plan_.diagram.blocks[block].block;
+    return changed_.emplace(block, from).first->second;
+  }
+
+  void set_parameter(const ChangedValue& value) {
+    const auto block = static_cast<std::size_t>(value.target.block);
+    const auto index = static_cast<std::size_t>(value.target.index);
+    const DiagramBlock& known = block_of(value.target);
+    const ParameterSpec& spec = known.type().parameters[index];
+    if (!demanded_dimension(spec)) check_unit(value, known.parameter_dimensions[index], spec.name);
+    if (known.type().file_output) refuse_structure(block, spec.name, "the block writes a file");
+    spec.set(written(block).get(), value.value.value);
+  }
+
+  void set_initial(const ChangedValue& value) {
+    const auto block = static_cast<std::size_t>(value.target.block);
+    const auto& all = block_of(value.target).initial;
+    const auto same = [&](const InitialValue& initial) { return initial.state == value.target.index; };
+    const auto known = std::ranges::find_if(all, same);
+    const auto& numbers = std::get<Eigen::VectorXd>(value.value.value.content);
+    const SignalSlot slot = plan_.blocks[block].states[static_cast<std::size_t>(value.target.index)];
+    if (known == all.end() ? numbers.size() != 1 : numbers.size() != known->value.size())
+      refuse_structure(block, "initial", "the value has another number of elements");
+    check_unit(value, known == all.end() ? std::nullopt : known->dimension, "initial");
+    change_.initial.emplace_back(slot, numbers);
+  }
+
+  void set_constant(const ChangedValue& value) {
+    const auto block = static_cast<std::size_t>(value.target.block);
+    const auto input = static_cast<std::size_t>(value.target.index);
+    const auto element = static_cast<std::size_t>(value.target.element);
+    const Source& known = block_of(value.target).inputs[input][element];
+    const auto& numbers = std::get<Eigen::VectorXd>(value.value.value.content);
+    const std::string& name = block_of(value.target).type().inputs[input].name;
+    if (numbers.size() != known.constant.size())
+      refuse_structure(block, name, "the value has another number of elements");
+    check_unit(value, known.dimension, name);
+    change_.constants.emplace_back(plan_.blocks[block].inputs[input][element], numbers);
+  }
+
+  void rebuild(std::size_t block, AnyBlock written) {
+    const PlannedBlock& planned = plan_.blocks[block];
+    AnyBlock made = written;
+    if (planned.configuration && configure(plan_, block, made.get(), faults_) != *planned.configuration)
+      refuse_structure(block, "configure", "sizes, units or what depends on what become others");
+    if (!faults_.empty()) return;
+    fit_sizes(block, made);
+    prepare(plan_, block, made.get());
+    if (const auto other = changed_beside(block, written, made))
+      refuse_structure(block, *other, "it follows from the parameters that are set");
+    if (outline_of(made) != outline_of(plan_.diagram.blocks[block].block))
+      refuse_structure(block, "members",
+                       "a list begins or ceases to be a single number, or a formula changes");
+    change_.blocks.push_back({block, std::move(written), std::move(made)});
+  }
+
+  /// A parameter that configure() makes another one than in the plan, though it was not set: compiled code
+  /// has it as it stands in the plan.
+  std::optional<std::string> changed_beside(std::size_t block, const AnyBlock& written,
+                                            const AnyBlock& made) const {
+    const AnyBlock& plan_made = plan_.diagram.blocks[block].block;
+    const AnyBlock& plan_written = plan_.blocks[block].written ? *plan_.blocks[block].written : plan_made;
+    for (const ParameterSpec& spec : made.type().parameters) {
+      if (spec.member < 0) continue;
+      const MemberSpec& member = made.type().members[static_cast<std::size_t>(spec.member)];
+      const bool was_set = contents_of(member, written) != contents_of(member, plan_written);
+      if (!was_set && contents_of(member, made) != contents_of(member, plan_made)) return spec.name;
+    }
+    return std::nullopt;
+  }
+
+  /// Numbers for every element are spread as those of the plan are; all else keeps its number of elements.
+  void fit_sizes(std::size_t block, AnyBlock& made) {
+    const DiagramBlock& known = plan_.diagram.blocks[block];
+    for (std::size_t p = 0; p < known.type().parameters.size(); ++p) {
+      const ParameterSpec& spec = known.type().parameters[p];
+      if (spec.shape.empty()) continue;
+      const Eigen::Index size = size_of(spec.get(known.block.get())), own = size_of(spec.get(made.get()));
+      const bool was_spread = std::ranges::count(known.spread, p) > 0;
+      if (was_spread && own == 1)
+        spread(made, spec, size);
+      else if (was_spread || own != size)
+        refuse_structure(block, spec.name, "the value has another number of elements");
+    }
+  }
+
+  const Plan& plan_;
+  const WrittenBlocks& written_;
+  WrittenBlocks changed_;
+  PlanChange change_;
+  Faults faults_;
+};
+
+}  // namespace
+
+PlanChange change_of(const Plan& plan, const std::vector<ChangedValue>& values,
+                     const WrittenBlocks& written) {
+  Changing changing(plan, written);
+  for (const ChangedValue& value : values) changing.add(value);
+  return changing.take();
+}
+
+namespace {
+
+/// What configure() and prepare() compute, which may be anything once a parameter changes.
+std::vector<bool> derived_members(const Plan& plan, std::size_t block) {
+  const BlockType& type = plan.diagram.blocks[block].type();
+  std::vector<bool> members(type.members.size(), plan.blocks[block].written.has_value());
+  for (const ParameterSpec& spec : type.parameters)
+    if (spec.member >= 0) members[static_cast<std::size_t>(spec.member)] = false;
+  return members;
+}
+
+}  // namespace
+
+std::vector<VariableBlock> variable_blocks(const Plan& plan, const Variation& variation) {
+  std::map<std::size_t, std::vector<bool>> members;
+  for (const Target& target : variation.targets()) {
+    if (target.kind != Target::Kind::parameter) continue;
+    const auto block = static_cast<std::size_t>(target.block);
+    const BlockType& type = plan.diagram.blocks[block].type();
+    const auto [known, is_new] = members.try_emplace(block, derived_members(plan, block));
+    const int member = type.parameters[static_cast<std::size_t>(target.index)].member;
+    if (member >= 0) known->second[static_cast<std::size_t>(member)] = true;
+  }
+  std::vector<VariableBlock> result;
+  for (const int block : plan.memory_order)
+    if (const auto found = members.find(static_cast<std::size_t>(block)); found != members.end())
+      result.push_back({found->first, found->second});
+  return result;
+}
+
+}  // namespace stepwire

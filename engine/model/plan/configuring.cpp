@@ -1,0 +1,94 @@
+#include "engine/model/plan/configuring.hpp"
+
+#include <fmt/format.h>
+
+#include "engine/base/io/surroundings.hpp"
+#include "engine/model/plan/draft.hpp"
+
+namespace stepwire {
+
+namespace {
+
+double period_of(const Plan& plan, std::size_t index) {
+  return static_cast<double>(plan.blocks[index].rate.ticks) * plan.diagram.step;
+}
+
+/// What a block may ask in configure().
+Configure what_is_known(const Plan& plan, std::size_t index) {
+  const DiagramBlock& block = plan.diagram.blocks[index];
+  std::set<std::string> connected;
+  std::map<std::string, Eigen::Index> counts;
+  for (std::size_t input = 0; input < block.inputs.size(); ++input) {
+    const InputSpec& spec = block.type().inputs[input];
+    if (!block.inputs[input].empty()) connected.insert(spec.name);
+    if (spec.list) counts[spec.name] = static_cast<Eigen::Index>(block.inputs[input].size());
+  }
+  return Configure(std::move(connected), period_of(plan, index), std::move(counts));
+}
+
+Fault fault_of(const Plan& plan, std::size_t index, const ParameterRefused& refused) {
+  const DiagramBlock& block = plan.diagram.blocks[index];
+  const BlockType& type = block.type();
+  const ParameterSpec* spec = type.parameter(refused.parameter);
+  Mark mark = spec ? block.parameter_marks[static_cast<std::size_t>(spec - type.parameters.data())] : Mark{};
+  if (refused.line > 0) mark = {refused.line, refused.column};
+  if (mark.line == 0) mark = block.origin.mark;
+  return plan.diagram.fault({block.origin.scope, mark}, block.name + "." + refused.parameter, refused.what());
+}
+
+}  // namespace
+
+Configuration configure(const Plan& plan, std::size_t index, void* block, Faults& faults) {
+  const DiagramBlock& known = plan.diagram.blocks[index];
+  Configure is = what_is_known(plan, index);
+  try {
+    known.type().configure(block, is);
+  } catch (const ParameterRefused& refused) {
+    faults.add(fault_of(plan, index, refused));
+  } catch (const SurroundingsError& error) {
+    throw SurroundingsError(plan.diagram.fault(known.origin, known.name, error.what()).text());
+  }
+  return is.answers();
+}
+
+void spread(AnyBlock& block, const ParameterSpec& spec, Eigen::Index size) {
+  const Value value = spec.get(block.get());
+  const double number = std::get<Eigen::VectorXd>(value.content)[0];
+  spec.set(block.get(), {Eigen::VectorXd(Eigen::VectorXd::Constant(size, number))});
+}
+
+void prepare(const Plan& plan, std::size_t index, void* block) {
+  const BlockType& type = plan.diagram.blocks[index].type();
+  for (const ClockSpec& clock : type.clocks)
+    if (clock.bind_period) clock.bind_period(block, period_of(plan, index));
+  if (type.prepare) type.prepare(block);
+}
+
+void configure_blocks(Draft& draft) {
+  for (std::size_t i = 0; i < draft.blocks.size(); ++i) {
+    DiagramBlock& block = draft.diagram().blocks[i];
+    PlannedBlock& planned = draft.plan.blocks[i];
+    const BlockType& type = block.type();
+    Draft::Block& made = draft.blocks[i];
+    made.computes = bool(type.run_outputs);
+    made.updates = bool(type.run_update);
+    if (type.configure || type.prepare) planned.written = block.block;
+    if (!type.configure) continue;
+    made.says = configure(draft.plan, i, block.block.get(), draft.report.faults());
+    for (const auto& [input, reason] : made.says.required)
+      draft.report.add(block.origin, block.name,
+                       fmt::format("the input '{}' is missing ({})", input, reason));
+    for (const auto& [variable, unit] : made.says.units)
+      if (const auto parsed = parse_unit(unit)) block.known_units.emplace_back(variable, parsed->dimension);
+    made.computes = made.computes && !made.says.skips_outputs;
+    made.updates = made.updates && !made.says.skips_update;
+    planned.configuration = std::make_shared<const Configuration>(made.says);
+  }
+}
+
+void prepare_blocks(Draft& draft) {
+  for (std::size_t b = 0; b < draft.blocks.size(); ++b)
+    prepare(draft.plan, b, draft.diagram().blocks[b].block.get());
+}
+
+}  // namespace stepwire

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/model/diagram/report.hpp"
+#include "engine/model/plan/plan.hpp"
+
+namespace stepwire {
+
+/// A plan while it is made: the plan itself and what is known of each block in between.
+struct Draft {
+  struct Block {
+    Configuration says;     ///< what configure() answered
+    bool computes = false;  ///< has outputs() to call
+    bool updates = false;
+    bool in_stages = false;  ///< do derivatives depend on its outputs?
+    bool timed = false;      ///< do its outputs follow from the time and constants alone?
+    std::vector<Eigen::Index> output_sizes, state_sizes, input_sizes;
+  };
+
+  explicit Draft(Plan& plan) : plan(plan), report(plan.diagram), blocks(plan.diagram.blocks.size()) {}
+
+  Plan& plan;
+  Report report;
+  std::vector<Block> blocks;
+
+  Diagram& diagram() { return plan.diagram; }
+  const BlockType& type(std::size_t block) const { return plan.diagram.blocks[block].type(); }
+  /// Does this output change at once when this input does?
+  bool depends(std::size_t block, std::size_t input, std::size_t output) const;
+  /// Is this output a state, without computation?
+  bool is_state(std::size_t block, std::size_t output) const;
+};
+
+/// Ticks of the run and of every period; the rate of every block, inherited where the file gives none.
+void plan_rates(Draft& draft);
+/// Asks every block that has configure().
+void configure_blocks(Draft& draft);
+/// Sizes of all ports and states; expands per-element parameters.
+void plan_shapes(Draft& draft);
+/// Lets every block compute what follows from its parameters, sizes and period.
+void prepare_blocks(Draft& draft);
+/// Finds the blocks whose outputs follow from the time and constants alone.
+void find_timed(Draft& draft);
+/// Order of outputs, refusing algebraic loops; blocks in the order of their first call, with which of them
+/// are called in that position (a block whose outputs cannot be ordered as one stands twice).
+std::vector<int> plan_order(Draft& draft);
+/// Memory of blocks and numbers.
+void plan_layout(Draft& draft, const std::vector<int>& order);
+/// Refuses conditions over signals of several elements, and safe values that do not fit their outputs.
+void check_what_is_kept(Draft& draft);
+/// The tables of calls.
+void plan_batches(Draft& draft, const std::vector<int>& order);
+
+}  // namespace stepwire

@@ -1,0 +1,50 @@
+// What a run keeps and watches, checked once sizes are known.
+#include <fmt/format.h>
+
+#include "engine/model/diagram/parameters.hpp"
+#include "engine/model/plan/draft.hpp"
+
+namespace stepwire {
+
+namespace {
+
+void check_stop_condition(Draft& draft, const StopCondition& condition) {
+  for (std::size_t i = 0; i < condition.variables.size(); ++i) {
+    const auto& [signal, element] = condition.variables[i];
+    if (signal.block < 0) continue;
+    const Eigen::Index size = draft.plan.slot(signal).size;
+    const std::string& name = condition.expression.variables()[i];
+    if (element > size)
+      draft.report.add(condition.origin, "stop_when",
+                       fmt::format("there is no '{}'; the signal has {} elements", name, size));
+    if (element == 0 && size > 1)
+      draft.report.add(condition.origin, "stop_when",
+                       fmt::format("'{0}' has {1} elements; a condition takes single numbers, so name one, "
+                                   "'{0}.1', or take the Norm",
+                                   name, size));
+  }
+}
+
+/// What is handed on in place of an output must be of its size and unit.
+void check_safe_value(Draft& draft, DiagramOutput& output) {
+  const std::string subject = output.name + ".safe";
+  const Eigen::Index size = draft.plan.slot(output.signal).size;
+  if (output.safe->size() == 1) *output.safe = Eigen::VectorXd::Constant(size, (*output.safe)[0]);
+  if (output.safe->size() != size)
+    draft.report.add(output.origin, subject,
+                     fmt::format("has {} elements where the signal has {}", output.safe->size(), size));
+  const auto dimension = draft.plan.dimension(output.signal);
+  if (!dimension || !output.safe_dimension) return;
+  const std::string complaint = unit_complaint(output.safe_dimension, dimension);
+  if (!complaint.empty()) draft.report.add(output.origin, subject, complaint);
+}
+
+}  // namespace
+
+void check_what_is_kept(Draft& draft) {
+  if (draft.diagram().stop_when) check_stop_condition(draft, *draft.diagram().stop_when);
+  for (DiagramOutput& output : draft.diagram().outputs)
+    if (output.safe) check_safe_value(draft, output);
+}
+
+}  // namespace stepwire

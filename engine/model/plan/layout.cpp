@@ -1,0 +1,158 @@
+#include <algorithm>
+
+#include "engine/model/plan/draft.hpp"
+
+namespace stepwire {
+
+namespace {
+
+/// Blocks in the order of their first call, then those that are never called for outputs, by type.
+std::vector<int> memory_order(const Draft& draft, const std::vector<int>& order) {
+  std::vector<bool> placed(draft.blocks.size(), false);
+  std::vector<int> result;
+  for (int block : order) {
+    if (placed[static_cast<std::size_t>(block)]) continue;
+    placed[static_cast<std::size_t>(block)] = true;
+    result.push_back(block);
+  }
+  const auto called = static_cast<std::ptrdiff_t>(result.size());
+  for (std::size_t b = 0; b < draft.blocks.size(); ++b)
+    if (!placed[b]) result.push_back(static_cast<int>(b));
+  std::stable_sort(result.begin() + called, result.end(), [&](int a, int b) {
+    return draft.type(static_cast<std::size_t>(a)).name < draft.type(static_cast<std::size_t>(b)).name;
+  });
+  return result;
+}
+
+class LayoutMaker {
+ public:
+  explicit LayoutMaker(Draft& draft) : draft_(draft), plan_(draft.plan) {}
+
+  void run() {
+    Layout& layout = plan_.layout;
+    each([&](std::size_t b) { find_slope(b); });
+    layout.signals = end_;
+    each([&](std::size_t b) { place_signals(b); });
+    layout.states = end_;
+    each([&](std::size_t b) { place_states(b, true); });
+    layout.state_count = end_ - layout.states;
+    layout.dots = end_;
+    each([&](std::size_t b) { place_dots(b); });
+    end_ += layout.state_count;
+    for (const auto& [source, state] : slopes_)
+      plan_.blocks[source.first].outputs[source.second] = plan_.blocks[state.first].dots[state.second];
+    layout.discrete = end_;
+    each([&](std::size_t b) { place_states(b, false); });
+    layout.discrete_count = end_ - layout.discrete;
+    layout.notices = end_;
+    each([&](std::size_t b) {
+      for (std::size_t n = 0; n < draft_.type(b).notices.size(); ++n)
+        plan_.blocks[b].notices.push_back(take(1));
+    });
+    layout.notice_count = end_ - layout.notices;
+    layout.constants = end_;
+    each([&](std::size_t b) { place_inputs(b); });
+    layout.report = end_;
+    layout.size = layout.report + Layout::report_count;
+  }
+
+ private:
+  template <class Visit>
+  void each(const Visit& visit) {
+    for (int block : plan_.memory_order) visit(static_cast<std::size_t>(block));
+  }
+
+  /// Lets the source of a block's slope write right into the slope's place, where no other has it already.
+  void find_slope(std::size_t b) {
+    const auto& [state_name, input_name] = draft_.blocks[b].says.slope_source;
+    if (state_name.empty()) return;
+    const BlockType& type = draft_.type(b);
+    const auto state = static_cast<std::size_t>(type.state(state_name));
+    const Source& source =
+        draft_.diagram().blocks[b].inputs[static_cast<std::size_t>(type.input(input_name))].front();
+    if (source.block < 0) return;
+    const auto from = static_cast<std::size_t>(source.block),
+               output = static_cast<std::size_t>(source.output);
+    const Draft::Block& feeding = draft_.blocks[from];
+    if (!feeding.computes || feeding.timed ||
+        feeding.output_sizes[output] != draft_.blocks[b].state_sizes[state])
+      return;
+    plan_.blocks[b].slope_is_input = slopes_.try_emplace({from, output}, std::pair{b, state}).second;
+  }
+
+  SignalSlot take(Eigen::Index size) {
+    const SignalSlot slot{end_, size};
+    end_ += static_cast<std::size_t>(size);
+    return slot;
+  }
+
+  void place_signals(std::size_t b) {
+    PlannedBlock& block = plan_.blocks[b];
+    block.outputs.resize(draft_.type(b).outputs.size());
+    block.states.resize(draft_.type(b).states.size());
+    block.dots.resize(draft_.type(b).states.size());
+    for (std::size_t o = 0; o < block.outputs.size(); ++o)
+      if (!draft_.is_state(b, o) && !slopes_.contains({b, o}))
+        block.outputs[o] = take(draft_.blocks[b].output_sizes[o]);
+  }
+
+  void place_states(std::size_t b, bool continuous) {
+    const BlockType& type = draft_.type(b);
+    for (std::size_t s = 0; s < type.states.size(); ++s)
+      if (type.states[s].continuous == continuous)
+        plan_.blocks[b].states[s] = take(draft_.blocks[b].state_sizes[s]);
+    if (!continuous) return;
+    for (std::size_t o = 0; o < type.outputs.size(); ++o)
+      if (draft_.is_state(b, o))
+        plan_.blocks[b].outputs[o] =
+            plan_.blocks[b].states[static_cast<std::size_t>(type.state(type.outputs[o].state))];
+  }
+
+  void place_dots(std::size_t b) {
+    PlannedBlock& block = plan_.blocks[b];
+    for (std::size_t s = 0; s < block.states.size(); ++s)
+      if (draft_.type(b).states[s].continuous)
+        block.dots[s] = {plan_.layout.dots + (block.states[s].offset - plan_.layout.states),
+                         block.states[s].size};
+  }
+
+  void place_inputs(std::size_t b) {
+    const DiagramBlock& block = draft_.diagram().blocks[b];
+    plan_.blocks[b].inputs.resize(block.inputs.size());
+    for (std::size_t i = 0; i < block.inputs.size(); ++i)
+      for (const Source& source : block.inputs[i]) plan_.blocks[b].inputs[i].push_back(slot_of(b, i, source));
+  }
+
+  SignalSlot slot_of(std::size_t b, std::size_t input, const Source& source) {
+    if (source.block >= 0)
+      return plan_.blocks[static_cast<std::size_t>(source.block)]
+          .outputs[static_cast<std::size_t>(source.output)];
+    const bool list = draft_.type(b).inputs[input].list;
+    const Eigen::Index size = list ? source.constant.size() : draft_.blocks[b].input_sizes[input];
+    for (Eigen::Index k = 0; k < size; ++k)
+      plan_.constants.push_back(source.constant[source.constant.size() == 1 ? 0 : k]);
+    return take(size);
+  }
+
+  Draft& draft_;
+  Plan& plan_;
+  std::map<std::pair<std::size_t, std::size_t>, std::pair<std::size_t, std::size_t>>
+      slopes_;  ///< outputs (block, output) that lie in the slopes of states (block, state)
+  std::size_t end_ = Layout::first;
+};
+
+}  // namespace
+
+void plan_layout(Draft& draft, const std::vector<int>& order) {
+  Plan& plan = draft.plan;
+  plan.memory_order = memory_order(draft, order);
+  for (int b : plan.memory_order) {
+    const BlockType& type = draft.type(static_cast<std::size_t>(b));
+    plan.block_bytes = (plan.block_bytes + type.alignment - 1) / type.alignment * type.alignment;
+    plan.blocks[static_cast<std::size_t>(b)].memory = plan.block_bytes;
+    plan.block_bytes += type.bytes;
+  }
+  LayoutMaker(draft).run();
+}
+
+}  // namespace stepwire

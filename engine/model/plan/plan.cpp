@@ -1,0 +1,53 @@
+#include "engine/model/plan/plan.hpp"
+
+#include "engine/model/diagram/units.hpp"
+#include "engine/model/plan/draft.hpp"
+
+namespace stepwire {
+
+SignalSlot Plan::slot(const SignalRef& signal) const {
+  const PlannedBlock& block = blocks[static_cast<std::size_t>(signal.block)];
+  return signal.output >= 0 ? block.outputs[static_cast<std::size_t>(signal.output)]
+                            : block.states[static_cast<std::size_t>(signal.state)];
+}
+
+std::optional<Dimension> Plan::dimension(const SignalRef& signal) const {
+  const auto block = static_cast<std::size_t>(signal.block);
+  return signal.output >= 0 ? diagram.output_dimensions[block][static_cast<std::size_t>(signal.output)]
+                            : diagram.state_dimensions[block][static_cast<std::size_t>(signal.state)];
+}
+
+bool Draft::depends(std::size_t block, std::size_t input, std::size_t output) const {
+  const InputSpec& in = type(block).inputs[input];
+  if (blocks[block].says.feedthrough.empty()) return in.feedthrough;
+  const auto said = blocks[block].says.feedthrough.find({in.name, type(block).outputs[output].name});
+  return said == blocks[block].says.feedthrough.end() ? in.feedthrough : said->second;
+}
+
+bool Draft::is_state(std::size_t block, std::size_t output) const {
+  return !blocks[block].computes && !type(block).outputs[output].state.empty();
+}
+
+Plan make_plan(Diagram diagram) {
+  Plan plan;
+  plan.diagram = std::move(diagram);
+  plan.blocks.resize(plan.diagram.blocks.size());
+  Draft draft(plan);
+  plan_rates(draft);
+  configure_blocks(draft);
+  draft.report.faults().throw_if_any();
+  infer_units(draft.report);
+  plan_shapes(draft);
+  draft.report.faults().throw_if_any();
+  prepare_blocks(draft);
+  find_timed(draft);
+  const std::vector<int> order = plan_order(draft);
+  draft.report.faults().throw_if_any();
+  plan_layout(draft, order);
+  check_what_is_kept(draft);
+  draft.report.faults().throw_if_any();
+  plan_batches(draft, order);
+  return plan;
+}
+
+}  // namespace stepwire

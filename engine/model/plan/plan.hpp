@@ -1,0 +1,107 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/model/diagram/diagram.hpp"
+
+namespace stepwire {
+
+/// When a block runs.
+struct Rate {
+  enum class Kind { constant, discrete, continuous };
+  Kind kind = Kind::constant;
+  std::int64_t ticks = 1;  ///< period, for discrete; 1 for continuous
+
+  bool operator==(const Rate&) const = default;
+};
+
+/// Blocks of one type that lie one behind the other and run at the same ticks: one call of a kernel.
+struct Batch {
+  Kernel run;
+  std::size_t first, end;  ///< offsets of the first block and behind the last in the memory of blocks [bytes]
+  std::size_t count;
+  int period;  ///< index in Plan::periods
+};
+
+/// Where the numbers of a run lie in its workspace; offsets in doubles. Signals and continuous states lie
+/// side by side, so that one sweep over them finds what is not finite.
+struct Layout {
+  static constexpr std::size_t time = 0;
+  static constexpr std::size_t timed = 1;  ///< for which time Plan::timed was computed last
+  static constexpr std::size_t first = 2;  ///< of what blocks have
+  static constexpr std::size_t report_count = 3;
+  static constexpr double never = -1.0;  ///< stands at `timed` before the start
+  std::size_t signals = first;
+  std::size_t states = first;
+  std::size_t state_count = 0;
+  std::size_t dots = first;
+  std::size_t discrete = first;
+  std::size_t discrete_count = 0;
+  std::size_t notices = first;
+  std::size_t notice_count = 0;
+  std::size_t constants = first;
+  std::size_t report = first;  ///< of an implicit solver; lies behind all else
+  std::size_t size = first;
+};
+
+/// Where a signal lies, for recording and for messages.
+struct SignalSlot {
+  std::size_t offset = 0;
+  Eigen::Index size = 1;
+};
+
+/// One block as it is run.
+struct PlannedBlock {
+  std::size_t memory = 0;  ///< offset in the memory of blocks [bytes]
+  Rate rate;
+  std::vector<SignalSlot> outputs;
+  std::vector<SignalSlot> states;
+  std::vector<SignalSlot> dots;  ///< parallel to states; unused for discrete ones
+  std::vector<SignalSlot> notices;
+  std::vector<std::vector<SignalSlot>> inputs;
+  bool slope_is_input = false;      ///< its input lies in the place of its slope: derivatives() is not called
+  std::optional<AnyBlock> written;  ///< as its file gives it, where configure() or prepare() change it
+  std::shared_ptr<const Configuration> configuration;  ///< what configure() answered, where it has one
+};
+
+/// What a run walks: the order of calls and the layout of memory. Nothing in it changes while runs use it.
+struct Plan {
+  Diagram diagram;
+  std::int64_t steps = 0;  ///< ticks from 0 to stop
+  std::vector<PlannedBlock> blocks;
+  std::vector<int> memory_order;  ///< blocks as they lie in memory
+  std::size_t block_bytes = 0;
+  std::vector<std::int64_t> periods;  ///< [ticks]; the first is 1
+  Layout layout;
+  std::vector<double> constants;
+
+  std::vector<Batch> once;     ///< outputs that never change, computed at the start
+  std::vector<Batch> timed;    ///< outputs that follow from the time alone, whenever that has changed
+  std::vector<Batch> outputs;  ///< at every tick
+  std::vector<Batch> stage;    ///< outputs on which derivatives depend, at the solver's stages between ticks
+  std::vector<Batch> derivatives;
+  std::vector<Batch> updates;
+  bool updates_continuous = false;  ///< may an update change a continuous state?
+
+  SignalSlot slot(const SignalRef& signal) const;
+  std::optional<Dimension> dimension(const SignalRef& signal) const;
+  /// Where what a stop condition reads lies in the workspace.
+  std::size_t offset(const StopCondition::Variable& variable) const {
+    return variable.signal.block < 0 ? Layout::time : slot(variable.signal).offset + variable.offset();
+  }
+  double time_of(std::int64_t tick) const { return static_cast<double>(tick) * diagram.step; }
+};
+
+/// How many steps a time is; nothing if it is not a whole number of them. Decimal times are not exact in
+/// binary, so a difference that only rounding explains is none.
+std::optional<std::int64_t> whole_ticks(double time, double step);
+
+/// Plans a checked diagram. Throws Error for what shows only here: algebraic loops, sizes that do not agree,
+/// rates that do not fit the step, and what blocks refuse about their own parameters.
+Plan make_plan(Diagram diagram);
+
+}  // namespace stepwire

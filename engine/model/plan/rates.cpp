@@ -1,0 +1,142 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "engine/base/io/surroundings.hpp"
+#include "engine/model/plan/draft.hpp"
+
+namespace stepwire {
+
+namespace {
+
+constexpr double most_ticks = 9e15;  // whole numbers beyond are not exact in a double
+
+void require_whole(Draft& draft, double time, const Origin& origin, const std::string& subject,
+                   std::int64_t& ticks) {
+  const double step = draft.diagram().step;
+  if (const auto whole = whole_ticks(time, step)) {
+    ticks = *whole;
+    return;
+  }
+  draft.report.add(origin, subject,
+                   fmt::format("{} s is not a whole multiple of the step {} s; e.g. {:.12g} s would be", time,
+                               step, step * std::max(1.0, std::round(time / step))));
+}
+
+/// The rate of what is fed by both.
+Rate join(const Rate& a, const Rate& b) {
+  if (a.kind == Rate::Kind::constant) return b;
+  if (b.kind == Rate::Kind::constant) return a;
+  if (a.kind == Rate::Kind::continuous || b.kind == Rate::Kind::continuous)
+    return {Rate::Kind::continuous, 1};
+  return {Rate::Kind::discrete, std::gcd(a.ticks, b.ticks)};
+}
+
+class Rates {
+ public:
+  explicit Rates(Draft& draft) : draft_(draft), users_(draft.blocks.size()) {}
+
+  void run() {
+    for (std::size_t i = 0; i < draft_.blocks.size(); ++i) start(i);
+    spread();
+    // Only now is it known which blocks that act at ticks nothing gives a period: they act at every step.
+    for (std::size_t i = 0; i < draft_.blocks.size(); ++i) {
+      if (rate(i).kind != Rate::Kind::constant || !acts(draft_.diagram().blocks[i].type())) continue;
+      rate(i) = {Rate::Kind::discrete, 1};
+      queue_.push_back(i);
+    }
+    spread();
+  }
+
+ private:
+  Rate& rate(std::size_t block) { return draft_.plan.blocks[block].rate; }
+
+  static bool acts(const BlockType& type) { return type.timing == Timing::discrete || bool(type.run_update); }
+
+  /// Rates only ever rise (constant, slower, faster, continuous), so this ends, and in whatever order the
+  /// same.
+  void spread() {
+    while (!queue_.empty()) {
+      const std::size_t block = queue_.back();
+      queue_.pop_back();
+      for (std::size_t user : users_[block]) raise(user);
+    }
+  }
+
+  void start(std::size_t index) {
+    const DiagramBlock& block = draft_.diagram().blocks[index];
+    for (const auto& sources : block.inputs)
+      for (const Source& source : sources)
+        if (source.block >= 0) users_[static_cast<std::size_t>(source.block)].push_back(index);
+    if (block.every) {
+      give_period(index, block);
+    } else if (block.type().timing == Timing::continuous) {
+      rate(index) = {Rate::Kind::continuous, 1};
+    }
+    if (rate(index).kind != Rate::Kind::constant) queue_.push_back(index);
+  }
+
+  void give_period(std::size_t index, const DiagramBlock& block) {
+    rate(index) = {Rate::Kind::discrete, 1};
+    const Origin origin{block.origin.scope, block.every_mark};
+    if (block.type().has_continuous_state())
+      return draft_.report.add(
+          origin, block.name + ".every",
+          fmt::format(
+              "{} has a continuous state and follows the solver; leave 'every' out, or use its discrete kind",
+              block.type().name));
+    require_whole(draft_, *block.every, origin, block.name + ".every", rate(index).ticks);
+  }
+
+  void raise(std::size_t index) {
+    const DiagramBlock& block = draft_.diagram().blocks[index];
+    if (block.every || block.type().timing == Timing::continuous) return;
+    Rate joined = rate(index);
+    for (const auto& sources : block.inputs)
+      for (const Source& source : sources)
+        if (source.block >= 0) joined = join(joined, rate(static_cast<std::size_t>(source.block)));
+    if (block.type().timing == Timing::discrete && joined.kind == Rate::Kind::continuous)
+      joined = {Rate::Kind::discrete, 1};
+    if (joined == rate(index)) return;
+    rate(index) = joined;
+    queue_.push_back(index);
+  }
+
+  Draft& draft_;
+  std::vector<std::vector<std::size_t>> users_;
+  std::vector<std::size_t> queue_;
+};
+
+void require_solver(Draft& draft) {
+  Diagram& diagram = draft.diagram();
+  if (!diagram.solver.empty()) return;
+  for (const DiagramBlock& block : diagram.blocks)
+    if (block.type().has_continuous_state())
+      return draft.report.add(block.origin, block.name,
+                              fmt::format("{} has a continuous state, and the diagram names no solver; add "
+                                          "e.g. 'solver: rk4' to its head",
+                                          block.type().name));
+}
+
+}  // namespace
+
+std::optional<std::int64_t> whole_ticks(double time, double step) {
+  const double ratio = time / step;
+  const double ticks = std::round(ratio);
+  if (!(ratio < most_ticks) || ticks < 1.0 || std::abs(ratio - ticks) > 1e-9 * ratio) return std::nullopt;
+  return static_cast<std::int64_t>(ticks);
+}
+
+void plan_rates(Draft& draft) {
+  Diagram& diagram = draft.diagram();
+  require_whole(draft, diagram.stop, diagram.stop_origin, "stop", draft.plan.steps);
+  require_solver(draft);
+  Rates(draft).run();
+  for (const RecordRequest& request : diagram.records) {
+    std::int64_t ticks = 1;
+    if (request.every) require_whole(draft, *request.every, request.origin, "record.every", ticks);
+  }
+}
+
+}  // namespace stepwire

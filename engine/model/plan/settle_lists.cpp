@@ -1,0 +1,119 @@
+#include "engine/model/plan/settle_lists.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "engine/model/plan/turns.hpp"
+
+namespace stepwire {
+
+namespace {
+
+class Settling {
+ public:
+  Settling(Draft& draft, PortSizes& sizes) : draft_(draft), sizes_(sizes) {
+    for (std::size_t block = 0; block < draft.blocks.size(); ++block)
+      for (std::size_t input = 0; input < draft.type(block).inputs.size(); ++input)
+        if (draft.type(block).inputs[input].list) add_list(block, input);
+  }
+
+  std::set<std::pair<std::size_t, std::size_t>> run() {
+    take_turns();
+    settle_scalars();
+    take_turns();
+    while (settle_one_scalar()) take_turns();
+    return std::move(refused_);
+  }
+
+ private:
+  struct List {
+    std::size_t block, input;
+    bool settled = false;
+  };
+
+  void add_list(std::size_t block, std::size_t input) {
+    const int list = static_cast<int>(lists_.size());
+    lists_.push_back({block, input});
+    turns_.call(list);
+    for (const Source& source : draft_.diagram().blocks[block].inputs[input])
+      if (source.block >= 0) watchers_.emplace(sizes_.root(sizes_.of_output(source)), list);
+  }
+
+  /// Sets a size that was open: news for the lists that have it for an element.
+  void learn(int size, Eigen::Index value) {
+    sizes_.set(size, value);
+    const auto [first, last] = watchers_.equal_range(sizes_.root(size));
+    for (auto watcher = first; watcher != last; ++watcher) turns_.call(watcher->second);
+  }
+
+  void take_turns() {
+    while (const auto turn = turns_.next()) {
+      List& list = lists_[static_cast<std::size_t>(*turn)];
+      list.settled = list.settled || settle(list.block, list.input);
+    }
+  }
+
+  /// False where too little is known of the elements.
+  bool settle(std::size_t index, std::size_t input) {
+    const DiagramBlock& block = draft_.diagram().blocks[index];
+    const bool total = block.type().inputs[input].shape.starts_with('+');
+    Eigen::Index sum = 0, most = 1;
+    bool open = false;
+    for (const Source& source : block.inputs[input]) {
+      const auto size = sizes_.value_of(source);
+      open = open || !size;
+      sum = std::min(sum + size.value_or(0), most_numbers + 1);
+      most = std::max(most, size.value_or(1));
+    }
+    if (open && (total || most == 1)) return false;
+    const int own = sizes_.of_list(index, input);
+    const auto known = sizes_.value(own);
+    const Eigen::Index size = total ? sum : std::max(most, known.value_or(1));
+    if (!known) learn(own, size);
+    if (known && *known != size) refuse(index, input, size, *known);
+    return true;
+  }
+
+  void refuse(std::size_t index, std::size_t input, Eigen::Index size, Eigen::Index fitting) {
+    const DiagramBlock& block = draft_.diagram().blocks[index];
+    refused_.insert({index, input});
+    draft_.report.add({block.origin.scope, block.input_marks[input]},
+                      block.name + "." + block.type().inputs[input].name,
+                      fmt::format("has {} elements; {} would fit", size, fitting));
+  }
+
+  void settle_scalars() {
+    std::vector<int> waiting;
+    for (const List& list : lists_)
+      if (!list.settled) waiting.push_back(sizes_.of_list(list.block, list.input));
+    std::vector<bool> waits(static_cast<std::size_t>(sizes_.count()), false);
+    for (int size : waiting) waits[static_cast<std::size_t>(sizes_.root(size))] = true;
+    for (int size = 0; size < sizes_.count(); ++size)
+      if (!sizes_.value(size) && !waits[static_cast<std::size_t>(sizes_.root(size))]) learn(size, 1);
+  }
+
+  bool settle_one_scalar() {
+    while (next_open_ < sizes_.count() && sizes_.value(next_open_)) ++next_open_;
+    if (next_open_ == sizes_.count()) return false;
+    learn(next_open_, 1);
+    return true;
+  }
+
+  Draft& draft_;
+  PortSizes& sizes_;
+  std::vector<List> lists_;
+  std::unordered_multimap<int, int> watchers_;  ///< root of a size: lists that have it for an element
+  Turns turns_;                                 ///< of lists
+  std::set<std::pair<std::size_t, std::size_t>> refused_;
+  int next_open_ = 0;  ///< no size before it is open
+};
+
+}  // namespace
+
+std::set<std::pair<std::size_t, std::size_t>> settle_lists(Draft& draft, PortSizes& sizes) {
+  return Settling(draft, sizes).run();
+}
+
+}  // namespace stepwire

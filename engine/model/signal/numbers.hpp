@@ -1,0 +1,113 @@
+#pragma once
+
+#include <algorithm>
+#include <initializer_list>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "engine/model/signal/index.hpp"
+
+namespace stepwire {
+
+/// Numbers that a block is given and does not change during a run: a parameter that is a list, or what
+/// follows from parameters. Either its own, or a view of numbers that stay where they are.
+class Numbers {
+ public:
+  Numbers() = default;
+  Numbers(std::initializer_list<double> values)
+      : Numbers(values.begin(), static_cast<Index>(values.size())) {}
+  explicit Numbers(const std::vector<double>& values)
+      : Numbers(values.data(), static_cast<Index>(values.size())) {}
+  Numbers(const double* values, Index size) { std::copy_n(values, size, make(size)); }
+  /// `size` times the same number.
+  Numbers(Index size, double value) { std::fill_n(make(size), size, value); }
+  /// Numbers that outlive this object and whatever is copied from it.
+  static Numbers view(const double* values, Index size) {
+    Numbers numbers;
+    numbers.data_ = values;
+    numbers.size_ = size;
+    return numbers;
+  }
+
+  Numbers(const Numbers& other) { take_copy(other); }
+  Numbers(Numbers&& other) noexcept { take(other); }
+  Numbers& operator=(const Numbers& other) {
+    if (this != &other) *this = Numbers(other);
+    return *this;
+  }
+  Numbers& operator=(Numbers&& other) noexcept {
+    if (this == &other) return *this;
+    delete[] many_;
+    take(other);
+    return *this;
+  }
+  ~Numbers() { delete[] many_; }
+
+  double operator[](Index i) const { return data_[i]; }
+  Index size() const { return size_; }
+  /// The same function of each number.
+  template <class Function>
+  Numbers map(const Function& of) const {
+    Numbers result;
+    std::transform(begin(), end(), result.make(size_), of);
+    return result;
+  }
+  bool empty() const { return size_ == 0; }
+  const double* data() const { return data_; }
+  const double* begin() const { return data_; }
+  const double* end() const { return data_ + size_; }
+
+ private:
+  static constexpr Index capacity = 6;
+
+  double* make(Index size) {
+    size_ = size;
+    if (size > capacity) many_ = new double[static_cast<std::size_t>(size)];
+    double* place = size > capacity ? many_ : few_;
+    data_ = place;
+    return place;
+  }
+  void take_copy(const Numbers& other) {
+    if (other.owns()) {
+      std::copy_n(other.data_, other.size_, make(other.size_));
+    } else {
+      data_ = other.data_;
+      size_ = other.size_;
+    }
+  }
+  void take(Numbers& other) {
+    many_ = std::exchange(other.many_, nullptr);
+    std::copy_n(other.few_, capacity, few_);
+    size_ = other.size_;
+    data_ = other.data_ == other.few_ ? few_ : other.data_;
+  }
+  bool owns() const { return many_ || data_ == few_; }
+
+  double few_[capacity] = {};  ///< a few numbers lie in the block itself: one place less to fetch from
+  const double* data_ = few_;
+  Index size_ = 0;
+  double* many_ = nullptr;
+};
+
+/// A matrix that a block is given; column by column in memory.
+class Matrix {
+ public:
+  Matrix() = default;
+  Matrix(Index rows, Index columns, Numbers elements)
+      : rows_(rows), columns_(columns), elements_(std::move(elements)) {}
+
+  double operator()(Index row, Index column) const { return elements_[column * rows_ + row]; }
+  Index rows() const { return rows_; }
+  Index columns() const { return columns_; }
+  const Numbers& elements() const { return elements_; }
+
+ private:
+  Index rows_ = 0, columns_ = 0;
+  Numbers elements_;
+};
+
+/// Default of a limit that a file may leave out.
+inline constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+}  // namespace stepwire

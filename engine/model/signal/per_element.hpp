@@ -1,0 +1,64 @@
+#pragma once
+
+#include "engine/model/signal/numbers.hpp"
+
+namespace stepwire {
+
+/// A parameter with one number for each element of a signal. A file may give a single number for all of them,
+/// which lies in the block itself: most blocks of a diagram have one element, and are walked by the thousand.
+class PerElement {
+ public:
+  PerElement(double all) : one_(all) {}
+  explicit PerElement(const Numbers& elements) {
+    one_ = elements.empty() ? 0.0 : elements[0];
+    if (elements.size() != 1) many_ = new_elements(elements.data(), elements.size());
+  }
+  /// Elements behind their number with a minus, `{-3.0, 1.0, 2.0, 3.0}`, which outlive this object and
+  /// whatever is copied from it.
+  static PerElement view(const double* counted) {
+    PerElement elements(counted[1]);
+    elements.many_ = counted + 1;
+    return elements;
+  }
+
+  PerElement(const PerElement& other) : one_(other.one_), many_(other.many_) {
+    if (other.owns()) many_ = new_elements(other.many_, other.size());
+  }
+  PerElement(PerElement&& other) noexcept : one_(other.one_), many_(std::exchange(other.many_, nullptr)) {}
+  PerElement& operator=(PerElement other) noexcept {
+    std::swap(one_, other.one_);
+    std::swap(many_, other.many_);
+    return *this;
+  }
+  ~PerElement() {
+    if (owns()) delete[](many_ - 1);
+  }
+
+  double operator[](Index i) const {
+    if (__builtin_constant_p(i) && i == 0) return one_;  // the compiler sees that the signal has one element
+    return many_ ? many_[i] : one_;
+  }
+  Index size() const { return many_ ? static_cast<Index>(many_[-1] < 0.0 ? -many_[-1] : many_[-1]) : 1; }
+  const double* data() const { return many_ ? many_ : &one_; }
+  const double* begin() const { return data(); }
+  const double* end() const { return data() + size(); }
+  /// The same function of each number.
+  template <class Function>
+  PerElement map(const Function& of) const {
+    return PerElement(Numbers(data(), size()).map(of));
+  }
+
+ private:
+  static const double* new_elements(const double* elements, Index size) {
+    double* counted = new double[static_cast<std::size_t>(size) + 1];
+    counted[0] = static_cast<double>(size);
+    std::copy_n(elements, size, counted + 1);
+    return counted + 1;
+  }
+  bool owns() const { return many_ && many_[-1] >= 0.0; }
+
+  double one_;                    ///< the first number
+  const double* many_ = nullptr;  ///< where there is not just one; the element before them is their number
+};
+
+}  // namespace stepwire

@@ -1,0 +1,96 @@
+#pragma once
+
+#include "engine/model/signal/index.hpp"
+
+namespace stepwire {
+
+/// What a block writes: a view of `size` numbers in the workspace. Assigning writes through.
+template <int size_at_build = any_size>
+class Signal {
+ public:
+  double& operator[](Index i) { return data_[i]; }
+  double operator[](Index i) const { return data_[i]; }
+  Index size() const { return size_; }
+  double* data() { return data_; }
+  const double* data() const { return data_; }
+
+  Signal() = default;
+  Signal(const Signal&) = default;
+  Signal& operator=(double value) {
+    each([&](Index) { return value; });
+    return *this;
+  }
+  /// Copies the numbers of another signal of this size.
+  template <class Numbers>
+  Signal& operator=(const Numbers& value) {
+    each([&](Index i) { return value[i]; });
+    return *this;
+  }
+  /// Sets each element to a function of its index. One element is the common case by far, and a loop set up
+  /// for it would cost more than its work.
+  template <class Function>
+  void each(const Function& of) {
+    if (size_ == 1) {
+      data_[0] = of(Index{0});
+    } else {
+      each_of_many(of);
+    }
+  }
+  Signal& operator=(const Signal& value) { return this->template operator=<Signal>(value); }
+
+  void bind(double* data, Index size) {
+    data_ = data;
+    size_ = size;
+  }
+
+ private:
+  template <class Function>
+  STEPWIRE_RARE void each_of_many(const Function& of) {
+    for (Index i = 0; i < size_; ++i) data_[i] = of(i);
+  }
+
+  double* data_ = nullptr;
+  Index size_ = size_at_build == any_size ? 0 : size_at_build;
+};
+
+/// One number; reads and writes as a double.
+template <>
+class Signal<1> {
+ public:
+  operator double() const { return *data_; }
+  Signal& operator=(double value) {
+    *data_ = value;
+    return *this;
+  }
+  Signal() = default;
+  Signal(const Signal&) = default;
+  Signal& operator=(const Signal& value) { return *this = static_cast<double>(value); }
+  void bind(double* data, Index) { data_ = data; }
+
+ private:
+  double* data_ = nullptr;
+};
+
+/// An output port.
+template <int size_at_build = any_size>
+class Output : public Signal<size_at_build> {
+ public:
+  using Signal<size_at_build>::operator=;
+};
+
+/// A continuous state: its value, and `dot`, its time derivative, which derivatives() writes.
+template <int size_at_build = any_size>
+class State : public Signal<size_at_build> {
+ public:
+  using Signal<size_at_build>::operator=;
+  Signal<size_at_build> dot;
+};
+
+/// A state that only update() changes: the block's memory between its ticks.
+template <int size_at_build = any_size>
+class DiscreteState : public Signal<size_at_build> {
+ public:
+  using Signal<size_at_build>::operator=;
+};
+
+}  // namespace stepwire

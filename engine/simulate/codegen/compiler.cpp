@@ -1,0 +1,104 @@
+#include "engine/simulate/codegen/compiler.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "engine/base/io/file.hpp"
+#include "engine/base/subprocess/process.hpp"
+
+namespace stepwire {
+
+namespace {
+
+/// Functions that a compiler knows, and may compute while it compiles, rounded otherwise than the library
+/// does.
+constexpr const char* library_functions[] = {"sin",  "cos",   "tan",  "asin", "acos",  "atan", "atan2",
+                                             "sinh", "cosh",  "tanh", "exp",  "expm1", "log",  "log1p",
+                                             "log2", "log10", "pow",  "cbrt", "hypot", "fmod"};
+
+constexpr std::chrono::seconds version_limit{5};  // of a compiler that prints its version
+
+constexpr const char* standard_headers = "standard.hpp";
+
+/// What headers of blocks include of the standard library.
+constexpr const char* included[] = {"algorithm",  "array",  "cmath",  "complex", "cstdint",
+                                    "functional", "limits", "map",    "memory",  "numbers",
+                                    "optional",   "span",   "string", "variant", "vector"};
+
+/// Empty where the compiler has done its work, or was stopped.
+std::string problem_of(const ProcessCall& call) {
+  const ProcessResult result = run_process(call);
+  return result.end == ProcessResult::End::stopped ? "" : result.problem("the compiler");
+}
+
+}  // namespace
+
+Compiler::Compiler() {
+  std::vector<std::string> candidates{"c++", "g++", "clang++"};
+  const char* chosen = std::getenv("CXX");
+  if (chosen && *chosen) candidates.insert(candidates.begin(), chosen);
+  for (const std::string& candidate : candidates) {
+    const ProcessResult result = run_process({.command = {candidate, "--version"}, .limit = version_limit});
+    if (result.end == ProcessResult::End::overdue) {
+      problem_ = fmt::format("{} --version did not end within {} s", candidate, version_limit.count());
+      return;
+    }
+    if (!result.succeeded()) continue;
+    path_ = candidate;
+    version_ = result.output.substr(0, result.output.find('\n'));
+    return;
+  }
+}
+
+std::vector<std::string> Compiler::flags() {
+  std::vector<std::string> flags{"-std=c++20", "-O3", "-DNDEBUG", "-ffp-contract=off"};
+  for (const char* function : library_functions) flags.push_back(std::string("-fno-builtin-") + function);
+  return flags;
+}
+
+bool Compiler::is_gcc() const {
+  return version_.find("clang") == std::string::npos;
+}
+
+std::vector<std::string> Compiler::command(const std::vector<std::string>& more) const {
+  std::vector<std::string> command{path_};
+  for (const std::string& flag : flags()) command.push_back(flag);
+  command.insert(command.end(), more.begin(), more.end());
+  // What these passes find in straight-line code is little, and the first one's time grows with its square.
+  if (is_gcc()) command.insert(command.end(), {"-fno-tree-pta", "-fno-tree-slp-vectorize"});
+  command.insert(command.end(), {"-fPIC", "-w"});
+  return command;
+}
+
+std::string Compiler::compile(const std::string& source, const std::string& library,
+                              const std::vector<std::string>& more, const std::stop_token& stop) const {
+  std::vector<std::string> command = this->command(more);
+  const std::string headers = std::string(STEPWIRE_PRECOMPILED) + "/" + standard_headers;
+  // GCC takes what is precompiled only if it fits these flags and this version; clang refuses another's.
+  if (is_gcc() && std::filesystem::exists(headers)) command.insert(command.end(), {"-include", headers});
+  command.insert(command.end(),
+                 {"-shared", "-I", source_folder(), "-isystem", STEPWIRE_EIGEN, "-o", library, source});
+  return problem_of({.command = command, .stop = stop, .limit = compiler_limit()});
+}
+
+std::string Compiler::precompile(const std::string& folder, const std::vector<std::string>& more) const {
+  if (!is_gcc()) return "";
+  const std::string header = folder + "/" + standard_headers;
+  std::string text, name = "flags";
+  for (const char* of_standard : included) text += std::string("#include <") + of_standard + ">\n";
+  for (const std::string& flag : more) name += flag;
+  std::filesystem::create_directories(header +
+                                      ".gch");  // GCC picks the one that fits from a folder of this name
+  write_file(header, text);
+  std::vector<std::string> command = this->command(more);
+  command.insert(command.end(), {"-x", "c++-header", header, "-o", header + ".gch/" + name});
+  return problem_of({.command = command, .limit = compiler_limit()});
+}
+
+std::string source_folder() {
+  return STEPWIRE_SOURCES;
+}
+
+}  // namespace stepwire

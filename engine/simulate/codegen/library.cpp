@@ -1,0 +1,121 @@
+#include "engine/simulate/codegen/library.hpp"
+
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "engine/base/hash/hash.hpp"
+#include "engine/base/io/file.hpp"
+#include "engine/base/subprocess/scratch_folder.hpp"
+#include "engine/simulate/codegen/headers.hpp"
+
+namespace stepwire {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What tells this machine's processor from others.
+std::string processor() {
+  std::ifstream info("/proc/cpuinfo");
+  std::string text, line;
+  while (std::getline(info, line) && !line.empty())  // the first core
+    for (const char* field : {"model name", "flags", "Features", "CPU part"})
+      if (line.starts_with(field)) text += line + "\n";
+  return text;
+}
+
+/// A file in memory with these bytes, which nothing can change any more; -1 where there is none.
+int sealed_file(std::string_view bytes) {
+  const int file = ::memfd_create("stepwire", MFD_CLOEXEC | MFD_ALLOW_SEALING);
+  while (file >= 0 && !bytes.empty()) {
+    const ssize_t written = ::write(file, bytes.data(), bytes.size());
+    if (written <= 0) {
+      ::close(file);
+      return -1;
+    }
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  ::fcntl(file, F_ADD_SEALS, F_SEAL_WRITE | F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL);
+  return file;
+}
+
+/// What is loaded are these very bytes, whatever becomes of the file that they were read from. The file in
+/// memory stays open, since the loader takes another one of its number for it.
+StepFunctions open_library(const std::string& bytes, std::string& problem) {
+  const int file = sealed_file(bytes);
+  void* library = ::dlopen(fmt::format("/proc/self/fd/{}", file).c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (!library) {
+    problem = ::dlerror();
+    if (file >= 0) ::close(file);
+    return {};
+  }
+  StepFunctions functions;
+  functions.evaluate = reinterpret_cast<decltype(functions.evaluate)>(::dlsym(library, "stepwire_evaluate"));
+  functions.advance = reinterpret_cast<decltype(functions.advance)>(::dlsym(library, "stepwire_advance"));
+  return functions;
+}
+
+std::string key(const std::string& source, const GeneratedProgram& program, const Compiler& compiler) {
+  Hash hash;
+  hash.add(source);
+  for (const std::string& header : with_included(program.headers)) hash.add(header_text(header));
+  for (const std::string& flag : Compiler::flags()) hash.add(flag);
+  for (const std::string& flag : flags_for_this_machine(program.headers)) hash.add(flag).add(processor());
+  return hash.add(compiler.version()).text() + ".so";
+}
+
+/// The bytes of the compiled library; none where that fails.
+std::string compiled(const std::string& source, const std::vector<std::string>& flags,
+                     const Compiler& compiler, const std::stop_token& stop, std::string& problem) {
+  const ScratchFolder folder;
+  const std::string library = folder.path() + "/program.so";
+  write_file(folder.path() + "/program.cpp", source);
+  problem = compiler.compile(folder.path() + "/program.cpp", library, flags, stop);
+  return problem.empty() && fs::exists(library) ? read_file(library) : "";
+}
+
+}  // namespace
+
+std::vector<std::string> flags_for_this_machine(const std::vector<std::string>& headers) {
+  for (const std::string& header : with_included(headers))
+    if (header_text(header).find("#include <Eigen/") != std::string::npos) return {};
+  return {Compiler::native};
+}
+
+std::string library_source(const GeneratedProgram& program) {
+  std::string source =
+      "#define STEPWIRE_GENERATED\n#include <cmath>\n#include <cstdint>\n#include <limits>\n\n";
+  for (const std::string& header : program.headers) source += fmt::format("#include \"{}\"\n", header);
+  source += "\nnamespace {\n\nusing namespace stepwire;\n\n" + program.text + "\n}  // namespace\n\n";
+  for (const char* function : {"evaluate", "advance"})
+    source += fmt::format(
+        "extern \"C\" [[gnu::flatten]] void stepwire_{0}(double* w, const double* numbers, std::int64_t "
+        "tick) "
+        "{{\n  {0}(w, numbers, tick);\n}}\n",
+        function);
+  return source;
+}
+
+StepFunctions CodeCache::load(const GeneratedProgram& program, const Compiler& compiler,
+                              const std::stop_token& stop, std::string& problem) const {
+  try {
+    const std::string source = library_source(program), name = key(source, program, compiler);
+    if (const auto kept = cache_.find(name)) return open_library(*kept, problem);
+    const std::string made =
+        compiled(source, flags_for_this_machine(program.headers), compiler, stop, problem);
+    if (made.empty()) return {};
+    cache_.keep(name, made);
+    return open_library(made, problem);
+  } catch (const std::exception& error) {  // no folder, no room, no sources: the run goes on without
+    problem = error.what();
+    return {};
+  }
+}
+
+}  // namespace stepwire

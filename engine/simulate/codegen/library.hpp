@@ -1,0 +1,36 @@
+#pragma once
+
+#include <stop_token>
+#include <string>
+#include <utility>
+
+#include "engine/base/io/cache.hpp"
+#include "engine/model/plan/compiled_plan.hpp"
+#include "engine/simulate/codegen/compiler.hpp"
+#include "engine/simulate/codegen/program.hpp"
+
+namespace stepwire {
+
+/// Flags for code with these headers that only this machine will run. Eigen adds in an order that depends on
+/// the processor it is compiled for, and the interpreter is compiled for any: only code without it gives the
+/// same bits when it is compiled for this one.
+std::vector<std::string> flags_for_this_machine(const std::vector<std::string>& headers);
+
+/// The source of a shared library with a program's functions.
+std::string library_source(const GeneratedProgram& program);
+
+/// Compiled programs, kept so that the same diagram is compiled once.
+class CodeCache {
+ public:
+  explicit CodeCache(Cache cache = Cache()) : cache_(std::move(cache)) {}
+
+  /// The functions of a program, from the cache or compiled; they stay loaded. On failure they are null and
+  /// `problem` says why, but for that of a stop.
+  StepFunctions load(const GeneratedProgram& program, const Compiler& compiler, const std::stop_token& stop,
+                     std::string& problem) const;
+
+ private:
+  Cache cache_;
+};
+
+}  // namespace stepwire

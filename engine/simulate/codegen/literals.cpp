@@ -1,0 +1,59 @@
+#include "engine/simulate/codegen/literals.hpp"
+
+#include <fmt/compile.h>
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace stepwire {
+
+std::string number_text(double value) {
+  if (std::isnan(value)) return "std::numeric_limits<double>::quiet_NaN()";
+  if (std::isinf(value)) return value > 0.0 ? "unlimited" : "-unlimited";
+  std::string text = fmt::format(FMT_COMPILE("{}"), value);
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  return text;
+}
+
+std::string Literals::next() {
+  return fmt::format("numbers[{}]", count_++);
+}
+
+std::string Literals::number(double value) {
+  return varies_ ? next() : number_text(value);
+}
+
+std::string Literals::flag(bool value) {
+  if (varies_) return next() + " != 0.0";
+  return value ? "true" : "false";
+}
+
+std::string Literals::enumerator(int value, const std::string& type) {
+  return fmt::format("static_cast<{}>({})", type,
+                     varies_ ? fmt::format("static_cast<int>({})", next()) : std::to_string(value));
+}
+
+std::string Literals::whole(std::int64_t value) {
+  return varies_ ? fmt::format("static_cast<std::int64_t>({})", next()) : std::to_string(value);
+}
+
+std::string Literals::natural(std::uint64_t value) {
+  if (!varies_) return std::to_string(value) + "u";
+  const std::string high = next(), low = next();
+  return fmt::format("(static_cast<std::uint64_t>({}) << 32 | static_cast<std::uint64_t>({}))", high, low);
+}
+
+std::string Literals::numbers(const double* values, Index size) {
+  if (varies_) return fmt::format("numbers + static_cast<Index>({})", next());
+  std::string name = name_;
+  for (int number = 2; !names_.insert(name).second; ++number) name = fmt::format("{}_{}", name_, number);
+  tables_ += fmt::format("constexpr double {}[] = {{", name);
+  for (Index i = 0; i < size; ++i) {
+    tables_ += i == 0 ? "" : i % 8 == 0 ? ",\n    " : ", ";
+    tables_ += number_text(values[i]);
+  }
+  tables_ += "};\n";
+  return "table::" + name;
+}
+
+}  // namespace stepwire

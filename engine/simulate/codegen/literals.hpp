@@ -1,0 +1,45 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "engine/model/block/literal.hpp"
+
+namespace stepwire {
+
+/// Writes numbers of blocks into a program: as they are, longer lists as tables, or as `numbers[i]`, counted
+/// in the order in which they are written. A list that varies begins at the number that another one names, so
+/// that lists may have other lengths from run to run.
+class Literals : public LiteralWriter {
+ public:
+  /// From now on, are numbers read from `numbers`?
+  void vary(bool varies) { varies_ = varies; }
+
+  std::string number(double value) override;
+  std::string flag(bool value) override;
+  std::string enumerator(int value, const std::string& type) override;
+  std::string numbers(const double* values, Index size) override;
+  std::string whole(std::int64_t value) override;
+  std::string natural(std::uint64_t value) override;
+
+  /// What the next table is called.
+  void name_tables(std::string name) { name_ = std::move(name); }
+  /// Definitions of all tables so far.
+  std::string tables() const { return tables_; }
+
+ private:
+  /// "numbers[i]"
+  std::string next();
+
+  bool varies_ = false;
+  std::size_t count_ = 0;  ///< of numbers that vary
+  std::string tables_;
+  std::string name_;
+  std::set<std::string> names_;  ///< of tables
+};
+
+/// A double as C++ that reads back to the same bits: "5.0", "-unlimited".
+std::string number_text(double value);
+
+}  // namespace stepwire

@@ -1,0 +1,14 @@
+// Run by the build: standard headers for generated code, precompiled into the folder that is named. Where
+// that fails code compiles all the same, only slower.
+
+#include <fmt/core.h>
+
+#include "engine/simulate/codegen/compiler.hpp"
+
+int main(int count, char** arguments) {
+  if (count != 2) return 2;
+  const stepwire::Compiler compiler;
+  for (const std::vector<std::string>& more : {std::vector<std::string>{stepwire::Compiler::native}, {}})
+    if (const std::string problem = compiler.precompile(arguments[1], more); !problem.empty())
+      fmt::print(stderr, "headers for generated code are not precompiled: {}\n", problem);
+}

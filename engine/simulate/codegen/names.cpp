@@ -1,0 +1,83 @@
+#include "engine/simulate/codegen/names.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "engine/simulate/codegen/cpp_words.hpp"
+
+namespace stepwire {
+
+namespace {
+
+std::string line_of(const Plan& plan, const Origin& origin) {
+  const Place place = plan.diagram.place(origin);
+  return fmt::format("{}:{}", std::filesystem::path(place.file).filename().string(), place.mark.line);
+}
+
+}  // namespace
+
+std::string comment_of(const Plan& plan, std::size_t block) {
+  const DiagramBlock& from = plan.diagram.blocks[block];
+  return cpp_comment(fmt::format("{}: {}, {}", from.name, from.type().name, line_of(plan, from.origin)));
+}
+
+PlaceNames::PlaceNames(const Plan& plan) {
+  for (const DiagramBlock& block : plan.diagram.blocks) blocks_.push_back(free(cpp_identifier(block.name)));
+  taken_.clear();  // places have a member's name behind that of their block
+  places_.push_back({Layout::time, 1, "time", "of the evaluation [s]"});
+  places_.push_back({Layout::timed, 1, "timed", "for which `timed` was computed last [s]"});
+  for (const NamedPlace& place : places_) {
+    by_offset_[place.offset] = 0;
+    taken_.insert(place.name);
+  }
+  for (int block : plan.memory_order) add_block(plan, static_cast<std::size_t>(block));
+  for (int block : plan.memory_order) add_constants(plan, static_cast<std::size_t>(block));
+  std::sort(places_.begin(), places_.end(),
+            [](const NamedPlace& a, const NamedPlace& b) { return a.offset < b.offset; });
+  for (std::size_t i = 0; i < places_.size(); ++i) by_offset_[places_[i].offset] = i;
+}
+
+/// The name, with a number behind it where it is taken.
+std::string PlaceNames::free(const std::string& name) {
+  std::string own = name;
+  for (int number = 2; !taken_.insert(own).second; ++number) own = fmt::format("{}_{}", name, number);
+  return own;
+}
+
+void PlaceNames::add(const Plan& plan, std::size_t block, const std::string& member, const SignalSlot& slot) {
+  if (slot.size == 0 || !by_offset_.emplace(slot.offset, 0).second) return;  // an output may be a state
+  const DiagramBlock& from = plan.diagram.blocks[block];
+  places_.push_back({slot.offset, slot.size, free(blocks_[block] + "_" + member),
+                     cpp_comment(fmt::format("{}.{}, {}, {}", from.name, member, from.type().name,
+                                             line_of(plan, from.origin)))});
+}
+
+void PlaceNames::add_block(const Plan& plan, std::size_t block) {
+  const BlockType& type = plan.diagram.blocks[block].type();
+  const PlannedBlock& planned = plan.blocks[block];
+  for (std::size_t s = 0; s < type.states.size(); ++s) {
+    add(plan, block, type.states[s].member, planned.states[s]);
+    if (type.states[s].continuous && !planned.slope_is_input)
+      add(plan, block, type.states[s].member + "_dot", planned.dots[s]);
+  }
+  for (std::size_t o = 0; o < type.outputs.size(); ++o)
+    add(plan, block, type.outputs[o].member, planned.outputs[o]);
+  for (std::size_t n = 0; n < type.notices.size(); ++n)
+    add(plan, block, type.notices[n].member, planned.notices[n]);
+}
+
+void PlaceNames::add_constants(const Plan& plan, std::size_t block) {
+  const BlockType& type = plan.diagram.blocks[block].type();
+  for (std::size_t i = 0; i < type.inputs.size(); ++i)
+    for (const SignalSlot& slot : plan.blocks[block].inputs[i])
+      if (slot.offset >= plan.layout.constants) add(plan, block, type.inputs[i].member, slot);
+}
+
+std::string PlaceNames::at(std::size_t offset) const {
+  const auto found = by_offset_.find(offset);
+  return found == by_offset_.end() ? fmt::format("{}", offset) : "at::" + places_[found->second].name;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "engine/model/plan/plan.hpp"
+
+namespace stepwire {
+
+/// One place of the workspace with its name in the program.
+struct NamedPlace {
+  std::size_t offset;
+  Index size;
+  std::string name;     ///< "rig_carriage_position"
+  std::string meaning;  ///< "rig.carriage.position, Mass, platform-1d.yaml:31", as part of a comment
+};
+
+/// What generated code calls the numbers of a workspace.
+class PlaceNames {
+ public:
+  explicit PlaceNames(const Plan& plan);
+
+  const std::vector<NamedPlace>& places() const { return places_; }
+  /// "at::rig_carriage_position"
+  std::string at(std::size_t offset) const;
+  /// "rig_carriage"
+  const std::string& block(std::size_t block) const { return blocks_[block]; }
+
+ private:
+  void add(const Plan& plan, std::size_t block, const std::string& member, const SignalSlot& slot);
+  void add_block(const Plan& plan, std::size_t block);
+  void add_constants(const Plan& plan, std::size_t block);
+
+  std::string free(const std::string& name);
+
+  std::vector<std::string> blocks_;
+  std::vector<NamedPlace> places_;
+  std::map<std::size_t, std::size_t> by_offset_;
+  std::set<std::string> taken_;
+};
+
+/// "carriage: Mass, platform-1d.yaml:31", as part of a comment.
+std::string comment_of(const Plan& plan, std::size_t block);
+
+}  // namespace stepwire

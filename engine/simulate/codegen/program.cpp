@@ -1,0 +1,278 @@
+#include "engine/simulate/codegen/program.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "engine/model/diagram/external_input.hpp"
+#include "engine/simulate/codegen/functions.hpp"
+#include "engine/simulate/codegen/literals.hpp"
+#include "engine/simulate/codegen/solver_text.hpp"
+#include "engine/simulate/solve/solver.hpp"
+
+namespace stepwire {
+
+namespace {
+
+constexpr std::size_t most_inlined = 150;  // calls in a stage; beyond, registers are too few anyway
+
+const std::string state_arguments = "w, numbers, tick";
+const std::string state_parameters =
+    "double* w, [[maybe_unused]] const double* numbers, [[maybe_unused]] std::int64_t tick";
+
+bool is_external(const Plan& plan, std::size_t block) {
+  return &plan.diagram.blocks[block].type() == &external_input_type();
+}
+
+/// Refuses what only the program itself can run.
+void require_headers(const Plan& plan) {
+  Faults faults;
+  for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
+    const DiagramBlock& block = plan.diagram.blocks[b];
+    const BlockType& type = block.type();
+    const char* why = type.file_output                               ? "it writes files"
+                      : type.header.empty() && !is_external(plan, b) ? "its type is not one of the library"
+                                                                     : nullptr;
+    if (why)
+      faults.add(plan.diagram.fault(block.origin, block.name,
+                                    fmt::format("{} cannot be generated: {}", type.name, why)));
+  }
+  faults.throw_if_any();
+}
+
+class Maker {
+ public:
+  Maker(const Plan& plan, const std::vector<VariableBlock>& variable)
+      : plan_(plan),
+        names_(plan),
+        statements_(plan, names_, variable, literals_),
+        small_(calls(plan.stage) + calls(plan.derivatives) <= most_inlined &&
+               !find_implicit(plan.diagram.solver)),
+        functions_(small_) {}
+
+  void add_steps() {
+    if (!plan_.timed.empty()) add_timed();
+    add_outputs();
+    add_updates();
+    if (plan_.layout.state_count > 0) add_slopes();
+    add_advance();
+  }
+
+  void add_reset() {
+    std::vector<Code> code;
+    for (int block : plan_.memory_order) {
+      const auto b = static_cast<std::size_t>(block);
+      add_initial(b, code);
+    }
+    append(code, starts_of(plan_, statements_, at_tick()));
+    append(code, calls_of(plan_, statements_, plan_.once, Phase::outputs, at_tick()));
+    functions_.add("start", "double* w, [[maybe_unused]] const double* numbers", "w, numbers", code);
+    functions_.add_text(
+        fmt::format("inline void reset(double* w, const double* numbers) {{\n"
+                    "  for (int i = 0; i < size; ++i) w[i] = 0.0;\n"
+                    "  w[at::timed] = {3};\n"
+                    "  for (int i = {0}; i < {1}; ++i) w[i] = Notice::never;\n{2}"
+                    "  start(w, numbers);\n}}\n",
+                    plan_.layout.notices, plan_.layout.notices + plan_.layout.notice_count, constants_text(),
+                    number_text(Layout::never)));
+  }
+
+  GeneratedProgram program() const;
+
+ private:
+  static std::size_t calls(const std::vector<Batch>& batches) {
+    std::size_t count = 0;
+    for (const Batch& batch : batches) count += batch.count;
+    return count;
+  }
+
+  std::string name_text() const {
+    std::string text = "/// Where each number of the workspace lies.\nnamespace at {\nenum : int {\n";
+    for (const NamedPlace& place : names_.places())
+      text += fmt::format("  {} = {},  // {}\n", place.name, place.offset, place.meaning);
+    text += "};\n}  // namespace at\n\n";
+    return text + fmt::format(
+                      "constexpr double step = {};  // [s]\n"
+                      "constexpr int states = {}, dots = {};  // where the first state and slope lie\n"
+                      "constexpr int size = {};  // of the workspace\n\n",
+                      number_text(plan_.diagram.step), plan_.layout.states, plan_.layout.dots,
+                      plan_.layout.size);
+  }
+
+  std::string table_text() const {
+    const std::string tables = literals_.tables();
+    if (tables.empty()) return "";
+    return "/// Lists of numbers that blocks read.\nnamespace table {\n" + tables +
+           "}  // namespace table\n\n";
+  }
+
+  void add_timed() {
+    const std::string parameters = "double* w, [[maybe_unused]] const double* numbers";
+    functions_.add("timed", parameters, "w, numbers",
+                   calls_of(plan_, statements_, plan_.timed, Phase::outputs, at_tick()));
+    functions_.add_text(
+        fmt::format("/// Computes what follows from the time alone, if it has changed.\n"
+                    "{} void follow_time({}) {{\n"
+                    "  if (w[at::timed] == w[at::time]) return;\n"
+                    "  w[at::timed] = w[at::time];\n  timed(w, numbers);\n}}\n\n",
+                    functions_.attribute(), parameters));
+  }
+
+  void add_outputs() {
+    std::vector<Code> code{{"  w[at::time] = static_cast<double>(tick) * step;\n"}};
+    if (!plan_.timed.empty()) code.front().text += "  follow_time(w, numbers);\n";
+    append(code, calls_of(plan_, statements_, plan_.outputs, Phase::outputs, at_tick()));
+    functions_.add("evaluate", state_parameters, state_arguments, code);
+  }
+
+  void add_updates() {
+    functions_.add("update", state_parameters, state_arguments,
+                   calls_of(plan_, statements_, plan_.updates, Phase::update, at_tick()));
+  }
+
+  /// A small program is written out: then all its numbers can be in registers.
+  Places at_tick() const {
+    Places places;
+    if (small_) places.fewest_in_loop = most_inlined + 1;
+    return places;
+  }
+
+  /// Signals that a stage computes anew, and the time and the states.
+  Places stage_places() const {
+    Places places = at_tick();
+    if (!small_) return places;
+    places.fresh = "s";
+    places.is_fresh.assign(plan_.layout.dots + plan_.layout.state_count, false);
+    places.is_fresh[Layout::time] = true;
+    for (std::size_t i = plan_.layout.states; i < plan_.layout.dots; ++i) places.is_fresh[i] = true;
+    for (const Batch& batch : plan_.stage)
+      for (const PlannedBlock& block : plan_.blocks)
+        if (block.memory >= batch.first && in(batch, block))
+          for (const SignalSlot& slot : block.outputs)
+            std::fill_n(places.is_fresh.begin() + static_cast<std::ptrdiff_t>(slot.offset), slot.size, true);
+    return places;
+  }
+
+  bool in(const Batch& batch, const PlannedBlock& block) const {
+    const auto index = static_cast<std::size_t>(&block - plan_.blocks.data());
+    const Kernels& kernels = plan_.diagram.blocks[index].type().run_outputs;
+    return block.memory < batch.end && kernels.contains(batch.run);
+  }
+
+  void add_slopes() {
+    const std::string own = "[[maybe_unused]] double* s, ";
+    const std::string before = "double* w, ", after = "[[maybe_unused]] const double* numbers, double* dot";
+    Places tick = at_tick();
+    tick.dot = "dot";
+    std::vector<Code> at_start = given_slopes();
+    append(at_start, calls_of(plan_, statements_, plan_.derivatives, Phase::derivatives, tick));
+    functions_.add("derivatives", before + after, "w, numbers, dot", at_start);
+    Places at_stage = stage_places();
+    at_stage.dot = "dot";
+    std::vector<Code> code = calls_of(plan_, statements_, plan_.stage, Phase::outputs, at_stage);
+    append(code, calls_of(plan_, statements_, plan_.derivatives, Phase::derivatives, at_stage));
+    for (Code& piece : code) piece.period = 1;  // a stage computes all that it has
+    functions_.add("slopes", before + own + after, "w, s, numbers, dot", code);
+  }
+
+  /// Slopes that outputs have written to the workspace, where slopes have a place of their own.
+  std::vector<Code> given_slopes() const {
+    std::vector<Code> code;
+    if (!small_) return code;
+    for (const PlannedBlock& block : plan_.blocks)
+      for (const SignalSlot& slot : block.dots)
+        for (std::size_t i = slot.offset; i < slot.offset + static_cast<std::size_t>(slot.size); ++i)
+          if (block.slope_is_input && i >= plan_.layout.dots)  // discrete states have no slopes
+            code.push_back({fmt::format("  dot[{0}] = w[dots + {0}];\n", i - plan_.layout.dots)});
+    return code;
+  }
+
+  void add_advance() {
+    std::string body = "  update(w, numbers, tick);\n";
+    if (plan_.layout.state_count > 0) {
+      body +=
+          "  const double now = static_cast<double>(tick) * step;\n"
+          "  const double end = static_cast<double>(tick + 1) * step;\n";
+      if (plan_.updates_continuous)
+        for (const Code& code : calls_of(plan_, statements_, plan_.stage, Phase::outputs, {}))
+          body += code.text;
+      body += solver_text(plan_, small_);
+    }
+    functions_.add_text(
+        fmt::format("[[gnu::flatten]] inline void advance({}) {{\n{}}}\n\n", state_parameters, body));
+  }
+
+  std::string constants_text() {
+    std::string text;
+    for (std::size_t i = 0; i < plan_.constants.size(); ++i)
+      text += fmt::format("  w[{}] = {};\n", plan_.layout.constants + i, number_text(plan_.constants[i]));
+    return text;
+  }
+
+  /// Values with which a block begins; everything is 0 before.
+  void add_initial(std::size_t b, std::vector<Code>& code) {
+    const DiagramBlock& block = plan_.diagram.blocks[b];
+    const PlannedBlock& planned = plan_.blocks[b];
+    const auto assign = [&](const SignalSlot& slot, bool always, const auto& value) {
+      std::string text;
+      for (Index k = 0; k < slot.size; ++k)
+        if (const std::string number = number_text(value(k)); always || number != "0.0")
+          text += fmt::format("  w[{} + {}] = {};\n", names_.at(slot.offset), k, number);
+      if (!text.empty()) code.push_back({std::move(text)});
+    };
+    for (std::size_t s = 0; s < planned.states.size(); ++s)
+      assign(planned.states[s], false, [&](Index) { return block.type().states[s].initial; });
+    for (const InitialValue& initial : block.initial)
+      assign(planned.states[static_cast<std::size_t>(initial.state)], true,
+             [&](Index k) { return initial.value[initial.value.size() == 1 ? 0 : k]; });
+    if (is_external(plan_, b)) {
+      const PerElement& value = static_cast<const ExternalInput*>(block.block.get())->value;
+      assign(planned.outputs.front(), false, [&](Index k) { return value[k]; });
+    }
+  }
+
+  static void append(std::vector<Code>& to, std::vector<Code> more) {
+    std::move(more.begin(), more.end(), std::back_inserter(to));
+  }
+
+  const Plan& plan_;
+  PlaceNames names_;
+  Literals literals_;
+  Statements statements_;
+  bool small_;
+  Functions functions_;
+};
+
+std::vector<std::string> headers_of(const Plan& plan) {
+  std::set<std::string> headers;
+  for (const DiagramBlock& block : plan.diagram.blocks)
+    if (!block.type().header.empty()) headers.insert(block.type().header);
+  if (const auto method = find_implicit(plan.diagram.solver)) headers.insert(method->header);
+  if (plan.diagram.stop_when) headers.insert("engine/base/expression/language.hpp");
+  headers.insert("engine/model/block/block.hpp");
+  return {headers.begin(), headers.end()};
+}
+
+GeneratedProgram Maker::program() const {
+  return {name_text() + table_text() + functions_.text(), headers_of(plan_)};
+}
+
+}  // namespace
+
+GeneratedProgram make_program(const Plan& plan) {
+  require_headers(plan);
+  Maker maker(plan, {});
+  maker.add_steps();
+  maker.add_reset();
+  return maker.program();
+}
+
+GeneratedProgram make_steps(const Plan& plan, const std::vector<VariableBlock>& variable) {
+  require_headers(plan);
+  Maker maker(plan, variable);
+  maker.add_steps();
+  return maker.program();
+}
+
+}  // namespace stepwire

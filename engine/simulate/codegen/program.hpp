@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/model/plan/compiled_plan.hpp"
+
+namespace stepwire {
+
+/// What a plan computes, as functions of C++ on the numbers of its workspace:
+///
+///     void evaluate(double* w, const double* numbers, std::int64_t tick)   outputs at a tick
+///     void advance(double* w, const double* numbers, std::int64_t tick)    updates, then the solver
+///     void reset(double* w, const double* numbers)                         everything at time 0
+///
+/// They do bit by bit what Simulation does.
+struct GeneratedProgram {
+  std::string text;                  ///< names of places, tables and the functions; inside of namespaces
+  std::vector<std::string> headers;  ///< that it needs, from the root of the sources
+};
+
+/// A program that begins by itself, with the plan's values. Throws Error for blocks that no program can have,
+/// with their lines.
+GeneratedProgram make_program(const Plan& plan);
+
+/// The steps alone, for runs that begin in the interpreter: without reset(), and `variable` members read from
+/// a NumberTable.
+GeneratedProgram make_steps(const Plan& plan, const std::vector<VariableBlock>& variable);
+
+}  // namespace stepwire

@@ -1,0 +1,220 @@
+#include "engine/simulate/codegen/runs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "engine/model/diagram/external_input.hpp"
+
+namespace stepwire {
+
+namespace {
+
+/// The type of a column of such numbers; empty where the text is none.
+std::string type_of_number(const std::string& text) {
+  if (text.empty() || text.find_first_not_of("0123456789.e+-u") != std::string::npos) return "";
+  if (text.find_first_of(".e") != std::string::npos) return "double";
+  return text.back() == 'u' ? "std::uint64_t" : "std::int64_t";
+}
+
+/// Blocks whose set-ups are alike but for what fills the holes, as a loop over k.
+class Loop {
+ public:
+  Loop(const Plan& plan, std::vector<std::size_t> blocks, std::vector<Statements::Pieces> set_ups)
+      : plan_(plan), blocks_(std::move(blocks)), set_ups_(std::move(set_ups)) {}
+
+  /// Can the blocks be told apart by numbers and places alone?
+  bool possible() const {
+    const auto& first = set_ups_.front();
+    for (const auto& other : set_ups_) {
+      if (other.size() != first.size()) return false;
+      for (std::size_t i = 0; i < first.size(); ++i)
+        if (!alike(first[i], other[i])) return false;
+    }
+    return true;
+  }
+
+  std::string text(Phase phase) {
+    std::string body;
+    for (std::size_t i = 0; i < set_ups_.front().size(); ++i) {
+      const auto& piece = set_ups_.front()[i];
+      body += piece.before + filling(i) + piece.after;
+    }
+    std::string text = fmt::format("  // {} of {}: {} to {}\n", blocks_.size(), struct_of(plan_, blocks_[0]),
+                                   comment_of(plan_, blocks_.front()), comment_of(plan_, blocks_.back()));
+    if (!columns_.empty()) text += table();
+    text += fmt::format("  for (int k = 0; k < {}; ++k) {{\n    {} b;\n{}", blocks_.size(),
+                        struct_of(plan_, blocks_[0]), body);
+    text += fmt::format("    b.{}();\n  }}\n", function_of(phase));
+    return columns_.empty() ? text : "  {\n" + text + "  }\n";
+  }
+
+ private:
+  static bool alike(const Statements::Piece& a, const Statements::Piece& b) {
+    if (a.before != b.before || a.after != b.after || (a.offset < 0) != (b.offset < 0)) return false;
+    return a.offset >= 0 || a.hole == b.hole ||
+           (type_of_number(a.hole) == type_of_number(b.hole) && !type_of_number(a.hole).empty());
+  }
+
+  /// What stands in a hole: the same for all, a place that moves on evenly, or a column of the table.
+  std::string filling(std::size_t piece) {
+    const auto& first = set_ups_.front()[piece];
+    if (first.offset < 0) return all_equal(piece) ? first.hole : column(piece, type_of_number(first.hole));
+    const std::int64_t stride = set_ups_[1][piece].offset - first.offset;
+    for (std::size_t k = 2; k < set_ups_.size(); ++k)
+      if (set_ups_[k][piece].offset - set_ups_[k - 1][piece].offset != stride) return column(piece, "int");
+    if (stride == 0) return first.hole;
+    return stride == 1 ? first.hole + " + k" : fmt::format("{} + {} * k", first.hole, stride);
+  }
+
+  bool all_equal(std::size_t piece) const {
+    return std::all_of(set_ups_.begin(), set_ups_.end(), [&](const auto& set_up) {
+      return set_up[piece].hole == set_ups_.front()[piece].hole;
+    });
+  }
+
+  std::string column(std::size_t piece, const std::string& type) {
+    columns_.push_back({piece, type});
+    return fmt::format("row[k].{}{}", type == "int" ? "place" : "number", columns_.size());
+  }
+
+  std::string table() const {
+    std::string text = "  static constexpr struct {\n";
+    for (std::size_t c = 0; c < columns_.size(); ++c)
+      text += fmt::format("    {} {}{};\n", columns_[c].type, columns_[c].type == "int" ? "place" : "number",
+                          c + 1);
+    text += "  } row[] = {\n";
+    for (std::size_t k = 0; k < blocks_.size(); ++k) {
+      text += "      {";
+      for (std::size_t c = 0; c < columns_.size(); ++c)
+        text += (c == 0 ? "" : ", ") + set_ups_[k][columns_[c].piece].hole;
+      text += fmt::format("}},  // {}\n", comment_of(plan_, blocks_[k]));
+    }
+    return text + "  };\n";
+  }
+
+  struct Column {
+    std::size_t piece;
+    std::string type;
+  };
+
+  const Plan& plan_;
+  std::vector<std::size_t> blocks_;
+  std::vector<Statements::Pieces> set_ups_;
+  std::vector<Column> columns_;
+};
+
+using SetUps = std::vector<Statements::Pieces>;
+
+/// Does the step from one set-up to the next equal that from `first` to `second`, with fractions free? Such a
+/// row of blocks needs no table of places.
+bool goes_on(const Statements::Pieces& first, const Statements::Pieces& second, const Statements::Pieces& one,
+             const Statements::Pieces& next) {
+  if (first.size() != next.size()) return false;
+  for (std::size_t i = 0; i < next.size(); ++i) {
+    if (next[i].offset >= 0 && next[i].offset - one[i].offset != second[i].offset - first[i].offset)
+      return false;
+    const bool fraction = type_of_number(next[i].hole) == "double";
+    if (next[i].offset < 0 && !fraction && next[i].hole != one[i].hole) return false;
+  }
+  return true;
+}
+
+/// How many blocks from `from` on are an even row.
+std::size_t even_row(const SetUps& set_ups, std::size_t from) {
+  std::size_t end = from + 1;
+  if (end >= set_ups.size() || set_ups[from].size() != set_ups[end].size()) return 1;
+  while (end < set_ups.size() && goes_on(set_ups[from], set_ups[from + 1], set_ups[end - 1], set_ups[end]))
+    ++end;
+  return end - from;
+}
+
+/// Turns the blocks of one batch into code: even rows into loops, what is between them into loops with a
+/// table or into calls.
+class BatchCode {
+ public:
+  BatchCode(const Plan& plan, const Statements& statements, const std::vector<std::size_t>& blocks,
+            Phase phase, const Places& places, std::int64_t period)
+      : plan_(plan),
+        statements_(statements),
+        blocks_(blocks),
+        phase_(phase),
+        places_(places),
+        period_(period) {}
+
+  void append_to(std::vector<Code>& code) {
+    if (blocks_.size() < places_.fewest_in_loop) return add(0, blocks_.size(), code);
+    for (std::size_t block : blocks_) set_ups_.push_back(statements_.set_up(block, places_, true));
+    std::size_t left = 0;
+    for (std::size_t at = 0; at < blocks_.size();) {
+      const std::size_t row = even_row(set_ups_, at);
+      if (row >= places_.fewest_in_loop) {
+        add(left, at, code);
+        add(at, at + row, code);
+        left = at + row;
+      }
+      at += row;
+    }
+    add(left, blocks_.size(), code);
+  }
+
+ private:
+  void add(std::size_t first, std::size_t last, std::vector<Code>& code) const {
+    const auto part = [&](const auto& all) {
+      return std::vector(all.begin() + static_cast<std::ptrdiff_t>(first),
+                         all.begin() + static_cast<std::ptrdiff_t>(last));
+    };
+    if (last - first >= places_.fewest_in_loop) {
+      Loop loop(plan_, part(blocks_), part(set_ups_));
+      if (loop.possible()) return code.push_back({loop.text(phase_), period_});
+    }
+    for (std::size_t i = first; i < last; ++i)
+      code.push_back({statements_.call(blocks_[i], phase_, places_), period_});
+  }
+
+  const Plan& plan_;
+  const Statements& statements_;
+  const std::vector<std::size_t>& blocks_;
+  Phase phase_;
+  const Places& places_;
+  std::int64_t period_;
+  SetUps set_ups_;
+};
+
+}  // namespace
+
+std::vector<Code> calls_of(const Plan& plan, const Statements& statements, const std::vector<Batch>& batches,
+                           Phase phase, const Places& places) {
+  std::map<std::size_t, std::size_t> at_memory;
+  for (std::size_t b = 0; b < plan.blocks.size(); ++b) at_memory[plan.blocks[b].memory] = b;
+  std::vector<Code> code;
+  for (const Batch& batch : batches) {
+    std::vector<std::size_t> blocks;
+    const std::size_t bytes = plan.diagram.blocks[at_memory.at(batch.first)].type().bytes;
+    for (std::size_t i = 0; i < batch.count; ++i) blocks.push_back(at_memory.at(batch.first + i * bytes));
+    BatchCode(plan, statements, blocks, phase, places, plan.periods[static_cast<std::size_t>(batch.period)])
+        .append_to(code);
+  }
+  return code;
+}
+
+std::vector<Code> starts_of(const Plan& plan, const Statements& statements, const Places& places) {
+  std::vector<Code> code;
+  std::vector<std::size_t> blocks;
+  const auto type_of = [&](std::size_t block) { return &plan.diagram.blocks[block].type(); };
+  const auto flush = [&] {
+    if (!blocks.empty()) BatchCode(plan, statements, blocks, Phase::start, places, 1).append_to(code);
+    blocks.clear();
+  };
+  for (int index : plan.memory_order) {
+    const auto b = static_cast<std::size_t>(index);
+    if (!blocks.empty() && type_of(blocks.front()) != type_of(b)) flush();
+    if (type_of(b)->start && type_of(b) != &external_input_type()) blocks.push_back(b);
+  }
+  flush();
+  return code;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,149 @@
+#include "engine/simulate/codegen/statements.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace stepwire {
+
+const char* function_of(Phase phase) {
+  switch (phase) {
+    case Phase::outputs:
+      return "outputs";
+    case Phase::derivatives:
+      return "derivatives";
+    case Phase::update:
+      return "update";
+    default:
+      return "start";
+  }
+}
+
+std::string struct_of(const Plan& plan, std::size_t block) {
+  const std::string& name = plan.diagram.blocks[block].type().struct_name;
+  return name.starts_with("stepwire::") ? name.substr(10) : name;
+}
+
+namespace {
+
+/// Members of a freshly made block of a type, as text: what equals them need not be written.
+std::map<std::string, std::string> defaults_of(const BlockType& type) {
+  const AnyBlock fresh(type);
+  Literals literals;
+  std::map<std::string, std::string> defaults;
+  for (const MemberSpec& member : type.members)
+    defaults[member.member] = member.literal(fresh.get(), literals);
+  return defaults;
+}
+
+}  // namespace
+
+Statements::Statements(const Plan& plan, const PlaceNames& names, const std::vector<VariableBlock>& variable,
+                       Literals& literals)
+    : plan_(plan), names_(names), members_(plan.blocks.size()) {
+  std::map<std::string, std::map<std::string, std::string>> defaults;
+  auto next = variable.begin();
+  for (int index : plan.memory_order) {
+    const auto b = static_cast<std::size_t>(index);
+    const DiagramBlock& block = plan.diagram.blocks[b];
+    const auto [known, is_new] = defaults.try_emplace(block.type().name);
+    if (is_new) known->second = defaults_of(block.type());
+    const bool varies = next != variable.end() && next->block == b;
+    for (std::size_t m = 0; m < block.type().members.size(); ++m) {
+      const MemberSpec& member = block.type().members[m];
+      literals.vary(varies && next->members[m]);
+      literals.name_tables(names.block(b) + "_" + member.member);
+      const std::string value = member.literal(block.block.get(), literals);
+      members_[b].push_back({member.member, value, value == known->second[member.member]});
+    }
+    if (varies) ++next;
+  }
+}
+
+Statements::Pieces Statements::set_up(std::size_t block, const Places& places, bool complete) const {
+  Pieces pieces;
+  for (const Member& member : members_[block])
+    if (complete || !member.is_default)
+      pieces.push_back({fmt::format("    b.{} = ", member.name), member.value, ";\n"});
+  bind_inputs(block, places, pieces);
+  bind_outputs(block, places, pieces);
+  bind_states(block, places, pieces);
+  bind_rest(block, places, pieces);
+  return pieces;
+}
+
+Statements::Piece Statements::place(const std::string& before, std::size_t offset, const std::string& after,
+                                    const Places& places) const {
+  const bool fresh = offset < places.is_fresh.size() && places.is_fresh[offset];
+  const auto at = static_cast<std::int64_t>(offset);
+  if (fresh && offset >= plan_.layout.dots)
+    return {fmt::format("{}{} + (", before, places.dot), names_.at(offset), " - dots)" + after, at};
+  return {fmt::format("{}{} + ", before, fresh ? places.fresh : "w"), names_.at(offset), after, at};
+}
+
+void Statements::bind_inputs(std::size_t block, const Places& places, Pieces& pieces) const {
+  const BlockType& type = plan_.diagram.blocks[block].type();
+  for (std::size_t i = 0; i < type.inputs.size(); ++i) {
+    const auto& slots = plan_.blocks[block].inputs[i];
+    const std::string& member = type.inputs[i].member;
+    if (slots.empty()) continue;
+    if (!type.inputs[i].list) {
+      pieces.push_back(place(fmt::format("    b.{}.bind(", member), slots[0].offset,
+                             fmt::format(", {});\n", slots[0].size), places));
+      continue;
+    }
+    pieces.push_back({fmt::format("    const Inputs::Element {}[] = {{", member), "", ""});
+    for (std::size_t k = 0; k < slots.size(); ++k)
+      pieces.push_back(
+          place(k == 0 ? "{" : ", {", slots[k].offset, fmt::format(", {}}}", slots[k].size), places));
+    pieces.push_back({fmt::format("}};\n    b.{0}.bind({0}, {1});\n", member, slots.size()), "", ""});
+  }
+}
+
+void Statements::bind_outputs(std::size_t block, const Places& places, Pieces& pieces) const {
+  const BlockType& type = plan_.diagram.blocks[block].type();
+  for (std::size_t o = 0; o < type.outputs.size(); ++o) {
+    const SignalSlot& slot = plan_.blocks[block].outputs[o];
+    if (slot.size > 0)
+      pieces.push_back(place(fmt::format("    b.{}.bind(", type.outputs[o].member), slot.offset,
+                             fmt::format(", {});\n", slot.size), places));
+  }
+}
+
+void Statements::bind_states(std::size_t block, const Places& places, Pieces& pieces) const {
+  const BlockType& type = plan_.diagram.blocks[block].type();
+  const PlannedBlock& planned = plan_.blocks[block];
+  for (std::size_t s = 0; s < type.states.size(); ++s) {
+    const SignalSlot& slot = planned.states[s];
+    const std::string& member = type.states[s].member;
+    if (slot.size == 0) continue;
+    const std::string end = fmt::format(", {});\n", slot.size);
+    pieces.push_back(place(fmt::format("    b.{}.bind(", member), slot.offset, end, places));
+    if (type.states[s].continuous)
+      pieces.push_back({fmt::format("    b.{}.dot.bind({} + (", member, places.dot), names_.at(slot.offset),
+                        " - states)" + end, static_cast<std::int64_t>(slot.offset)});
+  }
+}
+
+void Statements::bind_rest(std::size_t block, const Places& places, Pieces& pieces) const {
+  const BlockType& type = plan_.diagram.blocks[block].type();
+  const PlannedBlock& planned = plan_.blocks[block];
+  for (std::size_t n = 0; n < type.notices.size(); ++n)
+    pieces.push_back(place(fmt::format("    b.{}.bind(", type.notices[n].member), planned.notices[n].offset,
+                           ");\n", places));
+  const double period = static_cast<double>(planned.rate.ticks) * plan_.diagram.step;
+  for (const ClockSpec& clock : type.clocks) {
+    const std::string before = fmt::format("    b.{}.bind(", clock.member);
+    pieces.push_back(clock.bind_time ? place(before, Layout::time, ");\n", places)
+                                     : Piece{before, number_text(period), ");\n"});
+  }
+}
+
+std::string Statements::call(std::size_t block, Phase phase, const Places& places) const {
+  std::string text =
+      fmt::format("  {{  // {}\n    {} b;\n", comment_of(plan_, block), struct_of(plan_, block));
+  for (const Piece& piece : set_up(block, places, false)) text += piece.before + piece.hole + piece.after;
+  return text + fmt::format("    b.{}();\n  }}\n", function_of(phase));
+}
+
+}  // namespace stepwire

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "engine/model/plan/compiled_plan.hpp"
+#include "engine/simulate/codegen/literals.hpp"
+#include "engine/simulate/codegen/names.hpp"
+
+namespace stepwire {
+
+/// Where the statements of a function find their numbers: outputs that the function computes and states in
+/// `fresh`, everything else in `w`, slopes in `dot`, also those that are outputs that it computes.
+struct Places {
+  std::string fresh = "w";
+  std::vector<bool> is_fresh;  ///< by offset; empty: nothing is
+  std::string dot = "w + dots";
+  std::size_t fewest_in_loop = 6;  ///< fewer calls stand one by one
+};
+
+/// A function of a block that a plan calls.
+enum class Phase { outputs, derivatives, update, start };
+
+/// Writes calls of blocks as C++: each block is an object of its own, set up and called on the spot, which
+/// the compiler sees through.
+class Statements {
+ public:
+  /// `variable` members are read from the numbers of a run, in the order of NumberTable.
+  Statements(const Plan& plan, const PlaceNames& names, const std::vector<VariableBlock>& variable,
+             Literals& literals);
+
+  /// The call of one block.
+  std::string call(std::size_t block, Phase phase, const Places& places) const;
+
+  /// A piece of a block's set-up: text with a hole, and what fills it.
+  struct Piece {
+    std::string before, hole, after;
+    std::int64_t offset = -1;  ///< where the hole is a place of the workspace
+  };
+  using Pieces = std::vector<Piece>;
+  /// Everything between the making of a block and its call; `complete` with members that keep their defaults.
+  Pieces set_up(std::size_t block, const Places& places, bool complete) const;
+
+ private:
+  Piece place(const std::string& before, std::size_t offset, const std::string& after,
+              const Places& places) const;
+  void bind_inputs(std::size_t block, const Places& places, Pieces& pieces) const;
+  void bind_outputs(std::size_t block, const Places& places, Pieces& pieces) const;
+  void bind_states(std::size_t block, const Places& places, Pieces& pieces) const;
+  void bind_rest(std::size_t block, const Places& places, Pieces& pieces) const;
+
+  const Plan& plan_;
+  const PlaceNames& names_;
+  struct Member {
+    std::string name, value;
+    bool is_default;
+  };
+  std::vector<std::vector<Member>> members_;  ///< of each block
+};
+
+/// "outputs", as the function is called.
+const char* function_of(Phase phase);
+/// "Gain"
+std::string struct_of(const Plan& plan, std::size_t block);
+
+}  // namespace stepwire

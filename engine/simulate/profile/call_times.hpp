@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/simulate/profile/profile.hpp"
+#include "engine/simulate/run/simulation.hpp"
+
+namespace stepwire {
+
+/// Times the calls of one table of a plan, sample by sample.
+class CallTimes {
+ public:
+  CallTimes(const Plan& plan, const std::vector<Batch>& batches);
+
+  /// Times each call at the present moment of a simulation. Updates change it; the others do not.
+  void sample(Simulation& simulation, const Stopwatch& stopwatch);
+
+  /// How often the batches of a period are called in the whole run.
+  using CallCount = std::function<std::int64_t(std::int64_t period)>;
+  /// Adds what the table takes in a whole run to each block's cost in a phase.
+  void add_to(std::vector<BlockCost>& blocks, std::size_t phase, const CallCount& calls) const;
+
+ private:
+  struct Call {
+    Batch batch;
+    std::vector<std::size_t> blocks;  ///< indices in the plan
+    double seconds = 0.0;             ///< of all samples together, repeated alone
+    std::vector<double> alone{};      ///< of each block, likewise
+  };
+
+  const Plan& plan_;
+  std::vector<Call> calls_;
+  double table_ = 0.0;  ///< [s], of all samples together: every call, one behind the other
+  int samples_ = 0;
+};
+
+}  // namespace stepwire

@@ -1,0 +1,248 @@
+#include "engine/simulate/profile/profile.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "engine/simulate/profile/call_times.hpp"
+#include "engine/simulate/record/recorder.hpp"
+#include "engine/simulate/run/stopper.hpp"
+
+namespace stepwire {
+
+namespace {
+
+constexpr std::int64_t most_segments = 64;
+constexpr int tries = 3;
+constexpr double aim = 2e-6;  // [s], 100 times what the clock costs
+
+/// Equations that cost nothing, on numbers of their own.
+class NoEquations : public System {
+ public:
+  explicit NoEquations(std::size_t states) : x_(states), dot_(states) {
+    time = &time_;
+    x = x_.data();
+    dot = dot_.data();
+    count = states;
+  }
+  void evaluate() override {
+    ++evaluations;
+    follow_time();
+  }
+  /// Counts the times that differ from the one before.
+  void follow_time() {
+    if (std::exchange(last_time_, time_) != time_) ++times;
+  }
+  void start(double at) {
+    time_ = last_time_ = at;
+    evaluations = times = 0;
+  }
+  /// Takes the numbers of a run: those of all zeros might cost less.
+  void take(const double* values, const Layout& layout) {
+    std::copy_n(values + layout.states, count, x_.begin());
+    std::copy_n(values + layout.dots, count, dot_.begin());
+  }
+
+  std::int64_t evaluations = 0, times = 0;
+
+ private:
+  double time_ = 0.0, last_time_ = 0.0;
+  std::vector<double> x_, dot_;
+};
+
+/// Measures one run.
+class Profiler {
+ public:
+  Profiler(const Plan& plan, const ProfileOptions& options)
+      : plan_(plan),
+        options_(options),
+        stopwatch_(options.clock),
+        simulation_(plan),
+        rows_(plan),
+        stopper_(plan),
+        equations_(plan.layout.state_count),
+        tables_{CallTimes(plan, plan.timed), CallTimes(plan, plan.outputs), CallTimes(plan, plan.stage),
+                CallTimes(plan, plan.derivatives), CallTimes(plan, plan.updates)} {
+    if (!plan.diagram.solver.empty() && plan.layout.state_count > 0)
+      solver_ = make_solver(plan.diagram.solver, plan.layout.state_count);
+    recording_.resize(recorders().size());
+  }
+
+  Profile run() {
+    const std::int64_t length = std::max<std::int64_t>(1, (plan_.steps + most_segments) / most_segments);
+    while (!ended_ && !(options_.interrupt && *options_.interrupt)) {
+      const Workspace start = simulation_.workspace();
+      sample(start);
+      seconds_ += stopwatch_.shortest(
+          tries, [&] { go_back_to(start); }, [&] { go_on(start.tick + length); });
+    }
+    return profile();
+  }
+
+ private:
+  std::vector<Recorder>& recorders() { return rows_.recorders(); }
+
+  void go_back_to(const Workspace& moment) {
+    simulation_.restore(moment);
+    for (Recorder& recorder : recorders()) recorder.go_back_to(moment.tick);
+  }
+
+  /// As run_plan() does, up to a tick.
+  void go_on(std::int64_t tick) {
+    ended_ = true;
+    while (true) {
+      simulation_.evaluate();
+      for (Recorder& recorder : recorders())
+        if (simulation_.healthy()) recorder.record(simulation_.tick(), simulation_.values());
+      evaluated_ = simulation_.tick() + 1;
+      if (!simulation_.healthy() || simulation_.finished() || stopper_.stops(simulation_.values())) return;
+      simulation_.advance();
+      if (!simulation_.healthy()) return;
+      if (simulation_.tick() == tick) break;
+    }
+    ended_ = false;
+  }
+
+  void sample(const Workspace& moment) {
+    ++samples_;
+    simulation_.evaluate();
+    check_ += stopwatch_.repeated(aim, [&] { static_cast<void>(simulation_.is_finite()); });
+    if (plan_.diagram.stop_when)
+      stop_ += stopwatch_.repeated(aim, [&] { stopper_.stops(simulation_.values()); });
+    sample_recording(moment.tick);
+    for (CallTimes& table : tables_) table.sample(simulation_, stopwatch_);
+    sample_solver();
+    simulation_.restore(moment);
+  }
+
+  void sample_recording(std::int64_t tick) {
+    for (std::size_t i = 0; i < recorders().size(); ++i) {
+      Recorder& recorder = recorders()[i];
+      const std::int64_t own = tick / recorder.every() * recorder.every();
+      recording_[i] += stopwatch_.repeated(aim, [&] {
+        recorder.go_back_to(own);
+        recorder.record(own, simulation_.values());
+      });
+    }
+  }
+
+  void sample_solver() {
+    if (!solver_) return;
+    equations_.take(simulation_.values(), plan_.layout);
+    solving_ +=
+        stopwatch_.repeated(aim, [&] { solver_->advance(equations_, step_from(simulation_.tick())); });
+  }
+
+  /// In how many of the first ticks a period is due.
+  static std::int64_t due(std::int64_t ticks, std::int64_t period) { return (ticks + period - 1) / period; }
+
+  TimeStep step_from(std::int64_t tick) const {
+    return {plan_.time_of(tick), plan_.time_of(tick + 1), plan_.diagram.step};
+  }
+
+  /// Counts the evaluations of the equations in one step of the solver besides that at its start, and the
+  /// times that are new up to the next tick, that included.
+  void count_evaluations() {
+    equations_.start(0.0);
+    if (solver_) solver_->advance(equations_, step_from(0));
+    *equations_.time = plan_.time_of(1);
+    equations_.follow_time();
+  }
+
+  Profile profile() {
+    Profile profile{simulation_.tick(), seconds_, {}, others()};
+    for (const DiagramBlock& block : plan_.diagram.blocks)
+      profile.blocks.push_back({block.name, block.type().name});
+    count_evaluations();
+    const std::int64_t steps = simulation_.tick(), per_step = equations_.evaluations;
+    const auto at_times = [&](std::int64_t) { return 1 + steps * equations_.times; };
+    const auto at_ticks = [&](std::int64_t period) { return due(evaluated_, period); };
+    const auto at_steps = [&](std::int64_t period) { return due(steps, period); };
+    const auto at_stages = [&](std::int64_t) {
+      return steps * (per_step + (plan_.updates_continuous ? 1 : 0));
+    };
+    const auto at_slopes = [&](std::int64_t) { return steps * (per_step + 1); };
+    tables_[0].add_to(profile.blocks, 0, at_times);
+    tables_[1].add_to(profile.blocks, 1, at_ticks);
+    tables_[2].add_to(profile.blocks, 2, at_stages);
+    tables_[3].add_to(profile.blocks, 3, at_slopes);
+    tables_[4].add_to(profile.blocks, 4, at_steps);
+    return profile;
+  }
+
+  RunCost other(const std::string& name, std::int64_t calls, double sampled) const {
+    return {name, {calls, sampled / std::max(1, samples_) * static_cast<double>(calls)}};
+  }
+
+  std::vector<RunCost> others() const {
+    std::vector<RunCost> list;
+    if (solver_) list.push_back(other("solver", simulation_.tick(), solving_));
+    list.push_back(other("finite check", evaluated_, check_));
+    RunCost recording{"recording", {}};
+    for (std::size_t i = 0; i < rows_.recorders().size(); ++i)
+      recording.cost += other("", due(evaluated_, rows_.recorders()[i].every()), recording_[i]).cost;
+    list.push_back(recording);
+    if (plan_.diagram.stop_when) list.push_back(other("stop condition", evaluated_, stop_));
+    return list;
+  }
+
+  const Plan& plan_;
+  const ProfileOptions& options_;
+  Stopwatch stopwatch_;
+  Simulation simulation_;
+  RunRecording rows_;
+  Stopper stopper_;
+  std::unique_ptr<Solver> solver_;
+  NoEquations equations_;
+  std::array<CallTimes, phase_count> tables_;
+  std::vector<double> recording_;  ///< [s], of all samples together, as the next
+  double check_ = 0.0, stop_ = 0.0, solving_ = 0.0;
+  double seconds_ = 0.0;
+  std::int64_t evaluated_ = 0;  ///< ticks
+  int samples_ = 0;
+  bool ended_ = false;
+};
+
+/// Adds a row for each part: of a.b.c those of a and a.b.
+void add_parts(Profile& profile) {
+  std::map<std::string, BlockCost> parts;
+  for (const BlockCost& block : profile.blocks)
+    for (std::size_t dot = block.name.find('.'); dot != std::string::npos;
+         dot = block.name.find('.', dot + 1)) {
+      const std::string name = block.name.substr(0, dot);
+      BlockCost& part = parts.try_emplace(name, BlockCost{name, "part", true}).first->second;
+      for (std::size_t phase = 0; phase < phase_count; ++phase) part.phases[phase] += block.phases[phase];
+    }
+  for (auto& [name, part] : parts) profile.blocks.push_back(std::move(part));
+}
+
+}  // namespace
+
+Cost& Cost::operator+=(const Cost& other) {
+  calls += other.calls;
+  seconds += other.seconds;
+  return *this;
+}
+
+Cost BlockCost::total() const {
+  Cost sum;
+  for (const Cost& cost : phases) sum += cost;
+  return sum;
+}
+
+double Profile::left() const {
+  double rest = seconds;
+  for (const BlockCost& block : blocks) rest -= block.self();
+  for (const RunCost& other : others) rest -= other.cost.seconds;
+  return rest;
+}
+
+Profile profile_plan(const Plan& plan, const ProfileOptions& options) {
+  Profile profile = Profiler(plan, options).run();
+  add_parts(profile);
+  std::stable_sort(profile.blocks.begin(), profile.blocks.end(), [](const BlockCost& a, const BlockCost& b) {
+    return a.total().seconds > b.total().seconds;
+  });
+  return profile;
+}
+
+}  // namespace stepwire

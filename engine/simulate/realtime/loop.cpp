@@ -1,0 +1,164 @@
+#include "engine/simulate/realtime/loop.hpp"
+
+#include <algorithm>
+
+namespace stepwire {
+
+namespace {
+
+constexpr std::int64_t least_lead = 10'000'000;  // [ns]
+constexpr int warm_up_ticks = 100;
+
+Eigen::Index size_of_input(const Plan& plan, const DiagramInput& input) {
+  return plan.blocks[static_cast<std::size_t>(input.block)].outputs.front().size;
+}
+
+}  // namespace
+
+Loop::Loop(const Plan& plan, const LoopOptions& options, Device& device, LoopClock& clock,
+           LoopRecorder* recorder)
+    : options_(options),
+      ticks_(ticks_per_period(plan.diagram, options.rate)),
+      device_(device),
+      clock_(clock),
+      recorder_(recorder),
+      simulation_(plan),
+      deadlines_(options.rate, options.overrun),
+      measurements_(options.deadlines),
+      groups_(plan, clock) {
+  require_fit_for_loop(plan);
+  if (options.code) simulation_.use(*options.code);
+  warm_up();
+  prepare_inputs();
+  prepare_outputs();
+}
+
+/// Code and numbers are in the caches afterwards, and no page of them is missing.
+void Loop::warm_up() {
+  for (int tick = 0; tick < warm_up_ticks && simulation_.healthy(); ++tick) {
+    simulation_.evaluate();
+    simulation_.advance();
+  }
+  simulation_.reset();
+}
+
+void Loop::prepare_inputs() {
+  const Plan& plan = simulation_.plan();
+  for (const DiagramInput& input : plan.diagram.inputs) {
+    input_offsets_.push_back(inputs_.size());
+    const double* defaults =
+        simulation_.values() + plan.blocks[static_cast<std::size_t>(input.block)].outputs.front().offset;
+    inputs_.insert(inputs_.end(), defaults, defaults + size_of_input(plan, input));
+  }
+}
+
+void Loop::prepare_outputs() {
+  const Plan& plan = simulation_.plan();
+  for (const DiagramOutput& output : plan.diagram.outputs) {
+    const SignalSlot slot = plan.slot(output.signal);
+    for (Eigen::Index k = 0; k < slot.size; ++k) {
+      output_offsets_.push_back(slot.offset + static_cast<std::size_t>(k));
+      safe_.emplace_back();
+      if (output.safe) safe_.back() = (*output.safe)[output.safe->size() == 1 ? 0 : k];
+    }
+  }
+  outputs_.assign(output_offsets_.size(), 0.0);
+}
+
+void Loop::serve(std::int64_t count) {
+  const std::int64_t end = std::min(options_.deadlines, deadlines_.index() + count);
+  const auto period = static_cast<std::int64_t>(1e9 / options_.rate);
+  deadlines_.start_at(clock_.now() + std::max(period, least_lead));
+  if (!began_) began_ = deadlines_.at(0);
+  const ThreadCounts before = ThreadCounts::now();
+  while (!end_ && deadlines_.index() < end) wait_and_step(end);
+  write_safe_values();
+  counts_.add(before, ThreadCounts::now());
+  if (!end_ && deadlines_.index() >= options_.deadlines) end_ = End::done;
+}
+
+void Loop::wait_and_step(std::int64_t end) {
+  clock_.sleep_until(deadlines_.at(deadlines_.index()));
+  const std::int64_t woke = clock_.now();
+  if (options_.interrupt && *options_.interrupt) {
+    end_ = End::interrupted;
+    return;
+  }
+  drop_missed(woke, end);
+  if (!deadlines_.must_stop() && deadlines_.index() < end) step(woke);
+  if (!end_ && deadlines_.must_stop()) end_ = End::stopped;
+}
+
+void Loop::drop_missed(std::int64_t now, std::int64_t end) {
+  const std::int64_t first = deadlines_.index();
+  const std::int64_t dropped = deadlines_.drop_missed(now, end);
+  for (std::int64_t k = first; k < first + dropped; ++k) measurements_.woke(k, now - deadlines_.at(k));
+}
+
+void Loop::step(std::int64_t woke) {
+  const std::int64_t k = deadlines_.index();
+  const double wall = static_cast<double>(woke - *began_) * 1e-9;
+  measurements_.woke(k, woke - deadlines_.at(k));
+  read_inputs();
+  groups_.before_tick(simulation_);
+  simulation_.evaluate();
+  if (simulation_.healthy()) {
+    write_outputs();
+    count_written(k);
+    go_on(wall);
+  } else if (recorder_) {
+    recorder_->record_inputs(simulation_.tick(), inputs_.data());  // they may be what is wrong
+  }
+  if (!simulation_.healthy()) end_ = End::fault;
+  measurements_.stepped(k, clock_.now() - woke);
+}
+
+/// What can wait until the outputs are written: records, states, and the further ticks of the period. The
+/// states need not wait for anything where the loop stops: the safe values do.
+void Loop::go_on(double wall) {
+  record(wall);
+  if (deadlines_.must_stop()) return;
+  simulation_.advance();
+  groups_.after_tick(simulation_);
+  for (std::int64_t tick = 1; tick < ticks_ && simulation_.healthy(); ++tick) {
+    simulation_.evaluate();
+    if (!simulation_.healthy()) return;
+    record(wall);
+    simulation_.advance();
+  }
+}
+
+void Loop::read_inputs() {
+  device_.read(inputs_.data());
+  for (std::size_t i = 0; i < input_offsets_.size(); ++i)
+    simulation_.write_input(i, inputs_.data() + input_offsets_[i]);
+}
+
+void Loop::write_outputs() {
+  for (std::size_t i = 0; i < outputs_.size(); ++i) outputs_[i] = simulation_.values()[output_offsets_[i]];
+  device_.write(outputs_.data());
+}
+
+/// Dropped deadlines before this one have waited for these outputs too.
+void Loop::count_written(std::int64_t k) {
+  const std::int64_t written = clock_.now();
+  for (; unwritten_ <= k; ++unwritten_) measurements_.wrote(unwritten_, written - deadlines_.at(unwritten_));
+  deadlines_.served(written);
+}
+
+void Loop::record(double wall) {
+  if (!recorder_) return;
+  recorder_->record_inputs(simulation_.tick(), inputs_.data());
+  recorder_->record_signals(simulation_.tick(), wall, simulation_.values());
+}
+
+/// The deadlines that still wait for outputs get these.
+void Loop::write_safe_values() {
+  for (std::size_t i = 0; i < outputs_.size(); ++i) outputs_[i] = safe_[i].value_or(outputs_[i]);
+  device_.write(outputs_.data());
+  const std::int64_t written = clock_.now();
+  for (; unwritten_ < measurements_.wake_up().count(); ++unwritten_)
+    measurements_.wrote(unwritten_, written - deadlines_.at(unwritten_));
+}
+
+}  // namespace stepwire

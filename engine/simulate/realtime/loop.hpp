@@ -1,0 +1,98 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/simulate/realtime/deadlines.hpp"
+#include "engine/simulate/realtime/device.hpp"
+#include "engine/simulate/realtime/group_costs.hpp"
+#include "engine/simulate/realtime/loop_clock.hpp"
+#include "engine/simulate/realtime/loop_recorder.hpp"
+#include "engine/simulate/realtime/measurements.hpp"
+#include "engine/simulate/realtime/thread_counts.hpp"
+#include "engine/simulate/run/simulation.hpp"
+
+namespace stepwire {
+
+/// How often a loop wakes, for how long, and what it does about missed deadlines.
+struct LoopOptions {
+  double rate = 1000.0;        ///< [Hz]
+  std::int64_t deadlines = 1;  ///< after which it is done
+  Overrun overrun;
+  const std::atomic<bool>* interrupt = nullptr;  ///< once true, the loop ends at its next wake-up
+  const CompiledPlan* code = nullptr;            ///< to step with; interpreted without it
+};
+
+/// How many ticks one period of the rate is. Throws Error where it is no whole number of the diagram's steps.
+std::int64_t ticks_per_period(const Diagram& diagram, double rate);
+
+/// Throws Error for every block that says of itself that it is not fit for a real-time loop.
+void require_fit_for_loop(const Plan& plan);
+
+/// A diagram in real time: at each deadline the inputs are read, the tick of that moment is evaluated, the
+/// outputs are written, and only then are the states advanced, through all further ticks of the period; so
+/// that the outputs are as young as can be. The file's stop and stop_when do not end it.
+///
+/// serve() neither allocates, locks, prints nor calls the system, but for the sleep between two steps.
+class Loop {
+ public:
+  enum class End { done, stopped, interrupted, fault };
+
+  /// Takes all memory, and runs some ticks and goes back to time 0, so that nothing is met for the first time
+  /// later. `recorder` may be null. Plan, device, clock and recorder must outlive the loop.
+  Loop(const Plan& plan, const LoopOptions& options, Device& device, LoopClock& clock,
+       LoopRecorder* recorder);
+
+  /// Serves deadlines until `count` more have passed, all have, or the loop ends early; then hands the safe
+  /// values to the device. The first one comes after a lead of one period, 10 ms at least. May be called
+  /// again while not ended(); diagram time does not go on in between.
+  void serve(std::int64_t count);
+
+  bool ended() const { return end_.has_value(); }
+  /// How it ended; `done` as long as nothing ended it early.
+  End end() const { return end_.value_or(End::done); }
+  const Simulation& simulation() const { return simulation_; }
+  const Deadlines& deadlines() const { return deadlines_; }
+  const Measurements& measurements() const { return measurements_; }
+  std::vector<GroupCost> group_costs() const { return groups_.costs(); }
+  /// What the thread did while it served.
+  const ThreadCounts& counts() const { return counts_; }
+  std::int64_t steps() const { return measurements_.step().count(); }
+
+ private:
+  void warm_up();
+  void prepare_inputs();
+  void prepare_outputs();
+  void wait_and_step(std::int64_t end);
+  void drop_missed(std::int64_t now, std::int64_t end);
+  void step(std::int64_t woke);
+  void go_on(double wall);
+  void read_inputs();
+  void write_outputs();
+  void count_written(std::int64_t k);
+  void record(double wall);
+  void write_safe_values();
+
+  LoopOptions options_;
+  std::int64_t ticks_;  ///< per period
+  Device& device_;
+  LoopClock& clock_;
+  LoopRecorder* recorder_;
+  Simulation simulation_;
+  Deadlines deadlines_;
+  Measurements measurements_;
+  GroupCosts groups_;
+  ThreadCounts counts_;
+  std::vector<double> inputs_, outputs_;
+  std::vector<std::size_t> input_offsets_;   ///< in inputs_, for each input of the diagram
+  std::vector<std::size_t> output_offsets_;  ///< in the workspace, for each number of outputs_
+  std::vector<std::optional<double>> safe_;  ///< for each number of outputs_
+  std::optional<std::int64_t> began_;        ///< time of the first deadline [ns]
+  std::int64_t unwritten_ = 0;               ///< the first deadline that still waits for outputs
+  std::optional<End> end_;
+};
+
+}  // namespace stepwire

@@ -1,0 +1,47 @@
+#include "engine/simulate/realtime/machine.hpp"
+
+#include <sys/utsname.h>
+#include <unistd.h>
+
+#include <fstream>
+
+namespace stepwire {
+
+namespace {
+
+std::string first_line(const std::string& path) {
+  std::ifstream file(path);
+  std::string line;
+  std::getline(file, line);
+  return line;
+}
+
+/// What stands behind "key : " in /proc/cpuinfo, the first time.
+std::string of_processor(const std::string& key) {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    const auto colon = line.find(':');
+    if (!line.starts_with(key) || colon == std::string::npos) continue;
+    return line.substr(std::min(line.size(), colon + 2));
+  }
+  return {};
+}
+
+}  // namespace
+
+Machine Machine::here() {
+  const std::string system = "/sys/devices/system/";
+  Machine machine;
+  machine.processor = of_processor("model name");
+  machine.processors = static_cast<int>(::sysconf(_SC_NPROCESSORS_ONLN));
+  machine.virtual_machine = (of_processor("flags") + " ").find(" hypervisor ") != std::string::npos;
+  utsname names{};
+  if (::uname(&names) == 0) machine.kernel = std::string(names.release) + " " + names.version;
+  machine.kernel_line = first_line("/proc/cmdline");
+  machine.governor = first_line(system + "cpu/cpu0/cpufreq/scaling_governor");
+  machine.clock_source = first_line(system + "clocksource/clocksource0/current_clocksource");
+  machine.isolated = first_line(system + "cpu/isolated");
+  return machine;
+}
+
+}  // namespace stepwire

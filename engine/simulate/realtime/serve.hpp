@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/simulate/realtime/loop.hpp"
+#include "engine/simulate/realtime/real_time_thread.hpp"
+
+namespace stepwire {
+
+/// How the thread of a loop really ran.
+struct Served {
+  std::vector<std::string> refused;  ///< see RealTimeThread::refused
+  std::string policy;                ///< in force: "fifo:80"
+};
+
+/// Lets a loop serve so many deadlines in a real-time thread of its own, and waits for it.
+Served serve_in_real_time(Loop& loop, std::int64_t deadlines, const ThreadPolicy& policy,
+                          std::optional<int> cpu);
+
+}  // namespace stepwire

@@ -1,0 +1,71 @@
+#include "engine/simulate/record/recorder.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+namespace stepwire {
+
+std::vector<RecordedColumn> recorded_columns(const Plan& plan, const RecordRequest& request) {
+  std::vector<RecordedColumn> columns;
+  columns.push_back({"time", parse_unit("s")->dimension, Layout::time});
+  for (const RecordedSignal& signal : request.signals) {
+    const SignalSlot slot = plan.slot(signal.signal);
+    const auto dimension = plan.dimension(signal.signal);
+    for (Eigen::Index k = 0; k < slot.size; ++k)
+      columns.push_back({slot.size == 1 ? signal.name : fmt::format("{}.{}", signal.name, k + 1), dimension,
+                         slot.offset + static_cast<std::size_t>(k)});
+  }
+  return columns;
+}
+
+std::int64_t ticks_between_rows(const Plan& plan, const RecordRequest& request) {
+  return request.every ? static_cast<std::int64_t>(std::llround(*request.every / plan.diagram.step)) : 1;
+}
+
+std::size_t most_rows(const Plan& plan, const RecordRequest& request) {
+  return static_cast<std::size_t>(plan.steps / ticks_between_rows(plan, request) + 1);
+}
+
+std::vector<Column> empty_columns(const Plan& plan, const RecordRequest& request) {
+  std::vector<Column> columns;
+  for (RecordedColumn& column : recorded_columns(plan, request))
+    columns.push_back({std::move(column.name), column.dimension ? si_name(*column.dimension) : "", {}});
+  return columns;
+}
+
+Recorder::Recorder(const Plan& plan, const RecordRequest& request, std::vector<double*> columns)
+    : every_(ticks_between_rows(plan, request)), columns_(std::move(columns)) {
+  for (const RecordedColumn& column : recorded_columns(plan, request)) offsets_.push_back(column.offset);
+}
+
+void Recorder::read(const double* values, std::vector<double>& row) const {
+  row.resize(offsets_.size());
+  for (std::size_t i = 0; i < offsets_.size(); ++i) row[i] = values[offsets_[i]];
+}
+
+RunRecording::RunRecording(const Plan& plan) {
+  for (const RecordRequest& request : plan.diagram.records) {
+    Recording recording;
+    recording.table.columns = empty_columns(plan, request);
+    std::vector<double*> columns;
+    for (Column& column : recording.table.columns) {
+      column.values.resize(most_rows(plan, request));
+      columns.push_back(column.values.data());
+    }
+    recordings_.push_back(std::move(recording));
+    recorders_.emplace_back(plan, request, std::move(columns));
+  }
+}
+
+std::vector<Recording> RunRecording::take() {
+  for (std::size_t i = 0; i < recordings_.size(); ++i)
+    for (Column& column : recordings_[i].table.columns) {
+      column.values.resize(recorders_[i].rows());
+      if (column.values.size() < column.values.capacity() / 2) column.values.shrink_to_fit();
+    }
+  return std::move(recordings_);
+}
+
+}  // namespace stepwire

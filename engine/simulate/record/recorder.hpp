@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/model/plan/plan.hpp"
+#include "engine/simulate/record/recording.hpp"
+
+namespace stepwire {
+
+/// A column that a request records: where its numbers lie in the workspace.
+struct RecordedColumn {
+  std::string name;  ///< "time", or a signal; a vector signal p makes p.1, p.2, ...
+  std::optional<Dimension> dimension;
+  std::size_t offset;
+};
+/// In their order, the time first.
+std::vector<RecordedColumn> recorded_columns(const Plan& plan, const RecordRequest& request);
+
+/// Ticks between two rows of a recording.
+std::int64_t ticks_between_rows(const Plan& plan, const RecordRequest& request);
+/// Rows of a run that goes on to its stop time.
+std::size_t most_rows(const Plan& plan, const RecordRequest& request);
+/// Columns without rows, with names and units.
+std::vector<Column> empty_columns(const Plan& plan, const RecordRequest& request);
+
+/// Writes chosen signals of one run at one period, each number once: into the place where it stays.
+class Recorder {
+ public:
+  /// Writes from the first row of these columns on, which have room for most_rows().
+  Recorder(const Plan& plan, const RecordRequest& request, std::vector<double*> columns);
+
+  /// Keeps the signals of this tick, if it is one of the recorder's.
+  void record(std::int64_t tick, const double* values) {
+    if (tick != next_tick_) return;
+    next_tick_ += every_;
+    for (std::size_t i = 0; i < offsets_.size(); ++i) columns_[i][filled_] = values[offsets_[i]];
+    ++filled_;
+  }
+  bool is_due(std::int64_t tick) const { return tick == next_tick_; }
+  /// The row that record() would keep.
+  void read(const double* values, std::vector<double>& row) const;
+
+  /// Period [ticks].
+  std::int64_t every() const { return every_; }
+  /// Rows so far.
+  std::size_t rows() const { return filled_; }
+  /// Goes back to just before a tick that was reached: what is recorded from there on replaces what was kept.
+  void go_back_to(std::int64_t tick) {
+    filled_ = static_cast<std::size_t>((tick + every_ - 1) / every_);
+    next_tick_ = static_cast<std::int64_t>(filled_) * every_;
+  }
+
+ private:
+  std::int64_t every_, next_tick_ = 0;
+  std::size_t filled_ = 0;
+  std::vector<std::size_t> offsets_;  ///< in the workspace, the time first
+  std::vector<double*> columns_;
+};
+
+/// The recordings of one run, with their recorders.
+class RunRecording {
+ public:
+  explicit RunRecording(const Plan& plan);
+
+  std::vector<Recorder>& recorders() { return recorders_; }
+  const std::vector<Recorder>& recorders() const { return recorders_; }
+  /// What was recorded, one for each request.
+  std::vector<Recording> take();
+
+ private:
+  std::vector<Recording> recordings_;
+  std::vector<Recorder> recorders_;
+};
+
+}  // namespace stepwire

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "engine/base/table/table.hpp"
+
+namespace stepwire {
+
+/// A swept parameter whose values are words (or files): its column holds 0, 1, ..., which stand for these
+/// texts.
+struct Words {
+  std::string column;
+  std::vector<std::string> texts;
+};
+
+/// What one record entry of a run (or of all runs of a sweep) gathered: columns of equal length, "time" first
+/// (unit s), then swept parameters, then signals. All numbers are SI.
+struct Recording {
+  Table table;
+  std::vector<std::size_t> starts{0};  ///< first row of each run; one element 0 for a single run
+  std::vector<Words> words;
+};
+
+}  // namespace stepwire

@@ -1,0 +1,169 @@
+#include "engine/simulate/replay/loop_replay.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/table/table_file.hpp"
+
+namespace stepwire {
+
+namespace {
+
+constexpr std::int64_t ticks_between_looks = 4096;  // at the interrupt flag
+
+[[noreturn]] void refuse(const std::string& file, std::size_t row, std::string message) {
+  throw Error(Fault{{file, {static_cast<int>(row) + 2, 1}}, "", std::move(message), {}});
+}
+
+/// The column `tick`: whole numbers that rise.
+std::vector<std::int64_t> ticks_of(const std::string& file, const Table& table) {
+  std::vector<std::int64_t> ticks;
+  for (const double value : table.columns[1].values) {
+    const bool whole = value >= 0.0 && value < 9e15 && value == std::floor(value);
+    if (!whole || (!ticks.empty() && value <= static_cast<double>(ticks.back())))
+      refuse(file, ticks.size(),
+             fmt::format("tick {} is no whole number above that of the row before", value));
+    ticks.push_back(static_cast<std::int64_t>(value));
+  }
+  return ticks;
+}
+
+/// Rows of a table that are met one after the other while ticks pass.
+struct Cursor {
+  std::vector<std::int64_t> ticks;
+  std::size_t row = 0;
+
+  bool is_at(std::int64_t tick) const { return row < ticks.size() && ticks[row] == tick; }
+  bool ended() const { return row == ticks.size(); }
+};
+
+/// What was written to the inputs of a diagram.
+class Inputs {
+ public:
+  Inputs(const Plan& plan, const std::string& file) {
+    if (plan.diagram.inputs.empty()) return;
+    ColumnWords no_words;
+    table_ = read_csv(file, no_words);
+    require_names(plan, file);
+    cursor_.ticks = ticks_of(file, table_);
+    for (const DiagramInput& input : plan.diagram.inputs)
+      sizes_.push_back(static_cast<std::size_t>(plan.slot({input.block, 0}).size));
+    numbers_.resize(table_.columns.size());
+  }
+
+  void write(Simulation& simulation) {
+    if (!cursor_.is_at(simulation.tick())) return;
+    for (std::size_t i = 0; i < numbers_.size(); ++i) numbers_[i] = table_.columns[i].values[cursor_.row];
+    std::size_t column = 2;
+    for (std::size_t input = 0; input < sizes_.size(); column += sizes_[input++])
+      simulation.write_input(input, &numbers_[column]);
+    ++cursor_.row;
+  }
+
+ private:
+  void require_names(const Plan& plan, const std::string& file) const {
+    std::vector<std::string> wanted{"time", "tick"}, found;
+    for (const DiagramInput& input : plan.diagram.inputs) {
+      const Eigen::Index size = plan.slot({input.block, 0}).size;
+      for (Eigen::Index k = 0; k < size; ++k)
+        wanted.push_back(size == 1 ? input.name : fmt::format("{}.{}", input.name, k + 1));
+    }
+    for (const Column& column : table_.columns) found.push_back(column.name);
+    if (found != wanted)
+      throw Error(Fault{{file, {1, 1}},
+                        "",
+                        fmt::format("its columns are {}; the inputs of {} make {}", fmt::join(found, ", "),
+                                    plan.diagram.file, fmt::join(wanted, ", ")),
+                        {}});
+  }
+
+  Table table_;
+  Cursor cursor_;
+  std::vector<std::size_t> sizes_;
+  std::vector<double> numbers_;
+};
+
+class LoopReplay {
+ public:
+  LoopReplay(const Plan& plan, const std::vector<Recorded>& tables, const std::string& inputs_file)
+      : simulation_(plan), tables_(tables), inputs_(plan, inputs_file) {
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+      cursors_.push_back({ticks_of(tables[i].file, tables[i].table)});
+      columns_.push_back(recorded_columns(plan, plan.diagram.records[i]));
+    }
+  }
+
+  void run(const RunOptions& options, Verification& verification) {
+    while (!all_ended() && verification.difference.empty()) {
+      inputs_.write(simulation_);
+      simulation_.evaluate();
+      verification.difference = compare();
+      if (simulation_.healthy() && !all_ended()) simulation_.advance();
+      if (!simulation_.healthy() && verification.difference.empty()) verification.difference = row_beyond();
+      if (!simulation_.healthy()) return;
+      if (simulation_.tick() % ticks_between_looks == 0 && options.interrupt && *options.interrupt) {
+        verification.interrupted = true;
+        return;
+      }
+    }
+  }
+
+  void count_rows(Verification& verification) const {
+    const Plan& plan = simulation_.plan();
+    for (std::size_t i = 0; i < cursors_.size(); ++i) {
+      const auto& ticks = cursors_[i].ticks;
+      verification.rows += ticks.size();
+      if (ticks.empty()) continue;
+      const auto whole =
+          static_cast<std::size_t>(ticks.back() / ticks_between_rows(plan, plan.diagram.records[i])) + 1;
+      verification.missing_rows += whole - std::min(whole, ticks.size());
+    }
+  }
+
+ private:
+  bool all_ended() const {
+    return std::all_of(cursors_.begin(), cursors_.end(), [](const Cursor& cursor) { return cursor.ended(); });
+  }
+
+  /// Compares the rows of this tick, in all tables.
+  std::string compare() {
+    for (std::size_t i = 0; i < tables_.size(); ++i) {
+      if (!cursors_[i].is_at(simulation_.tick())) continue;
+      const auto number = [&](std::size_t column) {
+        return simulation_.values()[columns_[i][column].offset];
+      };
+      const std::size_t row = cursors_[i].row++;
+      if (const auto column = differing_column(tables_[i], row, number)) {
+        const std::size_t index = *column == 0 ? 0 : *column - tables_[i].first_signal + 1;
+        return difference_text(tables_[i], row, *column, simulation_.time(), number(index));
+      }
+    }
+    return "";
+  }
+
+  /// The first row that is left once the replay can go no further.
+  std::string row_beyond() const {
+    for (std::size_t i = 0; i < tables_.size(); ++i)
+      if (!cursors_[i].ended()) return extra_row_text(tables_[i], cursors_[i].row, simulation_.time());
+    return "";
+  }
+
+  Simulation simulation_;
+  const std::vector<Recorded>& tables_;
+  Inputs inputs_;
+  std::vector<Cursor> cursors_;
+  std::vector<std::vector<RecordedColumn>> columns_;
+};
+
+}  // namespace
+
+void replay_loop(const Plan& plan, const std::vector<Recorded>& tables, const std::string& inputs_file,
+                 const RunOptions& options, Verification& verification) {
+  LoopReplay replay(plan, tables, inputs_file);
+  replay.run(options, verification);
+  replay.count_rows(verification);
+}
+
+}  // namespace stepwire

@@ -1,0 +1,128 @@
+#include "engine/simulate/replay/replay_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+
+#include "engine/base/table/table_file.hpp"
+#include "engine/base/yaml/yaml_text.hpp"
+#include "engine/model/diagram/flatten.hpp"
+#include "engine/simulate/replay/data_copies.hpp"
+
+namespace stepwire {
+
+namespace {
+
+std::string diagram_name(const Job& job, std::size_t member) {
+  return job.family->size() == 1 ? flattened_name : fmt::format("diagrams/{:04}.yaml", member + 1);
+}
+
+bool is_file(const Diagram& diagram, const Target& target) {
+  return target.kind == Target::Kind::parameter && diagram.blocks[static_cast<std::size_t>(target.block)]
+                                                           .type()
+                                                           .parameters[static_cast<std::size_t>(target.index)]
+                                                           .kind == ParameterKind::file;
+}
+
+/// What each run of a sweep sets in its flattened diagram.
+class SweepTable {
+ public:
+  SweepTable(const Job& job, const FileName& file_name) : job_(job), file_name_(file_name) {
+    for (std::size_t point = 0; point < job.points.size(); ++point) add(point);
+    for (Column& column : table_.columns)
+      for (std::size_t row = 0; row < job.points.size(); ++row)
+        column.values.push_back(static_cast<double>(row));
+  }
+
+  void write(const std::string& path) const { write_csv(path, table_, words_); }
+
+ private:
+  /// A run of a member, and its diagram with the values of the last point.
+  struct Member {
+    explicit Member(const Plan& plan) : run(plan), diagram(plan.diagram) {}
+    Simulation run;
+    Diagram diagram;
+  };
+
+  void add(std::size_t point) {
+    const std::size_t index = job_.points[point].member;
+    auto& made = members_[index];
+    if (!made) made = std::make_unique<Member>(job_.family->plan(index));
+    Member& member = *made;
+    job_.family->begin(index, job_.settings_of(point), member.run);
+    member.run.put_values(member.diagram);
+    if (job_.family->size() > 1) set(point, diagram_column, diagram_name(job_, index));
+    for (const Target& target : job_.family->targets(index))
+      if (const auto value = flattened_value(member.diagram, target, file_name_))
+        set(point, name_of(member.diagram, target), yaml_line(*value));
+    for (const auto& [name, words] : words_)
+      if (words.size() == point) set(point, name, "");
+  }
+
+  void set(std::size_t point, const std::string& name, std::string text) {
+    const auto [words, is_new] = words_.try_emplace(name);
+    if (is_new) {
+      table_.columns.push_back({name, "", {}});
+      words->second.resize(point);
+    }
+    words->second.resize(point);
+    words->second.push_back(std::move(text));
+  }
+
+  const Job& job_;
+  const FileName& file_name_;
+  std::map<std::size_t, std::unique_ptr<Member>> members_;
+  Table table_;
+  ColumnWords words_;  ///< of each column, one for each run
+};
+
+}  // namespace
+
+void write_replay(const std::string& folder, const Plan& plan) {
+  DataCopies copies;
+  const std::string text =
+      flattened_text(plan.diagram, [&](const std::string& path) { return "inputs/" + copies.name_of(path); });
+  copies.write(folder + "/inputs");
+  write_file(folder + "/" + flattened_name, text);
+}
+
+void write_replay(const std::string& folder, const Job& job) {
+  if (job.points.empty()) return write_replay(folder, job.plan);
+  DataCopies copies;
+  const bool one = job.family->size() == 1;
+  const std::string up = one ? "inputs/" : "../inputs/";
+  const FileName name = [&](const std::string& path) { return up + copies.name_of(path); };
+  for (std::size_t member = 0; member < job.family->size(); ++member)
+    write_file(folder + "/" + diagram_name(job, member),
+               flattened_text(job.family->plan(member).diagram, name));
+  const FileName beside = [&](const std::string& path) { return "inputs/" + copies.name_of(path); };
+  SweepTable(job, beside).write(folder + "/" + sweep_name);
+  copies.write(folder + "/inputs");
+}
+
+std::set<std::string> files_read(const Plan& plan) {
+  std::set<std::string> files;
+  for (const ScopeInfo& scope : plan.diagram.scopes) files.insert(scope.file);
+  flattened_text(plan.diagram, [&](const std::string& path) { return *files.insert(path).first; });
+  return files;
+}
+
+std::set<std::string> files_read(const Job& job) {
+  std::set<std::string> files = files_read(job.plan);
+  for (std::size_t point = 0; point < job.points.size(); ++point) {
+    const auto& targets = job.family->targets(job.points[point].member);
+    if (std::ranges::none_of(targets,
+                             [&](const Target& target) { return is_file(job.plan.diagram, target); }))
+      continue;
+    Simulation run(job.plan_of(point));
+    job.family->begin(job.points[point].member, job.settings_of(point), run);
+    flattened_text(run.diagram(), [&](const std::string& path) { return *files.insert(path).first; });
+  }
+  for (std::size_t member = 0; job.family && member < job.family->size(); ++member)
+    files.merge(files_read(job.family->plan(member)));
+  return files;
+}
+
+}  // namespace stepwire

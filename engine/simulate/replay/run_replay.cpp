@@ -1,0 +1,98 @@
+#include "engine/simulate/replay/run_replay.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "engine/simulate/record/recorder.hpp"
+
+namespace stepwire {
+
+namespace {
+
+/// The first difference of several tables in time.
+class Earliest {
+ public:
+  void take(double time, std::string text) {
+    if (!(time < time_)) return;
+    time_ = time;
+    text_ = std::move(text);
+  }
+  std::string text() const { return text_; }
+
+ private:
+  double time_ = std::numeric_limits<double>::infinity();
+  std::string text_;
+};
+
+void compare(const Recorded& recorded, const RowRange& rows, const Table& computed, Earliest& earliest) {
+  const std::size_t common = std::min(rows.count, computed.rows());
+  for (std::size_t k = 0; k < common; ++k) {
+    const auto number = [&](std::size_t i) { return computed.columns[i].values[k]; };
+    if (const auto column = differing_column(recorded, rows.first + k, number)) {
+      const std::size_t index = *column == 0 ? 0 : *column - recorded.first_signal + 1;
+      return earliest.take(number(0),
+                           difference_text(recorded, rows.first + k, *column, number(0), number(index)));
+    }
+  }
+  if (rows.count <= common || common == 0) return;
+  const double end = computed.columns.front().values[common - 1];
+  earliest.take(std::nextafter(end, std::numeric_limits<double>::infinity()),
+                extra_row_text(recorded, rows.first + common, end));
+}
+
+/// Ticks until each table would have one row more than it has: whether the run went on shows there.
+std::int64_t ticks_to_replay(const Plan& plan, const std::vector<RowRange>& rows) {
+  std::int64_t ticks = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    ticks = std::max(
+        ticks, static_cast<std::int64_t>(rows[i].count) * ticks_between_rows(plan, plan.diagram.records[i]));
+  return std::min(ticks, plan.steps);
+}
+
+/// Ends a run behind a tick.
+class UntilTick : public RunObserver {
+ public:
+  explicit UntilTick(std::int64_t last) : last_(last) {}
+  Flow before_tick(const ObservedRun& run) override {
+    return run.simulation.tick() > last_ ? Flow::stop : Flow::go_on;
+  }
+
+ private:
+  std::int64_t last_;
+};
+
+}  // namespace
+
+std::vector<std::size_t> replay_run(Simulation& simulation, const std::vector<Recorded>& tables,
+                                    const std::vector<RowRange>& rows, const RunOptions& options,
+                                    Verification& verification) {
+  const Plan& plan = simulation.plan();
+  UntilTick until(ticks_to_replay(plan, rows));
+  RunOptions own = options;
+  own.observers = {&until};
+  Changeover interpreted(Engine::interpreted, nullptr, {}, 0.0);
+  RunRecording recording(plan);
+  const RunEnd end = run_simulation(simulation, recording.recorders(), own, interpreted, 0, 0);
+  const std::vector<Recording> recordings = recording.take();
+  verification.interrupted = verification.interrupted || end.interrupted;
+  if (verification.interrupted) return {};
+  std::vector<std::size_t> used;
+  Earliest earliest;
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    const Table& computed = recordings[i].table;
+    // A run that broke off before its first row has left none: these are the next one's.
+    used.push_back(computed.rows() == 0 ? 0 : rows[i].count);
+    verification.rows += used.back();
+    if (computed.rows() > used.back())
+      verification.missing_rows +=
+          static_cast<std::size_t>(plan.steps / ticks_between_rows(plan, plan.diagram.records[i])) + 1 -
+          used.back();
+    compare(tables[i], {rows[i].first, used.back()}, computed, earliest);
+  }
+  verification.difference = earliest.text();
+  return used;
+}
+
+}  // namespace stepwire

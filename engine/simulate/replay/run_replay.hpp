@@ -1,0 +1,20 @@
+#pragma once
+
+#include "engine/simulate/replay/recorded.hpp"
+#include "engine/simulate/replay/verify.hpp"
+#include "engine/simulate/run/run.hpp"
+
+namespace stepwire {
+
+/// Rows of a table, one behind the other.
+struct RowRange {
+  std::size_t first = 0, count = 0;
+};
+
+/// Runs a plan as far as its rows go and compares them, one entry of `rows` for each table; adds what came of
+/// it. Returns how many rows of each table were this run's.
+std::vector<std::size_t> replay_run(Simulation& simulation, const std::vector<Recorded>& tables,
+                                    const std::vector<RowRange>& rows, const RunOptions& options,
+                                    Verification& verification);
+
+}  // namespace stepwire

@@ -1,0 +1,189 @@
+#include "engine/simulate/replay/verify.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "engine/base/table/table_file.hpp"
+#include "engine/simulate/replay/loop_replay.hpp"
+#include "engine/simulate/replay/replay_folder.hpp"
+#include "engine/simulate/replay/run_replay.hpp"
+#include "engine/simulate/replay/sweep_runs.hpp"
+
+namespace stepwire {
+
+namespace {
+
+/// What run.json says of a run.
+struct RunNote {
+  std::vector<std::string> swept;  ///< parameters of a sweep, in the order of their columns; empty for none
+  std::size_t runs = 1;
+};
+
+[[noreturn]] void refuse(const std::string& file, std::string message) {
+  throw Error(Fault{{file, {}}, "", std::move(message), {}});
+}
+
+const char* plural(std::size_t count) {
+  return count == 1 ? "" : "s";
+}
+
+class Verifier {
+ public:
+  Verifier(std::string folder, const Registry& registry, const std::atomic<bool>* interrupt)
+      : folder_(std::move(folder)), registry_(registry) {
+    options_.interrupt = interrupt;
+  }
+
+  Verification run() {
+    std::error_code none;
+    if (!std::filesystem::is_directory(folder_, none)) refuse(folder_, "there is no such folder");
+    require_file("signals.csv");
+    if (is_loop()) {
+      verify_loop();
+    } else if (const RunNote note = read_note(); note.swept.empty()) {
+      verify_run();
+    } else {
+      verify_sweep(note);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  std::string path(const std::string& name) const { return (std::filesystem::path(folder_) / name).string(); }
+
+  bool has(const std::string& name) const {
+    std::error_code none;
+    return std::filesystem::exists(path(name), none);
+  }
+
+  void require_file(const std::string& name) const {
+    if (!has(name))
+      refuse(path(name),
+             "is missing; verify needs all that 'run --out' or 'loop --out' wrote, of a diagram that records "
+             "something");
+  }
+
+  Plan plan_of(const std::string& name) const {
+    require_file(name);
+    Loader loader(registry_, wide_limits);
+    return make_plan(loader.load(path(name)));
+  }
+
+  /// A loop's table has the tick and the wall clock behind the time. So may that of a run whose signals have
+  /// such names, but then it has two columns less than the loop's.
+  bool is_loop() const {
+    const bool may_be_run = has("run.json");
+    if (!may_be_run) require_file(flattened_name);
+    const auto header = read_csv_header(path("signals.csv")).columns;
+    if (!has(flattened_name) || header.size() < first_signal_of_loop || header[1].name != "tick" ||
+        header[2].name != "wall")
+      return false;
+    const Plan plan = plan_of(flattened_name);
+    return !may_be_run || (!plan.diagram.records.empty() &&
+                           has_columns({header}, first_signal_of_loop, plan, plan.diagram.records.front()));
+  }
+
+  RunNote read_note() const {
+    require_file("run.json");
+    // What is JSON is YAML as well.
+    const Node note = read_document(path("run.json"), wide_limits).root;
+    const Node *sweep = note.find("sweep"), *runs = note.find("runs");
+    const auto count = runs ? parse_quantity(runs->text) : std::nullopt;
+    if (!sweep || !count || !(count->value >= 1.0 && count->value < 1e9))
+      refuse(path("run.json"), "does not say 'sweep' and 'runs', as every run does");
+    RunNote result;
+    result.runs = static_cast<std::size_t>(count->value);
+    for (const Node& axis : sweep->items)
+      if (const Node* parameter = axis.find("parameter")) result.swept.push_back(parameter->text);
+    return result;
+  }
+
+  /// The tables of a plan's recordings; their signals begin behind what else they have.
+  std::vector<Recorded> read_tables(const Plan& plan, std::size_t first_signal, ColumnWords words = {}) {
+    std::vector<Recorded> tables;
+    for (std::size_t i = 0; i < plan.diagram.records.size(); ++i) {
+      const std::string name = numbered("signals", i, ".csv");
+      require_file(name);
+      tables.push_back({path(name), read_csv(path(name), words), first_signal});
+      require_columns(tables.back(), plan, plan.diagram.records[i]);
+      result_.signals += tables.back().signals();
+    }
+    return tables;
+  }
+
+  void verify_loop() {
+    const Plan plan = plan_of(flattened_name);
+    const std::vector<Recorded> tables = read_tables(plan, first_signal_of_loop);
+    result_.loop = true;
+    if (!plan.diagram.inputs.empty()) require_file("inputs.csv");
+    replay_loop(plan, tables, path("inputs.csv"), options_, result_);
+  }
+
+  void verify_run() {
+    const Plan plan = plan_of(flattened_name);
+    const std::vector<Recorded> tables = read_tables(plan, 1);
+    std::vector<RowRange> rows;
+    for (const Recorded& table : tables) rows.push_back({0, table.table.rows()});
+    Simulation simulation(plan);
+    replay_run(simulation, tables, rows, options_, result_);
+  }
+
+  void verify_sweep(const RunNote& note) {
+    result_.runs = note.runs;
+    SweepRuns runs(folder_, note.runs, registry_);
+    ColumnWords words;
+    for (const std::string& parameter : note.swept) words[parameter];
+    std::vector<Recorded> tables;
+    std::vector<RowRange> rows;
+    for (std::size_t run = 0; run < note.runs && result_.difference.empty() && !result_.interrupted; ++run) {
+      Simulation& simulation = runs.begin(run);
+      if (run == 0) {
+        tables = read_tables(simulation.plan(), 1 + note.swept.size(), words);
+        rows.resize(tables.size());
+      }
+      for (std::size_t i = 0; i < tables.size(); ++i) rows[i].count = length_of_run(tables[i], rows[i].first);
+      const auto used = replay_run(simulation, tables, rows, options_, result_);
+      for (std::size_t i = 0; i < used.size(); ++i) rows[i].first += used[i];
+    }
+    for (std::size_t i = 0; i < tables.size() && result_.difference.empty() && !result_.interrupted; ++i)
+      if (rows[i].first < tables[i].table.rows())
+        result_.difference = fmt::format("{}:{}: there are more rows than the {} runs give", tables[i].file,
+                                         rows[i].first + 2, note.runs);
+  }
+
+  /// The next run begins where the time is 0 again.
+  static std::size_t length_of_run(const Recorded& recorded, std::size_t first) {
+    const auto begin = recorded.times().begin() + static_cast<std::ptrdiff_t>(first);
+    if (begin == recorded.times().end()) return 0;
+    return static_cast<std::size_t>(std::find(begin + 1, recorded.times().end(), 0.0) - begin);
+  }
+
+  std::string folder_;
+  const Registry& registry_;
+  RunOptions options_;
+  Verification result_;
+};
+
+}  // namespace
+
+Verification verify(const std::string& folder, const Registry& registry, const std::atomic<bool>* interrupt) {
+  return Verifier(folder, registry, interrupt).run();
+}
+
+std::string verification_text(const Verification& verification) {
+  if (!verification.difference.empty()) return verification.difference;
+  const std::size_t rows = verification.rows, missing = verification.missing_rows;
+  const bool early = missing > 0 && !verification.loop;
+  return fmt::format("{} signal{} in {}{} row{}{}: all bits agree{}{}", verification.signals,
+                     plural(verification.signals), rows, early ? fmt::format(" of {}", rows + missing) : "",
+                     plural(rows + (early ? missing : 0)),
+                     verification.runs > 1 ? fmt::format(" of {} runs", verification.runs) : "",
+                     early ? "; the run ended early" : "",
+                     missing > 0 && verification.loop
+                         ? fmt::format("; {} row{} lost", missing, missing == 1 ? " is" : "s are")
+                         : "");
+}
+
+}  // namespace stepwire

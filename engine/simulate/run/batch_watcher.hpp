@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "engine/model/plan/plan.hpp"
+
+namespace stepwire {
+
+/// Is told when a stretch of one phase's batches begins and ends to run, whatever of it is due.
+class BatchWatcher {
+ public:
+  virtual ~BatchWatcher() = default;
+  virtual void enter() = 0;
+  virtual void leave() = 0;
+
+  const std::vector<Batch>* phase = nullptr;  ///< timed, outputs, stage, derivatives or updates of the plan
+  std::size_t first = 0, end = 0;             ///< the stretch: batches first to end - 1 of the phase
+};
+
+}  // namespace stepwire

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <stop_token>
+#include <thread>
+#include <vector>
+
+#include "engine/model/plan/compiled_plan.hpp"
+
+namespace stepwire {
+
+/// How a run is computed. The results are the same to the last bit.
+enum class Engine {
+  interpreted,
+  compiled,  ///< from the first tick on; where nothing can be compiled, interpreted
+  automatic  ///< interpreted at first; compiled once that is worth it and ready
+};
+
+/// Compiles the plans of some runs, at once or beside them, and hands out the code when it is there.
+class Changeover {
+ public:
+  /// A plan of some runs.
+  struct Member {
+    const Plan* plan;
+    std::vector<VariableBlock> variable;  ///< what differs between its runs
+  };
+
+  /// All runs together have `ticks` to go.
+  Changeover(Engine engine, CodeSource* source, std::vector<Member> plans, double ticks);
+
+  /// The code of the i-th plan; null while there is none. From any thread.
+  const CompiledPlan* code(std::size_t plan) const;
+  /// Notes that so many more ticks are done. From any thread.
+  void done(std::int64_t ticks);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void compile(const std::stop_token& stop);
+  bool is_worth_it(std::int64_t done) const;
+
+  CodeSource* source_;
+  std::vector<Member> plans_;
+  double all_ticks_;
+  double compile_seconds_ = 0.0;
+  Clock::time_point start_ = Clock::now();
+  std::atomic<std::int64_t> done_ = 0;
+  std::atomic<bool> begun_ = false, ready_ = false;
+  std::vector<CompiledPlan> code_;
+  std::jthread thread_;  ///< last: it uses the others
+};
+
+}  // namespace stepwire

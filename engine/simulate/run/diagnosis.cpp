@@ -1,0 +1,112 @@
+// What a run that ended early, or blocks during a run, have to say.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "engine/model/signal/notice.hpp"
+#include "engine/simulate/run/simulation.hpp"
+
+namespace stepwire {
+
+namespace {
+
+/// 0 if all are finite.
+double first_not_finite(const double* values, const SignalSlot& slot) {
+  for (const double* value = values + slot.offset; value != values + slot.offset + slot.size; ++value)
+    if (!std::isfinite(*value)) return *value;
+  return 0.0;
+}
+
+RunFault make_fault(const Plan& plan, std::size_t block, const std::string& port, double time,
+                    const std::string& message) {
+  const DiagramBlock& from = plan.diagram.blocks[block];
+  const std::string subject = port.empty() ? from.name : from.name + "." + port;
+  return {from.name, port, time, plan.diagram.fault(from.origin, subject, message)};
+}
+
+}  // namespace
+
+std::optional<RunFault> Simulation::wrong_step() const {
+  const double* report = values() + plan_.layout.report;
+  if (report[0] == StepReport::fine) return std::nullopt;
+  const std::string message =
+      report[0] == StepReport::unsolved
+          ? fmt::format(
+                "the solver finds no solution for the step to {:.12g} s, where Newton's method still "
+                "changes this state by {:.2g} of its size; the run ends here. A smaller step, or a "
+                "law without jumps, helps",
+                time(), report[1])
+          : fmt::format(
+                "the step to {:.12g} s errs by {:.2g} of the size of this state, and 'tolerance' is "
+                "{:g}; the run ends here. A smaller step{} helps",
+                time(), report[1], plan_.diagram.tolerance,
+                plan_.diagram.solver == "sdirk" ? "" : " or solver: sdirk");
+  const std::size_t place = plan_.layout.states + static_cast<std::size_t>(report[2]);
+  for (std::size_t b = 0; b < plan_.blocks.size(); ++b) {
+    const auto& slots = plan_.blocks[b].states;
+    for (std::size_t s = 0; s < slots.size(); ++s)
+      if (place - slots[s].offset < static_cast<std::size_t>(slots[s].size))
+        return make_fault(plan_, b, plan_.diagram.blocks[b].type().states[s].name, time(), message);
+  }
+  return std::nullopt;
+}
+
+std::optional<RunFault> Simulation::not_finite() const {
+  const auto cure = [&](double value) {
+    return fmt::format(
+        "became {} at {:.12g} s; the run ends here. A smaller step, a stiff solver (rosenbrock, sdirk) or a "
+        "check "
+        "of the parameters helps",
+        std::isnan(value) ? std::abs(value) : value, time());  // the sign of NaN says nothing
+  };
+  // States first: an integration that ran away is the cause of what follows from it. Then outputs in the
+  // order of their computation, where the first is the cause of the others.
+  for (const bool states : {true, false})
+    for (int index : plan_.memory_order) {
+      const auto b = static_cast<std::size_t>(index);
+      const PlannedBlock& block = plan_.blocks[b];
+      const BlockType& type = plan_.diagram.blocks[b].type();
+      const auto& slots = states ? block.states : block.outputs;
+      for (std::size_t i = 0; i < slots.size(); ++i) {
+        if ((states && !type.states[i].continuous) || first_not_finite(values(), slots[i]) == 0.0) continue;
+        return make_fault(plan_, b, states ? type.states[i].name : type.outputs[i].name, time(),
+                          cure(first_not_finite(values(), slots[i])));
+      }
+    }
+  return std::nullopt;
+}
+
+std::string Simulation::notice_text(std::size_t block, std::size_t notice) const {
+  const NoticeSpec& spec = plan_.diagram.blocks[block].type().notices[notice];
+  return spec.detail ? spec.doc + ": " + spec.detail(memory(block)) : spec.doc;
+}
+
+std::optional<RunFault> Simulation::fault() const {
+  if (healthy_) return std::nullopt;
+  for (std::size_t b = 0; b < plan_.blocks.size(); ++b) {
+    const auto& specs = plan_.diagram.blocks[b].type().notices;
+    for (std::size_t n = 0; n < specs.size(); ++n) {
+      const double first = workspace_.values[plan_.blocks[b].notices[n].offset];
+      if (specs[n].ends_run && first != Notice::never)
+        return make_fault(plan_, b, "", first,
+                          fmt::format("{} (at {:.12g} s); the run ends here", notice_text(b, n), first));
+    }
+  }
+  if (auto wrong = wrong_step()) return wrong;
+  return not_finite();
+}
+
+std::vector<RaisedNotice> Simulation::notices() const {
+  std::vector<RaisedNotice> raised;
+  for (std::size_t b = 0; b < plan_.blocks.size(); ++b) {
+    const DiagramBlock& block = plan_.diagram.blocks[b];
+    for (std::size_t n = 0; n < block.type().notices.size(); ++n) {
+      const double first = workspace_.values[plan_.blocks[b].notices[n].offset];
+      if (!block.type().notices[n].ends_run && first != Notice::never)
+        raised.push_back({block.name, notice_text(b, n), first});
+    }
+  }
+  return raised;
+}
+
+}  // namespace stepwire

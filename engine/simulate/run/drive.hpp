@@ -1,0 +1,51 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "engine/simulate/record/recorder.hpp"
+#include "engine/simulate/run/observer.hpp"
+#include "engine/simulate/run/stopper.hpp"
+
+namespace stepwire {
+
+/// Goes through the ticks of a run: records, stops where the diagram says, shows observers what happens.
+class Drive {
+ public:
+  /// Ticks between two looks at the interrupt flag.
+  static constexpr std::int64_t ticks_between_looks = 256;
+
+  enum class End {
+    finished,  ///< at the stop time, by `stop_when`, or by a fault of the simulation
+    stopped,   ///< by an observer
+    paused,    ///< by an observer; run() goes on
+    interrupted
+  };
+
+  Drive(Simulation& simulation, std::vector<Recorder>& recorders);
+
+  std::size_t index = 0;                         ///< of the run, for observers
+  std::span<RunObserver* const> observers;       ///< must outlive the drive
+  bool shows_rows = true;                        ///< do the observers read what is recorded?
+  const std::atomic<bool>* interrupt = nullptr;  ///< once true, the run ends and keeps what it has
+  std::function<void()> look;                    ///< called every `ticks_between_looks` ticks
+
+  /// Goes on to the end of the run, or of what observers allow.
+  End run();
+
+ private:
+  Flow show_tick();
+  void record();
+  void show_rows();
+  End end(End how);
+
+  Simulation& simulation_;
+  std::vector<Recorder>& recorders_;
+  Stopper stopper_;
+  std::vector<double> row_;
+  bool begun_ = false;
+};
+
+}  // namespace stepwire

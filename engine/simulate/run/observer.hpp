@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "engine/simulate/run/simulation.hpp"
+
+namespace stepwire {
+
+/// A run as it is shown to observers.
+struct ObservedRun {
+  std::size_t index;  ///< among the runs of a sweep or the trials of a study; 0 for a single one
+  Simulation& simulation;
+};
+
+/// How a run goes on.
+enum class Flow {
+  go_on,
+  pause,  ///< before the next tick; the run can be taken up again
+  stop    ///< for good, with what is recorded so far
+};
+
+/// Watches runs while they are computed. Each run calls from its own thread, so that calls for several runs
+/// of a sweep may come at the same time. A run waits for each call.
+class RunObserver {
+ public:
+  virtual ~RunObserver() = default;
+
+  /// Before the first tick.
+  virtual void begin(const ObservedRun&) {}
+  /// Before every tick: here inputs are written, values set, moments kept and restored; what was recorded
+  /// from a restored moment on is recorded anew.
+  virtual Flow before_tick(const ObservedRun&) { return Flow::go_on; }
+  /// After the outputs of a tick are computed.
+  virtual void evaluated(const ObservedRun&) {}
+  /// A row that is recorded by the entry `recording` of `record`: the time, then its signals.
+  virtual void row(const ObservedRun&, std::size_t /*recording*/, std::span<const double> /*numbers*/) {}
+  /// After the last tick, whatever ended the run.
+  virtual void end(const ObservedRun&) {}
+};
+
+}  // namespace stepwire

@@ -1,0 +1,151 @@
+#include "engine/simulate/run/plan_family.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace stepwire {
+
+namespace {
+
+constexpr std::size_t most_tried = 64;  // plans, of a sweep in which each point has another structure
+
+std::vector<std::string> names_of(const std::vector<Setting>& values) {
+  std::vector<std::string> names;
+  for (const Setting& value : values) names.push_back(value.name);
+  return names;
+}
+
+/// The plan of single runs, which need no sweep: it may have very many values.
+std::shared_ptr<const Plan> plan_of_runs(Plan plan) {
+  plan.diagram.sweep.reset();
+  return std::make_shared<const Plan>(std::move(plan));
+}
+
+Assignment assignment_of(const Setting& setting) {
+  Assignment assignment{setting.name, value_of_text(setting.value, setting.written), setting.written};
+  assignment.value.mark = setting.mark;
+  return assignment;
+}
+
+}  // namespace
+
+/// A plan, what its runs set, and what they share: the values that decide its structure.
+struct PlanFamily::Member {
+  Member(std::shared_ptr<const Plan> of, const std::vector<Setting>& values)
+      : plan(std::move(of)),
+        names(names_of(values)),
+        all(plan->diagram, names),
+        free(plan->diagram, names_to_set()) {
+    for (std::size_t i = 0; i < values.size(); ++i)
+      structure.push_back(all.names()[i].structural ? values[i].value : "");
+  }
+
+  /// May a run of this member have these values?
+  bool may_take(const std::vector<Setting>& values) const {
+    if (values.size() != names.size()) return false;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (values[i].name != names[i] || (all.names()[i].structural && values[i].value != structure[i]))
+        return false;
+    return true;
+  }
+
+  Simulation::Setting set(const std::vector<Setting>& values, Simulation& run) const {
+    std::vector<Assignment> assignments;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (!all.names()[i].structural) assignments.push_back(assignment_of(values[i]));
+    return run.set(free, assignments);
+  }
+
+  /// Makes a try of its own, for find().
+  bool takes(const std::vector<Setting>& values) {
+    if (!probe) probe = std::make_unique<Simulation>(*plan);
+    return set(values, *probe) == Simulation::Setting::done;
+  }
+
+  std::vector<std::string> names_to_set() const {
+    std::vector<std::string> result;
+    for (const Variation::Name& name : all.names())
+      if (!name.structural) result.push_back(name.text);
+    return result;
+  }
+
+  std::shared_ptr<const Plan> plan;
+  std::vector<std::string> names;
+  Variation all;                       ///< of all names
+  Variation free;                      ///< of those that are set in a run of the plan
+  std::vector<std::string> structure;  ///< values of structural names; "" of others
+  std::unique_ptr<Simulation> probe;
+};
+
+PlanFamily::PlanFamily(Loader& loader, std::string file, std::vector<Setting> settings, const Plan& base)
+    : loader_(loader), file_(std::move(file)), settings_(std::move(settings)), base_(plan_of_runs(base)) {}
+
+PlanFamily::~PlanFamily() = default;
+
+std::size_t PlanFamily::find(const std::vector<Setting>& values) {
+  try {
+    const std::size_t last = members_.size();
+    for (std::size_t m = last; m-- > last - std::min(last, most_tried);)  // values come in order
+      if (members_[m]->may_take(values) && members_[m]->takes(values)) return m;
+    const bool known =
+        std::ranges::any_of(members_, [&](const auto& member) { return member->names == names_of(values); });
+    if (!known) {
+      auto member = std::make_unique<Member>(base_, values);
+      if (!member->all.structural() && member->takes(values)) {
+        members_.push_back(std::move(member));
+        return members_.size() - 1;
+      }
+    }
+  } catch (const Error&) {  // planning the file with these values says the same, with all places
+  }
+  return add(plan_anew(values), values);
+}
+
+std::size_t PlanFamily::add(std::shared_ptr<const Plan> plan, const std::vector<Setting>& values) {
+  members_.push_back(std::make_unique<Member>(std::move(plan), values));
+  return members_.size() - 1;
+}
+
+std::shared_ptr<const Plan> PlanFamily::plan_anew(const std::vector<Setting>& values) const {
+  std::vector<Setting> all = settings_;
+  all.insert(all.end(), values.begin(), values.end());
+  return std::make_shared<const Plan>(make_plan(loader_.load_point(file_, all)));
+}
+
+const Plan& PlanFamily::plan(std::size_t member) const {
+  return *members_[member]->plan;
+}
+
+const std::vector<Target>& PlanFamily::targets(std::size_t member) const {
+  return members_[member]->free.targets();
+}
+
+std::vector<VariableBlock> PlanFamily::variable(std::size_t member) const {
+  return variable_blocks(*members_[member]->plan, members_[member]->free);
+}
+
+void PlanFamily::begin(std::size_t member, const std::vector<Setting>& values, Simulation& run) const {
+  if (members_[member]->set(values, run) != Simulation::Setting::done)
+    throw std::logic_error("a run is given values of another structure: " + run.structure_change());
+  run.reset();
+}
+
+std::unique_ptr<Simulation> IdleRuns::take(std::size_t member) {
+  {
+    const std::lock_guard lock(mutex_);
+    idle_.resize(family_.size());
+    if (!idle_[member].empty()) {
+      auto run = std::move(idle_[member].back());
+      idle_[member].pop_back();
+      return run;
+    }
+  }
+  return std::make_unique<Simulation>(family_.plan(member));
+}
+
+void IdleRuns::give_back(std::size_t member, std::unique_ptr<Simulation> run) {
+  const std::lock_guard lock(mutex_);
+  idle_[member].push_back(std::move(run));
+}
+
+}  // namespace stepwire

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "engine/model/diagram/load.hpp"
+#include "engine/simulate/run/simulation.hpp"
+
+namespace stepwire {
+
+/// The plans of one file for values that a sweep, a study or a fit sets: one plan serves all values that
+/// leave its structure as it is, and each other structure gets a plan of its own.
+class PlanFamily {
+ public:
+  /// `base` is the plan of the file with `settings`. The loader must outlive the calls of find().
+  PlanFamily(Loader& loader, std::string file, std::vector<Setting> settings, const Plan& base);
+  ~PlanFamily();
+
+  /// The member whose plan fits these values, each of another name; where there is none, the file is planned
+  /// anew. Throws Error where the values are refused.
+  std::size_t find(const std::vector<Setting>& values);
+
+  std::size_t size() const { return members_.size(); }
+  const Plan& plan(std::size_t member) const;
+  /// The values of blocks that a run of a member sets.
+  const std::vector<Target>& targets(std::size_t member) const;
+  /// The members of blocks that differ between the runs of a member.
+  std::vector<VariableBlock> variable(std::size_t member) const;
+  /// Sets the values of a run, for which find() gave this member, and puts it at time 0. From any thread.
+  void begin(std::size_t member, const std::vector<Setting>& values, Simulation& run) const;
+
+ private:
+  struct Member;
+
+  std::size_t add(std::shared_ptr<const Plan> plan, const std::vector<Setting>& values);
+  std::shared_ptr<const Plan> plan_anew(const std::vector<Setting>& values) const;
+
+  Loader& loader_;
+  std::string file_;
+  std::vector<Setting> settings_;
+  std::shared_ptr<const Plan> base_;
+  std::vector<std::unique_ptr<Member>> members_;
+};
+
+/// Runs of a family that wait to be used again, so that a new one is made only for another thread.
+class IdleRuns {
+ public:
+  explicit IdleRuns(const PlanFamily& family) : family_(family) {}
+
+  std::unique_ptr<Simulation> take(std::size_t member);
+  void give_back(std::size_t member, std::unique_ptr<Simulation> run);
+
+ private:
+  const PlanFamily& family_;
+  std::mutex mutex_;
+  std::vector<std::vector<std::unique_ptr<Simulation>>> idle_;  ///< of each member
+};
+
+}  // namespace stepwire

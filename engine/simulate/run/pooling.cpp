@@ -1,0 +1,198 @@
+#include "engine/simulate/run/pooling.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/simulate/record/recorder.hpp"
+
+namespace stepwire {
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// The swept parameter of a diagram; null where a block's own value is swept.
+const DiagramParameter* parameter_of(const Diagram& diagram, const std::string& name) {
+  const auto found = std::ranges::find(diagram.parameters, name, &DiagramParameter::name);
+  return found == diagram.parameters.end() ? nullptr : &*found;
+}
+
+/// Does the value follow from parameters?
+bool is_formula(const std::string& text) {
+  return text.starts_with('=') || text.starts_with('$');
+}
+
+}  // namespace
+
+std::vector<std::size_t> indices_of(const Sweep& sweep, std::size_t point) {
+  std::vector<std::size_t> result(sweep.axes.size(), point);
+  if (sweep.together) return result;
+  for (std::size_t axis = sweep.axes.size(); axis-- > 0;) {
+    result[axis] = point % sweep.axes[axis].values.size();
+    point /= sweep.axes[axis].values.size();
+  }
+  return result;
+}
+
+std::string settings_text(const std::vector<Setting>& settings) {
+  std::string text;
+  for (const Setting& setting : settings)
+    text += fmt::format("{}{}={}", text.empty() ? "" : ", ", setting.name, setting.value);
+  return text;
+}
+
+SweptColumns::SweptColumns(const Job& job) : job_(job) {
+  if (job.points.empty()) return;
+  const Diagram& diagram = job.plan.diagram;
+  for (std::size_t a = 0; a < diagram.sweep->axes.size(); ++a) {
+    const Sweep::Axis& axis = diagram.sweep->axes[a];
+    numbers_.push_back(numbers_of(a));
+    const DiagramParameter* parameter = parameter_of(diagram, axis.parameter);
+    const auto written = parse_quantity(axis.values.front());
+    auto dimension = written ? written->dimension : std::nullopt;
+    if (parameter && !dimension) dimension = parameter->dimension;
+    const bool is_words = !numbers_.back().empty() && std::isnan(numbers_.back().front());
+    columns_.push_back({axis.parameter, dimension && !is_words ? si_name(*dimension) : "", {}});
+    if (!is_words) continue;
+    words_.push_back({axis.parameter, axis.values});
+    for (std::size_t i = 0; i < axis.values.size(); ++i) numbers_.back()[i] = static_cast<double>(i);
+  }
+}
+
+/// The numbers of an axis' values; nan for all where one of them is a word, and nothing where one is a
+/// formula.
+std::vector<double> SweptColumns::numbers_of(std::size_t axis) const {
+  const std::vector<std::string>& values = job_.plan.diagram.sweep->axes[axis].values;
+  if (std::ranges::any_of(values, is_formula)) return {};
+  std::vector<double> numbers;
+  for (const std::string& value : values) {
+    const auto quantity = parse_quantity(value);
+    if (!quantity) return std::vector<double>(values.size(), unknown);
+    numbers.push_back(quantity->value);
+  }
+  return numbers;
+}
+
+/// The number that a formula gives at a point.
+double SweptColumns::evaluated(std::size_t axis, std::size_t point) const {
+  const Plan& plan = job_.plan_of(point);
+  const std::string& name = columns_[axis].name;
+  const DiagramParameter* parameter = parameter_of(plan.diagram, name);
+  if (!parameter) return unknown;
+  Simulation run(plan);
+  job_.family->begin(job_.points[point].member, job_.settings_of(point), run);
+  const auto index = static_cast<std::size_t>(parameter - plan.diagram.parameters.data());
+  const double* number = std::get_if<double>(&run.parameter(index).content);
+  return number ? *number : unknown;
+}
+
+std::vector<double> SweptColumns::numbers(std::size_t point) const {
+  std::vector<double> numbers;
+  if (columns_.empty()) return numbers;
+  const auto index = indices_of(*job_.plan.diagram.sweep, point);
+  for (std::size_t axis = 0; axis < columns_.size(); ++axis)
+    numbers.push_back(numbers_[axis].empty() ? evaluated(axis, point) : numbers_[axis][index[axis]]);
+  return numbers;
+}
+
+std::vector<Column> SweptColumns::of(std::size_t point) const {
+  std::vector<Column> columns = columns_;
+  const std::vector<double> values = numbers(point);
+  for (std::size_t axis = 0; axis < columns.size(); ++axis) columns[axis].values = {values[axis]};
+  return columns;
+}
+
+void SweptColumns::add(Recording& recording, std::size_t point) const {
+  std::vector<Column> columns = of(point);
+  for (Column& column : columns) column.values.assign(recording.table.rows(), column.values.front());
+  recording.words.insert(recording.words.end(), words_.begin(), words_.end());
+  recording.table.columns.insert(recording.table.columns.begin() + 1, columns.begin(), columns.end());
+}
+
+void append_runs(Recording& all, Recording&& more) {
+  if (all.table.columns.empty()) {
+    all = std::move(more);
+    return;
+  }
+  const std::size_t rows = all.table.rows();
+  for (const std::size_t start : more.starts) all.starts.push_back(rows + start);
+  for (std::size_t i = 0; i < all.table.columns.size(); ++i) {
+    auto& values = all.table.columns[i].values;
+    values.insert(values.end(), more.table.columns[i].values.begin(), more.table.columns[i].values.end());
+  }
+}
+
+PooledRecording::PooledRecording(const Job& job, const SweptColumns& swept, unsigned threads)
+    : job_(job), swept_(swept) {
+  for (const RecordRequest& request : job.plan.diagram.records) {
+    Rows rows;
+    rows.count.resize(job.points.size());
+    std::size_t all = 0;
+    for (std::size_t point = 0; point < job.points.size(); ++point) {
+      const std::size_t index = all_.size();
+      rows.first.push_back(all);
+      all += most_rows(job.plan_of(point), job.plan_of(point).diagram.records[index]);
+    }
+    auto& columns = rows.recording.table.columns;
+    columns = empty_columns(job.plan, request);
+    columns.insert(columns.begin() + 1, swept.columns().begin(), swept.columns().end());
+    rows.recording.words = swept.words();
+    in_parallel(columns.size(), threads, [&](std::size_t c) { columns[c].values.resize(all); });
+    all_.push_back(std::move(rows));
+  }
+}
+
+std::vector<Recorder> PooledRecording::recorders(std::size_t point) {
+  std::vector<Recorder> recorders;
+  const Plan& plan = job_.plan_of(point);
+  for (std::size_t r = 0; r < all_.size(); ++r) {
+    std::vector<double*> columns;
+    for (Column& column : all_[r].recording.table.columns)
+      columns.push_back(column.values.data() + all_[r].first[point]);
+    columns.erase(columns.begin() + 1,
+                  columns.begin() + 1 + static_cast<std::ptrdiff_t>(swept_.columns().size()));
+    recorders.emplace_back(plan, plan.diagram.records[r], std::move(columns));
+  }
+  return recorders;
+}
+
+void PooledRecording::done(std::size_t point, const std::vector<Recorder>& recorders) {
+  const std::vector<double> numbers = swept_.numbers(point);
+  for (std::size_t r = 0; r < all_.size(); ++r) {
+    Rows& rows = all_[r];
+    rows.count[point] = recorders[r].rows();
+    for (std::size_t axis = 0; axis < numbers.size(); ++axis)
+      std::fill_n(rows.recording.table.columns[1 + axis].values.begin() +
+                      static_cast<std::ptrdiff_t>(rows.first[point]),
+                  rows.count[point], numbers[axis]);
+  }
+}
+
+void PooledRecording::close_gaps(Rows& rows) const {
+  std::size_t end = 0;
+  rows.recording.starts.clear();
+  for (std::size_t point = 0; point < rows.first.size(); ++point) {
+    rows.recording.starts.push_back(end);
+    if (end != rows.first[point])
+      for (Column& column : rows.recording.table.columns)
+        std::copy_n(column.values.begin() + static_cast<std::ptrdiff_t>(rows.first[point]), rows.count[point],
+                    column.values.begin() + static_cast<std::ptrdiff_t>(end));
+    end += rows.count[point];
+  }
+  for (Column& column : rows.recording.table.columns) column.values.resize(end);
+}
+
+std::vector<Recording> PooledRecording::take() {
+  std::vector<Recording> recordings;
+  for (Rows& rows : all_) {
+    close_gaps(rows);
+    recordings.push_back(std::move(rows.recording));
+  }
+  return recordings;
+}
+
+}  // namespace stepwire

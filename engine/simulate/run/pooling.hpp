@@ -1,0 +1,73 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/simulate/run/run.hpp"
+
+namespace stepwire {
+
+/// Which value each axis takes at a point: the last axis runs fastest.
+std::vector<std::size_t> indices_of(const Sweep& sweep, std::size_t point);
+
+/// "speed=3, mass=1 kg".
+std::string settings_text(const std::vector<Setting>& settings);
+
+/// What tells apart the recordings of a job's points: its swept parameters, as columns behind the time. None
+/// without a sweep.
+class SweptColumns {
+ public:
+  /// The job must outlive it.
+  explicit SweptColumns(const Job& job);
+
+  /// Columns without rows.
+  const std::vector<Column>& columns() const { return columns_; }
+  /// Where columns hold the numbers of words.
+  const std::vector<Words>& words() const { return words_; }
+  /// The numbers of one point, parallel to the columns.
+  std::vector<double> numbers(std::size_t point) const;
+  /// The same as columns of one row.
+  std::vector<Column> of(std::size_t point) const;
+  /// Adds them to what was recorded at a point.
+  void add(Recording& recording, std::size_t point) const;
+
+ private:
+  std::vector<double> numbers_of(std::size_t axis) const;
+  double evaluated(std::size_t axis, std::size_t point) const;
+
+  const Job& job_;
+  std::vector<Column> columns_;
+  std::vector<Words> words_;
+  std::vector<std::vector<double>> numbers_;  ///< [axis][value]; empty where they hang on the point
+};
+
+/// Puts the runs of a recording behind those of another one, which has the same columns or none yet.
+void append_runs(Recording& all, Recording&& more);
+
+/// What all points of a sweep record, in their order. Each point writes its rows where they stay.
+class PooledRecording {
+ public:
+  PooledRecording(const Job& job, const SweptColumns& swept, unsigned threads);
+
+  /// Recorders of a point; from any thread.
+  std::vector<Recorder> recorders(std::size_t point);
+  /// Notes what they have recorded; from any thread.
+  void done(std::size_t point, const std::vector<Recorder>& recorders);
+  /// Closes the gaps of points that ended early, and gives all recordings.
+  std::vector<Recording> take();
+
+ private:
+  /// The recording of one request, with room for all rows.
+  struct Rows {
+    Recording recording;
+    std::vector<std::size_t> first, count;  ///< rows of each point
+  };
+
+  void close_gaps(Rows& rows) const;
+
+  const Job& job_;
+  const SweptColumns& swept_;
+  std::vector<Rows> all_;
+};
+
+}  // namespace stepwire

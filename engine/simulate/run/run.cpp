@@ -1,0 +1,44 @@
+#include "engine/simulate/run/run.hpp"
+
+#include "engine/simulate/run/drive.hpp"
+
+namespace stepwire {
+
+RunResult run_plan(const Plan& plan, const RunOptions& options) {
+  Changeover changeover(options.engine, options.code, {{&plan, {}}}, static_cast<double>(plan.steps));
+  Simulation simulation(plan);
+  RunRecording recording(plan);
+  RunResult result{run_simulation(simulation, recording.recorders(), options, changeover, 0, 0), {}};
+  result.recordings = recording.take();
+  return result;
+}
+
+RunEnd run_simulation(Simulation& simulation, std::vector<Recorder>& recorders, const RunOptions& options,
+                      Changeover& changeover, std::size_t member, std::size_t index) {
+  std::int64_t changed = -1;  // tick at which compiled code took over
+  const auto take_over = [&] {
+    const CompiledPlan* code = simulation.compiled() ? nullptr : changeover.code(member);
+    if (code) simulation.use(*code);
+    if (changed < 0 && simulation.compiled()) changed = simulation.tick();
+  };
+  take_over();
+  Drive drive(simulation, recorders);
+  drive.index = index;
+  drive.observers = options.observers;
+  drive.interrupt = options.interrupt;
+  drive.look = [&] {
+    changeover.done(Drive::ticks_between_looks);
+    take_over();
+    if (options.progress)
+      options.progress(static_cast<double>(simulation.tick()) / static_cast<double>(simulation.plan().steps));
+  };
+  RunEnd end;
+  end.interrupted = drive.run() == Drive::End::interrupted;
+  if (auto fault = simulation.fault()) end.faults.push_back(std::move(*fault));
+  end.notices = simulation.notices();
+  end.ticks = simulation.tick();
+  end.compiled_ticks = changed < 0 ? 0 : end.ticks - changed;
+  return end;
+}
+
+}  // namespace stepwire

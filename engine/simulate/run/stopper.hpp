@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/model/plan/plan.hpp"
+
+namespace stepwire {
+
+/// Evaluates `stop_when` at a tick.
+class Stopper {
+ public:
+  explicit Stopper(const Plan& plan) {
+    if (!plan.diagram.stop_when) return;
+    condition_ = plan.diagram.stop_when->expression;
+    for (const StopCondition::Variable& variable : plan.diagram.stop_when->variables)
+      offsets_.push_back(plan.offset(variable));
+  }
+  bool stops(const double* values) const { return condition_ && (*condition_)(values, offsets_) != 0.0; }
+
+ private:
+  std::optional<Expression> condition_;
+  std::vector<std::size_t> offsets_;
+};
+
+}  // namespace stepwire

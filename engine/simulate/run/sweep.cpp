@@ -1,0 +1,196 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/simulate/record/recorder.hpp"
+#include "engine/simulate/run/memory.hpp"
+#include "engine/simulate/run/pooling.hpp"
+#include "engine/simulate/run/run.hpp"
+
+namespace stepwire {
+
+namespace {
+
+std::size_t point_count(const Sweep& sweep) {
+  if (sweep.axes.empty()) return 0;
+  if (sweep.together) return sweep.axes.front().values.size();
+  std::size_t count = 1;
+  for (const Sweep::Axis& axis : sweep.axes) count *= axis.values.size();
+  return count;
+}
+
+/// " (in the run with speed=3)".
+std::string which_run(const std::vector<Setting>& settings) {
+  return fmt::format(" (in the run with {})", settings_text(settings));
+}
+
+/// Gathers how the runs of a sweep ended, in their order.
+class Ends {
+ public:
+  explicit Ends(const Job& job) : job_(job) {}
+
+  void add(std::size_t point, RunEnd end) {
+    const std::lock_guard lock(mutex_);
+    for (RunFault& fault : end.faults) {
+      fault.fault.message += which_run(job_.settings_of(point));
+      faults_.emplace(point, std::move(fault));
+    }
+    std::size_t order = 0;
+    for (RaisedNotice& notice : end.notices) {
+      const std::pair place{point, order++};
+      const auto [known, is_new] = notices_.try_emplace({notice.block, notice.text}, place, notice);
+      if (!is_new && place < known->second.first) known->second = {place, std::move(notice)};
+    }
+    all_.interrupted = all_.interrupted || end.interrupted;
+    all_.ticks += end.ticks;
+    all_.compiled_ticks += end.compiled_ticks;
+  }
+
+  RunEnd take() {
+    for (auto& [point, fault] : faults_) all_.faults.push_back(std::move(fault));
+    std::vector<std::pair<Place, RaisedNotice>> notices;
+    for (auto& [key, notice] : notices_) notices.push_back(std::move(notice));
+    std::ranges::stable_sort(notices, {}, [](const auto& notice) { return notice.first; });
+    for (auto& [point, notice] : notices) all_.notices.push_back(std::move(notice));
+    return std::move(all_);
+  }
+
+ private:
+  using Place = std::pair<std::size_t, std::size_t>;  ///< point, and which of its notices
+
+  const Job& job_;
+  std::mutex mutex_;
+  RunEnd all_;
+  std::map<std::size_t, RunFault> faults_;
+  std::map<std::pair<std::string, std::string>, std::pair<Place, RaisedNotice>> notices_;
+};
+
+/// All points of a job.
+class SweepRun {
+ public:
+  SweepRun(const Job& job, const RunOptions& options)
+      : job_(job),
+        options_(options),
+        swept_(job),
+        recording_(job, swept_, options.threads),
+        ends_(job),
+        idle_(*job.family),
+        changeover_(options.engine, options.code, members_of(job), ticks_of(job)) {}
+
+  RunResult run() {
+    in_parallel(job_.points.size(), options_.threads, [this](std::size_t point) { run_point(point); });
+    return {ends_.take(), recording_.take()};
+  }
+
+ private:
+  static std::vector<Changeover::Member> members_of(const Job& job) {
+    std::vector<Changeover::Member> members;
+    for (std::size_t m = 0; m < job.family->size(); ++m)
+      members.push_back({&job.family->plan(m), job.family->variable(m)});
+    return members;
+  }
+
+  static double ticks_of(const Job& job) {
+    double ticks = 0.0;
+    for (std::size_t point = 0; point < job.points.size(); ++point)
+      ticks += static_cast<double>(job.plan_of(point).steps);
+    return ticks;
+  }
+
+  void run_point(std::size_t point) {
+    if (options_.interrupt && *options_.interrupt) {  // nothing is kept of what has not begun
+      RunEnd end;
+      end.interrupted = true;
+      return ends_.add(point, std::move(end));
+    }
+    const std::size_t member = job_.points[point].member;
+    auto run = idle_.take(member);
+    job_.family->begin(member, job_.settings_of(point), *run);
+    std::vector<Recorder> recorders = recording_.recorders(point);
+    RunOptions own;
+    own.interrupt = options_.interrupt;
+    own.observers = options_.observers;
+    ends_.add(point, run_simulation(*run, recorders, own, changeover_, member, point));
+    recording_.done(point, recorders);
+    idle_.give_back(member, std::move(run));
+    const double done = static_cast<double>(++done_);
+    if (options_.progress) options_.progress(done / static_cast<double>(job_.points.size()));
+  }
+
+  const Job& job_;
+  const RunOptions& options_;
+  SweptColumns swept_;
+  PooledRecording recording_;
+  Ends ends_;
+  IdleRuns idle_;
+  Changeover changeover_;
+  std::atomic<std::size_t> done_ = 0;
+};
+
+/// What is set from outside is not swept any more: each run has that value.
+void pin(Sweep& sweep, const std::vector<Setting>& settings) {
+  for (Sweep::Axis& axis : sweep.axes)
+    for (const Setting& setting : settings) {
+      if (setting.name != axis.parameter) continue;
+      const std::size_t count = sweep.together ? axis.values.size() : 1;
+      axis.values.assign(count, setting.value);
+      axis.marks.assign(count, setting.mark);
+    }
+}
+
+std::size_t member_for(PlanFamily& family, const std::vector<Setting>& settings) {
+  try {
+    return family.find(settings);
+  } catch (const Error& error) {
+    std::vector<Fault> faults = error.faults();
+    for (Fault& fault : faults) fault.message += which_run(settings);
+    throw Error(std::move(faults));
+  }
+}
+
+}  // namespace
+
+std::vector<Setting> Job::settings_of(std::size_t point) const {
+  if (trials) return points[point].own;
+  std::vector<Setting> settings;
+  const Diagram& diagram = plan.diagram;
+  const auto index = indices_of(*diagram.sweep, point);
+  for (std::size_t axis = 0; axis < diagram.sweep->axes.size(); ++axis) {
+    const Sweep::Axis& swept = diagram.sweep->axes[axis];
+    settings.push_back({swept.parameter, swept.values[index[axis]], diagram.file, swept.marks[index[axis]]});
+  }
+  settings.insert(settings.end(), points[point].own.begin(), points[point].own.end());
+  return settings;
+}
+
+Job make_job(Loader& loader, const std::string& path, const std::vector<Setting>& settings,
+             std::optional<std::string> stop, const PointSettings& of_points) {
+  std::vector<Setting> all = settings;
+  if (stop) all.push_back({"stop", *stop, "--stop " + *stop});
+  Job job{make_plan(loader.load(path, all)), {}, {}};
+  require_solver_memory(job.plan);
+  static_cast<void>(Simulation(job.plan));  // a block's start() may find what no plan shows
+  auto& sweep = job.plan.diagram.sweep;
+  if (sweep) pin(*sweep, all);
+  if (sweep && !sweep->axes.empty())
+    job.family = std::make_shared<PlanFamily>(loader, path, std::move(all), job.plan);
+  for (std::size_t point = 0; sweep && point < point_count(*sweep); ++point) {
+    job.points.push_back({0, point < of_points.size() ? of_points[point] : std::vector<Setting>{}});
+    job.points.back().member = member_for(*job.family, job.settings_of(point));
+  }
+  require_memory(job);
+  return job;
+}
+
+std::vector<Column> swept_columns(const Job& job, std::size_t point) {
+  return SweptColumns(job).of(point);
+}
+
+RunResult run_job(const Job& job, const RunOptions& options) {
+  return job.points.empty() ? run_plan(job.plan, options) : SweepRun(job, options).run();
+}
+
+}  // namespace stepwire

@@ -1,0 +1,46 @@
+#include "engine/simulate/solve/additions.hpp"
+
+#include <algorithm>
+
+namespace stepwire {
+
+namespace {
+
+/// The rows of a method: those of the stages after the first, then the weights of the result.
+std::vector<std::vector<double>> rows_of(const Tableau& tableau) {
+  std::vector<std::vector<double>> rows = tableau.a;
+  rows.push_back(tableau.b);
+  return rows;
+}
+
+bool waits(const std::vector<double>& row) {
+  return std::count_if(row.begin(), row.end(), [](double weight) { return weight != 0.0; }) > 1;
+}
+
+}  // namespace
+
+std::vector<SolverStage> stages_of(const Tableau& tableau) {
+  std::vector<SolverStage> stages(tableau.b.size());
+  for (std::size_t stage = 0; stage < tableau.c.size(); ++stage) stages[stage].next = tableau.c[stage];
+  int places = 1;
+  for (const auto& row : rows_of(tableau)) {
+    const int own = waits(row) ? places++ : Addition::start;
+    int from = Addition::start;
+    for (std::size_t stage = 0; stage < row.size(); ++stage) {
+      if (row[stage] == 0.0) continue;
+      const int to = stage + 1 == row.size() ? Addition::states : own;  // complete, and now wanted
+      stages[stage].additions.push_back({from, to, row[stage]});
+      from = to;
+    }
+  }
+  return stages;
+}
+
+int places_of(const std::vector<SolverStage>& stages) {
+  int most = Addition::start;
+  for (const SolverStage& stage : stages)
+    for (const Addition& addition : stage.additions) most = std::max(most, addition.to);
+  return most + 1;
+}
+
+}  // namespace stepwire

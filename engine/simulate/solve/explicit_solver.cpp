@@ -1,0 +1,89 @@
+#include "engine/simulate/solve/explicit_solver.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+namespace stepwire {
+
+namespace {
+
+/// Two numbers side by side, a type that both compilers know. Most diagrams have few states, for which the
+/// loop that a compiler makes for many costs more than its work.
+using Two = double __attribute__((vector_size(16)));
+
+template <class Number>
+Number read(const double* place) {
+  Number number;
+  std::memcpy(&number, place, sizeof(Number));
+  return number;
+}
+
+/// The sums for the elements at i. What is written is nowhere else read, or the same element.
+template <class Number, int count, class Sum>
+void add_at(const Sum (&sums)[2], const double* slope, std::size_t i) {
+  const Number by = read<Number>(slope + i);
+  Number results[count];
+  for (int k = 0; k < count; ++k) results[k] = read<Number>(sums[k].from + i) + sums[k].weight * by;
+  for (int k = 0; k < count; ++k) std::memcpy(sums[k].to + i, &results[k], sizeof(Number));
+}
+
+}  // namespace
+
+ExplicitSolver::ExplicitSolver(const Tableau& tableau, std::size_t states)
+    : method_(stages_of(tableau)), sums_(static_cast<std::size_t>(places_of(method_)) * states) {
+  for (const SolverStage& stage : method_)
+    stages_.push_back({std::vector<Pass>((stage.additions.size() + 1) / 2), stage.next});
+}
+
+template <int count>
+void ExplicitSolver::add(const Sum (&sums)[2], const double* slope, std::size_t size) {
+  std::size_t i = 0;
+  for (; i + 2 <= size; i += 2) add_at<Two, count>(sums, slope, i);
+  if (i < size) add_at<double, count>(sums, slope, i);
+}
+
+ExplicitSolver::Pass ExplicitSolver::pass_of(const Addition* additions, bool two, const System& system,
+                                             double length) {
+  const auto place = [&](int number) {
+    return number == Addition::states ? system.x
+                                      : sums_.data() + static_cast<std::size_t>(number) * system.count;
+  };
+  const auto sum = [&](const Addition& addition) {
+    return Sum{place(addition.to), place(addition.from), length * addition.weight};
+  };
+  return {{sum(additions[0]), two ? sum(additions[1]) : Sum{}}, two};
+}
+
+/// Finds places and weights, which are the same at every step of a run.
+void ExplicitSolver::prepare(const System& system, double length) {
+  for (std::size_t stage = 0; stage < stages_.size(); ++stage) {
+    const std::vector<Addition>& additions = method_[stage].additions;
+    for (std::size_t i = 0; i < additions.size(); i += 2)
+      stages_[stage].passes[i / 2] = pass_of(additions.data() + i, i + 1 < additions.size(), system, length);
+  }
+  states_ = system.x;
+  length_ = length;
+}
+
+void ExplicitSolver::use_slope(const Stage& stage, const System& system) {
+  for (const Pass& pass : stage.passes) {
+    if (pass.two) {
+      add<2>(pass.sums, system.dot, system.count);
+    } else {
+      add<1>(pass.sums, system.dot, system.count);
+    }
+  }
+}
+
+void ExplicitSolver::advance(System& system, const TimeStep& step) {
+  if (system.x != states_ || step.length != length_) prepare(system, step.length);
+  std::copy_n(system.x, system.count, sums_.data());
+  use_slope(stages_.front(), system);
+  for (std::size_t stage = 1; stage < stages_.size(); ++stage) {
+    *system.time = step.at(stages_[stage - 1].next);
+    system.evaluate();
+    use_slope(stages_[stage], system);
+  }
+}
+
+}  // namespace stepwire

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "engine/simulate/solve/rosenbrock.hpp"
+#include "engine/simulate/solve/sdirk.hpp"
+#include "engine/simulate/solve/solver.hpp"
+
+namespace stepwire {
+
+/// A method for stiff plants, such as Rosenbrock<>.
+template <class Method>
+class ImplicitSolver : public Solver {
+ public:
+  explicit ImplicitSolver(std::size_t states) : method_(static_cast<Eigen::Index>(states)) {}
+  void advance(System& system, const TimeStep& step) override {
+    method_.advance(system.x, system.dot, system.time, step.start, step.end, step.length, system.report,
+                    [&] { system.evaluate(); });
+  }
+
+ private:
+  Method method_;
+};
+
+}  // namespace stepwire

@@ -1,0 +1,147 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/simulate/solve/forward_differences.hpp"
+#include "engine/simulate/solve/step_report.hpp"
+
+namespace stepwire {
+
+/// The singly diagonally implicit method of Alexander 1977 (SIAM J. Numer. Anal. 14(6)): three stages, order
+/// 3, L-stable, for stiff plants that are far from linear. Each stage is solved by Newton's method with one
+/// matrix as long as that converges, and a new one where it does not. With `most_states` nothing is ever
+/// allocated; the results are the same to the last bit.
+template <int most_states = Eigen::Dynamic>
+class Sdirk {
+ public:
+  explicit Sdirk(Eigen::Index states) : factors_(states) {
+    for (Vector* vector : {&start_, &base_, &slope_, &point_, &right_, &change_}) vector->setZero(states);
+    for (Vector& stage : stages_) stage.setZero(states);
+    jacobian_.setZero(states, states);
+  }
+
+  /// Advances `x` by a step, from `time` to `end`. On entry `dot` is evaluated at (time, x); evaluate() does
+  /// that again for whatever stands in `x` and `*now`. A stage that is not solved, or a step whose error is
+  /// beyond the tolerance, is written to `report`.
+  template <class Evaluate>
+  void advance(double* x_place, double* dot_place, double* now, double time, double end, double step,
+               const StepReport& report, const Evaluate& evaluate) {
+    Eigen::Map<Vector> x(x_place, start_.size());
+    const Eigen::Map<const Vector> dot(dot_place, start_.size());
+    start_ = x;
+    *now = time;
+    slope_ = dot;
+    renew(x, dot, step, evaluate);
+    const double times[] = {time + gamma * step, time + middle * step, end};
+    for (int stage = 0; stage < 3; ++stage) {
+      base_ = start_;
+      for (int before = 0; before < stage; ++before) base_ += a[stage][before] * stages_[before];
+      *now = times[stage];
+      if (!solve(x, dot, step, evaluate)) return fail(x, report);
+      stages_[stage] = (x - base_) / gamma;
+    }
+    if (report) check(x, report);
+  }
+
+ private:
+  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_states, 1>;
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_states, most_states>;
+
+  static constexpr int most_corrections = 40;  // of a stage
+  static constexpr double slow = 0.1;          // a correction that is no smaller part of the one before it
+  static constexpr double goal = 1e-12;        // of corrections, in sizes of their states
+  static constexpr double at_rest = 1e-6;      // the same, where they get no smaller
+  static constexpr double smallest_size = 1e-6;
+
+  static constexpr double gamma = 0.43586652150845899942;  // of 6 g^3 - 18 g^2 + 9 g - 1 = 0 the middle one
+  static constexpr double middle = (1.0 + gamma) / 2.0;
+  static constexpr double b1 = -(6.0 * gamma * gamma - 16.0 * gamma + 1.0) / 4.0;
+  static constexpr double b2 = (6.0 * gamma * gamma - 20.0 * gamma + 5.0) / 4.0;
+  static constexpr double a[3][2] = {{0.0, 0.0}, {(1.0 - gamma) / 2.0, 0.0}, {b1, b2}};
+  /// Weights of order 2 on the first two stages, for the error.
+  static constexpr double second = (0.5 - gamma) / (middle - gamma);
+
+  /// A new matrix at x, where the slope is slope_.
+  template <class X, class Dot, class Evaluate>
+  void renew(X& x, const Dot& dot, double step, const Evaluate& evaluate) {
+    point_ = x;
+    forward_differences(jacobian_, x, dot, point_, slope_, step, evaluate);
+    jacobian_ *= -step * gamma;
+    jacobian_.diagonal().array() += 1.0;
+    factors_.compute(jacobian_);
+  }
+
+  /// x = base_ + step gamma f(x), from the x that is there. False where that is not found. A correction by an
+  /// old matrix that is hardly smaller than the one before it is not made: it may lead to another solution.
+  template <class X, class Dot, class Evaluate>
+  bool solve(X& x, const Dot& dot, double step, const Evaluate& evaluate) {
+    double before = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < most_corrections; ++i) {
+      evaluate();
+      slope_ = dot;
+      right_ = base_ + (step * gamma) * slope_ - x;
+      double size = correct(x);
+      const bool is_slow = size > slow * before;
+      if (is_slow) {
+        renew(x, dot, step, evaluate);
+        size = correct(x);
+      }
+      if (!std::isfinite(size)) return false;
+      // A law with a bend may throw corrections from one side of it to the other; halved ones meet between.
+      if (size > 0.5 * before) change_ *= 0.5;
+      x += change_;
+      // Rounding may keep corrections from getting smaller.
+      if (size <= goal || (is_slow && size > slow * before && size <= at_rest)) return true;
+      before = size;
+    }
+    return false;
+  }
+
+  /// The change that x needs by the matrix; returns it in sizes of the states.
+  template <class X>
+  double correct(const X& x) {
+    change_ = factors_.solve(right_);
+    double size = 0.0;
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      const double part =
+          std::abs(change_[i]) / std::max({std::abs(x[i]), std::abs(start_[i]), smallest_size});
+      if (!std::isfinite(part)) return part;
+      size = std::max(size, part);
+    }
+    return size;
+  }
+
+  template <class X>
+  void fail(const X& x, const StepReport& report) {
+    if (!report) return;
+    WorstError worst;
+    for (Eigen::Index i = 0; i < x.size(); ++i) worst.add(change_[i], std::abs(start_[i]), i);
+    report.write(StepReport::unsolved, worst.size, worst.state);
+  }
+
+  /// The difference to the weights of order 2; solved once more, as what is infinitely fast is no error. How
+  /// far the slope of a stage would move a state that was at rest counts as its size.
+  template <class X>
+  void check(const X& x, const StepReport& report) {
+    right_ = (1.0 - second - b1) * stages_[0] + (second - b2) * stages_[1] - gamma * stages_[2];
+    change_ = factors_.solve(right_);
+    WorstError worst;
+    for (Eigen::Index i = 0; i < start_.size(); ++i)
+      worst.add(change_[i],
+                std::max({std::abs(start_[i]), std::abs(x[i]), std::abs(stages_[0][i]) / gamma,
+                          std::abs(stages_[1][i]) / gamma, std::abs(stages_[2][i]) / gamma}),
+                i);
+    if (worst.size > report.tolerance) report.write(StepReport::inaccurate, worst.size, worst.state);
+  }
+
+  Vector start_, base_, slope_, point_, right_, change_;
+  Vector stages_[3];  ///< slope of each, times the step
+  Matrix jacobian_;
+  Eigen::PartialPivLU<Matrix> factors_;
+};
+
+}  // namespace stepwire

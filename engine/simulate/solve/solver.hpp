@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/simulate/solve/step_report.hpp"
+#include "engine/simulate/solve/tableau.hpp"
+
+namespace stepwire {
+
+/// The differential equations of a run, as a solver sees them: x is set, evaluate() fills dot at the time in
+/// *time.
+class System {
+ public:
+  virtual ~System() = default;
+  virtual void evaluate() = 0;
+
+  double* time = nullptr;  ///< [s]
+  double* x = nullptr;
+  double* dot = nullptr;
+  std::size_t count = 0;
+  StepReport report;  ///< where an implicit solver says what is wrong with a step
+};
+
+/// A fixed step in time [s]. `end` is the time of the next tick as that will have it, which start + length
+/// may miss by a rounding.
+struct TimeStep {
+  double start, end, length;
+
+  /// The time of a stage, a fraction of the step behind its start.
+  double at(double fraction) const { return fraction == 1.0 ? end : start + fraction * length; }
+};
+
+/// Advances x over one fixed step. Scratch memory is its own and made once.
+class Solver {
+ public:
+  virtual ~Solver() = default;
+  /// x becomes the state at the step's end. On entry dot is already evaluated at its start. Leaves *time as
+  /// it pleases.
+  virtual void advance(System& system, const TimeStep& step) = 0;
+};
+
+struct SolverKind {
+  std::string name, doc;
+  int order;
+};
+
+/// The solvers that a diagram file may name: euler, heun, bogacki_shampine, rk4, dormand_prince, rosenbrock,
+/// sdirk.
+const std::vector<SolverKind>& solver_kinds();
+
+/// The numbers of an explicit solver; nothing for one that is not explicit, or not known.
+std::optional<Tableau> find_tableau(const std::string& name);
+
+/// How code calls an implicit solver; nothing for one that is explicit, or not known.
+struct ImplicitMethod {
+  std::string type, header;  ///< Rosenbrock<states>, and what declares it
+};
+std::optional<ImplicitMethod> find_implicit(const std::string& name);
+
+/// Does the solver look at the system at ticks alone, never between them?
+bool evaluates_ticks_only(const std::string& name);
+
+/// Null for a name that is not known.
+std::unique_ptr<Solver> make_solver(const std::string& name, std::size_t states);
+
+}  // namespace stepwire

@@ -1,0 +1,137 @@
+#include "engine/view/drawing/draw.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include "engine/base/hash/hash.hpp"
+#include "engine/base/io/cache.hpp"
+#include "engine/base/io/file.hpp"
+#include "engine/base/io/surroundings.hpp"
+#include "engine/base/subprocess/process.hpp"
+#include "engine/model/diagram/report.hpp"
+#include "engine/model/diagram/units.hpp"
+#include "engine/model/diagram/written.hpp"
+
+namespace stepwire {
+
+namespace {
+
+/// Is this to be used in other files only? It does not say for how long it runs, or nothing feeds one of its
+/// inputs.
+bool is_part(const Node& root) {
+  if (!root.find("stop")) return true;
+  if (const Node* inputs = root.find("inputs"))
+    for (const Entry& input : inputs->entries)
+      if (!input.value.is_map() || !input.value.find("default")) return true;
+  return false;
+}
+
+/// A diagram that consists of one part, whose inputs are fed by zeros.
+Document user_of(const std::string& path, const Node& part) {
+  Node keys;
+  add_key(keys, "diagram", written_filled_in(std::filesystem::path(path).filename().string()));
+  if (const Node* inputs = part.find("inputs"))
+    for (const Entry& input : inputs->entries) add_key(keys, input.key, written_text("0"));
+  Document user{path + " alone", {}};
+  add_key(user.root, "stepwire", written_text("1"));
+  add_key(user.root, "step", written_text("1"));
+  add_key(user.root, "stop", written_text("1"));
+  Node blocks;
+  add_key(blocks, "part", std::move(keys));
+  add_key(user.root, "blocks", std::move(blocks));
+  return user;
+}
+
+Diagram load(Loader& loader, const std::string& path) {
+  const Node& root = loader.document(path).root;
+  if (!root.is_map() || !is_part(root)) return loader.load(path);
+  Document user = user_of(path, root);
+  const std::string name = user.file;
+  loader.add(std::move(user));
+  return loader.load(name);
+}
+
+/// Units are found without a plan, so that a diagram whose loops cannot be ordered is drawn, too.
+Diagram with_units(Diagram diagram) {
+  Report report(diagram);
+  infer_units(report);
+  report.faults().throw_if_any();
+  return diagram;
+}
+
+/// Of what a picture follows from: what is drawn, the modules that draw, and the version of elkjs.
+std::string hash_of_picture(const std::string& drawn) {
+  std::vector<std::filesystem::path> files{STEPWIRE_DRAW "/package-lock.json"};
+  for (const auto& entry : std::filesystem::directory_iterator(STEPWIRE_DRAW))
+    if (entry.path().extension() == ".mjs") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  Hash hash;
+  for (const std::filesystem::path& file : files) hash.add(read_file(file.string()));
+  return hash.add(drawn).text();
+}
+
+void add_names(const Sheet& sheet, const std::string& above, bool signals, std::vector<std::string>& names) {
+  for (const SheetChild& child : sheet.children) {
+    const std::string name = above + child.name;
+    names.push_back(name);
+    if (signals)
+      for (const std::string& output : child.outputs) names.push_back(name + "." + output);
+    if (child.part) add_names(*child.part, name + ".", signals, names);
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> DiagramView::parts() const {
+  const std::string& above = diagram_.scopes[static_cast<std::size_t>(scope_)].prefix;
+  std::vector<std::string> names;
+  for (const ScopeInfo& scope : diagram_.scopes)
+    if (scope.prefix.starts_with(above) && scope.prefix != above)
+      names.push_back(scope.prefix.substr(above.size(), scope.prefix.size() - above.size() - 1));
+  return names;
+}
+
+Json DiagramView::graph(const GraphOptions& options) const {
+  const std::string& file = diagram_.scopes[static_cast<std::size_t>(scope_)].file;
+  const Node* title = loader_.document(file).root.find("title");
+  Json graph = graph_of(diagram_, *sheet_of(diagram_, loader_, scope_), options);
+  return graph.set("title", title ? title->text : "");
+}
+
+std::vector<std::string> DiagramView::blocks(bool signals) const {
+  std::vector<std::string> names;
+  const auto sheet = sheet_of(diagram_, loader_, scope_);
+  add_names(*sheet, "", signals, names);
+  if (signals) names.insert(names.end(), sheet->outputs.begin(), sheet->outputs.end());
+  return names;
+}
+
+std::vector<std::string> DiagramView::children() const {
+  std::vector<std::string> names;
+  const auto sheet = sheet_of(diagram_, loader_, scope_);
+  for (const SheetChild& child : sheet->children) names.push_back(child.name);
+  return names;
+}
+
+std::vector<std::string> DiagramView::signals(const GraphOptions& options) const {
+  return drawn_signals(diagram_, *sheet_of(diagram_, loader_, scope_), options);
+}
+
+DrawnFile::DrawnFile(Loader& loader, const std::string& path)
+    : diagram_(with_units(load(loader, path))), view_(diagram_, loader, diagram_.file == path ? 0 : 1) {}
+
+std::string draw_picture(const Json& drawn) {
+  const std::string node = find_program("node");
+  if (node.empty()) throw SurroundingsError("node is not installed; on Debian it is the package nodejs");
+  const std::string text = drawn.text(-1);
+  const Cache cache;
+  const std::string name = hash_of_picture(text) + ".svg";
+  if (std::optional<std::string> picture = cache.find(name)) return *std::move(picture);
+  const ProcessResult answer =
+      run_helper("node", {.command = {node, STEPWIRE_DRAW "/main.mjs"}, .input = text});
+  cache.keep(name, answer.output);
+  return answer.output;
+}
+
+}  // namespace stepwire

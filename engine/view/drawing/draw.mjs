@@ -1,0 +1,13 @@
+// Draws block diagrams and mechanisms: what is to be drawn goes in, as engine/view/drawing/graph.hpp and rig.mjs describe it, and
+// SVG comes out. It needs neither a browser nor node; elk (an ELK of elkjs) is handed in.
+
+import {arrange} from "./picture.mjs";
+import {arrangeRig, drawRig} from "./rig.mjs";
+import {svgOf} from "./svg.mjs";
+
+export {arrange, arrangeRig, drawRig, svgOf};
+
+/** The picture of a graph as the text of an SVG file; the same graph gives the same text. */
+export async function draw(graph, elk) {
+  return svgOf(await arrange(graph, elk), graph.title);
+}

@@ -1,0 +1,252 @@
+#include "engine/view/drawing/graph.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "engine/view/drawing/selection.hpp"
+#include "engine/view/drawing/symbol_text.hpp"
+
+namespace stepwire {
+
+namespace {
+
+const char* outline_name(Symbol::Outline outline) {
+  switch (outline) {
+    case Symbol::Outline::triangle:
+      return "triangle";
+    case Symbol::Outline::circle:
+      return "circle";
+    case Symbol::Outline::bar:
+      return "bar";
+    default:
+      return "box";
+  }
+}
+
+/// A sign for each input that a parameter such as "+-" holds.
+std::string signs_of(const DiagramBlock& block) {
+  const ParameterSpec* parameter = block.type().parameter(block.type().symbol.signs);
+  if (!parameter) return {};
+  const Value value = parameter->get(block.block.get());
+  return value.text() ? *value.text() : "";
+}
+
+constexpr std::size_t most_drawn = 2000;  // a layout of more takes minutes
+
+class GraphWriter {
+ public:
+  GraphWriter(const Diagram& diagram, const Sheet& sheet, const GraphOptions& options)
+      : diagram_(diagram), options_(options), selection_(diagram, sheet, options) {}
+
+  /// The whole, with the groups of its blocks.
+  Json whole(const Sheet& sheet) {
+    for (const std::string& input : sheet.inputs) signals_.push_back(input);
+    Json drawn = graph(sheet, sheet.inputs, selection_.own_outputs(sheet), 0);
+    if (options_.groups.empty()) return drawn;
+    Json groups = Json::list();
+    for (const NodeGroup& group : options_.groups)
+      groups.push(Json::object().set("name", group.name).set("members", Json::list_of(group.members)));
+    return drawn.set("groups", std::move(groups));
+  }
+
+  /// The signals that have a place in what was drawn.
+  const std::vector<std::string>& signals() const { return signals_; }
+
+ private:
+  void require_few(const Sheet& sheet) {
+    drawn_ += sheet.children.size();
+    if (drawn_ > most_drawn)
+      throw Error(Fault{{diagram_.file, {}},
+                        "",
+                        fmt::format("more than {} blocks would be drawn; open fewer parts", most_drawn),
+                        {}});
+  }
+
+  /// `outputs` are those of the file itself that are drawn.
+  Json graph(const Sheet& sheet, const std::vector<std::string>& inputs, const std::vector<int>& outputs,
+             int depth) {
+    const auto shown = selection_.shown(sheet, outputs);
+    Json own_inputs = Json::list(), own_outputs = Json::list(), nodes = Json::list(), wires = Json::list();
+    for (const std::string& input : inputs) own_inputs.push(marked(port(input, input), sheet, input));
+    require_few(sheet);
+    for (std::size_t i = 0; i < sheet.children.size(); ++i) {
+      if (shown[i].hidden) continue;
+      nodes.push(node(sheet, i, shown[i].outputs, depth));
+      add_wires(sheet, sheet.children[i], depth, wires);
+    }
+    for (const int output : outputs) {
+      const auto index = static_cast<std::size_t>(output);
+      const std::string& name = sheet.outputs[index];
+      own_outputs.push(port(name, name));
+      wires.push(wire(sheet, {sheet.output_sources[index], {}}, end("", name)));
+    }
+    return Json::object()
+        .set("inputs", std::move(own_inputs))
+        .set("outputs", std::move(own_outputs))
+        .set("nodes", std::move(nodes))
+        .set("wires", std::move(wires));
+  }
+
+  /// A port of the file itself, with the text on its wire; inside of a part that stands outside.
+  Json marked(Json port, const Sheet& sheet, const std::string& name) const {
+    const auto label = sheet.parent ? options_.labels.end() : options_.labels.find(name);
+    if (label != options_.labels.end()) port.set("mark", label->second);
+    return port;
+  }
+
+  static Json port(const std::string& name, const std::string& label) {
+    Json port = Json::object().set("port", name);
+    if (!label.empty()) port.set("label", label);
+    return port;
+  }
+
+  static Json end(const std::string& node, const std::string& port) {
+    return Json::object().set("node", node).set("port", port);
+  }
+
+  /// "u" for an input, "u.1" for the first of a list.
+  static std::string input_name(const SheetInput& input, std::size_t feed) {
+    return input.feeds.size() == 1 ? input.name : input.name + "." + std::to_string(feed + 1);
+  }
+
+  /// Are the names of these ports worth being drawn? Not of the only port, nor u or y alone.
+  static bool are_telling(const std::vector<std::string>& names, std::size_t declared) {
+    return declared > 1 && !(names.size() == 1 && (names.front() == "u" || names.front() == "y"));
+  }
+
+  Json node(const Sheet& sheet, std::size_t index, const std::vector<int>& shown, int depth) {
+    const SheetChild& child = sheet.children[index];
+    const std::string id = selection_.name_in(sheet, child.name);
+    const auto other = options_.names.find(id);
+    Json node = Json::object().set("id", id);
+    node.set("name", other == options_.names.end() ? child.name : other->second);
+    if (child.part)
+      add_part(node, sheet, child, id, shown, depth);
+    else
+      add_block(node, child);
+    node.set("inputs", inputs_of(sheet, child, depth));
+    return node.set("outputs", outputs_of(sheet, index, id, shown));
+  }
+
+  Json outputs_of(const Sheet& sheet, std::size_t index, const std::string& id,
+                  const std::vector<int>& shown) {
+    const SheetChild& child = sheet.children[index];
+    std::vector<std::string> names;
+    for (const int output : shown) names.push_back(child.outputs[static_cast<std::size_t>(output)]);
+    const bool labelled = child.part || are_telling(names, block_of(child).type().outputs.size());
+    Json outputs = Json::list();
+    for (const int output : shown) {
+      const std::string& name = child.outputs[static_cast<std::size_t>(output)];
+      Json drawn = port(name, labelled ? name : "");
+      if (selection_.is_recorded(sheet, {static_cast<int>(index), output})) drawn.set("recorded", true);
+      if (const std::string* label = label_of(id, name, child.outputs.size())) drawn.set("mark", *label);
+      signals_.push_back(id + "." + name);
+      if (child.outputs.size() == 1) signals_.push_back(id);
+      outputs.push(std::move(drawn));
+    }
+    return outputs;
+  }
+
+  /// The text on the wire of a block's output, which has the block's name where it is the only one; or null.
+  const std::string* label_of(const std::string& id, const std::string& output, std::size_t outputs) const {
+    auto found = options_.labels.find(id + "." + output);
+    if (found == options_.labels.end() && outputs == 1) found = options_.labels.find(id);
+    return found == options_.labels.end() ? nullptr : &found->second;
+  }
+
+  Json inputs_of(const Sheet& sheet, const SheetChild& child, int depth) const {
+    std::vector<std::string> names;
+    for (const SheetInput& input : child.inputs) names.push_back(input.name);
+    const bool labelled = child.part || are_telling(names, block_of(child).type().inputs.size());
+    const std::string signs = child.part ? "" : signs_of(block_of(child));
+    const bool has_signs = !child.part && !block_of(child).type().symbol.signs.empty();
+    Json inputs = Json::list();
+    for (const auto& [input, i] : selection_.feeds(sheet, child, depth)) {
+      Json drawn = port(input_name(*input, i), labelled ? input->name : "");
+      if (has_signs) drawn.set("sign", std::string(1, i < signs.size() ? signs[i] : '+'));
+      inputs.push(std::move(drawn));
+    }
+    return inputs;
+  }
+
+  const DiagramBlock& block_of(const SheetChild& child) const {
+    return diagram_.blocks[static_cast<std::size_t>(child.block)];
+  }
+
+  void add_block(Json& node, const SheetChild& child) const {
+    const DiagramBlock& block = block_of(child);
+    const Symbol& symbol = block.type().symbol;
+    const SymbolText text = symbol_text(block, *child.written);
+    node.set("type", block.type().name).set("outline", outline_name(symbol.outline));
+    node.set("lines", Json::list_of(text.lines));
+    if (text.fraction) node.set("fraction", true);
+    if (!symbol.curve.empty()) node.set("curve", symbol.curve);
+    if (symbol.axes) node.set("axes", true);
+    if (block.type().has_continuous_state()) node.set("state", true);
+  }
+
+  void add_part(Json& node, const Sheet& sheet, const SheetChild& child, const std::string& id,
+                const std::vector<int>& shown, int depth) {
+    const std::string& file = diagram_.scopes[static_cast<std::size_t>(child.part->scope)].file;
+    node.set("type", std::filesystem::path(file).stem().string()).set("part", true).set("outline", "box");
+    node.set("lines", Json::list());
+    if (!selection_.is_open(id, depth)) return;
+    std::vector<std::string> inputs;
+    for (const auto& feed : selection_.feeds(sheet, child, depth)) inputs.push_back(feed.input->name);
+    node.set("graph", graph(*child.part, inputs, shown, depth + 1));
+  }
+
+  void add_wires(const Sheet& sheet, const SheetChild& child, int depth, Json& wires) const {
+    for (const auto& [input, i] : selection_.feeds(sheet, child, depth))
+      wires.push(
+          wire(sheet, input->feeds[i], end(selection_.name_in(sheet, child.name), input_name(*input, i))));
+  }
+
+  Json wire(const Sheet& sheet, const SheetFeed& feed, Json to) const {
+    Json wire = Json::object();
+    if (!feed.source)
+      return wire.set("from", Json::object().set("constant", feed.constant)).set("to", std::move(to));
+    const auto port = static_cast<std::size_t>(feed.source->port);
+    if (feed.source->child < 0) {
+      wire.set("from", end("", sheet.inputs[port]));
+    } else {
+      const SheetChild& child = sheet.children[static_cast<std::size_t>(feed.source->child)];
+      wire.set("from", end(selection_.name_in(sheet, child.name), child.outputs[port]));
+    }
+    wire.set("to", std::move(to));
+    const std::string unit = options_.units ? unit_of(sheet, *feed.source) : "";
+    return unit.empty() ? wire : wire.set("unit", unit);
+  }
+
+  std::string unit_of(const Sheet& sheet, const SheetSource& source) const {
+    const auto signal = sheet.signal(source);
+    if (!signal) return {};
+    const auto block = static_cast<std::size_t>(signal->block),
+               output = static_cast<std::size_t>(signal->output);
+    if (block >= diagram_.output_dimensions.size()) return {};
+    const auto& dimension = diagram_.output_dimensions[block][output];
+    return dimension ? si_name(*dimension) : "";
+  }
+
+  const Diagram& diagram_;
+  const GraphOptions& options_;
+  Selection selection_;
+  std::vector<std::string> signals_;
+  std::size_t drawn_ = 0;  ///< blocks and parts
+};
+
+}  // namespace
+
+Json graph_of(const Diagram& diagram, const Sheet& sheet, const GraphOptions& options) {
+  return GraphWriter(diagram, sheet, options).whole(sheet);
+}
+
+std::vector<std::string> drawn_signals(const Diagram& diagram, const Sheet& sheet,
+                                       const GraphOptions& options) {
+  GraphWriter writer(diagram, sheet, options);
+  writer.whole(sheet);
+  return writer.signals();
+}
+
+}  // namespace stepwire

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/view/drawing/draw.hpp"
+
+namespace stepwire {
+
+/// A name in the options of a drawing that the diagram does not have.
+struct GraphFault {
+  std::string key;   ///< of the option: "hide"
+  std::string word;  ///< as it was given
+  std::string message;
+};
+
+/// All that is wrong with the names in the options of a drawing.
+std::vector<GraphFault> faults_of(const DiagramView& view, const GraphOptions& options);
+
+}  // namespace stepwire

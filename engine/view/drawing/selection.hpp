@@ -1,0 +1,64 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/view/drawing/graph_options.hpp"
+#include "engine/view/drawing/sheet.hpp"
+
+namespace stepwire {
+
+/// What of a diagram's sheets is drawn: all but what is hidden, and of each child the outputs that lead
+/// somewhere.
+class Selection {
+ public:
+  /// The outputs of a child that are drawn; none where `hidden`.
+  struct Shown {
+    bool hidden = false;
+    std::vector<int> outputs;
+  };
+
+  /// One thing that an input is fed by.
+  struct Feed {
+    const SheetInput* input = nullptr;
+    std::size_t index = 0;  ///< in its list
+  };
+
+  /// `sheet` is the file that is drawn.
+  Selection(const Diagram& diagram, const Sheet& sheet, const GraphOptions& options);
+
+  /// Full name of a file's block, seen from the file that is drawn.
+  std::string name_in(const Sheet& sheet, const std::string& name) const;
+  /// For each child of a file, of whose own outputs `own` are drawn.
+  std::vector<Shown> shown(const Sheet& sheet, const std::vector<int>& own) const;
+  /// The outputs of the file itself that are drawn.
+  std::vector<int> own_outputs(const Sheet& sheet) const;
+  /// What is drawn of all that a child is fed by: not what is hidden, nor what an opened part needs for
+  /// hidden blocks only.
+  std::vector<Feed> feeds(const Sheet& sheet, const SheetChild& child, int depth) const;
+  bool is_recorded(const Sheet& sheet, const SheetSource& source) const;
+  bool is_open(const std::string& name, int depth) const;
+
+ private:
+  bool hides(const std::string& name) const;
+  /// Is this signal left out, itself or with the block that gives it?
+  bool hides(const Sheet& sheet, const SheetSource& source) const;
+  bool feeds_hidden_only(const Sheet& part, const std::string& input) const;
+  bool hides_child(const Sheet& sheet, const SheetChild& child) const {
+    return hides(name_in(sheet, child.name));
+  }
+  std::vector<int> outputs_of(const Sheet& sheet, int child, const std::set<std::pair<int, int>>& used) const;
+  void add_recorded(const SignalRef& signal) { recorded_.insert({signal.block, signal.output}); }
+  const std::string& scope_prefix(const Sheet& sheet) const {
+    return diagram_.scopes[static_cast<std::size_t>(sheet.scope)].prefix;
+  }
+
+  const Diagram& diagram_;
+  const GraphOptions& options_;
+  std::size_t above_;  ///< letters that lie above the file that is drawn
+  std::set<std::pair<int, int>> recorded_;
+};
+
+}  // namespace stepwire

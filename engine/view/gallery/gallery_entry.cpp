@@ -1,0 +1,139 @@
+#include "engine/view/gallery/gallery_entry.hpp"
+
+#include "engine/view/gallery/gallery_downloads.hpp"
+#include "engine/view/gallery/gallery_html.hpp"
+#include "engine/view/gallery/gallery_picture.hpp"
+#include "engine/view/gallery/gallery_tally.hpp"
+
+namespace stepwire {
+namespace {
+
+/// The entries around one, in the order of the gallery.
+struct Neighbours {
+  const GalleryEntry* previous = nullptr;
+  const GalleryEntry* next = nullptr;
+};
+
+Neighbours neighbours_of(const Gallery& gallery, std::size_t index) {
+  Neighbours result;
+  if (index > 0) result.previous = &gallery.entries[index - 1];
+  if (index + 1 < gallery.entries.size()) result.next = &gallery.entries[index + 1];
+  return result;
+}
+
+Html way(const GalleryEntry* to, const GalleryEntry& from, const char* direction, const char* form) {
+  if (!to) return html("<span class=\"{}\"></span>\n", direction);
+  const Address address = address_from(page_of(from), page_of(*to));
+  return html("<a class=\"{}\" rel=\"{}\" href=\"{}\" title=\"{}\">{}</a>\n", direction, direction, address,
+              full_name(*to), html(form, short_name(*to)));
+}
+
+Html ways(const GalleryEntry& entry, const Neighbours& around, const char* name) {
+  return html(
+      "<nav class=\"bar\" aria-label=\"{}\">\n{}<a rel=\"up\" href=\"../index.html#figures\">All "
+      "figures</a>\n{}</nav>\n",
+      name, way(around.previous, entry, "prev", "<span aria-hidden=\"true\">←</span> {}"),
+      way(around.next, entry, "next", "{} <span aria-hidden=\"true\">→</span>"));
+}
+
+Html head_of(const GalleryEntry& entry) {
+  const ClaimTally tally = tally_of(entry);
+  Html head = html("<header>\n");
+  if (!entry.section.empty())
+    head += html("<p class=\"place\">Chapter {} · Section {}</p>\n", chapter_of(entry), entry.section);
+  head += html("<h1>{}</h1>\n", entry.label.empty()
+                                    ? html("{}", entry.title)
+                                    : html("<span class=\"label\">{}</span> {}", entry.label, entry.title));
+  if (tally.all + tally.invariants + tally.broken + tally.errors > 0)
+    head += html("<p class=\"summary {}\">{}</p>\n", tally.look(), tally.sentence());
+  return head += html("</header>\n");
+}
+
+Html error_of(const GalleryEntry& entry) {
+  return entry.error.empty() ? Html{} : html("<pre class=\"error\">{}</pre>\n", entry.error);
+}
+
+/// The words of the source beside those of the file.
+Html beside(const GalleryEntry& entry) {
+  Html source, here;
+  if (!entry.source_caption.empty()) source += html("<p class=\"caption\">{}</p>\n", entry.source_caption);
+  if (!entry.source_says.empty()) source += html("<p>{}</p>\n", entry.source_says);
+  if (!source.empty())
+    source = html(
+        "<section class=\"source\">\n<h2>In the thesis</h2>\n<blockquote>\n{}</blockquote>\n</section>\n",
+        source);
+  if (!entry.caption.empty()) here = html("<p>{}</p>\n", entry.caption);
+  for (const std::string& departure : entry.departures)
+    here += html("<p class=\"departure\">{}</p>\n", departure);
+  if (!here.empty()) here = html("<section class=\"here\">\n<h2>Here</h2>\n{}</section>\n", here);
+  return html("<div class=\"beside\">\n{}{}</div>\n", source, here);
+}
+
+Html claim(const Verdict& verdict) {
+  const std::string value = verdict.note.empty() ? verdict.shown : verdict.note;
+  Html item = html("<li class=\"{}\"><span class=\"verdict\">{}</span> <span class=\"that\">{}</span>",
+                   look_of(verdict), verdict.word(), verdict.that);
+  if (!value.empty()) item += html(" <span class=\"value\">{}</span>", value);
+  if (!verdict.disagrees.empty()) item += html(" <em>{}</em>", verdict.disagrees);
+  return item += html(" <code>{}</code></li>\n", verdict.check);
+}
+
+/// Invariants that held are one line; those that did not stand with the claims.
+Html claims(const GalleryEntry& entry) {
+  Html stated, held;
+  std::size_t count = 0;
+  for (const Verdict& verdict : entry.verdicts) {
+    const bool folds = verdict.kind == Claim::Kind::invariant && verdict.holds;
+    (folds ? held : stated) += claim(verdict);
+    count += folds ? 1 : 0;
+  }
+  if (entry.verdicts.empty()) return {};
+  if (!stated.empty()) stated = html("<ul class=\"claims\">\n{}</ul>\n", stated);
+  if (!held.empty())
+    held = html(
+        "<details id=\"invariants\">\n<summary>Held throughout: {}</summary>\n<ul "
+        "class=\"claims\">\n{}</ul>\n</details>\n",
+        count, held);
+  return html("<section id=\"claims\">\n<h2>Claims</h2>\n{}{}</section>\n", stated, held);
+}
+
+Html assumptions(const GalleryEntry& entry) {
+  Html rows;
+  for (const Assumption& one : entry.assumptions)
+    rows += html("<tr><td><code>{}</code></td><td>{}</td><td>{}</td></tr>\n", one.name, one.value, one.doc);
+  if (rows.empty()) return {};
+  return html(
+      "<section id=\"assumed\">\n<h2>Assumed</h2>\n<details>\n<summary>{} that the thesis does not "
+      "give</summary>\n<table class=\"assumed\">\n<thead><tr><th scope=\"col\">Parameter</th><th "
+      "scope=\"col\">Value</th><th "
+      "scope=\"col\">Meaning</th></tr></thead>\n<tbody>\n{}</tbody></table>\n</details>\n</section>\n",
+      counted(entry.assumptions.size(), "value", "values"), rows);
+}
+
+Html links_of(const GalleryEntry& entry, const Neighbours& around) {
+  Html links = html("<link rel=\"up\" href=\"../index.html\">\n");
+  const auto add = [&](const char* relation, const GalleryEntry* to) {
+    if (to)
+      links += html("<link rel=\"{}\" href=\"{}\">\n", relation, address_from(page_of(entry), page_of(*to)));
+  };
+  add("prev", around.previous);
+  add("next", around.next);
+  return links;
+}
+
+}  // namespace
+
+std::string entry_page(const Gallery& gallery, const GallerySources& sources, std::size_t index) {
+  const GalleryEntry& entry = gallery.entries[index];
+  const Neighbours around = neighbours_of(gallery, index);
+  GalleryFrame frame{.page = page_of(entry), .title = full_name(entry), .look = "entry"};
+  frame.navigation = ways(entry, around, "Gallery");
+  frame.links = links_of(entry, around);
+  Html content = html("{}{}{}", head_of(entry), error_of(entry), pictures_of(entry, false));
+  content += html("{}{}{}", beside(entry), claims(entry), pictures_of(entry, true));
+  content += html("{}{}", assumptions(entry), downloads_of(entry));
+  content += html("{}{}", diagram_of(entry, sources), ways(entry, around, "Neighbours"));
+  return framed(frame, content);
+}
+
+}  // namespace stepwire

@@ -1,0 +1,99 @@
+#include "engine/view/gallery/gallery_front.hpp"
+
+#include <algorithm>
+
+#include "engine/view/gallery/gallery_findings.hpp"
+#include "engine/view/gallery/gallery_html.hpp"
+#include "engine/view/gallery/gallery_tally.hpp"
+
+namespace stepwire {
+namespace {
+
+/// Its first picture that the source has, too.
+const GalleryPicture* thumbnail_of(const GalleryEntry& entry) {
+  const auto shown = std::ranges::find(entry.pictures, false, &GalleryPicture::own);
+  if (shown != entry.pictures.end()) return &*shown;
+  return entry.pictures.empty() ? nullptr : &entry.pictures.front();
+}
+
+Html thumbnail(const GalleryEntry& entry) {
+  const GalleryPicture* picture = thumbnail_of(entry);
+  if (!picture) return html("<span class=\"thumb\"></span>");
+  return html(
+      "<span class=\"thumb{}\"><img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"\" loading=\"lazy\"></span>",
+      picture->dark ? "" : " plain", Address{entry.folder + "/" + picture->file},
+      static_cast<std::size_t>(picture->width), static_cast<std::size_t>(picture->height));
+}
+
+/// What a search finds beside what the card shows.
+std::string words_of(const GalleryEntry& entry) {
+  std::string words = "section " + entry.section + " " + entry.folder + " " + entry.caption + " " +
+                      entry.source_caption + " " + entry.source_says;
+  for (const Verdict& verdict : entry.verdicts)
+    if (verdict.kind == Claim::Kind::statement) words += " " + verdict.that;
+  return words;
+}
+
+/// By what cards are filtered.
+std::string traits_of(const GalleryEntry& entry) {
+  std::string traits = entry.table ? "table" : "figure";
+  if (entry.table && entry.figure) traits += " figure";
+  if (tally_of(entry).known > 0) traits += " disagrees";
+  if (tally_of(entry).bad()) traits += " fails";
+  if (!entry.departures.empty()) traits += " otherwise";
+  return traits;
+}
+
+Html card(const GalleryEntry& entry) {
+  const ClaimTally tally = tally_of(entry);
+  const std::string claims = tally.errors > 0 ? "did not run"
+                             : tally.all > 0  ? fmt::format("{} of {}", tally.hold, tally.all)
+                                              : "";
+  return html(R"(<li class="card {}" data-traits="{}" data-words="{}"><a href="{}">{}
+<span class="label">{}</span> <span class="title">{}</span> <span class="verdict">{}</span></a></li>
+)",
+              tally.look(), traits_of(entry), words_of(entry), Address{page_of(entry)}, thumbnail(entry),
+              short_name(entry), entry.label.empty() ? "" : entry.title, claims);
+}
+
+Html chapter(const GalleryEntry& entry, const Html& cards) {
+  const std::string number = chapter_of(entry);
+  const Html print =
+      entry.print.file.empty()
+          ? Html{}
+          : html("\n<p class=\"soft\"><a href=\"{}\">Its pictures as PDF</a></p>", Address{entry.print.file});
+  return html(
+      "<section class=\"chapter\">\n<div class=\"head\"><h3>{}</h3>{}</div>\n<ul "
+      "class=\"cards\">\n{}</ul>\n</section>\n",
+      number.empty() ? "Beside the chapters" : "Chapter " + number, print, cards);
+}
+
+Html thumbnails(const Gallery& gallery) {
+  Html chapters, cards;
+  for (std::size_t i = 0; i < gallery.entries.size(); ++i) {
+    const GalleryEntry& entry = gallery.entries[i];
+    cards += card(entry);
+    const bool last =
+        i + 1 == gallery.entries.size() || chapter_of(gallery.entries[i + 1]) != chapter_of(entry);
+    if (!last) continue;
+    chapters += chapter(entry, cards);
+    cards = {};
+  }
+  if (chapters.empty()) return {};
+  return html(
+      "<section id=\"figures\">\n<h2>Figures and tables</h2>\n<div id=\"search\"></div>\n{}</section>\n",
+      chapters);
+}
+
+}  // namespace
+
+std::string gallery_front(const Gallery& gallery) {
+  const ClaimTally tally = tally_of(gallery.entries);
+  Html head = html("<header>\n<h1>{}</h1>\n", gallery.title);
+  if (!gallery.introduction.empty()) head += html("<p class=\"lead\">{}</p>\n", gallery.introduction);
+  head += html("<p class=\"summary {}\">{}</p>\n</header>\n", tally.bad() ? "bad" : "good", tally.sentence());
+  const GalleryFrame frame{.page = "index.html", .title = gallery.title, .look = "front"};
+  return framed(frame, html("{}{}{}", head, gallery_findings(gallery), thumbnails(gallery)));
+}
+
+}  // namespace stepwire

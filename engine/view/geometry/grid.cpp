@@ -1,0 +1,200 @@
+#include "engine/view/geometry/grid.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "engine/view/geometry/extent.hpp"
+#include "engine/view/geometry/triangulation.hpp"
+
+namespace stepwire {
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();  // where no point is near
+
+/// Equally spaced values of one axis.
+struct Axis {
+  double first = 0.0, step = 1.0;
+  std::size_t count = 1;
+
+  std::size_t index(double value) const {
+    const double i = std::round((value - first) / step);
+    return static_cast<std::size_t>(std::clamp(i, 0.0, static_cast<double>(count - 1)));
+  }
+};
+
+/// The few equally spaced values on which all numbers lie, if there are such.
+std::optional<Axis> lattice(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const double width = values.back() - values.front();
+  const auto same = [&](double a, double b) { return b - a <= 1e-6 * width; };
+  values.erase(std::unique(values.begin(), values.end(), same), values.end());
+  if (values.size() < 2 || values.size() > 400) return std::nullopt;
+  const double step = width / static_cast<double>(values.size() - 1);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (std::abs(values[i] - values.front() - static_cast<double>(i) * step) > 0.01 * step)
+      return std::nullopt;
+  return Axis{values.front(), step, values.size()};
+}
+
+Axis cut(const std::vector<double>& values, double step) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const auto count = static_cast<std::size_t>(std::floor((*high - *low) / step)) + 1;
+  const double middle = 0.5 * (*low + *high);
+  return {middle - 0.5 * step * static_cast<double>(count - 1), step, count};
+}
+
+Grid average(const Curve& points, const Axis& x, const Axis& y) {
+  Grid grid{x.first, y.first, x.step, y.step, x.count, y.count, {}};
+  grid.values.assign(x.count * y.count, 0.0);
+  std::vector<double> counts(grid.values.size(), 0.0);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::size_t cell = y.index(points.columns[1][i]) * x.count + x.index(points.columns[0][i]);
+    grid.values[cell] += points.columns[2][i];
+    counts[cell] += 1.0;
+  }
+  for (std::size_t cell = 0; cell < counts.size(); ++cell)
+    grid.values[cell] = counts[cell] > 0.0 ? grid.values[cell] / counts[cell] : nothing;
+  return grid;
+}
+
+/// One point for each cell that has any, in their middle and with their mean.
+Curve one_for_each_cell(const Curve& points, const Axis& x, const Axis& y) {
+  std::vector<std::array<double, 4>> sums(x.count * y.count);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    auto& cell = sums[y.index(points.columns[1][i]) * x.count + x.index(points.columns[0][i])];
+    for (std::size_t k = 0; k < 3; ++k) cell[k] += points.columns[k][i];
+    cell[3] += 1.0;
+  }
+  Curve result{std::vector<std::vector<double>>(3), 0};
+  for (const auto& cell : sums)
+    for (std::size_t k = 0; k < 3 && cell[3] > 0.0; ++k) result.columns[k].push_back(cell[k] / cell[3]);
+  return result;
+}
+
+/// A plane through the values at three points.
+class Facet {
+ public:
+  Facet(const Curve& points, const Corners& corners) {
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 3; ++k) at_[i][k] = points.columns[k][corners[i]];
+  }
+
+  double longest_edge() const {
+    double longest = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto &a = at_[i], &b = at_[(i + 1) % 3];
+      longest = std::max(longest, std::hypot(b[0] - a[0], b[1] - a[1]));
+    }
+    return longest;
+  }
+
+  /// Sets the cells whose centres lie in it.
+  void paint(Grid& grid) const {
+    const auto [first, last] = cells(0, grid.x, grid.dx, grid.columns);
+    const auto [low, high] = cells(1, grid.y, grid.dy, grid.rows);
+    for (std::size_t row = low; row < high; ++row)
+      for (std::size_t column = first; column < last; ++column) {
+        const double value = value_at(grid.x + static_cast<double>(column) * grid.dx,
+                                      grid.y + static_cast<double>(row) * grid.dy);
+        if (!std::isnan(value)) grid.at(column, row) = value;
+      }
+  }
+
+ private:
+  /// Cells along an axis that it may cover: the first, and the one behind the last.
+  std::pair<std::size_t, std::size_t> cells(std::size_t axis, double start, double step,
+                                            std::size_t count) const {
+    const auto [low, high] = std::minmax({at_[0][axis], at_[1][axis], at_[2][axis]});
+    const auto cell = [&](double value) {
+      return static_cast<std::size_t>(std::clamp((value - start) / step, 0.0, static_cast<double>(count)));
+    };
+    return {cell(low), std::min(cell(high) + 1, count)};
+  }
+
+  double part(std::size_t i, double x, double y) const {
+    const auto &a = at_[(i + 1) % 3], &b = at_[(i + 2) % 3];
+    return (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
+  }
+
+  double value_at(double x, double y) const {
+    const double whole = part(0, at_[0][0], at_[0][1]);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double share = part(i, x, y) / whole;
+      if (!(share >= -1e-9)) return nothing;
+      sum += share * at_[i][2];
+    }
+    return sum;
+  }
+
+  std::array<std::array<double, 3>, 3> at_;
+};
+
+/// Between measured points that are no farther apart than the gap the value goes over linearly.
+void fill_gaps(const Curve& points, double gap, Grid& grid) {
+  const double widest = std::max(gap, 2.0 * std::hypot(grid.dx, grid.dy));
+  for (const Corners& corners : triangulate(points.columns[0], points.columns[1])) {
+    const Facet facet(points, corners);
+    if (facet.longest_edge() <= widest) facet.paint(grid);
+  }
+}
+
+/// An axis of a window: its cells, no larger than the grid's, and for each the one of the grid in which its
+/// middle lies, or none.
+struct WindowAxis {
+  Axis axis;
+  std::vector<std::optional<std::size_t>> from;
+
+  WindowAxis(double first, double step, std::size_t count, const Extent& window) {
+    constexpr double fine = 200.0;
+    const double width = window.high - window.low;
+    const double cells = std::ceil(std::max(width / step, fine));
+    axis = {window.low + 0.5 * width / cells, width / cells, static_cast<std::size_t>(cells)};
+    for (std::size_t i = 0; i < axis.count; ++i) {
+      const double cell = std::round((axis.first + static_cast<double>(i) * axis.step - first) / step);
+      const bool inside = cell >= 0.0 && cell < static_cast<double>(count);
+      from.push_back(inside ? std::optional(static_cast<std::size_t>(cell)) : std::nullopt);
+    }
+  }
+};
+
+/// Do cells reach beyond a window?
+bool reaches_beyond(double first, double step, std::size_t count, const Extent& window) {
+  const double low = first - 0.5 * step, high = low + static_cast<double>(count) * step, slack = 1e-6 * step;
+  return low < window.low - slack || high > window.high + slack;
+}
+
+}  // namespace
+
+Grid within(const Grid& grid, const Extent& across, const Extent& up) {
+  if (!reaches_beyond(grid.x, grid.dx, grid.columns, across) &&
+      !reaches_beyond(grid.y, grid.dy, grid.rows, up))
+    return grid;
+  const WindowAxis x(grid.x, grid.dx, grid.columns, across), y(grid.y, grid.dy, grid.rows, up);
+  Grid seen{x.axis.first, y.axis.first, x.axis.step, y.axis.step, x.axis.count, y.axis.count, {}};
+  for (const auto& row : y.from)
+    for (const auto& column : x.from) seen.values.push_back(row && column ? grid.at(*column, *row) : nothing);
+  return seen;
+}
+
+Grid make_grid(const Curve& points, std::size_t cells, double gap) {
+  const auto x = lattice(points.columns[0]), y = lattice(points.columns[1]);
+  if (x && y && 2 * points.size() >= x->count * y->count) return average(points, *x, *y);
+  Extent across, up;
+  for (const double value : points.columns[0]) across.add(value);
+  for (const double value : points.columns[1]) up.add(value);
+  const auto step = [&](const Extent& extent) {
+    const double width = extent.high - extent.low;
+    return width > 0.0 ? width / static_cast<double>(cells) : 1.0;
+  };
+  const Axis columns = cut(points.columns[0], step(across)), rows = cut(points.columns[1], step(up));
+  Grid grid = average(points, columns, rows);
+  fill_gaps(one_for_each_cell(points, columns, rows), gap, grid);
+  return grid;
+}
+
+}  // namespace stepwire

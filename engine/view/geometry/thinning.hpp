@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "engine/view/geometry/curve.hpp"
+
+namespace stepwire {
+
+/// Share of the width of a picture that is a fraction of a pixel.
+constexpr double unseen = 2.5e-4;
+
+/// At most about `limit` rows of a curve, in their order, among them the smallest and largest of every column
+/// in every stretch, so that no peak is lost.
+Curve decimate(const Curve& curve, std::size_t limit);
+
+/// Leaves out rows that lie on the line between their neighbours, to within `tolerance` of the width of each
+/// column (Ramer, Douglas, Peucker). If `colored`, the last column is a colour: it is no direction, but it
+/// changes by no more than forty tolerances from one row to the next that is kept.
+Curve simplify(const Curve& curve, const std::vector<double>& widths, double tolerance, bool colored);
+
+/// Curves of a group, thinned to what can be seen, and further where they have more than about `budget` rows
+/// together.
+/// Without regard to shape where the axes are logarithmic.
+std::vector<Curve> thinned(const Curves& all, std::size_t group, std::size_t budget, bool colored = false);
+
+/// All curves of a group, each cut to its share of the budget with its extremes kept; for points.
+std::vector<Curve> cut(const Curves& all, std::size_t group, std::size_t budget);
+
+}  // namespace stepwire

@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+
+#include "engine/view/plot/panel_reading.hpp"
+
+namespace stepwire {
+namespace {
+
+/// Checks that what lies along an axis goes together; faults are gathered.
+class AxisChecks {
+ public:
+  AxisChecks(Panel& panel, const Node& node, const Names& names, Faults& faults)
+      : panel_(panel), node_(node), names_(names), faults_(faults) {}
+
+  void check() {
+    for (const char* axis : {"x", "y"}) check_units(axis);
+    const auto y = panel_.series.find("y");
+    if (y == panel_.series.end()) return;
+    check_number_of_x(y->second);
+    check_references(y->second.front());
+    check_legend(y->second);
+  }
+
+ private:
+  void fault(Mark mark, const std::string& key, std::string message) {
+    faults_.add({{names_.file, mark}, "figure." + key, std::move(message), {}});
+  }
+
+  void check_units(const std::string& axis) {
+    const auto found = panel_.series.find(axis);
+    if (found == panel_.series.end()) return;
+    const Series& first = found->second.front();
+    for (const Series& series : found->second) {
+      // A sum with a bare number has no known unit; it is drawn as the others are.
+      if (series.unit_text.empty() || first.unit_text.empty() || series.unit_text == first.unit_text)
+        continue;
+      two_units(axis, series, first);
+    }
+  }
+
+  void check_number_of_x(const std::vector<Series>& y) {
+    const auto x = panel_.series.find("x");
+    if (x == panel_.series.end() || x->second.size() == 1 || x->second.size() == y.size()) return;
+    fault(x->second.front().formula.mark, "x",
+          fmt::format("there are {} in 'x' and {} in 'y'; x is one, or one for each y", x->second.size(),
+                      y.size()));
+  }
+
+  void check_references(const Series& first) {
+    const auto references = panel_.series.find("reference");
+    if (references == panel_.series.end()) return;
+    for (Series& reference : references->second) {
+      const auto &ours = reference.formula.dimension, &axis = first.formula.dimension;
+      if (ours && axis && *ours != *axis) two_units("reference", reference, first);
+      reference.unit = first.unit;
+    }
+  }
+
+  void two_units(const std::string& key, const Series& series, const Series& first) {
+    fault(series.formula.mark, key,
+          fmt::format("'{}' is drawn in {}, but '{}' in {}; one axis has one unit: give each a panel",
+                      first.formula.text, first.unit_text, series.formula.text, series.unit_text));
+  }
+
+  /// Without `by` there is one curve for each y, however many runs there are.
+  void check_legend(const std::vector<Series>& y) {
+    if (panel_.series.contains("by") || panel_.legend.size() <= y.size()) return;
+    fault(node_.find("legend")->mark, "legend",
+          fmt::format("there are {} texts, but only {} in 'y'; 'by' with a swept parameter tells runs apart",
+                      panel_.legend.size(), y.size()));
+  }
+
+  Panel& panel_;
+  const Node& node_;
+  const Names& names_;
+  Faults& faults_;
+};
+
+}  // namespace
+
+void check_axes(Panel& panel, const Node& node, const Names& names, Faults& faults) {
+  AxisChecks(panel, node, names, faults).check();
+}
+
+}  // namespace stepwire

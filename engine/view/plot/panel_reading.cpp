@@ -1,0 +1,184 @@
+#include "engine/view/plot/panel_reading.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/analyse/query/number.hpp"
+#include "engine/view/plot/overlay.hpp"
+#include "engine/view/plot/plot_kind.hpp"
+
+namespace stepwire {
+namespace {
+
+using Keys = std::vector<std::string>;
+
+/// The row of this name, or nullptr.
+template <class Target>
+const KeyOf<Target>* find_key(const std::vector<KeyOf<Target>>& keys, const std::string& name) {
+  const auto found = std::ranges::find(keys, name, &KeyOf<Target>::name);
+  return found == keys.end() ? nullptr : &*found;
+}
+
+/// Reads the keys of one panel; faults are gathered.
+class PanelReader {
+ public:
+  PanelReader(const Node& node, const Names& names, bool alone, Faults& faults)
+      : node_(node), names_(names), alone_(alone), faults_(faults) {}
+
+  std::optional<Panel> read() {
+    if (!find_kind()) return std::nullopt;
+    if (panel_.kind->read) return read_picture();
+    for (const auto& entry : node_.entries)
+      if (panel_.kind->channel(entry.key)) read_channel(entry);
+    // Options are read in the units of the channels, so they come second.
+    for (const auto& entry : node_.entries)
+      if (!panel_.kind->channel(entry.key)) read_option(entry);
+    for (const auto& channel : panel_.kind->channels)
+      if (channel.required && node_.find(channel.key) == nullptr)
+        fault(node_.mark, "figure." + channel.key,
+              fmt::format("a plot '{}' needs '{}': {}", panel_.kind->name, channel.key, channel.doc));
+    read_later(KeyStage::points);
+    check_axes(panel_, node_, names_, faults_);
+    find_recordings();
+    read_later(KeyStage::rows);
+    return std::move(panel_);
+  }
+
+ private:
+  void fault(Mark mark, const std::string& subject, const std::string& message) {
+    faults_.add({{names_.file, mark}, subject, message, {}});
+  }
+
+  bool find_kind() {
+    Keys all;
+    for (const auto& kind : plot_kinds()) all.push_back(kind.name);
+    const Node* plot = node_.find("plot");
+    if (plot == nullptr) {
+      fault(node_.mark, "figure", fmt::format("'plot' is missing; it is one of {}", fmt::join(all, ", ")));
+      return false;
+    }
+    for (const auto& kind : plot_kinds())
+      if (plot->is_scalar() && kind.name == plot->text) panel_.kind = &kind;
+    if (panel_.kind == nullptr)
+      fault(plot->mark, "figure.plot",
+            fmt::format("there is no plot '{}'{}", plot->text, nearest_or_all(plot->text, all, "there are")));
+    return panel_.kind != nullptr;
+  }
+
+  /// Of a plot that is a picture for itself, which takes no keys of axes.
+  std::optional<Panel> read_picture() {
+    if (!alone_) {
+      fault(node_.mark, "figure.panels",
+            fmt::format(
+                "a plot '{}' is a picture for itself; give it an entry of its own in the list of figures",
+                panel_.kind->name));
+      return std::nullopt;
+    }
+    Keys known{"plot", "title", "caption", "own"};
+    for (const FigureKey& option : panel_.kind->options) known.push_back(option.name);
+    for (const auto& entry : node_.entries)
+      if (std::find(known.begin(), known.end(), entry.key) == known.end())
+        add_unknown_key(entry, known, fmt::format("a plot '{}'", panel_.kind->name), names_, "figure",
+                        faults_);
+    panel_.content = panel_.kind->read(node_, names_, faults_);
+    Faults told;  // by the plot already
+    if (const Node* where = node_.find("where"))
+      panel_.where = read_formula(*where, names_, "figure.where", told);
+    return std::move(panel_);
+  }
+
+  void read_channel(const Entry& entry) {
+    const Channel& channel = *panel_.kind->channel(entry.key);
+    const std::string subject = "figure." + entry.key;
+    if (entry.value.is_list() && !channel.several)
+      return fault(entry.value.mark, subject,
+                   fmt::format("'{}' takes one expression, not a list", entry.key));
+    if (entry.value.is_list() && entry.value.items.empty())
+      return fault(entry.value.mark, subject, "the list is empty");
+    for (const Node& item : items_of(entry.value))
+      if (auto series = read_series(item, names_, subject, faults_))
+        panel_.series[entry.key].push_back(std::move(*series));
+  }
+
+  /// The row of an option of the kind or of a key of panels; none where the plot takes no such key.
+  const PanelKey* find_row(const std::string& key) const {
+    if (const PanelKey* option = find_key(panel_.kind->options, key)) return option;
+    const PanelKey* row = find_key(panel_keys(), key);
+    return row && panel_.kind->takes(row->needs) ? row : nullptr;
+  }
+
+  void read_option(const Entry& entry) {
+    if (entry.key == "plot" || (alone_ && find_key(picture_keys(), entry.key))) return;
+    const PanelKey* row = find_row(entry.key);
+    if (!row) return unknown(entry);
+    if (row->stage == KeyStage::options) row->set(panel_, entry.value, {names_, faults_});
+  }
+
+  void read_later(KeyStage stage) {
+    for (const PanelKey& row : panel_keys())
+      if (const Node* value = node_.find(row.name);
+          value && row.stage == stage && panel_.kind->takes(row.needs))
+        row.set(panel_, *value, {names_, faults_});
+  }
+
+  void unknown(const Entry& entry) {
+    Keys keys{"plot"};
+    for (const auto& key : figure_keys(panel_.kind->name)) keys.push_back(key.name);
+    for (const PanelKey& key : panel_keys())
+      if (panel_.kind->takes(key.needs)) keys.push_back(key.name);
+    if (alone_)
+      for (const FigureKey& key : picture_keys())
+        if (!find_key(panel_keys(), key.name)) keys.push_back(key.name);
+    add_unknown_key(entry, keys, fmt::format("a plot '{}'", panel_.kind->name), names_, "figure", faults_);
+  }
+
+  /// Each y is drawn with the other channels, so these must have been recorded together.
+  void find_recordings() {
+    std::vector<const Formula*> shared;
+    if (panel_.where) shared.push_back(&*panel_.where);
+    for (const auto& [key, list] : panel_.series)
+      for (const Series& series : list)
+        if (key != "y") shared.push_back(&series.formula);
+    const auto y = panel_.series.find("y");
+    if (y == panel_.series.end()) {
+      panel_.recordings = {common_recording(shared, names_, node_, "figure", faults_)};
+      return;
+    }
+    for (const Series& series : y->second) {
+      auto all = shared;
+      all.push_back(&series.formula);
+      panel_.recordings.push_back(common_recording(all, names_, node_, "figure", faults_));
+    }
+  }
+
+  const Node& node_;
+  const Names& names_;
+  bool alone_;
+  Faults& faults_;
+  Panel panel_;
+};
+
+}  // namespace
+
+std::optional<Panel> read_panel(const Node& node, const Names& names, bool alone, Faults& faults) {
+  if (!node.is_map()) {
+    faults.add(
+        {{names.file, node.mark}, "figure", "a figure is a map: {plot: lines, x: time, y: rig.x}", {}});
+    return std::nullopt;
+  }
+  return PanelReader(node, names, alone, faults).read();
+}
+
+std::optional<double> read_axis_number(const Node& node, const Panel& panel, const std::string& axis,
+                                       const Names& names, const std::string& subject, Faults& faults) {
+  const auto read = read_number(node, names, subject, faults);
+  if (!read) return std::nullopt;
+  const Series* series = panel.find(axis);
+  if (series == nullptr) return read->value;
+  check_dimension(*read, series->formula.dimension, fmt::format("'{}'", series->formula.text), node, names,
+                  subject, faults);
+  return series->unit.from_si(read->value);
+}
+
+}  // namespace stepwire

@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "engine/view/plot/plot_tools.hpp"
+
+namespace stepwire {
+namespace {
+
+/// One row for each cell of a lattice of `cells` by `cells`: the one nearest to its middle.
+Curve one_for_each_cell(const Curve& points, double cells) {
+  const Extent x = extent_of(points.columns[0]).padded(0.001), y = extent_of(points.columns[1]).padded(0.001);
+  std::map<std::pair<int, int>, std::pair<double, std::size_t>> nearest;
+  for (std::size_t row = 0; row < points.size(); ++row) {
+    const double column = (points.columns[0][row] - x.low) / (x.high - x.low) * cells;
+    const double line = (points.columns[1][row] - y.low) / (y.high - y.low) * cells;
+    const std::pair<int, int> cell(static_cast<int>(line), static_cast<int>(column));
+    const double distance = std::hypot(column - cell.second - 0.5, line - cell.first - 0.5);
+    const auto [entry, fresh] = nearest.try_emplace(cell, distance, row);
+    if (!fresh && distance < entry->second.first) entry->second = {distance, row};
+  }
+  Curve result{std::vector<std::vector<double>>(points.columns.size()), 0};
+  for (const auto& [cell, found] : nearest)
+    for (std::size_t i = 0; i < points.columns.size(); ++i)
+      result.columns[i].push_back(points.columns[i][found.second]);
+  return result;
+}
+
+double longest_arrow(const Curve& arrows) {
+  double longest = 0.0;
+  for (std::size_t i = 0; i < arrows.size(); ++i)
+    longest = std::max(longest, std::hypot(arrows.columns[2][i], arrows.columns[3][i]));
+  return longest;
+}
+
+/// Magnitude of the arrows as the colour, where the file names no other.
+void add_magnitude(Curve& arrows) {
+  if (arrows.columns.size() > 4) return;
+  arrows.columns.emplace_back();
+  for (std::size_t i = 0; i < arrows.columns[0].size(); ++i)
+    arrows.columns[4].push_back(std::hypot(arrows.columns[2][i], arrows.columns[3][i]));
+}
+
+/// Arrows in the units of the axes, the longest as long as one cell.
+void scale_arrows(Curve& arrows, double length) {
+  const double longest = longest_arrow(arrows);
+  if (longest == 0.0) return;
+  for (const std::size_t i : {2, 3})
+    for (double& value : arrows.columns[i]) value *= length / longest;
+}
+
+Series magnitude_series(const Series& u, const Series& v) {
+  Series series = u;
+  series.label = "|(" + u.label + ", " + v.label + ")|";
+  return series;
+}
+
+/// Share of an arrow that lies behind its point.
+double share_behind(ArrowPivot pivot) {
+  return pivot == ArrowPivot::tip ? 1.0 : pivot == ArrowPivot::middle ? 0.5 : 0.0;
+}
+
+VectorsMark mark_of(const Curve& arrows, ArrowPivot pivot) {
+  VectorsMark mark{.line = {"", 1.7}, .pivot = share_behind(pivot), .head = 0.009, .head_angle = 18.0};
+  mark.x = arrows.columns[0];
+  mark.y = arrows.columns[1];
+  mark.dx = arrows.columns[2];
+  mark.dy = arrows.columns[3];
+  mark.value = arrows.columns[4];
+  return mark;
+}
+
+void draw_field(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
+  const Series &x = *panel.find("x"), &y = *panel.find("y"), &u = *panel.find("u"), &v = *panel.find("v");
+  const Series* color = panel.find("color");
+  std::vector<const Series*> channels{&x, &y, &u, &v};
+  if (color != nullptr) channels.push_back(color);
+  plot.label("x", x);
+  plot.label("y", y);
+  const Curve points = joined(gather(panel, recording_of(panel, recordings), channels));
+  if (points.columns.empty()) return;
+  const double cells = std::clamp(panel.cells.value_or(24.0), 1.0, 400.0);
+  Curve arrows = one_for_each_cell(points, cells);
+  add_magnitude(arrows);
+  plot.color_bar(color != nullptr ? *color : magnitude_series(u, v), extent_of(arrows.columns[4]));
+  plot.cover({points});
+  const double width = std::min(plot.x.width(), plot.y.width());
+  scale_arrows(arrows, panel.scale.value_or(1.0) * (width > 0.0 ? width : 1.0) / cells);
+  plot.plane(0.06);
+  plot.add(mark_of(arrows, panel.pivot));
+}
+
+}  // namespace
+
+PlotKind field_plot() {
+  return {"field",
+          "arrows over the plane, as long and as coloured as they are strong",
+          {{"x", "along the horizontal axis", true},
+           {"y", "along the vertical axis", true},
+           {"u", "horizontal part of the arrow", true},
+           {"v", "vertical part of the arrow", true},
+           {"color", "shown as colour instead of the length"}},
+          {number_key("cells", "arrows along an axis at most (24)", &Panel::cells),
+           number_key("scale", "length of the longest arrow in cells (1)", &Panel::scale),
+           word_key("pivot", "what of an arrow lies at its point (middle)", {"tail", "middle", "tip"},
+                    &Panel::pivot)},
+          true,
+          draw_field};
+}
+
+}  // namespace stepwire

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/view/plot/figure.hpp"
+
+namespace stepwire {
+
+class PlotBuilder;
+using PanelKey = KeyOf<Panel>;
+
+/// A key of a plot whose value is an expression over recorded columns.
+struct Channel {
+  std::string key;
+  std::string doc;
+  bool required = false;
+  bool several = false;  ///< a list is allowed
+};
+
+/// A number along an axis, in whose unit it is; without an axis a plain one.
+PanelKey number_key(std::string name, std::string doc, std::optional<double> Panel::*member,
+                    std::string axis = {});
+/// A number or a list of them along an axis.
+PanelKey numbers_key(std::string name, std::string doc, std::vector<double> Panel::*member, std::string axis);
+
+/// One kind of plot: what it reads and how it is drawn. A new kind is one file with one such value, and a
+/// line in the list of plots.cpp.
+struct PlotKind {
+  std::string name;
+  std::string doc;
+  std::vector<Channel> channels;
+  std::vector<PanelKey> options;
+  bool plane = true;  ///< has the axes x and y in a plane
+  void (*draw)(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) = nullptr;
+  /// For a plot that has no axes and a picture for itself, in place of `draw`: reads its options, whose rows
+  /// only describe them.
+  PanelContent (*read)(const Node& node, const Names& names, Faults& faults) = nullptr;
+
+  /// The channel of this name, or nullptr.
+  const Channel* channel(std::string_view key) const;
+  /// Has the plot what a key of panels needs?
+  bool takes(KeyNeeds needs) const;
+};
+
+/// All kinds, in the order of the reference.
+const std::vector<PlotKind>& plot_kinds();
+
+PlotKind lines_plot();
+PlotKind xy_plot();
+PlotKind loop_plot();
+PlotKind path_plot();
+PlotKind strip_plot();
+PlotKind map_plot();
+PlotKind field_plot();
+PlotKind space_plot();
+PlotKind box_plot();
+PlotKind histogram_plot();
+PlotKind diagram_plot();
+PlotKind rig_plot();
+PlotKind table_plot();
+PlotKind scene_plot();
+
+}  // namespace stepwire

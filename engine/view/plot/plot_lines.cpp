@@ -1,0 +1,99 @@
+#include "engine/view/plot/plot_tools.hpp"
+
+namespace stepwire {
+namespace {
+
+const Channel across{"x", "along the horizontal axis: EXPR or EXPR in UNIT", true};
+const Channel up{"y", "one expression or a list of them", true, true};
+const Channel by{"by", "one curve for each value of this, such as a swept parameter"};
+
+const Channel low{"low", "lower edge of a shaded band, such as an interval around y"};
+const Channel high{"high", "upper edge of the band"};
+const Channel reference{"reference", "for each y a value to hold it against, drawn dashed in its colour",
+                        false, true};
+const Channel each_across{"x", "along the horizontal axis: one expression, or one for each y", true, true};
+const PanelKey style{{"style",
+                      "how the curves are drawn, in the order of the legend: line, dashes or dots",
+                      ValueType::word,
+                      true,
+                      {"line", "dashes", "dots"}},
+                     [](Panel& panel, const Node& node, const KeyReading& read) {
+                       for (const Node& item : items_of(node))
+                         if (const auto index = read.word(item, style))
+                           panel.styles.push_back(static_cast<CurveStyle>(*index));
+                     }};
+
+PanelKey shade_key() {
+  PanelKey key = numbers_key("shade", "ends of a range of x that is shaded, or of several: [0 s, 2 s]",
+                             &Panel::shade, "x");
+  key.set = [read_numbers = key.set](Panel& panel, const Node& node, const KeyReading& read) {
+    read_numbers(panel, node, read);
+    if (panel.shade.size() % 2 != 0)
+      read.fault(node.mark, "shade", "needs two numbers for each range, its beginning and its end");
+  };
+  return key;
+}
+
+/// What lies between `low` and `high`.
+void draw_interval(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
+  const Series *bottom = panel.find("low"), *top = panel.find("high");
+  if (bottom && top)
+    draw_band(gather(panel, recording_of(panel, recordings), {panel.find("x"), bottom, top}).curves, plot);
+}
+
+void draw_references(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
+  const auto found = panel.series.find("reference");
+  for (std::size_t i = 0; found != panel.series.end() && i < found->second.size(); ++i) {
+    const Curves all =
+        gather(panel, recording_of(panel, recordings, i), {panel.find("x"), &found->second[i]});
+    if (all.curves.empty()) continue;
+    plot.cover(all.curves);
+    plot.add(LineMark{plane_rows(all.curves), {curve_color(i), 1.4, {2.5, 4.0}}});
+  }
+}
+
+void draw_lines(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
+  draw_curves(panel, recordings, plot);
+  draw_references(panel, recordings, plot);
+  draw_interval(panel, recordings, plot);
+  if (!plot.spec.marks.empty()) draw_spans(panel.shade, plot);
+  if (panel.equal) return plot.plane(0.04);
+  set_line_ranges(plot);
+}
+
+void draw_xy(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
+  draw_curves(panel, recordings, plot);
+  plot.plane(0.05);
+}
+
+void draw_loop(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
+  draw_xy(panel, recordings, plot);
+  // Quadrants tell whether a loop takes or gives energy.
+  plot.spec.x.zero_line = plot.spec.y.zero_line = true;
+}
+
+}  // namespace
+
+PlotKind lines_plot() {
+  return {"lines",
+          "one or several curves over x, as over time",
+          {across, up, low, high, by, reference},
+          {shade_key(), style},
+          true,
+          draw_lines};
+}
+
+PlotKind xy_plot() {
+  return {"xy", "y against x in the order of the rows", {each_across, up, by}, {style}, true, draw_xy};
+}
+
+PlotKind loop_plot() {
+  return {"loop",
+          "a loop, such as force over displacement, with the lines x = 0 and y = 0",
+          {each_across, up, by},
+          {style},
+          true,
+          draw_loop};
+}
+
+}  // namespace stepwire

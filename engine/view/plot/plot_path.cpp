@@ -1,0 +1,39 @@
+#include "engine/view/plot/plot_tools.hpp"
+
+namespace stepwire {
+namespace {
+
+constexpr double piece_budget = 4000.0;  ///< each coloured piece is an element of its own in the picture
+
+void draw_path(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
+  const Series &x = *panel.find("x"), &y = *panel.find("y"), &color = *panel.find("color");
+  const Curves all = gather(panel, recording_of(panel, recordings), {&x, &y, &color});
+  const auto budget = static_cast<std::size_t>(piece_budget * plot.share);
+  std::vector<Curve> curves;
+  for (std::size_t group = 0; group < all.groups.size(); ++group)
+    std::ranges::copy(thinned(all, group, budget / all.groups.size(), true), std::back_inserter(curves));
+  plot.cover(curves);
+  plot.plane(0.05);
+  plot.label("x", x);
+  plot.label("y", y);
+  Curves drawn;
+  drawn.curves = curves;
+  const Curve points = joined(drawn);
+  plot.color_bar(color, points.columns.empty() ? Extent{} : extent_of(points.columns[2]));
+  if (!curves.empty()) plot.add(LineMark{plane_rows(curves), {"", 3.0}});
+}
+
+}  // namespace
+
+PlotKind path_plot() {
+  return {"path",
+          "a path in the plane whose colour is a third quantity",
+          {{"x", "along the horizontal axis", true},
+           {"y", "along the vertical axis", true},
+           {"color", "shown as colour, with a colour bar", true}},
+          {},
+          true,
+          draw_path};
+}
+
+}  // namespace stepwire

@@ -1,0 +1,121 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/analyse/query/run_rows.hpp"
+#include "engine/view/plot/plot_kind.hpp"
+#include "engine/view/plot/rig.hpp"
+
+namespace stepwire {
+namespace {
+
+constexpr std::size_t most_points_of_path = 400;
+
+/// Values of a point's coordinates in all rows.
+class PointValues {
+ public:
+  PointValues(const RigPoint& point, const Recording& recording) {
+    for (const auto& coordinate : point) {
+      const auto* formula = std::get_if<Formula>(&coordinate);
+      columns_.push_back(formula ? evaluate(*formula, recording)
+                                 : std::vector<double>(recording.table.rows(), std::get<double>(coordinate)));
+    }
+  }
+
+  Json at(std::size_t row, std::size_t dimensions) const {
+    Json point = Json::list();
+    for (std::size_t i = 0; i < dimensions; ++i) point.push(i < columns_.size() ? columns_[i][row] : 0.0);
+    return point;
+  }
+
+ private:
+  std::vector<std::vector<double>> columns_;
+};
+
+Json path_of(const RigPoint& point, const Recording& recording, const RunRows& rows, std::size_t dimensions) {
+  const PointValues values(point, recording);
+  const std::size_t step = (rows.end - rows.begin) / most_points_of_path + 1;
+  Json points = Json::list();
+  for (std::size_t row = rows.begin; row < rows.end; row += step) points.push(values.at(row, dimensions));
+  if ((rows.end - 1 - rows.begin) % step != 0) points.push(values.at(rows.end - 1, dimensions));
+  return points;
+}
+
+Json element_json(const RigElement& element, const Recording& recording, const RunRows& rows,
+                  std::size_t dimensions) {
+  Json points = Json::list();
+  if (element.kind == "path")
+    points = path_of(element.points.front(), recording, rows, dimensions);
+  else
+    for (const RigPoint& point : element.points)
+      points.push(PointValues(point, recording).at(rows.first, dimensions));
+  Json json = Json::object().set("kind", element.kind).set("points", std::move(points));
+  if (!element.name.empty()) json.set("name", element.name);
+  if (element.body) json.set("body", *element.body);
+  if (element.offset != 0.0) json.set("offset", element.offset);
+  if (!element.direction.empty()) json.set("direction", Json::list_of(element.direction));
+  return json;
+}
+
+std::size_t dimensions_of(const Rig& rig) {
+  std::size_t most = 2;
+  for (const RigElement& element : rig.elements)
+    for (const RigPoint& point : element.points) most = std::max(most, point.size());
+  return most;
+}
+
+DrawnGraph drawn_mechanism(const Rig& rig, const std::string& file, std::span<const Recording> recordings) {
+  const Recording& recording = recordings[rig.recording];
+  const RunRows rows = rows_of_run(rig.where, recording);
+  if (rows.none()) throw Error(Fault{{file, rig.mark}, "figure.where", "no row is left to be drawn", {}});
+  const std::size_t dimensions = dimensions_of(rig);
+  Json elements = Json::list();
+  for (const RigElement& element : rig.elements)
+    elements.push(element_json(element, recording, rows, dimensions));
+  Json drawn = Json::object().set("title", rig.title).set("dimensions", dimensions);
+  drawn.set("axes", Json::list_of(rig.axes));
+  if (rig.z_up) drawn.set("up", "z");
+  if (rig.schematic) drawn.set("schematic", true);
+  return {DrawnGraph::Kind::rig, drawn.set("elements", std::move(elements))};
+}
+
+PanelContent read_mechanism(const Node& node, const Names& names, Faults& faults) {
+  Rig rig = read_rig(node, names, faults);
+  if (const Node* title = node.find("title")) rig.title = title->text;
+  return [rig = std::move(rig), file = names.file](std::span<const Recording> recordings) {
+    return drawn_mechanism(rig, file, recordings);
+  };
+}
+
+std::string elements_doc() {
+  std::string doc =
+      "list of {KIND: points, name: .., body: length of a housing, offset: of a dimension, direction: of a "
+      "force, an angle or shares along the axes}; in a name such as F_e what follows '_' stands lower; "
+      "kinds:";
+  for (const RigKind& kind : rig_kinds()) doc += (doc.ends_with(':') ? " " : ", ") + kind.name;
+  return doc;
+}
+
+}  // namespace
+
+PlotKind rig_plot() {
+  PlotKind kind;
+  kind.name = "rig";
+  kind.doc = "a mechanism to scale, at one instant of the run";
+  kind.options = {
+      {{"points",
+        "map of name: place; a place is a recorded vector, a row of a block's parameter "
+        "(rig.linkage.anchors.1), or [x, y]",
+        ValueType::tree}},
+      {{"elements", elements_doc(), ValueType::tree}},
+      {{"axes", "names of the axes that are drawn, [x, z] of a view from the side", ValueType::text, true}},
+      {{"up", "the axis that points upwards in space (y)", ValueType::word, false, {"y", "z"}}},
+      {{"schematic", "without axes and scale", ValueType::truth}},
+      {{"where", "the first row for which this is true is drawn; without it the first of all",
+        ValueType::tree}}};
+  kind.plane = false;
+  kind.read = read_mechanism;
+  return kind;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,72 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/analyse/query/number.hpp"
+#include "engine/view/plot/plot_kind.hpp"
+#include "engine/view/plot/table_rows.hpp"
+
+namespace stepwire {
+namespace {
+
+/// A table that a study makes.
+PanelContent read_named_table(const Node& node, const Names& names, Faults& faults) {
+  const auto fault = [&](const Mark& mark, const std::string& message) {
+    faults.add({{names.file, mark}, "figure.of", message, {}});
+    return PanelContent{};
+  };
+  std::vector<std::string> all;
+  for (const NamedTable& one : names.tables) all.push_back(one.name);
+  const Node* of = node.find("of");
+  if (!of)
+    return fault(node.mark,
+                 fmt::format("a plot 'table' needs 'rows' with 'headings', or in a file with a study 'of', "
+                             "the name of a table: {}",
+                             fmt::join(all, ", ")));
+  const auto found = std::find(all.begin(), all.end(), of->text);
+  if (all.empty()) return fault(of->mark, "this file makes no tables; one with a section 'study' does");
+  if (found == all.end())
+    return fault(of->mark, fmt::format("there is no table '{}'{}", of->text,
+                                       nearest_or_all(of->text, all, "there are")));
+  const Node* title = node.find("title");
+  return [table = names.tables[static_cast<std::size_t>(found - all.begin())].table,
+          title = title ? title->text : ""](std::span<const Recording>) {
+    TextTable shown = *table;
+    if (!title.empty()) shown.title = title;
+    return shown;
+  };
+}
+
+PanelContent read_table_plot(const Node& node, const Names& names, Faults& faults) {
+  if (!node.find("rows") && !node.find("headings")) return read_named_table(node, names, faults);
+  if (const Node* of = node.find("of"))
+    faults.add({{names.file, of->mark}, "figure.of", "a table has 'of' or 'rows', not both", {}});
+  return [rows = read_table_rows(node, names, faults)](std::span<const Recording> recordings) {
+    return filled(rows, recordings);
+  };
+}
+
+}  // namespace
+
+PlotKind table_plot() {
+  PlotKind kind;
+  kind.name = "table";
+  kind.doc = "a table of expressions, or one that a study makes, with its notes";
+  kind.options = {
+      {{"of",
+        "which table: errors by condition, or by condition and subject; the analyses of variance; or means "
+        "and significance beside the thesis'",
+        ValueType::word,
+        false,
+        {"errors", "subjects", "anova", "anova_with_subject", "repeated_measures", "means", "significance"}}},
+      {{"headings", "texts, the first above the names of the rows", ValueType::text, true}},
+      {{"rows", "map of name: an expression for each further column, or a list: {NAME: [rig.x in mm]}",
+        ValueType::tree}},
+      {{"where", "cells have the values of the first row for which this is true; without it of the first",
+        ValueType::tree}}};
+  kind.plane = false;
+  kind.read = read_table_plot;
+  return kind;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,153 @@
+#include "engine/view/plot/plot_tools.hpp"
+
+namespace stepwire {
+namespace {
+
+constexpr double picture_budget = 14000.0;  ///< of a picture, so that it stays below some 300 kB
+constexpr std::size_t most_in_legend = 8;
+
+std::string legend_text(const Panel& panel, const Series& y, const Curves& curves, std::size_t group,
+                        std::size_t entry) {
+  if (entry < panel.legend.size()) return panel.legend[entry];
+  const bool several = panel.series.at("y").size() > 1;
+  if (curves.labels.empty()) return several ? y.label : "";
+  return several ? y.label + ", " + curves.labels[group] : curves.labels[group];
+}
+
+/// One line under which all y can stand.
+Series common_label(const std::vector<Series>& all) {
+  Series common = all.front();
+  for (const Series& series : all) {
+    if (common.unit_text.empty()) common.unit_text = series.unit_text;
+    if (&series != &all.front()) common.label += ", " + series.label;
+  }
+  if (common.label.size() > 44) common.label = "";
+  return common;
+}
+
+/// A later curve is thinner, so that one that lies below it is still seen.
+LineStyle line_of(const Panel& panel, std::size_t entry, bool several) {
+  LineStyle line{curve_color(entry), entry == 0 && several ? 2.4 : 1.6};
+  if (entry >= panel.styles.size()) return line;
+  line.width = panel.styles[entry] == CurveStyle::dots     ? 3.4
+               : panel.styles[entry] == CurveStyle::dashes ? 1.4
+                                                           : 1.6;
+  if (panel.styles[entry] == CurveStyle::dots) line.dash = {0.25, 1.75};
+  if (panel.styles[entry] == CurveStyle::dashes) line.dash = {4.0, 2.5};
+  return line;
+}
+
+/// Final rows have dots where the file gives no style.
+double dots_of(const Panel& panel, std::size_t entry) {
+  return panel.final_rows && entry >= panel.styles.size() ? 4.875 : 0.0;
+}
+
+Curve with_group_value(Curve curve, const Curves& all) {
+  curve.columns.emplace_back(curve.size(), all.groups[curve.group]);
+  return curve;
+}
+
+/// The rows of a group that are drawn: each one where it has a point, else as many as its line needs.
+std::vector<Curve> drawn(const Panel& panel, const Curves& all, std::size_t group, std::size_t budget) {
+  return panel.final_rows ? cut(all, group, budget) : thinned(all, group, budget);
+}
+
+/// Many groups: the value of `by` is shown as a colour.
+void draw_by_color(const Panel& panel, const Curves& all, PlotBuilder& plot) {
+  for (std::size_t group = 0; group < all.groups.size(); ++group) {
+    auto curves = drawn(panel, all, group, rows_for(plot, all.groups.size()));
+    plot.cover(curves);
+    for (Curve& curve : curves) curve = with_group_value(std::move(curve), all);
+    LineStyle line = line_of(panel, 1, false);
+    line.color.clear();
+    plot.add(LineMark{plane_rows(curves), line, dots_of(panel, 1)});
+  }
+  plot.color_bar(*panel.find("by"), extent_of(all.groups));
+}
+
+void draw_in_legend(const Panel& panel, const Series& y, const Curves& all, std::size_t& entry,
+                    PlotBuilder& plot) {
+  const std::size_t budget = rows_for(plot, panel.series.at("y").size() * all.groups.size());
+  for (std::size_t group = 0; group < all.groups.size(); ++group, ++entry)
+    draw_group(all, group, entry, budget, legend_text(panel, y, all, group, entry), plot);
+}
+
+}  // namespace
+
+Curve joined(const Curves& all) {
+  Curve result;
+  for (const Curve& curve : all.curves) {
+    result.columns.resize(curve.columns.size());
+    for (std::size_t i = 0; i < curve.columns.size(); ++i)
+      result.columns[i].insert(result.columns[i].end(), curve.columns[i].begin(), curve.columns[i].end());
+  }
+  return result;
+}
+
+std::size_t rows_for(const PlotBuilder& plot, std::size_t parts) {
+  return static_cast<std::size_t>(picture_budget * plot.share / static_cast<double>(parts));
+}
+
+void draw_group(const Curves& all, std::size_t group, std::size_t entry, std::size_t budget,
+                const std::string& legend, PlotBuilder& plot) {
+  const Panel& panel = plot.panel();
+  const auto curves = drawn(panel, all, group, budget);
+  plot.cover(curves);
+  plot.add(LineMark{plane_rows(curves), line_of(panel, entry, all.several), dots_of(panel, entry), legend});
+}
+
+void draw_curves(const std::vector<NumberCurve>& curves, PlotBuilder& plot) {
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    Curves all = curves_of(plot.panel(), {curves[i].x, curves[i].y});
+    all.several = curves.size() > 1;
+    for (std::size_t group = 0; group < all.groups.size(); ++group)
+      draw_group(all, group, i, rows_for(plot, curves.size()), curves[i].legend, plot);
+  }
+}
+
+void name_axis(PlotAxis& axis, const std::string& label, const std::string& unit) {
+  axis.label = label;
+  axis.unit = unit.empty() ? "" : printed_unit(unit);
+}
+
+void draw_band(const std::vector<Curve>& curves, PlotBuilder& plot) {
+  for (const Curve& curve : curves) {
+    for (const std::size_t edge : {1, 2})
+      for (const double value : curve.columns[edge]) plot.y.add(value);
+    plot.add_below(BandMark{curve.columns[0], curve.columns[1], curve.columns[2], curve_color(curve.group)});
+  }
+}
+
+void draw_spans(const std::vector<double>& ends, PlotBuilder& plot) {
+  for (std::size_t i = 0; i + 1 < ends.size(); i += 2) plot.add(SpanMark{ends[i], ends[i + 1], "#eeeadd"});
+}
+
+void set_line_ranges(PlotBuilder& plot) {
+  // The axis of time begins and ends with the record; the other one leaves the curves some room.
+  const Extent all = plot.x;
+  plot.plane(0.05);
+  if (!plot.panel().x.range) plot.x = all.padded(0.0);
+  plot.range("x", plot.x);
+}
+
+void draw_curves(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
+  const auto &all_x = panel.series.at("x"), &all_y = panel.series.at("y");
+  std::size_t entry = 0;
+  for (std::size_t i = 0; i < all_y.size(); ++i) {
+    const Series& x = all_x[std::min(i, all_x.size() - 1)];
+    Curves all = gather(panel, recording_of(panel, recordings, i), {&x, &all_y[i]});
+    all.several = all_y.size() > 1;
+    if (all.groups.size() > most_in_legend && all_y.size() == 1 && panel.legend.empty())
+      draw_by_color(panel, all, plot);
+    else
+      draw_in_legend(panel, all_y[i], all, entry, plot);
+  }
+  plot.label("x", common_label(all_x));
+  plot.label("y", common_label(all_y));
+}
+
+const Recording& recording_of(const Panel& panel, std::span<const Recording> recordings, std::size_t index) {
+  return recordings[panel.recordings[std::min(index, panel.recordings.size() - 1)]];
+}
+
+}  // namespace stepwire

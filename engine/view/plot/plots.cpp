@@ -1,0 +1,24 @@
+#include "engine/view/plot/plot_kind.hpp"
+
+#include <algorithm>
+
+namespace stepwire {
+
+const std::vector<PlotKind>& plot_kinds() {
+  static const std::vector<PlotKind> kinds{
+      lines_plot(), xy_plot(),  loop_plot(),      path_plot(),    strip_plot(), map_plot(),   field_plot(),
+      space_plot(), box_plot(), histogram_plot(), diagram_plot(), rig_plot(),   scene_plot(), table_plot()};
+  return kinds;
+}
+
+const Channel* PlotKind::channel(std::string_view key) const {
+  const auto found = std::ranges::find(channels, key, &Channel::key);
+  return found == channels.end() ? nullptr : &*found;
+}
+
+bool PlotKind::takes(KeyNeeds needs) const {
+  if (needs == KeyNeeds::nothing) return true;
+  return plane && (needs == KeyNeeds::plane || (channel("x") && channel("y")));
+}
+
+}  // namespace stepwire

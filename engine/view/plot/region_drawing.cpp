@@ -1,0 +1,124 @@
+#include <algorithm>
+#include <iterator>
+
+#include "engine/view/geometry/thinning.hpp"
+#include "engine/view/plot/overlay_drawing.hpp"
+
+namespace stepwire {
+namespace {
+
+double drawn(const Panel& panel, const char* axis, double value) {
+  const Series* series = panel.find(axis);
+  return series ? series->unit.from_si(value) : value;
+}
+
+/// A line in the units of the axes.
+Curve curve_of(const Panel& panel, const Outline& outline, const Outline::Line& line) {
+  Curve curve{std::vector<std::vector<double>>(outline.space ? 3 : 2), 0};
+  const char* axes[] = {"x", "y", "z"};
+  for (const Outline::Point& point : line.points)
+    for (std::size_t i = 0; i < curve.columns.size(); ++i)
+      curve.columns[i].push_back(drawn(panel, axes[i], point[i]));
+  return curve;
+}
+
+/// Does a point lie within the ranges that the file gives for its axes?
+bool is_shown(const Panel& panel, const Curve& curve, std::size_t row) {
+  const AxisOptions* axes[] = {&panel.x, &panel.y, &panel.z};
+  for (std::size_t i = 0; i < curve.columns.size(); ++i) {
+    if (!axes[i]->range) continue;
+    const auto [low, high] = *axes[i]->range;
+    const double hair = 1e-6 * (high - low), value = curve.columns[i][row];
+    if (value < low - hair || value > high + hair) return false;
+  }
+  return true;
+}
+
+/// The pieces of a line in space that are shown; a renderer need not cut lines there.
+std::vector<Curve> shown_pieces(const Panel& panel, const Curve& curve) {
+  std::vector<Curve> pieces;
+  bool inside = false;
+  for (std::size_t row = 0; row < curve.size(); ++row) {
+    const bool shown = is_shown(panel, curve, row);
+    if (shown && !inside) pieces.push_back({std::vector<std::vector<double>>(curve.columns.size()), 0});
+    for (std::size_t i = 0; shown && i < curve.columns.size(); ++i)
+      pieces.back().columns[i].push_back(curve.columns[i][row]);
+    inside = shown;
+  }
+  return pieces;
+}
+
+/// The lines of an outline; in the plane without points that cannot be told apart in the frame.
+std::vector<Curve> curves_of(const Panel& panel, const Outline& outline, const PlotBuilder& plot) {
+  const std::vector<double> widths{plot.x.width(), plot.y.width()};
+  std::vector<Curve> curves;
+  for (const Outline::Line& line : outline.lines) {
+    const Curve curve = curve_of(panel, outline, line);
+    if (outline.space)
+      std::ranges::move(shown_pieces(panel, curve), std::back_inserter(curves));
+    else
+      curves.push_back(simplify(curve, widths, unseen, false));
+  }
+  return curves;
+}
+
+/// All loops as one, from each back to where the first begins: holes run the other way around, and stay free.
+Curve one_of(const std::vector<Curve>& loops) {
+  Curve all{std::vector<std::vector<double>>(2), 0};
+  for (const Curve& loop : loops)
+    for (std::size_t i = 0; i < 2; ++i) {
+      std::vector<double>& to = all.columns[i];
+      to.insert(to.end(), loop.columns[i].begin(), loop.columns[i].end());
+      to.push_back(loop.columns[i].front());
+      to.push_back(all.columns[i].front());
+    }
+  return all;
+}
+
+/// What of a polygon lies on one side of a line of the frame. A renderer need not keep areas within it.
+Curve cut_off(const Curve& polygon, std::size_t axis, double limit, double side) {
+  Curve result{std::vector<std::vector<double>>(2), 0};
+  const auto inside = [&](std::size_t i) { return side * (polygon.columns[axis][i] - limit) <= 0.0; };
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const std::size_t before = i == 0 ? polygon.size() - 1 : i - 1;
+    const double from = polygon.columns[axis][before], to = polygon.columns[axis][i];
+    for (std::size_t k = 0; k < 2 && inside(i) != inside(before); ++k) {
+      const double a = polygon.columns[k][before], b = polygon.columns[k][i];
+      result.columns[k].push_back(k == axis ? limit : a + (b - a) * (limit - from) / (to - from));
+    }
+    for (std::size_t k = 0; k < 2 && inside(i); ++k) result.columns[k].push_back(polygon.columns[k][i]);
+  }
+  return result;
+}
+
+Curve within(Curve polygon, const PlotBuilder& plot) {
+  const Extent extents[] = {plot.x, plot.y};
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    polygon = cut_off(polygon, axis, extents[axis].low, -1.0);
+    polygon = cut_off(polygon, axis, extents[axis].high, 1.0);
+  }
+  return polygon;
+}
+
+}  // namespace
+
+void cover_regions(const Panel& panel, PlotBuilder& plot) {
+  for (const Outline& outline : panel.regions)
+    for (const Outline::Line& line : outline.lines)
+      if (!outline.space && !line.endless) plot.cover({curve_of(panel, outline, line)});
+}
+
+void draw_regions(const Panel& panel, PlotBuilder& plot) {
+  const std::vector<double> dash =
+      panel.dashed_regions ? std::vector<double>{2.5, 4.0} : std::vector<double>{};
+  for (const Outline& outline : panel.regions) {
+    const std::vector<Curve> curves = curves_of(panel, outline, plot);
+    if (!curves.empty())
+      plot.add(LineMark{outline.space ? space_rows(curves) : plane_rows(curves), {"#111111", 1.6, dash}});
+    if (outline.space) continue;
+    const Curve shade = within(one_of(curves), plot);
+    if (shade.size() > 2) plot.add_below(AreaMark{shade.columns[0], shade.columns[1], "#e6eee2"});
+  }
+}
+
+}  // namespace stepwire

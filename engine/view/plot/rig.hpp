@@ -1,0 +1,51 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "engine/analyse/query/formula.hpp"
+
+namespace stepwire {
+
+/// One to three coordinates [m]: numbers that the diagram has, or formulas of what was recorded.
+using RigPoint = std::vector<std::variant<double, Formula>>;
+
+/// A kind of element, and how many points it takes.
+struct RigKind {
+  std::string name;
+  std::string doc;
+  std::size_t least_points = 2, most_points = 2;
+  bool directed = false;  ///< it has a direction of its own
+};
+
+/// All kinds of elements; mechanism.mjs draws them.
+const std::vector<RigKind>& rig_kinds();
+
+/// A piece of a mechanism.
+struct RigElement {
+  std::string kind, name;
+  std::vector<RigPoint> points;
+  std::optional<double> body;  ///< how long the housing of a link is [m]
+  double offset = 0.0;  ///< of a dimension, to the left of the way from its first point to its second [m]
+  std::vector<double> direction{};  ///< of a force and alike, along the axes; empty: as its kind has it
+};
+
+/// A mechanism as a figure describes it.
+struct Rig {
+  std::string title;
+  std::vector<std::string> axes{"x", "y", "z"};  ///< their names
+  bool z_up = false;                             ///< z is drawn upwards, else y
+  bool schematic = false;                        ///< without axes and scale
+  std::vector<RigElement> elements;
+  std::optional<Formula> where;  ///< the first row for which this is true is drawn
+  std::size_t recording = 0;
+  Mark mark;
+};
+
+/// Reads the keys `points`, `elements`, `where`, `axes`, `up`, `schematic` of a figure. Faults are gathered.
+Rig read_rig(const Node& node, const Names& names, Faults& faults);
+
+}  // namespace stepwire

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/base/text/text_table.hpp"
+#include "engine/view/plot/figure.hpp"
+
+namespace stepwire {
+
+/// A table that a file writes itself: in each line a name, and expressions for the other columns.
+struct TableRows {
+  struct Line {
+    std::string name;
+    std::vector<Series> cells;
+  };
+
+  std::string file;
+  Mark mark;
+  std::string title;
+  std::vector<std::string> columns;  ///< headings; the first stands above the names
+  std::vector<Line> lines;
+  std::optional<Formula> where;  ///< cells have the values of the first row for which this is true
+  std::size_t recording = 0;
+};
+
+/// Reads `headings`, `rows`, `where` and `title` of a plot `table`; what is wrong goes to `faults`.
+TableRows read_table_rows(const Node& node, const Names& names, Faults& faults);
+
+/// Throws Error where `where` selects no row.
+TextTable filled(const TableRows& rows, std::span<const Recording> recordings);
+
+}  // namespace stepwire

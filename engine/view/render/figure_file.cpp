@@ -1,0 +1,14 @@
+#include "engine/view/render/figure_file.hpp"
+
+#include "engine/base/io/file.hpp"
+
+namespace stepwire {
+
+void write_figure(const std::string& folder, const std::string& name, const FigureSpec& figure,
+                  const std::string& json_name) {
+  write_file(folder + "/" + name + ".svg", render(figure).svg);
+  write_file(folder + "/" + (json_name.empty() ? name : json_name) + ".json",
+             figure_json(figure).text(-1) + "\n");
+}
+
+}  // namespace stepwire

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "engine/view/plot/plot_spec.hpp"
+
+namespace stepwire {
+
+/// Draws a figure into FOLDER/NAME.svg and writes its spec to FOLDER/NAME.json, or under another name where
+/// something else has that. Throws SurroundingsError.
+void write_figure(const std::string& folder, const std::string& name, const FigureSpec& figure,
+                  const std::string& json_name = {});
+
+}  // namespace stepwire

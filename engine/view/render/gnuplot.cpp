@@ -1,0 +1,63 @@
+#include "engine/view/render/gnuplot.hpp"
+
+#include <fmt/format.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <string_view>
+
+#include "engine/base/io/surroundings.hpp"
+#include "engine/base/subprocess/process.hpp"
+#include "engine/view/svg/svg.hpp"
+
+namespace stepwire {
+namespace {
+
+/// A file in memory that a child may open by its path; it is gone with this process, however that ends.
+class ScriptFile {
+ public:
+  explicit ScriptFile(std::string_view text) : number_(::memfd_create("script", MFD_CLOEXEC)) {
+    while (number_ >= 0 && !text.empty()) {
+      const ssize_t count = ::write(number_, text.data(), text.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count <= 0) break;
+      text.remove_prefix(static_cast<std::size_t>(count));
+    }
+    if (!text.empty()) {
+      const std::string reason = std::strerror(errno);
+      if (number_ >= 0) ::close(number_);
+      throw SurroundingsError("there is no memory for a picture: " + reason);
+    }
+  }
+  ScriptFile(const ScriptFile&) = delete;
+  ScriptFile& operator=(const ScriptFile&) = delete;
+  ~ScriptFile() { ::close(number_); }
+
+  std::string path() const { return fmt::format("/proc/{}/fd/{}", ::getpid(), number_); }
+
+ private:
+  int number_;
+};
+
+}  // namespace
+
+bool has_gnuplot() {
+  return !find_program("gnuplot").empty();
+}
+
+GnuplotAnswer run_gnuplot(const std::string& script) {
+  const std::string program = find_program("gnuplot");
+  if (program.empty())
+    throw SurroundingsError("gnuplot is not installed; on Debian it is the package gnuplot-nox");
+  // Its standard input it would read letter by letter, with a call of the system for each.
+  const ScriptFile file(script);
+  ProcessResult result = run_process({.command = {program, "-d", file.path()}});
+  replace_all(result.errors, file.path(), "script");
+  if (result.end == ProcessResult::End::stopped) throw ProcessStopped("gnuplot was stopped");
+  if (!result.succeeded()) throw SurroundingsError("gnuplot failed: " + result.problem("gnuplot"));
+  return {std::move(result.output), std::move(result.errors)};
+}
+
+}  // namespace stepwire

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "engine/view/plot/plot_spec.hpp"
+
+namespace stepwire {
+
+/// The commands of gnuplot for the axes, the frame, the grid and the legend of a plot.
+std::string axes_commands(const PlotSpec& plot);
+
+/// The command that sets the colours of the colour axis; empty where there is none.
+std::string palette_command(const PlotSpec& plot);
+
+/// The commands that write texts in front of all marks.
+std::string text_commands(const PlotSpec& plot);
+
+}  // namespace stepwire

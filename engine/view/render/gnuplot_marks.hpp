@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/view/plot/plot_mark.hpp"
+
+namespace stepwire {
+
+/// The commands of gnuplot that draw the marks of one panel, in their order.
+class GnuplotMarks {
+ public:
+  /// `panel` starts the names of data blocks, so that panels of one picture do not share them.
+  explicit GnuplotMarks(std::string panel) : panel_(std::move(panel)) {}
+
+  void operator()(const LineMark& mark);
+  void operator()(const BandMark& mark);
+  void operator()(const SpanMark& mark);
+  void operator()(const AreaMark& mark);
+  void operator()(const PointsMark& mark);
+  void operator()(const BoxesMark& mark);
+  void operator()(const RectanglesMark& mark);
+  void operator()(const ImageMark& mark);
+  void operator()(const VectorsMark& mark);
+  void operator()(const SurfaceMark& mark);
+
+  /// Data blocks and settings, and behind them `plot` or `splot` with all marks; in space the latter.
+  std::string text(bool space) const;
+
+ private:
+  using Columns = std::vector<const std::vector<double>*>;
+
+  /// Writes pieces as a data block, with a gap between two of them, and returns its name.
+  std::string data(const std::vector<Columns>& pieces, const char* gap = "\n\n");
+  void plot(const std::string& item, const std::string& legend = {}, const std::string& behind = {});
+
+  std::string panel_, commands_;
+  std::vector<std::string> items_;
+  std::size_t blocks_ = 0;
+};
+
+/// Size of gnuplot's points for a diameter [px] in pictures with its font of 13 pixels.
+double point_size(double diameter);
+
+}  // namespace stepwire

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "engine/view/plot/plot_spec.hpp"
+
+namespace stepwire {
+
+/// Draws a figure whose panels are plots. Throws SurroundingsError where gnuplot is missing or fails.
+Drawing render_gnuplot(const FigureSpec& figure);
+
+/// All that gnuplot gets for such a figure.
+std::string gnuplot_script(const FigureSpec& figure);
+
+}  // namespace stepwire

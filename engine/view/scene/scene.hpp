@@ -1,0 +1,131 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/analyse/query/formula.hpp"
+#include "engine/analyse/query/names.hpp"
+#include "engine/base/yaml/document.hpp"
+
+namespace stepwire {
+
+/// A kind of object, and the keys that it takes beside those of all objects.
+struct SceneKind {
+  std::string name;
+  std::string doc;  ///< of the value under its name
+  std::size_t least_points = 1, most_points = 1;
+  std::string color;  ///< where the file gives none
+  std::vector<std::string> keys;
+};
+
+/// All kinds of objects.
+const std::vector<SceneKind>& scene_kinds();
+
+/// A key with its explanation, for reference pages and the schema.
+struct SceneKey {
+  std::string name;
+  std::string doc;
+};
+
+/// Keys of objects: color and when, which all take, and those that some kinds take.
+const std::vector<SceneKey>& scene_object_keys();
+/// Keys of the animation.
+const std::vector<SceneKey>& scene_animation_keys();
+
+/// A colour by its name, such as blue.
+struct SceneColor {
+  std::string name;
+  std::string value;  ///< "#rrggbb"
+};
+
+/// The colours that have names.
+const std::vector<SceneColor>& scene_colors();
+
+/// A place among the formulas of a scene.
+using FormulaIndex = std::size_t;
+
+/// A colour that an object has while a condition holds, or whenever no earlier one does.
+struct ColorRule {
+  SceneColor color;
+  std::optional<FormulaIndex> when;
+};
+
+/// A wall of a region: one line of its boundary.
+struct SceneWall {
+  std::vector<std::array<double, 2>> points;  ///< [m]
+  bool closed = true;
+};
+
+/// One object. Its numbers are formulas of the scene.
+struct SceneObject {
+  const SceneKind* kind = nullptr;
+  std::string name;
+  std::vector<std::array<FormulaIndex, 2>> points;  ///< x, y [m]
+  std::optional<FormulaIndex> radius, width, size;  ///< [m]; without one as it suits the view
+  std::optional<FormulaIndex> when;                 ///< it is shown while this is true
+  std::vector<ColorRule> colors;                    ///< the first that holds; the last always does
+  std::vector<SceneWall> walls;
+  std::optional<SceneColor> crossed;                   ///< of the wall that is crossed
+  std::optional<FormulaIndex> distance;                ///< beyond the boundary of walls while above 0 [m]
+  std::optional<std::array<FormulaIndex, 2>> nearest;  ///< point of the boundary, tells which wall is crossed
+  std::string text;
+};
+
+/// What of a run is animated, and how fast.
+struct SceneAnimation {
+  std::optional<double> from, to;  ///< [s]
+  double speed = 1.0;              ///< seconds of the run in one of the animation
+  std::optional<Formula> where;    ///< of several runs that with the first row for which this is true
+};
+
+/// Objects in the plane that follow signals: what somebody at the device sees. Coordinates are metres, y
+/// upward.
+struct Scene {
+  std::array<double, 2> x{}, y{};   ///< what is in view [m]
+  std::string background = "dark";  ///< dark, light, or "#rrggbb"
+  std::vector<SceneObject> objects;
+  std::vector<Formula> formulas;
+  SceneAnimation animation;
+  std::size_t recording = 0;  ///< which one has the signals
+  Mark mark;
+};
+
+/// Reads the section `scene`. Everything that is wrong goes to `faults`.
+Scene read_scene(const Node& node, const Names& names, Faults& faults);
+
+/// What is shown of an object at one instant, in the colour that it has then.
+struct SceneShape {
+  const SceneObject* object = nullptr;
+  std::size_t wall = 0;                       ///< which one of its walls, whose points stand there
+  std::vector<std::array<double, 2>> points;  ///< of what is no wall [m]
+  double size = 0.0;                          ///< radius, or height of letters [m]
+  double width = 0.0;                         ///< of its line [m]
+  SceneColor color;
+  bool crossed = false;  ///< a wall beyond which the object's distance lies
+  bool shown = true;     ///< false also where a coordinate is no number
+};
+
+/// A scene whose formulas know where in a row their signals stand.
+class SceneView {
+ public:
+  /// Throws std::invalid_argument if a signal is not among the columns.
+  SceneView(const Scene& scene, const std::vector<std::string>& columns);
+
+  /// What is shown where the columns have these values: for any row the same shapes, in the order in which
+  /// they are drawn, with other places, colours and visibility. The scene has to outlive them.
+  std::vector<SceneShape> shapes(std::span<const double> row) const;
+
+ private:
+  const Scene& scene_;
+  std::vector<std::vector<std::size_t>> places_;  ///< of the columns of each formula
+};
+
+/// One instant of a recording as a row for a view of it.
+std::vector<double> row_of(const Recording& recording, std::size_t row);
+/// The view of a scene onto its recording.
+SceneView view_of(const Scene& scene, const Recording& recording);
+
+}  // namespace stepwire

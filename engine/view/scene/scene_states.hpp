@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/view/scene/scene.hpp"
+
+namespace stepwire {
+
+/// What a scene shows as columns of 0 and 1, for claims and figures: scene.NAME.COLOUR is 1 while the object
+/// has that colour, of those that it can have; scene.NAME.shown while it is shown, where it is not always.
+/// Several walls of which one turns red are
+/// scene.NAME.1.COLOUR, ..., in the order of the region's boundary lines.
+std::vector<RecordedName> scene_state_names(const Scene& scene);
+
+/// Adds these columns to the recording of the scene.
+void add_scene_states(const Scene& scene, std::vector<Recording>& recordings);
+
+}  // namespace stepwire

@@ -1,0 +1,167 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "tests/engine/view/plot/samples.hpp"
+
+using namespace stepwire;
+using namespace stepwire::testing;
+
+namespace {
+
+Verdict verdict_of(const std::string& text, const std::vector<Recording>& recordings) {
+  const auto read = claims_of("- {that: a, " + text + "}");
+  INFO(read.faults);
+  REQUIRE(read.faults.empty());
+  return judge(read.claims.at(0), recordings);
+}
+
+/// One run with these columns x over time.
+std::vector<Recording> record_of(std::vector<double> time, std::vector<double> x,
+                                 std::vector<std::size_t> starts = {0}) {
+  Recording recording;
+  recording.table.columns = {column("time", "s", std::move(time)), column("rig.x", "m", std::move(x))};
+  recording.starts = std::move(starts);
+  return {recording};
+}
+
+}  // namespace
+
+TEST_CASE("mean and rms of a sine over half a period are 2/pi and the square root of a half") {
+  std::vector<double> time, x;
+  for (int i = 0; i <= 2000; ++i) {
+    // Rows are closer together at the end: the mean is one over time, not over rows.
+    const double part = i / 2000.0;
+    time.push_back(M_PI * std::sqrt(part));
+    x.push_back(std::sin(time.back()));
+  }
+  const auto records = record_of(time, x);
+  CHECK(verdict_of("mean: rig.x, at_most: 1", records).value == Approx(2.0 / M_PI).epsilon(1e-4));
+  CHECK(verdict_of("rms: rig.x, at_most: 1", records).value == Approx(std::sqrt(0.5)).epsilon(1e-4));
+}
+
+TEST_CASE("rows that are left out and ends of runs break an interval of time") {
+  // Runs 0..2 and 0..1; the row at 1 s of the first is left out, so that only the second run has a duration.
+  const auto records = record_of({0, 1, 2, 0, 1}, {8, 9, 8, 2, 4}, {0, 3});
+  CHECK(verdict_of("mean: rig.x, where: rig.x < 9 m, at_most: 1", records).value == 3.0);
+  CHECK(verdict_of("mean: rig.x, at_most: 1", records).value == Approx((17.0 + 3.0) / 3.0));
+}
+
+TEST_CASE("the worst run is shown for a final value") {
+  const auto records = record_of({0, 1, 0, 1, 0, 1}, {0, 5, 0, 7, 0, 6}, {0, 2, 4});
+  const Verdict verdict = verdict_of("final: rig.x, at_most: 6.5 m", records);
+  CHECK(verdict.value == 7.0);
+  CHECK(verdict.shown == "7 m, the worst of 3 runs");
+  CHECK_FALSE(verdict.holds);
+  CHECK(verdict_of("final: rig.x, at_least: 5 m", records).holds);
+  CHECK(verdict_of("at: {time: 0.9, value: rig.x}, equals: 6, within: 1", records).value == 5.0);
+}
+
+TEST_CASE("max, min, spread, fraction and count are what they say") {
+  const auto records = record_of({0, 1, 2, 3, 0, 1}, {0, 2, -1, 3, 4, 0}, {0, 4});
+  CHECK(verdict_of("max: rig.x, at_most: 4", records).value == 4.0);
+  CHECK(verdict_of("min: rig.x, at_most: 4", records).value == -1.0);
+  CHECK(verdict_of("spread: rig.x, at_most: 4", records).value == 5.0);
+  CHECK(verdict_of("fraction: rig.x > 1, at_most: 50 %", records).shown == "50 %");
+  // A run that begins above has no edge there.
+  CHECK(verdict_of("count: rig.x > 1, equals: 2", records).holds);
+}
+
+TEST_CASE("the fit of a constant error is that of its definition") {
+  const auto records = record_of({0, 1, 2, 3}, {1, 2, 3, 4});
+  // |e| = 0.1 * 2, |y - mean| = sqrt(5).
+  const Verdict verdict = verdict_of("fit: [rig.x + 0.1, rig.x], at_least: 88 %", records);
+  CHECK(verdict.value == Approx(100.0 * (1.0 - 0.2 / std::sqrt(5.0))));
+  CHECK(verdict.shown == "91.06 %");
+  CHECK(verdict_of("rising: {value: rig.x, over: -time}, equals: -1", records).holds);
+}
+
+TEST_CASE("a free offset takes the mean difference out of a fit") {
+  const auto records = record_of({0, 1, 2, 3}, {1, 2, 3, 4});
+  CHECK(verdict_of("fit: [rig.x + 0.1, rig.x], offset: free, equals: 100, within: 1e-9", records).holds);
+  // 2 x - x has the mean 2.5 and the same spread about it as x, so the error is all of the variation.
+  CHECK(verdict_of("fit: [2*rig.x, rig.x], offset: free, at_least: -1", records).value ==
+        Approx(0.0).margin(1e-12));
+}
+
+TEST_CASE("a claim about each run shows the worst of them") {
+  const auto records = record_of({0, 1, 0, 1, 0, 1}, {0, 5, 0, 7, 0, 6}, {0, 2, 4});
+  const Verdict verdict = verdict_of("spread: rig.x, each_run: true, at_most: 6.5 m", records);
+  CHECK(verdict.value == 7.0);
+  CHECK(verdict.shown == "7 m, the worst of 3 runs");
+  CHECK(verdict_of("mean: rig.x, each_run: true, at_least: 2 m", records).value == 2.5);
+  // The first run never goes beyond 5 m.
+  CHECK(verdict_of("min: rig.x, each_run: true, where: rig.x > 5 m, at_most: 9", records).value == 7.0);
+  CHECK(verdict_of("final: rig.x, where: rig.x > 6.5 m, at_least: 9", records).value == 7.0);
+}
+
+TEST_CASE("comparisons hold at their ends") {
+  const auto records = record_of({0, 1}, {2, 2});
+  CHECK(verdict_of("max: rig.x, at_most: 2 m", records).holds);
+  CHECK(verdict_of("max: rig.x, at_least: 2 m", records).holds);
+  CHECK(verdict_of("max: rig.x, between: [1, 2]", records).holds);
+  CHECK(verdict_of("max: rig.x, equals: 2", records).holds);
+  CHECK(verdict_of("max: rig.x, equals: 2.5, within: 20 %", records).holds);
+  CHECK_FALSE(verdict_of("max: rig.x, equals: 2.5, within: 19 %", records).holds);
+  CHECK_FALSE(verdict_of("max: rig.x, equals: 2.5, within: 0.4", records).holds);
+}
+
+TEST_CASE("a value just beyond its limit is not rounded onto it") {
+  const Verdict verdict = verdict_of("max: rig.x, at_most: 2 mm", record_of({0}, {2.0000001e-3}));
+  CHECK_FALSE(verdict.holds);
+  CHECK(verdict.shown == "2.0000001 mm");
+}
+
+TEST_CASE("a claim without rows fails and says why") {
+  const auto records = record_of({0, 1}, {2, 3});
+  const Verdict none = verdict_of("max: rig.x, where: rig.x > 5 m, at_most: 100", records);
+  CHECK_FALSE(none.holds);
+  CHECK(std::isnan(none.value));
+  CHECK(none.note == "'rig.x > 5 m' selects no row");
+  CHECK(verdict_of("max: rig.x, at_most: 9", record_of({}, {})).note == "no row was recorded");
+  CHECK(verdict_of("max: rig.x, at_most: 9", {}).note == "nothing was recorded");
+  CHECK(verdict_of("max: rig.v, at_most: 9", records).note == "'rig.v' was not recorded");
+  CHECK(verdict_of("at: {time: 3 s, value: rig.x}, at_most: 9", records).note ==
+        "there is no row at 3 s; the record goes from 0 s to 1 s");
+}
+
+TEST_CASE("what is not a number never holds") {
+  const auto records = record_of({0, 1}, {NAN, 3});
+  for (const std::string reduction : {"max", "min", "mean", "rms", "spread", "count"}) {
+    INFO(reduction);
+    const Verdict verdict = verdict_of(reduction + ": rig.x/1 m, at_least: -1e300", records);
+    CHECK_FALSE(verdict.holds);
+    CHECK(verdict.note == "the value is not a number");
+  }
+}
+
+TEST_CASE("a claim that is known not to hold surprises when it holds") {
+  const auto records = record_of({0, 1}, {2, 3});
+  const Verdict known = verdict_of("max: rig.x, at_most: 1, disagrees: too strong", records);
+  CHECK(known.word() == "does not hold (known)");
+  CHECK(known.disagrees == "too strong");
+  CHECK_FALSE(known.fails());
+  CHECK_FALSE(known.surprises());
+  const Verdict surprise = verdict_of("max: rig.x, at_most: 9, disagrees: too strong", records);
+  CHECK(surprise.surprises());
+  CHECK(verdict_of("max: rig.x, at_most: 1", records).fails());
+}
+
+TEST_CASE("what is below the resolution of what was recorded is shown as 0, unless it decides") {
+  const auto records = record_of({0, 1, 2}, {0.2, 0.2, -0.2});
+  CHECK(verdict_of("max: rig.x + 1e-17 - rig.x, at_most: 1 m", record_of({0}, {0.2})).shown == "0 m");
+  CHECK(verdict_of("final: rig.x*5e-320, at_least: -1 mm", records).shown == "0 mm");
+  CHECK(verdict_of("max: 1e-15*rig.x, at_most: 0 m", records).shown == "2e-16 m");
+  CHECK(verdict_of("max: 1e-9*rig.x, at_most: 1 m", records).shown == "2e-10 m");
+}
+
+TEST_CASE("a small length has a small unit where the file gives none") {
+  const auto records = record_of({0, 1}, {0.0143, 0.0143});
+  CHECK(verdict_of("max: rig.x, at_most: $reach", records).shown == "14.3 mm");
+  CHECK(verdict_of("max: rig.x, at_most: 1 m", records).shown == "0.0143 m");
+  CHECK(verdict_of("max: 100*rig.x, at_most: 2*$reach", records).shown == "1.43 m");
+}
+
+TEST_CASE("a length is no condition whose share could be taken") {
+  CHECK_THAT(claims_of("- {that: a, fraction: rig.x, at_most: 1}").faults,
+             Catch::Contains("'rig.x' is in m and no condition; write what has to hold"));
+}

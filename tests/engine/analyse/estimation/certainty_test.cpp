@@ -1,0 +1,46 @@
+#include "engine/analyse/estimation/certainty.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+using namespace stepwire;
+
+namespace {
+
+const std::vector<std::string> names{"A", "alpha", "c"};
+
+}  // namespace
+
+TEST_CASE("a direction of two is their product or their ratio") {
+  CHECK(in_words(Eigen::Vector3d(1.0, -1.0, 0.0), names) ==
+        "only the product of A and alpha can be known; fix one of them");
+  CHECK(in_words(Eigen::Vector3d(1.0, 1.0, 0.001), names) ==
+        "only the ratio of A and alpha can be known; fix one of them");
+}
+
+TEST_CASE("a direction of one against several is their products, any other is shown with its parts") {
+  CHECK(in_words(Eigen::Vector3d(1.0, -1.0, -1.0), names) ==
+        "only the products of A with alpha and c can be known; fix one of them");
+  CHECK(in_words(Eigen::Vector3d(1.0, -0.5, 0.0), names) ==
+        "only combinations of A and alpha can be known, since A +1 % and alpha -0.5 % together change "
+        "nothing; fix one of them");
+  CHECK(in_words(Eigen::Vector3d(0.0, 0.0, 1.0), names) == "c moves nothing that is compared; fix it");
+}
+
+TEST_CASE("what is known beside a product keeps its error, and the product's members have none") {
+  // r = 2 a b + c t - y at a = 3, b = -5: both columns are multiples of one another.
+  Eigen::Matrix<double, 5, 3, Eigen::RowMajor> jacobian;
+  Eigen::VectorXd residuals(5);
+  for (int t = 0; t < 5; ++t) {
+    jacobian.row(t) << 2.0 * -5.0, 2.0 * 3.0, t;
+    residuals[t] = t % 2 == 0 ? 0.1 : -0.1;
+  }
+  const Certainty certainty = certainty_of(residuals, jacobian, Eigen::Vector3d(3.0, -5.0, 1.0), 3.0, {0});
+  CHECK(std::isnan(certainty.standard_errors[0]));
+  CHECK(std::isnan(certainty.standard_errors[1]));
+  // The slope of a straight line over t = 0 to 4, whose sum of squares about the mean is 10.
+  CHECK(certainty.standard_errors[2] == Approx(std::sqrt(0.05 / 3.0 / 10.0)));
+  REQUIRE(certainty.free_directions.size() == 1);
+  CHECK(in_words(certainty.free_directions[0], names) ==
+        "only the product of A and alpha can be known; fix one of them");
+}

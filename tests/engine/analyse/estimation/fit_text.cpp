@@ -1,0 +1,53 @@
+#include "tests/engine/analyse/estimation/fit_text.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "blocks/register.hpp"
+#include "engine/app/cli/work.hpp"
+
+namespace stepwire {
+
+FitResult fit_text(const std::string& yaml, CodeSource* code, const FitOptions& options) {
+  static const Registry registry = all_blocks();
+  const std::string file = "fit.yaml";
+  Loader loader(registry);
+  loader.add(parse_document("stepwire: 1\ntitle: test\n" + yaml, file));
+  const Work work = prepare(loader, file, {});
+  REQUIRE(work.fit);
+  return fit({loader, file, {}, code}, work.job, *work.fit, options);
+}
+
+std::string fit_error(const std::string& yaml) {
+  try {
+    fit_text(yaml);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+const FittedNumber& found(const FitResult& result, const std::string& name) {
+  for (const FittedNumber& number : result.numbers)
+    if (number.title() == name) return number;
+  FAIL("nothing was found for " << name);
+  return result.numbers.front();
+}
+
+std::string straight_line(const std::string& fit) {
+  return R"(step: 1 s
+stop: 7 s
+parameters:
+  slope: {value: 1, doc: of the line}
+  bias: {value: 0, doc: of the line}
+blocks:
+  t: {block: Ramp, slope: 1}
+  model: {block: Sum, u: [steep, level]}
+  steep: {block: Gain, u: t, gain: $slope}
+  level: {block: Constant, value: $bias}
+  y: {block: LookupTable, u: t, points: [0, 1, 2, 3, 4, 5, 6, 7], values: [1.1, 2.9, 5.2, 6.8, 9.1, 11.2, 12.8, 15.1]}
+record: [model, y, steep]
+fit:
+)" + fit;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,97 @@
+#include "engine/analyse/statistics/repeated_measures.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "engine/analyse/statistics/statistics_error.hpp"
+#include "tests/engine/analyse/statistics/textbook.hpp"
+
+// Numbers of R 4.2.2; each command stands at its test. The probability of Mauchly's W is that of Box's
+// expansion with the number of contrasts p everywhere: mauchly.test has the number of cells in one place
+// (0.0437 and 0.0217 below).
+//   f <- function(W, p, n) { rho <- 1 - (2*p^2+p+2)/(6*p*n)
+//     w2 <- (p+2)*(p-1)*(p-2)*(2*p^3+6*p^2+3*p+2)/(288*(n*p*rho)^2); z <- -n*rho*log(W); d <- p*(p+1)/2-1
+//     a <- pchisq(z, d, lower=FALSE); a + w2*(pchisq(z, d+4, lower=FALSE) - a) }
+
+using namespace stepwire;
+using namespace stepwire::textbook;
+using Catch::Matchers::Contains;
+
+TEST_CASE("the drugs of Student's sleep data differ as R says") {
+  // summary(aov(extra ~ group + Error(ID/group), sleep))
+  const Anova all = repeated_measures(sleep(), {"group"}, "ID");
+  const AnovaRow& group = *all.find("group");
+  CHECK(group.f == Approx(16.50088).epsilon(3e-7));
+  CHECK(group.p == Approx(0.0028329).epsilon(1e-5));
+  CHECK(group.against == "group:ID");
+  CHECK(all.find("group:ID")->freedom == 9.0);
+  CHECK_FALSE(group.sphericity.has_value());
+}
+
+TEST_CASE("F of two conditions is the square of the paired t") {
+  const Observations data = sleep();
+  double sum = 0.0, squares = 0.0;
+  for (std::size_t i = 0; i < 10; ++i) {
+    const double difference = data.values[i + 10] - data.values[i];
+    sum += difference, squares += difference * difference;
+  }
+  const double variance = (squares - sum * sum / 10.0) / 9.0, t = sum / 10.0 / std::sqrt(variance / 10.0);
+  CHECK(repeated_measures(data, {"group"}, "ID").find("group")->f == Approx(t * t).epsilon(1e-12));
+}
+
+TEST_CASE("four stools are told apart, and are not spherical") {
+  // e <- ergoStool[order(ergoStool$Subject, ergoStool$Type),]; summary(aov(effort ~ Type +
+  // Error(Subject/Type), e)) m <- lm(matrix(e$effort, ncol=4, byrow=TRUE) ~ 1); anova(m, X=~1,
+  // test="Spherical"); mauchly.test(m, X=~1)
+  const Anova all = repeated_measures(stools(), {"Type"}, "Subject");
+  const AnovaRow& type = *all.find("Type");
+  CHECK(type.f == Approx(22.35564).epsilon(3e-7));
+  CHECK(type.p == Approx(3.9345638094e-07).epsilon(1e-9));
+  REQUIRE(type.sphericity.has_value());
+  CHECK(type.sphericity->epsilon == Approx(0.6459).margin(5e-5));
+  CHECK(type.sphericity->p_corrected == Approx(3.00556383917e-05).epsilon(1e-9));
+  CHECK(type.sphericity->mauchly == Approx(0.1796005467).epsilon(1e-9));
+  CHECK(type.sphericity->p_mauchly == Approx(0.043647965565).epsilon(1e-8));
+  REQUIRE(all.warnings.size() == 1);
+  CHECK_THAT(all.warnings[0], Contains("'Type' is not spherical (Greenhouse-Geisser epsilon 0.646"));
+}
+
+TEST_CASE("two factors within subjects are compared each with its own interaction") {
+  // summary(aov(Y ~ N*V + Error(B/(N*V)), oats)); m <- lm(matrix(o$Y, nrow=6, byrow=TRUE) ~ 1), o ordered by
+  // B, V, N id <- expand.grid(N=factor(1:4), V=factor(1:3)); anova(m, idata=id, X=~V, M=~V+N,
+  // test="Spherical"); for V: X=~N; for N:V: X=~V+N, M=~V*N; mauchly.test(m, idata=id, X=~V, M=~V+N)
+  const Anova all = repeated_measures(oats(), {"V", "N"}, "B");
+  CHECK(all.find("N")->f == Approx(55.98052).epsilon(2e-7));
+  CHECK(all.find("N")->sphericity->epsilon == Approx(0.6492).margin(5e-5));
+  CHECK(all.find("N")->sphericity->p_corrected == Approx(4.85548414103e-06).epsilon(1e-9));
+  CHECK(all.find("N")->sphericity->p_mauchly == Approx(0.0208734854549).epsilon(1e-8));
+  CHECK(all.find("V")->sphericity->p_mauchly == Approx(0.512159409).epsilon(1e-8));
+  CHECK(all.find("V")->f == Approx(1.48534).epsilon(4e-6));
+  CHECK(all.find("V")->sphericity->p_corrected == Approx(0.276759253167).epsilon(1e-10));
+  CHECK(all.find("V:N")->f == Approx(0.26029).margin(6e-6));
+  CHECK(all.find("V:N")->sphericity->p_corrected == Approx(0.868395261698).epsilon(1e-10));
+  CHECK(std::isnan(all.find("V:N")->sphericity->mauchly));
+}
+
+TEST_CASE("several trials of one subject in one cell count as their mean") {
+  Observations twice = sleep();
+  const Observations once = twice;
+  for (std::size_t i = 0; i < once.values.size(); ++i) {
+    twice.values[i] += 0.3;
+    twice.values.push_back(once.values[i] - 0.3);
+    for (Factor& factor : twice.factors) factor.level.push_back(factor.level[i]);
+  }
+  CHECK(repeated_measures(twice, {"group"}, "ID").find("group")->f ==
+        Approx(repeated_measures(once, {"group"}, "ID").find("group")->f).epsilon(1e-10));
+}
+
+TEST_CASE("a design that is not complete is refused with the cell that is missing") {
+  Observations some = sleep();
+  some.values.pop_back();
+  for (Factor& factor : some.factors) factor.level.pop_back();
+  CHECK_THROWS_WITH(repeated_measures(some, {"group"}, "ID"),
+                    Contains("the design is not complete: there is no value for ID 10, group 2"));
+  const Observations alone{
+      "error", {1.0, 2.0}, {running("condition", 2, 1, 2), running("subject", 1, 1, 2, true)}};
+  CHECK_THROWS_WITH(repeated_measures(alone, {"condition"}, "subject"), Contains("two subjects or more"));
+}

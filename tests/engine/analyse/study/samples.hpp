@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "engine/analyse/study/path_errors.hpp"
+
+namespace stepwire::testing {
+
+constexpr double mm = 1e-3, degree = std::numbers::pi / 180.0;
+
+/// 100 points about a circle of 50 mm at (20 mm, -10 mm): the radius is larger by `outwards`, and by `ripple`
+/// more or less at every other point [m].
+inline Trial circle_drawing(const std::string& subject, const std::string& condition, double outwards,
+                            double ripple) {
+  Trial trial{subject, "1", condition, {}, PlanePoints(2, 100)};
+  for (int i = 0; i < 100; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / 100.0;
+    const double radius = 50 * mm + outwards + (i % 2 == 0 ? ripple : -ripple);
+    trial.time.push_back(0.25 * i);
+    trial.points.col(i) << 20 * mm + radius * std::cos(angle), -10 * mm + radius * std::sin(angle);
+  }
+  return trial;
+}
+
+/// A straight way of 30 mm to the region x <= 0, so much off the shortest one.
+inline Trial straight_return(const std::string& subject, const std::string& condition, double angle) {
+  Trial trial{subject, "2", condition, {}, PlanePoints(2, 61)};
+  for (int i = 0; i <= 60; ++i) {
+    const double to_go = 0.5 * mm * (60 - i);
+    trial.time.push_back(0.1 * i);
+    trial.points.col(i) << to_go * std::cos(angle), to_go * std::sin(angle);
+  }
+  return trial;
+}
+
+inline Eigen::Vector2d to_half_plane(const Eigen::Vector2d& point) {
+  return point.x() > 0.0 ? Eigen::Vector2d(-1.0, 0.0) : Eigen::Vector2d(0.0, 0.0);
+}
+
+/// Ten subjects whose mean errors are those that the thesis prints, each subject a share above or below.
+inline PathErrors errors_of(const std::string& task,
+                            const std::vector<std::pair<std::string, double>>& means) {
+  PathErrors errors{task, "m", "rad", "made up", {}, {}, {}};
+  for (int subject = 0; subject < 10; ++subject)
+    for (std::size_t k = 0; k < means.size(); ++k) {
+      const double share = 0.3 * std::sin(1.0 + 2.0 * subject + 5.0 * static_cast<double>(k));
+      PathError row{std::to_string(subject + 1), means[k].first};
+      row.error = row.normalised = row.raw = means[k].second * (1.0 + share);
+      errors.rows.push_back(row);
+    }
+  return errors;
+}
+
+}  // namespace stepwire::testing

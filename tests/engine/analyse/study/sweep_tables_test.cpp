@@ -1,0 +1,78 @@
+#include <catch2/catch.hpp>
+
+#include "engine/analyse/study/study_tables.hpp"
+#include "tests/engine/analyse/study/samples.hpp"
+
+using namespace stepwire;
+using namespace stepwire::testing;
+
+namespace {
+
+StudyRequest request_of_task_1() {
+  StudyRequest request;
+  request.task = "1";
+  request.subjects = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+  for (const FeedbackCondition& one : thesis_conditions())
+    if (!one.guiding_path) request.conditions.push_back({one, {}});
+  return request;
+}
+
+Experiment experiment_of(const std::string& offset,
+                         const std::vector<std::pair<std::string, double>>& means) {
+  Experiment experiment;
+  experiment.sets.push_back({"offset", offset});
+  experiment.errors = errors_of("1", means);
+  experiment.analysis = analyse(experiment.errors);
+  return experiment;
+}
+
+std::vector<NamedTable> tables_of(const Experiments& experiments) {
+  std::vector<NamedTable> tables = empty_study_tables(true);
+  fill_sweep_tables(experiments, request_of_task_1(), tables);
+  return tables;
+}
+
+}  // namespace
+
+TEST_CASE("a swept study has a line for each point, with what is published below them") {
+  // The means of section 4.3.1, then the same with H and V in each other's place.
+  const auto tables =
+      tables_of({experiment_of("2 N", {{"NO", 0.698}, {"H", 0.217}, {"V", 0.114}, {"HV", 0.079}}),
+                 experiment_of("5 N", {{"NO", 0.698}, {"H", 0.114}, {"V", 0.217}, {"HV", 0.079}})});
+  REQUIRE(tables.size() == 2);
+  const TextTable& means = *tables[0].table;
+  CHECK(means.columns == std::vector<std::string>{"offset", "NO", "H", "V", "HV", "(1)"});
+  REQUIRE(means.rows.size() == 3);
+  CHECK(means.rows[0].front() == "2 N");
+  CHECK(means.rows[0].back() == "holds");
+  CHECK(means.rows[1].front() == "5 N");
+  CHECK(means.rows[1].back() == "fails");
+  CHECK(means.rows[2] == std::vector<std::string>{"thesis", "0.698", "0.217", "0.114", "0.079", "–"});
+  CHECK(means.notes == std::vector<std::string>{"(1) The thesis: order NO > H > V > HV."});
+}
+
+TEST_CASE("whether factors are significant as published is told for each point") {
+  // Ten people whose errors differ by a third at most: the means of the thesis tell both factors; equal means
+  // tell none.
+  const auto tables =
+      tables_of({experiment_of("2 N", {{"NO", 0.698}, {"H", 0.217}, {"V", 0.114}, {"HV", 0.079}}),
+                 experiment_of("5 N", {{"NO", 0.3}, {"H", 0.3}, {"V", 0.3}, {"HV", 0.3}})});
+  const TextTable& significance = *tables[1].table;
+  CHECK(significance.columns == std::vector<std::string>{"offset", "haptic", "visual", "(1)", "(2)"});
+  REQUIRE(significance.rows.size() == 3);
+  CHECK(significance.rows[0][3] == "holds");
+  CHECK(significance.rows[0][4] == "holds");
+  CHECK(significance.rows[1][3] == "fails");
+  CHECK(significance.rows[1][4] == "fails");
+}
+
+TEST_CASE("a point whose trials cannot be analysed says why") {
+  Experiment lost;
+  lost.sets.push_back({"offset", "9 N"});
+  lost.not_analysed = "all errors are zero";
+  const auto tables =
+      tables_of({lost, experiment_of("2 N", {{"NO", 0.7}, {"H", 0.2}, {"V", 0.1}, {"HV", 0.05}})});
+  const TextTable& means = *tables[0].table;
+  CHECK(means.rows[0] == std::vector<std::string>{"9 N", "–", "–", "–", "–", "–"});
+  CHECK(means.notes.front() == "Not analysed with offset=9 N: all errors are zero.");
+}

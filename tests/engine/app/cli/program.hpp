@@ -1,0 +1,47 @@
+#pragma once
+
+#include <csignal>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tests/engine/base/table/scratch.hpp"
+
+/// What the program was given besides its arguments.
+struct Call {
+  std::vector<std::string> arguments;
+  std::map<std::string, std::optional<std::string>>
+      environment;                                    ///< set, or taken away where there is no value
+  std::optional<unsigned long> most_bytes_of_file{};  ///< a disk that is full beyond
+  std::optional<double> interrupt_after{};            ///< [s]; by these signals, one at once behind the other
+  std::vector<int> signals{SIGINT};
+  std::string interrupt_when{};    ///< once this file is there, instead of after a time
+  std::string out_to{}, err_to{};  ///< where standard output and error go; files of ours if empty
+  std::vector<int> closed{};       ///< streams that are closed
+  bool closed_pipe = false;        ///< standard output is a pipe that nobody reads
+  bool no_threads = false;         ///< no thread can be begun
+};
+
+/// What became of it.
+struct Done {
+  int code = -1;  ///< exit status; 128 + signal where one ended it
+  std::string out, err;
+  double seconds = 0.0;
+  double megabytes = 0.0;  ///< of memory at most
+};
+
+/// Runs the built program in a folder.
+Done run_program(const Scratch& folder, const Call& call);
+Done run_program(const Scratch& folder, const std::vector<std::string>& arguments);
+
+/// Lines of a text, without their ends.
+std::vector<std::string> lines_of(const std::string& text);
+/// All of a file; empty if it is not there.
+std::string content_of(const std::string& path);
+
+/// A lag that follows a step, with a parameter, a record and a claim that holds.
+extern const std::string lag_yaml;
+/// One that goes on for minutes.
+extern const std::string endless_yaml;

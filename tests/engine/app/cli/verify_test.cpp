@@ -1,0 +1,69 @@
+#include <catch2/catch.hpp>
+
+#include "tests/engine/app/cli/program.hpp"
+
+using Catch::Contains;
+
+namespace {
+
+void change(const Scratch& folder, const std::string& file, const std::string& what, const std::string& by) {
+  std::string content = content_of(folder.path(file));
+  const std::size_t at = content.find(what);
+  REQUIRE(at != std::string::npos);
+  folder.file(file, content.replace(at, what.size(), by));
+}
+
+}  // namespace
+
+TEST_CASE("verify says that all bits of a run agree, also after the diagram has changed") {
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml);
+  REQUIRE(run_program(folder, {"run", "lag.yaml", "--out", "out"}).code == 0);
+  change(folder, "lag.yaml", "tau", "tua");
+  const Done done = run_program(folder, {"verify", "out/"});
+  CHECK(done.code == 0);
+  CHECK(done.err.empty());
+  CHECK(done.out == "out/: 2 signals in 501 rows: all bits agree\n");
+}
+
+TEST_CASE("verify names the first number that differs and ends with 1, whatever the other folders are") {
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml);
+  for (const std::string out : {"one", "two"})
+    REQUIRE(run_program(folder, {"run", "lag.yaml", "--out", out}).code == 0);
+  change(folder, "one/signals.csv", "\n0.002,1,0.0198", "\n0.002,1,0.0298");
+  const Done done = run_program(folder, {"verify", "one", "two"});
+  CHECK(done.code == 1);
+  CHECK(lines_of(done.out).size() == 2);
+  CHECK_THAT(done.out, Catch::StartsWith("one/signals.csv:4: lag at 0.002 s is 0.0298") &&
+                           Contains(" and 0.0198") && Contains(" when it is replayed\ntwo: 2 signals"));
+}
+
+TEST_CASE("verify of what is no such folder ends with 2, of what cannot be read with 3") {
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml);
+  const Done none = run_program(folder, {"verify", "none"});
+  CHECK(none.code == 2);
+  CHECK(none.err == "none: there is no such folder\n");
+  REQUIRE(run_program(folder, {"run", "lag.yaml", "--out", "out"}).code == 0);
+  std::filesystem::remove(folder.path("out/diagram.yaml"));
+  const Done missing = run_program(folder, {"verify", "out"});
+  CHECK(missing.code == 2);
+  CHECK_THAT(missing.err,
+             Catch::StartsWith("out/diagram.yaml: is missing; verify needs all that 'run --out'"));
+  std::filesystem::remove(folder.path("out/signals.csv"));
+  std::filesystem::create_directory(folder.path("out/signals.csv"));
+  CHECK(run_program(folder, {"verify", "out"}).code == 3);
+}
+
+TEST_CASE("what an interrupted run has recorded is verified without waiting for its end") {
+  const Scratch folder;
+  folder.file("endless.yaml", endless_yaml);
+  Call call;
+  call.arguments = {"run", "endless.yaml", "--out", "out"};
+  call.interrupt_after = 0.3;
+  REQUIRE(run_program(folder, call).code == 130);
+  const Done done = run_program(folder, {"verify", "out"});
+  CHECK(done.code == 0);
+  CHECK_THAT(done.out, Contains("all bits agree; the run ended early"));
+}

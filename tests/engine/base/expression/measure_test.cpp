@@ -1,0 +1,84 @@
+#include <catch2/catch.hpp>
+
+#include "engine/base/expression/expression.hpp"
+
+using namespace stepwire;
+
+namespace {
+
+const Dimension metre{{1}}, second{{0, 0, 1}}, newton{{1, 1, -2}}, pure;
+
+/// Of variables whose units are known, in the order of their appearance.
+Measure measure(const std::string& text, const std::vector<Dimension>& dimensions) {
+  std::vector<Measure> known;
+  for (const Dimension& dimension : dimensions) known.push_back({dimension, true});
+  return Expression(text).measure(known);
+}
+
+std::optional<Dimension> found(const std::string& text, const std::vector<Dimension>& dimensions) {
+  return measure(text, dimensions).dimension;
+}
+
+/// "place: message"
+std::string refusal(const std::string& text, const std::vector<Dimension>& dimensions) {
+  try {
+    measure(text, dimensions);
+  } catch (const ExpressionError& error) {
+    return std::to_string(error.position) + ": " + error.what();
+  }
+  return "none";
+}
+
+}  // namespace
+
+TEST_CASE("the unit of an expression follows from those of its variables and numbers") {
+  CHECK(found("a", {newton}) == newton);
+  CHECK(found("-abs(a) + 3*b", {metre, metre}) == metre);
+  CHECK(found("hypot(a, b)", {metre, metre}) == metre);
+  CHECK(found("a*b", {newton, metre}) == newton * metre);
+  CHECK(found("a/b - 3 mm/s", {metre, second}) == metre / second);
+  CHECK(found("sqrt(a)", {metre}) == power(metre, 0.5));
+  CHECK(found("a^2 + b^(1/2)", {metre, power(metre, 4.0)}) == power(metre, 2.0));
+  CHECK(found("a > b", {metre, metre}) == pure);
+  CHECK(found("a > 0 ? b : -b", {metre, newton}) == newton);
+  CHECK(found("atan2(a, b)", {metre, metre}) == pure);
+  CHECK(found("sin(a/b)", {metre, metre}) == pure);
+  CHECK(found("2 N * a", {metre}) == newton * metre);
+}
+
+TEST_CASE("a length has neither a sine nor an exponential, a time may stand for a pure number") {
+  CHECK_THAT(refusal("sin(a)", {metre}), Catch::Contains("'sin' takes a pure number, and this one is in m"));
+  CHECK_THAT(refusal("2 + exp(1 N)", {}), Catch::Contains("'exp' takes a pure number"));
+  CHECK_FALSE(found("exp(-a)", {second}));
+  CHECK_FALSE(found("round(a)", {metre}));
+}
+
+TEST_CASE("a bare number is of the unit that it meets in a sum") {
+  CHECK(found("a + 1", {metre}) == metre);
+  CHECK(found("min(1, a)", {metre}) == metre);
+  CHECK_FALSE(found("2", {}));
+  CHECK_FALSE(found("2*pi", {}));
+}
+
+TEST_CASE("values of different units are neither joined nor compared") {
+  CHECK(refusal("a + b", {metre, newton}) == "2: '+' joins m and N; they must have the same unit");
+  CHECK(refusal("2 + a - 5 s", {metre}) == "6: '-' joins m and s; they must have the same unit");
+  CHECK(refusal("a > 1 && b > 2 mm", {metre, newton}) ==
+        "11: '>' joins N and m; they must have the same unit");
+  CHECK(refusal("(a*b)/b == b", {metre, newton}) == "8: '==' joins m and N; they must have the same unit");
+  CHECK(refusal("3*max(a, b)", {metre, newton}) == "2: 'max' joins m and N; they must have the same unit");
+}
+
+TEST_CASE("a function of a pure number takes seconds as well, but nothing is known of its unit then") {
+  CHECK_FALSE(found("exp(-a)", {second}));
+  CHECK_FALSE(found("log10(abs(a))", {metre}));
+  CHECK(refusal("b - exp(-a)", {newton, second}) == "none");
+}
+
+TEST_CASE("a bare factor could be of any unit, so that nothing is refused with it") {
+  CHECK(found("200*a", {metre}) == metre);
+  CHECK_FALSE(measure("200*a", {metre}).sure);
+  CHECK(refusal("b - 200*a", {newton, metre}) == "none");
+  CHECK_FALSE(found("3 + 200*a", {metre}));
+  CHECK(measure("a/b", {metre, second}).sure);
+}

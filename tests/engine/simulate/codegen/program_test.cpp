@@ -1,0 +1,131 @@
+#include "engine/simulate/codegen/program.hpp"
+
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+
+#include "engine/model/block/declare.hpp"
+#include "engine/simulate/codegen/literals.hpp"
+#include "tests/support/plan_text.hpp"
+
+using namespace stepwire;
+using Catch::Contains;
+
+namespace {
+
+/// A block that is not of the library, as those of plugins will be.
+struct Foreign {
+  Input<> u{};
+  Output<> y{};
+  void outputs() { y = u; }
+  static void declare(Declare<Foreign>& is) {
+    is.block("Foreign", {.doc = "a test"});
+    is.input<&Foreign::u>({.doc = "signal"});
+    is.output<&Foreign::y>({.doc = "the same"});
+  }
+};
+
+std::string program_of(const std::string& yaml) {
+  return make_program(plan_text(yaml)).text;
+}
+
+std::size_t count_of(const std::string& text, const std::string& piece) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(piece); at != std::string::npos; at = text.find(piece, at + 1)) ++count;
+  return count;
+}
+
+/// A chain of gains behind a sine, each fed by the one before.
+std::string gains(int count) {
+  std::string yaml = "blocks:\n  s: {block: Sine}\n";
+  for (int i = 0; i < count; ++i)
+    yaml += "  g" + std::to_string(i) + ": {block: Gain, gain: " + std::to_string(i + 2) +
+            ", u: " + (i == 0 ? "s" : "g" + std::to_string(i - 1)) + "}\n";
+  return yaml;
+}
+
+}  // namespace
+
+TEST_CASE("numbers are written so that they read back to the same bits, and are never whole") {
+  for (double number : {0.1, -0.0, 3.0, 1e300, 5e-324, 1.0 / 3.0, 123456789012345680.0}) {
+    const std::string text = number_text(number);
+    INFO(text);
+    const double read = std::strtod(text.c_str(), nullptr);
+    CHECK(std::memcmp(&read, &number, sizeof number) == 0);
+    CHECK(text.find_first_of(".e") != std::string::npos);
+  }
+  CHECK(number_text(std::numeric_limits<double>::infinity()) == "unlimited");
+  CHECK(number_text(-std::numeric_limits<double>::infinity()) == "-unlimited");
+}
+
+TEST_CASE("each call names its block and the line of the file") {
+  const std::string text =
+      program_of("blocks:\n  half: {block: Gain, gain: 0.5, u: wave}\n  wave: {block: Sine}\n");
+  CHECK_THAT(text, Contains("{  // half: Gain, test.yaml:2\n    Gain b;\n    b.gain = 0.5;\n"));
+  CHECK_THAT(text, Contains("half_y = ") && Contains("// half.y, Gain, test.yaml:2"));
+}
+
+TEST_CASE("a block that is not of the library is refused with its name and its line") {
+  Registry registry;
+  registry.add<Foreign>("test");
+  const Plan plan = plan_text("blocks:\n  odd: {block: Foreign, u: 1}\n", {}, registry);
+  try {
+    make_program(plan);
+    FAIL("it is not refused");
+  } catch (const Error& error) {
+    CHECK(std::string(error.what()) ==
+          "test.yaml:2:8: odd: Foreign cannot be generated: its type is not one of the library");
+  }
+}
+
+TEST_CASE("a small program is written out, and a large one of like blocks becomes loops") {
+  CHECK(count_of(program_of(gains(20)), "Gain b;") == 20);
+  CHECK(count_of(program_of(gains(500)), "Gain b;") == 1);
+}
+
+TEST_CASE("numbers that a parameter changes are read from the run, all others are written") {
+  const Plan plan = plan_text(
+      "parameters: {k: 0.5}\nblocks:\n  half: {block: Gain, gain: $k, u: 1}\n"
+      "  third: {block: Gain, gain: 0.25, u: half}\n");
+  const auto variable = variable_blocks(plan, Variation(plan.diagram, {"k"}));
+  const std::string text = make_steps(plan, variable).text;
+  CHECK(text.find("b.gain = numbers[") == std::string::npos);  // what is constant is computed once, elsewhere
+  const Plan moving = plan_text(
+      "parameters: {k: 0.5}\nblocks:\n  wave: {block: Sine}\n  half: {block: Gain, gain: $k, u: wave}\n"
+      "  third: {block: Gain, gain: 0.25, u: half}\n");
+  const std::string moved =
+      make_steps(moving, variable_blocks(moving, Variation(moving.diagram, {"k"}))).text;
+  CHECK_THAT(moved, Contains("b.gain = numbers[0];"));
+  CHECK_THAT(moved, Contains("b.gain = 0.25;"));
+  const NumberTable numbers(moving, variable_blocks(moving, Variation(moving.diagram, {"k"})),
+                            [&](std::size_t b) { return moving.diagram.blocks[b].block.get(); });
+  REQUIRE(numbers.size() == 1);
+  CHECK(numbers.data()[0] == 0.5);
+}
+
+TEST_CASE("lists of any length share a program where they vary") {
+  const auto plan_of = [](int rows) {
+    std::string points, values;
+    for (int i = 0; i < rows; ++i) {
+      points += (i == 0 ? "" : ", ") + std::to_string(i);
+      values += (i == 0 ? "" : ", ") + std::to_string(i * i);
+    }
+    return plan_text("parameters: {x: [" + points + "], y: [" + values +
+                     "]}\nblocks:\n  wave: {block: Sine}\n"
+                     "  curve: {block: LookupTable, u: wave, points: $x, values: $y}\n");
+  };
+  const Plan one = plan_of(100), other = plan_of(300);
+  const auto variable = variable_blocks(one, Variation(one.diagram, {"x", "y"}));
+  const auto size_of = [&](const Plan& plan) {
+    return NumberTable(plan, variable, [&](std::size_t b) { return plan.diagram.blocks[b].block.get(); })
+        .size();
+  };
+  CHECK(size_of(other) == size_of(one) + 400);
+  CHECK(make_steps(one, variable).text == make_steps(other, variable).text);
+  CHECK(make_steps(one, variable).text.find("constexpr double curve") == std::string::npos);
+}
+
+TEST_CASE("the same diagram gives the same text") {
+  CHECK(program_of(gains(3)) == program_of(gains(3)));
+}

@@ -1,0 +1,42 @@
+#include "tests/engine/simulate/replay/left_folder.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "engine/app/cli/output.hpp"
+#include "engine/base/table/table_file.hpp"
+#include "engine/simulate/replay/replay_folder.hpp"
+#include "engine/simulate/replay/verify.hpp"
+
+namespace stepwire {
+
+void leave(const DiagramFolder& folder, const std::string& file, const std::string& out) {
+  Loader loader(library());
+  const Work work = prepare(loader, folder.path(file), {});
+  write_replay(folder.path(out), work.job);
+  write_outputs(folder.path(out), work, carry_out(work, {}));
+}
+
+void change(const DiagramFolder& folder, const std::string& file, const std::string& what,
+            const std::string& by) {
+  std::string content = read_file(folder.path(file));
+  const std::size_t at = content.find(what);
+  REQUIRE(at != std::string::npos);
+  folder.write(file, content.replace(at, what.size(), by));
+}
+
+std::string verdict_of(const DiagramFolder& folder, const std::string& out) {
+  std::string text;
+  try {
+    text = verification_text(verify(folder.path(out), library()));
+  } catch (const Error& error) {
+    text = error.what();
+  } catch (const TableError& error) {
+    text = error.what();
+  }
+  const std::string place = folder.path(out) + "/";
+  for (auto at = text.find(place); at != std::string::npos; at = text.find(place))
+    text.erase(at, place.size());
+  return text;
+}
+
+}  // namespace stepwire

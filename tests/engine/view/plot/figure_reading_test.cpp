@@ -1,0 +1,104 @@
+#include <catch2/catch.hpp>
+
+#include "tests/engine/view/plot/samples.hpp"
+
+using namespace stepwire;
+using namespace stepwire::testing;
+
+namespace {
+
+std::string faults_of(const std::string& text) {
+  return figures_of(text).faults;
+}
+
+}  // namespace
+
+TEST_CASE("an axis is labelled with its expression and the unit it is drawn in") {
+  const Panel panel =
+      panel_of("{plot: lines, x: time, y: [abs(rig.x) in mm, {signal: rig.x in mm, label: place}]}");
+  CHECK(panel.find("x")->axis_label() == "time [s]");
+  CHECK(panel.series.at("y")[0].axis_label() == "abs(rig.x) [mm]");
+  CHECK(panel.series.at("y")[1].axis_label() == "place [mm]");
+}
+
+TEST_CASE("the SI unit of an expression is its unit where none is given") {
+  CHECK(panel_of("{plot: xy, x: rig.x, y: push.force*rig.v}").series.at("y")[0].axis_label() ==
+        "push.force*rig.v [W]");
+  CHECK(panel_of("{plot: xy, x: rig.x, y: rig.x / 3 mm}").series.at("y")[0].axis_label() ==
+        "rig.x / 3 mm [–]");
+  CHECK(panel_of("{plot: xy, x: rig.x, y: rig.x > 0}").series.at("y")[0].axis_label() == "rig.x > 0 [–]");
+  CHECK(panel_of("{plot: xy, x: rig.x, y: rig.x + 5 mm}").series.at("y")[0].axis_label() ==
+        "rig.x + 5 mm [m]");
+}
+
+TEST_CASE("ranges and options become the unit of their axis") {
+  const Panel panel = panel_of(
+      "{plot: map, x: rig.x in mm, y: rig.x, color: push.force, x_range: [-5 mm, 0.01], gap: 2 mm, "
+      "contour: [1 N, 2 kN]}");
+  CHECK(panel.x.range == std::array{-5.0, 10.0});
+  CHECK(panel.gap == 2.0);
+  CHECK(panel.contour == std::vector<double>{1.0, 2000.0});
+}
+
+TEST_CASE("one entry, a list of entries and panels give pictures") {
+  CHECK(figures_of("{plot: lines, x: time, y: rig.x}").figures.size() == 1);
+  const auto read = figures_of(
+      "- {plot: lines, x: time, y: rig.x, title: a, caption: b, size: [300, 200]}\n"
+      "- {title: c, columns: 3, panels: [{plot: lines, x: time, y: rig.x, title: d}, {plot: box, y: "
+      "rig.x}]}\n");
+  REQUIRE(read.faults.empty());
+  CHECK(read.figures[0].title == "a");
+  CHECK(read.figures[0].caption == "b");
+  CHECK(read.figures[0].width == 300);
+  CHECK(read.figures[1].columns == 3);
+  CHECK(read.figures[1].panels.at(0).title == "d");
+}
+
+TEST_CASE("what a figure asks wrongly is told with its place") {
+  CHECK_THAT(faults_of("{plot: lnes, x: time}"),
+             Catch::StartsWith(
+                 "d.yaml:1:8: figure.plot: there is no plot 'lnes'; did you mean 'lines'? There are: lines"));
+  CHECK(faults_of("{plot: lines, x: time}") ==
+        "d.yaml:1:1: figure.y: a plot 'lines' needs 'y': one expression or a list of them\n");
+  CHECK(faults_of("{plot: lines, x: time, y: rig.x in N}") ==
+        "d.yaml:1:36: figure.y: 'rig.x' is in m and cannot be drawn in N\n");
+  CHECK(faults_of("{plot: lines, x: time, y: rig.x in foo}") == "d.yaml:1:36: figure.y: 'foo' is no unit\n");
+  CHECK_THAT(faults_of("{plot: lines, x: time, y: 2*rig.q in mm}"),
+             Catch::StartsWith("d.yaml:1:29: figure.y: 'rig.q' is not recorded; did you mean 'rig.x'?"));
+  CHECK(faults_of("{plot: lines, x: time, y: [rig.x, push.force]}") ==
+        "d.yaml:1:35: figure.y: 'rig.x' is drawn in m, but 'push.force' in N; one axis has one unit: give "
+        "each a "
+        "panel\n");
+  CHECK(faults_of("{plot: lines, x: time, y: rig.x, x_range: [5 N, 6 s]}") ==
+        "d.yaml:1:44: figure.x_range: 5 N is in N, but 'time' is in s\n");
+  CHECK(faults_of("{plot: map, x: time, y: time, color: time, boundary: z}") ==
+        "d.yaml:1:54: figure.boundary: 'z' is no coordinate of the plane, nor recorded; there are: x, y, "
+        "time, current, rig.x, rig.v, push.force, slow\n");
+  CHECK_THAT(faults_of("{plot: lines, x: time, y: rig.x, colour: 3}"),
+             Catch::StartsWith(
+                 "d.yaml:1:34: figure: a plot 'lines' has no 'colour'; it has: plot, x, y, low, high, by, "));
+  CHECK(faults_of("{plot: lines, x: time, y: rig.x, legend: [a, b]}") ==
+        "d.yaml:1:42: figure.legend: there are 2 texts, but only 1 in 'y'; 'by' with a swept parameter tells "
+        "runs "
+        "apart\n");
+  CHECK(faults_of("[3]") == "d.yaml:1:2: figure: a figure is a map: {plot: lines, x: time, y: rig.x}\n");
+}
+
+TEST_CASE("columns that were recorded apart share a plot only as curves of their own") {
+  CHECK(faults_of("{plot: lines, x: time, y: [push.force, slow]}").empty());
+  CHECK(panel_of("{plot: lines, x: time, y: [push.force, slow]}").recordings ==
+        std::vector<std::size_t>{0, 1});
+  CHECK_THAT(faults_of("{plot: xy, x: rig.x, y: slow}"),
+             Catch::Contains("'rig.x' and 'slow' are recorded at different periods"));
+  CHECK_THAT(faults_of("{plot: lines, x: time, y: push.force + slow}"),
+             Catch::Contains("'push.force' and 'slow' are recorded at different periods"));
+}
+
+TEST_CASE("every plot explains its keys") {
+  for (const auto& plot : plot_names()) {
+    INFO(plot.name);
+    CHECK_FALSE(plot.doc.empty());
+    CHECK_FALSE(figure_keys(plot.name).empty());
+    for (const auto& key : figure_keys(plot.name)) CHECK_FALSE(key.doc.empty());
+  }
+}

@@ -1,0 +1,56 @@
+// What is written for gnuplot; that it draws is checked in drawing_test.cpp.
+#include "engine/view/render/gnuplot_renderer.hpp"
+
+#include "engine/view/render/gnuplot.hpp"
+#include "engine/view/render/gnuplot_text.hpp"
+#include "tests/engine/view/plot/samples.hpp"
+
+using namespace stepwire;
+using namespace stepwire::testing;
+using Catch::Contains;
+
+namespace {
+
+FigureSpec figure_of(PlotSpec plot) {
+  return {"", 600.0, 400.0, false, {{0.0, 0.0, 600.0, 400.0, std::move(plot)}}};
+}
+
+}  // namespace
+
+TEST_CASE("a mark that is put together by hand is drawn with its numbers, colour and dash") {
+  const LineMark line{{{{0.0, 1.0}, {2.0, 0.5}, {}, {}}}, {"#123456", 1.5, {2.5, 4.0}}, 0.0, "it's"};
+  const std::string script =
+      gnuplot_script(figure_of({.x = {.range = {{0.0, 1.0}}, .step = 0.5}, .marks = {line}}));
+  CHECK_THAT(script,
+             Contains("$p0d0 << EOD\n0 2\n1 0.5\nEOD\n") &&
+                 Contains("plot $p0d0 using 1:2 with lines lw 1.5 dt (5,8) lc rgb '#123456' title 'it’s'") &&
+                 Contains("set xrange [0:1]\nset xtics 0.5\n"));
+}
+
+TEST_CASE("texts, labels and colours never become commands, not even in titles that are too wide") {
+  const std::string bad =
+      "a long title `touch no` that breaks in two \"lines\" 'here' and \\there, $(touch no) or not at all";
+  PlotSpec plot{.title = bad, .x = {.label = bad, .range = {{0.0, 1.0}}, .named_ticks = {{0.5, bad}}}};
+  plot.texts.push_back({.text = bad});
+  plot.marks.push_back(LineMark{{{{0.0, 1.0}, {0.0, 1.0}, {}, {}}}, {"'; system 'touch no"}, 0.0, bad});
+  FigureSpec figure = figure_of(std::move(plot));
+  figure.panels.front().width = 200.0;
+  const std::string script = gnuplot_script(figure);
+  // In single quotes nothing has a meaning but the quote itself, of which none is left inside.
+  std::string outside;
+  bool quoted = false;
+  for (const char c : script) {
+    if (c == '\'') quoted = !quoted;
+    if (!quoted) outside += c;
+  }
+  CHECK_THAT(outside, !Contains("touch") && !Contains("`"));
+  CHECK_THAT(script, Contains("set title sprintf(\"%s\\n%s\", 'a long title `touch no`"));
+  std::get<LineMark>(std::get<PlotSpec>(figure.panels.front().content).marks.front()).line.color = "#123456";
+  if (has_gnuplot()) CHECK_THAT(render(figure).svg, Contains("`touch no`"));
+}
+
+TEST_CASE("one row of cells is drawn as two halves of it, which gnuplot does not refuse") {
+  const ImageMark image{0.5, 0.5, 1.0, 1.0, 2, 1, {7.0, 8.0}};
+  CHECK_THAT(gnuplot_script(figure_of({.marks = {image}})),
+             Contains("0.5 0.25 7\n1.5 0.25 8\n0.5 0.75 7\n1.5 0.75 8\n"));
+}
