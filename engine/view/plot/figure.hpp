@@ -107,10 +107,6 @@ struct Figure {
 /// Reads the value under the key `figure`: one entry or a list. Everything that is wrong goes to `faults`.
 std::vector<Figure> read_figures(const Node& node, const Names& names, Faults& faults);
 
-/// Draws; the same data give the same bits. Throws SurroundingsError where gnuplot, or what else draws, is
-/// missing or fails.
-Drawing draw(const Figure& figure, std::span<const Recording> recordings);
-
 /// All plots: lines, xy, loop, ... with their explanations.
 std::vector<FigureKey> plot_names();
 /// Keys that the named plot takes; for an empty name the keys of every panel and figure.

@@ -78,8 +78,4 @@ FigureSpec figure_spec(const Figure& figure, std::span<const Recording> recordin
   return builder.finished();
 }
 
-Drawing draw(const Figure& figure, std::span<const Recording> recordings) {
-  return render(figure_spec(figure, recordings));
-}
-
 }  // namespace stepwire

@@ -139,14 +139,4 @@ struct FigureSpec {
 /// All that a picture holds; README.md of this folder describes it.
 Json figure_json(const FigureSpec& figure);
 
-/// A picture, and what the program that drew it complained of (empty as a rule).
-struct Drawing {
-  std::string svg;
-  std::string warnings;
-};
-
-/// Draws nothing but what the spec holds; the same spec gives the same bits. Throws SurroundingsError where
-/// gnuplot, or what else draws, is missing or fails.
-Drawing render(const FigureSpec& figure);
-
 }  // namespace stepwire

@@ -1,4 +1,5 @@
 #include "engine/view/render/figure_file.hpp"
+#include "engine/view/render/render.hpp"
 
 #include "engine/base/io/file.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/view/plot/plot_spec.hpp"
+#include "engine/view/render/render.hpp"
 
 namespace stepwire {
 

@@ -1,4 +1,7 @@
+#include "engine/view/render/render.hpp"
+
 #include "engine/view/drawing/draw.hpp"
+#include "engine/view/plot/figure_spec.hpp"
 #include "engine/view/render/gnuplot_renderer.hpp"
 #include "engine/view/render/scene_drawing.hpp"
 #include "engine/view/svg/table_drawing.hpp"
@@ -23,6 +26,10 @@ struct Renderer {
 Drawing render(const FigureSpec& figure) {
   if (figure.panels.empty()) return render_gnuplot(figure);
   return std::visit(Renderer{figure}, figure.panels.front().content);
+}
+
+Drawing draw(const Figure& figure, std::span<const Recording> recordings) {
+  return render(figure_spec(figure, recordings));
 }
 
 }  // namespace stepwire

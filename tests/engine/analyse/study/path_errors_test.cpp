@@ -1,4 +1,5 @@
 #include "engine/analyse/study/path_errors.hpp"
+#include "engine/view/render/render.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,6 @@
 #include "engine/analyse/study/repetition.hpp"
 #include "engine/app/cli/repetition_figure.hpp"
+#include "engine/view/render/render.hpp"
 
 #include <catch2/catch.hpp>
 

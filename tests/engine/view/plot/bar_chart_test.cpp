@@ -2,6 +2,7 @@
 
 #include "engine/view/plot/bar_chart.hpp"
 #include "engine/view/render/gnuplot.hpp"
+#include "engine/view/render/render.hpp"
 
 using namespace stepwire;
 

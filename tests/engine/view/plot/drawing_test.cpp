@@ -3,6 +3,7 @@
 
 #include "engine/base/io/surroundings.hpp"
 #include "engine/view/render/gnuplot.hpp"
+#include "engine/view/render/render.hpp"
 #include "tests/engine/view/plot/every_kind.hpp"
 
 using namespace stepwire;

@@ -1,4 +1,5 @@
 #include "engine/view/plot/overlay_drawing.hpp"
+#include "engine/view/render/render.hpp"
 #include "tests/engine/view/plot/samples.hpp"
 
 using namespace stepwire;

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "engine/view/render/render.hpp"
 #include "engine/view/render/scene_drawing.hpp"
 #include "engine/view/scene/scene_states.hpp"
 #include "tests/engine/view/plot/scene_samples.hpp"

@@ -1,4 +1,5 @@
 #include "engine/view/plot/ticks.hpp"
+#include "engine/view/render/render.hpp"
 
 #include <catch2/catch.hpp>
 #include <regex>

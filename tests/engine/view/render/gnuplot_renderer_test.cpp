@@ -1,5 +1,6 @@
 // What is written for gnuplot; that it draws is checked in drawing_test.cpp.
 #include "engine/view/render/gnuplot_renderer.hpp"
+#include "engine/view/render/render.hpp"
 
 #include "engine/view/render/gnuplot.hpp"
 #include "engine/view/render/gnuplot_text.hpp"
