@@ -11,7 +11,7 @@
 
 #include "blocks/register.hpp"
 #include "engine/analyse/estimation/fit.hpp"
-#include "engine/app/cli/work.hpp"
+#include "engine/app/session/loaded_model.hpp"
 #include "engine/simulate/codegen/generated_code.hpp"
 
 namespace stepwire {
@@ -70,12 +70,12 @@ std::map<std::string, Tally> study(const Call& call) {
   GeneratedCode code;
   std::map<std::string, Tally> tallies;
   for (int seed = 1; seed <= call.repetitions; ++seed) {
-    WorkOptions options;
+    LoadOptions options;
     options.settings.push_back({call.seed, std::to_string(seed), "repetition"});
     Loader loader(registry);
-    const Work work = prepare(loader, call.file, options);
-    if (!work.fit) throw std::invalid_argument(call.file + " asks for no fit");
-    const FitResult result = fit({loader, call.file, options.settings, &code}, work.job, *work.fit);
+    const LoadedModel model = load_model(loader, call.file, options);
+    if (!model.fit) throw std::invalid_argument(call.file + " asks for no fit");
+    const FitResult result = fit({loader, call.file, options.settings, &code}, model.job, *model.fit);
     for (const FittedNumber& number : result.numbers)
       if (const auto truth = call.truth.find(number.title()); truth != call.truth.end())
         tallies[number.title()].add(number, truth->second);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "engine/app/cli/output.hpp"
+#include "engine/app/session/run_files.hpp"
 #include "engine/simulate/replay/replay_folder.hpp"
 #include "tests/diagrams/diagram_files.hpp"
 #include "tests/engine/base/table/scratch.hpp"
@@ -32,15 +32,17 @@ TEST_CASE("what every diagram leaves in its folder can be verified there") {
     const std::string out = folder.path("out");
     if (job.points.size() > most_runs) job.points.resize(most_runs);
     write_replay(out, job);
-    const Work work{job.plan.diagram.file, std::move(job), {}, {}, {}, {}, {}};
+    LoadedModel model;
+    model.file = job.plan.diagram.file;
+    model.job = std::move(job);
     Hurry hurry;
     RunOptions options;
     options.observers = {&hurry};
-    write_outputs(out, work, carry_out(work, options));
+    write_outputs(out, model, run_model(model, options));
     const Verification verification = verify(out, library());
     CHECK(verification.difference == "");
     CHECK(verification.rows > 1);
     CHECK(verification.signals > 0);
-    CHECK(verification.runs == std::max<std::size_t>(1, work.job.points.size()));
+    CHECK(verification.runs == std::max<std::size_t>(1, model.job.points.size()));
   });
 }

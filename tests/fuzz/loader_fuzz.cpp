@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "blocks/register.hpp"
-#include "engine/app/cli/work.hpp"
+#include "engine/app/session/loaded_model.hpp"
 #include "engine/base/io/surroundings.hpp"
 
 namespace {
@@ -64,7 +64,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const Document& part : parts) loader.add(part);
     loader.add(parse_document({reinterpret_cast<const char*>(data), size}, file));
     if (is_large(loader.load(file))) return 0;
-    step(prepare(loader, file, {}).job.plan);
+    step(load_model(loader, file, {}).job.plan);
   } catch (const Error&) {
   } catch (const SurroundingsError&) {
   }

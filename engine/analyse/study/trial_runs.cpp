@@ -162,6 +162,12 @@ void TrialRuns::run_all(std::vector<TrialRun*>& trials, const std::function<void
   });
 }
 
+std::size_t TrialRuns::number_of(const TrialRun& trial) const {
+  const auto subject = std::ranges::find(request_.subjects, trial.subject) - request_.subjects.begin();
+  const std::size_t person = trial.study * request_.subjects.size() + static_cast<std::size_t>(subject);
+  return person * request_.conditions.size() + trial.condition;
+}
+
 void TrialRuns::run_one(TrialRun& trial, IdleRuns& idle, Changeover& changeover) {
   const std::size_t member = trial.point.member;
   auto run = idle.take(member);
@@ -169,12 +175,13 @@ void TrialRuns::run_one(TrialRun& trial, IdleRuns& idle, Changeover& changeover)
   RunRecording recording(run->plan());
   RunOptions options;
   options.interrupt = source_.interrupt;
+  options.observers = source_.observers;
   static_cast<RunEnd&>(trial.result) =
-      run_simulation(*run, recording.recorders(), options, changeover, member, 0);
+      run_simulation(*run, recording.recorders(), options, changeover, member, number_of(trial));
   trial.result.recordings = recording.take();
   note_end(*run, trial);
   const auto& faults = trial.result.faults;
-  trial.done = faults.empty() && trial.result.ticks < run->plan().steps;
+  trial.done = faults.empty() && !trial.result.stopped && trial.result.ticks < run->plan().steps;
   if (!trial.done && !trial.result.interrupted)
     trial.failures.push_back(faults.empty()
                                  ? fmt::format("not done within {:g} s", run->plan().diagram.stop)

@@ -24,6 +24,7 @@ struct TrialSource {
   CodeSource* code = nullptr;           ///< of what is not interpreted
   unsigned threads = 0;                 ///< 0: all cores
   const std::atomic<bool>* interrupt = nullptr;  ///< once true, nothing more is begun
+  std::vector<RunObserver*> observers{};         ///< of every attempt of every trial, by the trial's number
 };
 
 /// One trial of an experiment as it was run.
@@ -78,6 +79,7 @@ class TrialRuns {
   void compile_ahead();
   Circles circles_to_come(const TrialRun& trial) const;
   void run_all(std::vector<TrialRun*>& trials, const std::function<void()>& told);
+  std::size_t number_of(const TrialRun& trial) const;
   void run_one(TrialRun& trial, IdleRuns& idle, Changeover& changeover);
   void note_end(const Simulation& run, TrialRun& trial) const;
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "engine/analyse/estimation/fit.hpp"
+#include "engine/app/session/outcome.hpp"
+
 namespace stepwire {
 
 /// What scripts may rely on. Where several apply, the greatest but for 130 wins.
@@ -14,5 +17,10 @@ enum class ExitCode {
 inline ExitCode worst(ExitCode a, ExitCode b) {
   return static_cast<int>(a) > static_cast<int>(b) ? a : b;
 }
+
+/// How it went: claims that fail, claims that surprise, faults, interruption.
+ExitCode code_of(const Outcome& outcome);
+/// Interrupted, refused by the diagram, or done.
+ExitCode code_of(const FitResult& result);
 
 }  // namespace stepwire

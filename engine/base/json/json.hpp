@@ -43,6 +43,8 @@ class Json {
   /// anything else.
   Json& set(std::string key, Json value);
 
+  bool is_list() const { return std::holds_alternative<std::vector<Json>>(value_); }
+
   /// Doubles in digits that read back to the same bits, nan and inf as null; `indent` blanks per level, all
   /// on one line where it is negative. Bytes that are no UTF-8 are replaced.
   std::string text(int indent = 2) const;

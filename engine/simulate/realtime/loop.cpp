@@ -23,6 +23,7 @@ Loop::Loop(const Plan& plan, const LoopOptions& options, Device& device, LoopClo
       clock_(clock),
       recorder_(recorder),
       simulation_(plan),
+      watched_({0, simulation_}, options_.observers),
       deadlines_(options.rate, options.overrun),
       measurements_(options.deadlines),
       groups_(plan, clock) {
@@ -69,12 +70,16 @@ void Loop::serve(std::int64_t count) {
   const std::int64_t end = std::min(options_.deadlines, deadlines_.index() + count);
   const auto period = static_cast<std::int64_t>(1e9 / options_.rate);
   deadlines_.start_at(clock_.now() + std::max(period, least_lead));
-  if (!began_) began_ = deadlines_.at(0);
+  if (!began_) {
+    began_ = deadlines_.at(0);
+    watched_.begin();
+  }
   const ThreadCounts before = ThreadCounts::now();
   while (!end_ && deadlines_.index() < end) wait_and_step(end);
   write_safe_values();
   counts_.add(before, ThreadCounts::now());
   if (!end_ && deadlines_.index() >= options_.deadlines) end_ = End::done;
+  if (end_) watched_.end();
 }
 
 void Loop::wait_and_step(std::int64_t end) {
@@ -100,6 +105,7 @@ void Loop::step(std::int64_t woke) {
   const double wall = static_cast<double>(woke - *began_) * 1e-9;
   measurements_.woke(k, woke - deadlines_.at(k));
   read_inputs();
+  if (!may_tick()) return;
   groups_.before_tick(simulation_);
   simulation_.evaluate();
   if (simulation_.healthy()) {
@@ -120,7 +126,7 @@ void Loop::go_on(double wall) {
   if (deadlines_.must_stop()) return;
   simulation_.advance();
   groups_.after_tick(simulation_);
-  for (std::int64_t tick = 1; tick < ticks_ && simulation_.healthy(); ++tick) {
+  for (std::int64_t tick = 1; tick < ticks_ && simulation_.healthy() && may_tick(); ++tick) {
     simulation_.evaluate();
     if (!simulation_.healthy()) return;
     record(wall);
@@ -146,7 +152,14 @@ void Loop::count_written(std::int64_t k) {
   deadlines_.served(written);
 }
 
+bool Loop::may_tick() {
+  if (watched_.before_tick() == Flow::go_on) return true;
+  end_ = End::stopped;
+  return false;
+}
+
 void Loop::record(double wall) {
+  watched_.evaluated();
   if (!recorder_) return;
   recorder_->record_inputs(simulation_.tick(), inputs_.data());
   recorder_->record_signals(simulation_.tick(), wall, simulation_.values());

@@ -13,6 +13,7 @@
 #include "engine/simulate/realtime/loop_recorder.hpp"
 #include "engine/simulate/realtime/measurements.hpp"
 #include "engine/simulate/realtime/thread_counts.hpp"
+#include "engine/simulate/run/observed_ticks.hpp"
 #include "engine/simulate/run/simulation.hpp"
 
 namespace stepwire {
@@ -24,6 +25,9 @@ struct LoopOptions {
   Overrun overrun;
   const std::atomic<bool>* interrupt = nullptr;  ///< once true, the loop ends at its next wake-up
   const CompiledPlan* code = nullptr;            ///< to step with; interpreted without it
+  /// Called in the loop's thread, within its period; must outlive the loop. One that pauses or stops the run
+  /// ends it.
+  std::vector<RunObserver*> observers{};
 };
 
 /// How many ticks one period of the rate is. Throws Error where it is no whole number of the diagram's steps.
@@ -39,6 +43,7 @@ void require_fit_for_loop(const Plan& plan);
 /// serve() neither allocates, locks, prints nor calls the system, but for the sleep between two steps.
 class Loop {
  public:
+  /// `stopped`: after deadlines that were missed, or by an observer.
   enum class End { done, stopped, interrupted, fault };
 
   /// Takes all memory, and runs some ticks and goes back to time 0, so that nothing is met for the first time
@@ -73,6 +78,7 @@ class Loop {
   void read_inputs();
   void write_outputs();
   void count_written(std::int64_t k);
+  bool may_tick();
   void record(double wall);
   void write_safe_values();
 
@@ -82,6 +88,7 @@ class Loop {
   LoopClock& clock_;
   LoopRecorder* recorder_;
   Simulation simulation_;
+  ObservedTicks watched_;
   Deadlines deadlines_;
   Measurements measurements_;
   GroupCosts groups_;

@@ -40,11 +40,6 @@ Recorder::Recorder(const Plan& plan, const RecordRequest& request, std::vector<d
   for (const RecordedColumn& column : recorded_columns(plan, request)) offsets_.push_back(column.offset);
 }
 
-void Recorder::read(const double* values, std::vector<double>& row) const {
-  row.resize(offsets_.size());
-  for (std::size_t i = 0; i < offsets_.size(); ++i) row[i] = values[offsets_[i]];
-}
-
 RunRecording::RunRecording(const Plan& plan) {
   for (const RecordRequest& request : plan.diagram.records) {
     Recording recording;

@@ -39,9 +39,6 @@ class Recorder {
     for (std::size_t i = 0; i < offsets_.size(); ++i) columns_[i][filled_] = values[offsets_[i]];
     ++filled_;
   }
-  bool is_due(std::int64_t tick) const { return tick == next_tick_; }
-  /// The row that record() would keep.
-  void read(const double* values, std::vector<double>& row) const;
 
   /// Period [ticks].
   std::int64_t every() const { return every_; }

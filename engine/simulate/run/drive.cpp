@@ -6,16 +6,18 @@ Drive::Drive(Simulation& simulation, std::vector<Recorder>& recorders)
     : simulation_(simulation), recorders_(recorders), stopper_(simulation.plan()) {}
 
 Drive::End Drive::run() {
-  if (!begun_)
-    for (RunObserver* observer : observers) observer->begin({index, simulation_});
-  begun_ = true;
+  if (!watched_) {
+    watched_.emplace(ObservedRun{index, simulation_}, observers, shows_rows);
+    watched_->begin();
+  }
   while (true) {
     if (!observers.empty())
       if (const Flow flow = show_tick(); flow != Flow::go_on)
         return flow == Flow::pause ? End::paused : end(End::stopped);
     simulation_.evaluate();
     if (!simulation_.healthy()) return end(End::finished);
-    record();
+    if (!observers.empty()) watched_->evaluated();
+    for (Recorder& recorder : recorders_) recorder.record(simulation_.tick(), simulation_.values());
     if (simulation_.finished() || stopper_.stops(simulation_.values())) return end(End::finished);
     simulation_.advance();
     if (!simulation_.healthy()) return end(End::finished);
@@ -27,29 +29,14 @@ Drive::End Drive::run() {
 
 Flow Drive::show_tick() {
   const std::int64_t tick = simulation_.tick();
-  Flow flow = Flow::go_on;
-  for (RunObserver* observer : observers) flow = std::max(flow, observer->before_tick({index, simulation_}));
+  const Flow flow = watched_->before_tick();
   if (simulation_.tick() != tick)
     for (Recorder& recorder : recorders_) recorder.go_back_to(simulation_.tick());
   return flow;
 }
 
-void Drive::record() {
-  for (RunObserver* observer : observers) observer->evaluated({index, simulation_});
-  if (shows_rows && !observers.empty()) show_rows();
-  for (Recorder& recorder : recorders_) recorder.record(simulation_.tick(), simulation_.values());
-}
-
-void Drive::show_rows() {
-  for (std::size_t i = 0; i < recorders_.size(); ++i) {
-    if (!recorders_[i].is_due(simulation_.tick())) continue;
-    recorders_[i].read(simulation_.values(), row_);
-    for (RunObserver* observer : observers) observer->row({index, simulation_}, i, row_);
-  }
-}
-
 Drive::End Drive::end(End how) {
-  for (RunObserver* observer : observers) observer->end({index, simulation_});
+  watched_->end();
   return how;
 }
 

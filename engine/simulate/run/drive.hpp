@@ -2,11 +2,12 @@
 
 #include <atomic>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "engine/simulate/record/recorder.hpp"
-#include "engine/simulate/run/observer.hpp"
+#include "engine/simulate/run/observed_ticks.hpp"
 #include "engine/simulate/run/stopper.hpp"
 
 namespace stepwire {
@@ -37,15 +38,12 @@ class Drive {
 
  private:
   Flow show_tick();
-  void record();
-  void show_rows();
   End end(End how);
 
   Simulation& simulation_;
   std::vector<Recorder>& recorders_;
   Stopper stopper_;
-  std::vector<double> row_;
-  bool begun_ = false;
+  std::optional<ObservedTicks> watched_;  ///< once it has begun
 };
 
 }  // namespace stepwire

@@ -9,14 +9,16 @@ namespace stepwire {
 
 /// A run as it is shown to observers.
 struct ObservedRun {
-  std::size_t index;  ///< among the runs of a sweep or the trials of a study; 0 for a single one
+  /// Among the runs of a sweep; of a study's trials by study of a sweep, subject and condition. 0 for a
+  /// single run and a real-time loop.
+  std::size_t index;
   Simulation& simulation;
 };
 
 /// How a run goes on.
 enum class Flow {
   go_on,
-  pause,  ///< before the next tick; the run can be taken up again
+  pause,  ///< before the next tick; a Drive goes on when it is run again, other runs end here
   stop    ///< for good, with what is recorded so far
 };
 

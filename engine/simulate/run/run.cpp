@@ -33,7 +33,9 @@ RunEnd run_simulation(Simulation& simulation, std::vector<Recorder>& recorders, 
       options.progress(static_cast<double>(simulation.tick()) / static_cast<double>(simulation.plan().steps));
   };
   RunEnd end;
-  end.interrupted = drive.run() == Drive::End::interrupted;
+  const Drive::End how = drive.run();
+  end.interrupted = how == Drive::End::interrupted;
+  end.stopped = how == Drive::End::stopped || how == Drive::End::paused;
   if (auto fault = simulation.fault()) end.faults.push_back(std::move(*fault));
   end.notices = simulation.notices();
   end.ticks = simulation.tick();

@@ -31,6 +31,7 @@ struct RunEnd {
   std::vector<RunFault> faults;  ///< at most one for each run
   std::vector<RaisedNotice> notices;
   bool interrupted = false;
+  bool stopped = false;             ///< by an observer, at least one run
   std::int64_t ticks = 0;           ///< of all runs together
   std::int64_t compiled_ticks = 0;  ///< of them, those that compiled code made
 };

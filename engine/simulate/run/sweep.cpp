@@ -45,6 +45,7 @@ class Ends {
       if (!is_new && place < known->second.first) known->second = {place, std::move(notice)};
     }
     all_.interrupted = all_.interrupted || end.interrupted;
+    all_.stopped = all_.stopped || end.stopped;
     all_.ticks += end.ticks;
     all_.compiled_ticks += end.compiled_ticks;
   }

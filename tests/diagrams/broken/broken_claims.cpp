@@ -10,9 +10,8 @@
 #include <vector>
 
 #include "blocks/register.hpp"
-#include "engine/app/cli/fitting.hpp"
-#include "engine/app/cli/studying.hpp"
-#include "engine/app/cli/work.hpp"
+#include "engine/app/session/fitting.hpp"
+#include "engine/app/session/studies.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/base/io/surroundings.hpp"
 #include "engine/base/yaml/document.hpp"
@@ -110,27 +109,26 @@ class Copy {
 class Runner {
  public:
   std::vector<Verdict> verdicts(const std::string& file, const std::vector<Setting>& settings) {
-    WorkOptions options;
+    LoadOptions options;
     options.settings = settings;
-    Work work = prepare(registry_, file, options);
-    has_study_or_fit_ = work.study || work.fit;
-    if (work.study) {
-      const auto experiments = studies_.experiments(registry_, work, options, {});
-      return carry_out_study(work, *experiments).verdicts;
+    LoadedModel model = load_model(registry_, file, options);
+    has_study_or_fit_ = model.study || model.fit;
+    if (model.study) {
+      const auto experiments = studies_.experiments(registry_, model, {}, {});
+      return study_outcome(model, *experiments).verdicts;
     }
-    if (work.fit) {
-      const FitResult fit =
-          fit_quietly(registry_, work, options, {}, worth_compiling(work) ? &code_ : nullptr);
-      work = prepare(registry_, file, with_fitted(options, fit));
+    if (model.fit) {
+      const FitResult fit = fit_model(registry_, model, {}, {});
+      model = load_model(registry_, file, with_fitted(options, fit));
     }
-    parameters_ = work.job.plan.diagram.parameters;
+    parameters_ = model.job.plan.diagram.parameters;
     swept_.clear();
-    if (work.job.plan.diagram.sweep)
-      for (const Sweep::Axis& axis : work.job.plan.diagram.sweep->axes) swept_.insert(axis.parameter);
+    if (model.job.plan.diagram.sweep)
+      for (const Sweep::Axis& axis : model.job.plan.diagram.sweep->axes) swept_.insert(axis.parameter);
     RunOptions run;
     run.engine = Engine::automatic;
     run.code = &code_;
-    const Outcome outcome = carry_out(work, run);
+    const Outcome outcome = run_model(model, run);
     if (!outcome.result.faults.empty()) throw Error(outcome.result.faults.front().fault);
     return outcome.verdicts;
   }

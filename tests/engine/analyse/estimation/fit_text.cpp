@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "blocks/register.hpp"
-#include "engine/app/cli/work.hpp"
+#include "engine/app/session/loaded_model.hpp"
 
 namespace stepwire {
 
@@ -12,9 +12,9 @@ FitResult fit_text(const std::string& yaml, CodeSource* code, const FitOptions& 
   const std::string file = "fit.yaml";
   Loader loader(registry);
   loader.add(parse_document("stepwire: 1\ntitle: test\n" + yaml, file));
-  const Work work = prepare(loader, file, {});
-  REQUIRE(work.fit);
-  return fit({loader, file, {}, code}, work.job, *work.fit, options);
+  const LoadedModel model = load_model(loader, file, {});
+  REQUIRE(model.fit);
+  return fit({loader, file, {}, code}, model.job, *model.fit, options);
 }
 
 std::string fit_error(const std::string& yaml) {

@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "blocks/register.hpp"
-#include "engine/app/cli/work.hpp"
+#include "engine/app/session/loaded_model.hpp"
 #include "engine/simulate/codegen/generated_code.hpp"
 #include "tests/engine/analyse/estimation/fit_text.hpp"
 
@@ -23,11 +23,11 @@ FitResult fit_example(const std::string& name, const std::function<void(FitReque
   static const Registry registry = all_blocks();
   const std::string file = STEPWIRE_SOURCE_DIR "/diagrams/examples/" + name;
   Loader loader(registry);
-  Work work = prepare(loader, file, {});
-  REQUIRE(work.fit);
-  if (change) change(*work.fit);
+  LoadedModel model = load_model(loader, file, {});
+  REQUIRE(model.fit);
+  if (change) change(*model.fit);
   GeneratedCode code;
-  return fit({loader, file, {}, &code}, work.job, *work.fit);
+  return fit({loader, file, {}, &code}, model.job, *model.fit);
 }
 
 double worst_agreement(const FitResult& result) {

@@ -1,5 +1,5 @@
 #include "engine/analyse/study/repetition.hpp"
-#include "engine/app/cli/repetition_figure.hpp"
+#include "engine/app/session/repetition_figure.hpp"
 #include "engine/view/render/render.hpp"
 
 #include <catch2/catch.hpp>

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "engine/app/cli/output.hpp"
+#include "engine/app/session/run_files.hpp"
 #include "engine/base/table/table_file.hpp"
 #include "engine/simulate/replay/replay_folder.hpp"
 #include "engine/simulate/replay/verify.hpp"
@@ -11,9 +11,9 @@ namespace stepwire {
 
 void leave(const DiagramFolder& folder, const std::string& file, const std::string& out) {
   Loader loader(library());
-  const Work work = prepare(loader, folder.path(file), {});
-  write_replay(folder.path(out), work.job);
-  write_outputs(folder.path(out), work, carry_out(work, {}));
+  const LoadedModel model = load_model(loader, folder.path(file), {});
+  write_replay(folder.path(out), model.job);
+  write_outputs(folder.path(out), model, run_model(model, {}));
 }
 
 void change(const DiagramFolder& folder, const std::string& file, const std::string& what,

@@ -1,0 +1,67 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "engine/app/cli/console.hpp"
+#include "engine/app/cli/interrupt.hpp"
+#include "engine/app/cli/verb.hpp"
+#include "engine/base/io/file.hpp"
+#include "engine/view/drawing/graph_faults.hpp"
+
+namespace stepwire {
+
+namespace {
+
+struct DrawCall {
+  std::string file;
+  GraphOptions options;
+  std::string out;    ///< file; empty: standard output
+  bool json = false;  ///< the graph that is drawn, not the picture
+};
+
+void require_names(const DrawCall& call, const DiagramView& view) {
+  Faults faults;
+  for (const GraphFault& fault : faults_of(view, call.options))
+    faults.add({{call.file, {}}, "", fault.message, {}});
+  faults.throw_if_any();
+}
+
+ExitCode draw(const DrawCall& call, const Registry& registry) {
+  Loader loader(registry);
+  const DrawnFile file(loader, call.file);
+  require_names(call, file.view());
+  const EndDelay delay(EndDelay::Signals::first);
+  const Json graph = file.view().graph(call.options);
+  const std::string text = call.json ? graph.text() + "\n" : draw_picture(graph);
+  if (call.out.empty()) {
+    put_data(text);
+  } else {
+    write_file(call.out, text);
+  }
+  return ExitCode::done;
+}
+
+Action declare_draw(CLI::App& verb) {
+  const auto call = std::make_shared<DrawCall>();
+  verb.add_option("FILE", call->file, "a diagram file, or one that is used as a part")->required();
+  verb.add_option("-o", call->out, "SVG file to write; standard output without it");
+  verb.add_option("--open", call->options.open, "parts whose inside is drawn: rig, rig.mount")
+      ->delimiter(',');
+  verb.add_option("--depth", call->options.depth, "open all parts down to so many levels")
+      ->check(CLI::Range(0, 32))
+      ->capture_default_str();
+  verb.add_option("--hide", call->options.hide,
+                  "blocks, parts and signals left out: work, rig.energy, 'peak*'")
+      ->delimiter(',');
+  verb.add_flag("--units", call->options.units, "write the unit of its signal on each wire");
+  verb.add_flag("--json", call->json, "give the graph that is drawn, as JSON");
+  return [call](const Registry& registry) { return draw(*call, registry); };
+}
+
+}  // namespace
+
+Verb draw_verb() {
+  return {"draw", "draw a diagram as blocks and wires",
+          "Example:\n  stepwire draw rig.yaml --open controller -o rig.svg", declare_draw};
+}
+
+}  // namespace stepwire

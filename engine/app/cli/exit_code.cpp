@@ -1,0 +1,20 @@
+#include "engine/app/cli/exit_code.hpp"
+
+namespace stepwire {
+
+ExitCode code_of(const Outcome& outcome) {
+  if (outcome.result.interrupted) return ExitCode::interrupted;
+  ExitCode code = outcome.result.faults.empty() ? ExitCode::done : ExitCode::wrong;
+  for (const Verdict& verdict : outcome.verdicts) {
+    if (verdict.fails() && !outcome.early()) code = worst(code, ExitCode::fails);
+    if (verdict.surprises()) code = worst(code, ExitCode::wrong);
+  }
+  return code;
+}
+
+ExitCode code_of(const FitResult& result) {
+  if (result.interrupted) return ExitCode::interrupted;
+  return result.refused ? ExitCode::wrong : ExitCode::done;
+}
+
+}  // namespace stepwire

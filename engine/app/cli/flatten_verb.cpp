@@ -1,0 +1,55 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+
+#include "engine/app/cli/console.hpp"
+#include "engine/app/cli/load_words.hpp"
+#include "engine/app/cli/verb.hpp"
+#include "engine/base/io/file.hpp"
+#include "engine/model/diagram/flatten.hpp"
+
+namespace stepwire {
+
+namespace {
+
+struct FlattenCall {
+  std::string file;
+  LoadWords words;
+  std::string out;  ///< file; empty: standard output
+};
+
+ExitCode flatten(const FlattenCall& call, const Registry& registry) {
+  std::error_code none;
+  if (!call.out.empty() && std::filesystem::equivalent(call.file, call.out, none)) {
+    complain("{} would be written over itself; give -o another name\n", call.file);
+    return ExitCode::wrong;
+  }
+  const LoadOptions options = load_options(call.words);
+  Loader loader(registry, options.limits);
+  const Plan plan = make_plan(loader.load(call.file, options.settings));
+  const std::string text = flattened_text(plan.diagram);
+  if (call.out.empty())
+    put_data(text);
+  else
+    write_file(call.out, text);
+  return ExitCode::done;
+}
+
+Action declare_flatten(CLI::App& verb) {
+  const auto call = std::make_shared<FlattenCall>();
+  verb.add_option("FILE", call->file, "a diagram file")->required();
+  add_load_options(verb, call->words);
+  verb.add_option("-o", call->out, "file to write; standard output without it");
+  return [call](const Registry& registry) { return flatten(*call, registry); };
+}
+
+}  // namespace
+
+Verb flatten_verb() {
+  return {"flatten", "write a diagram as one file, without parts and parameters",
+          "Example:\n  stepwire flatten rig.yaml --set rig.mass=2kg -o flat.yaml", declare_flatten};
+}
+
+}  // namespace stepwire

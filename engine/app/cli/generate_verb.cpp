@@ -1,0 +1,77 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+
+#include "engine/app/cli/call_options.hpp"
+#include "engine/app/cli/console.hpp"
+#include "engine/app/cli/load_words.hpp"
+#include "engine/app/cli/verb.hpp"
+#include "engine/app/session/version.hpp"
+#include "engine/base/io/file.hpp"
+#include "engine/base/text/characters.hpp"
+#include "engine/simulate/codegen/program_files.hpp"
+
+namespace stepwire {
+
+namespace {
+
+struct GenerateCall {
+  std::string file;
+  LoadWords words;
+  std::string out;  ///< folder
+};
+
+/// What of the file is no part of the program, as words; empty where it is all there.
+std::string left_out(const LoadedModel& model) {
+  std::vector<std::string> parts;
+  if (const auto& sweep = model.job.plan.diagram.sweep) {
+    std::vector<std::string> names;
+    for (const Sweep::Axis& axis : sweep->axes) names.push_back(axis.parameter);
+    parts.push_back(
+        fmt::format("the sweep of {0} (what is made has one value of each, the file's or that of --set)",
+                    fmt::join(names, ", ")));
+  }
+  if (model.study) parts.emplace_back("the study");
+  if (model.fit) parts.emplace_back("the fit");
+  if (model.scene) parts.emplace_back("the scene");
+  if (!model.figures.empty()) parts.emplace_back("figures");
+  if (!model.claims.empty()) parts.emplace_back("claims");
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+ExitCode generate(const GenerateCall& call, const Registry& registry) {
+  const LoadedModel model = load_model(registry, call.file, load_options(call.words));
+  const std::string name = std::filesystem::path(call.file).stem().string();
+  const auto files = program_files(model.job.plan, name, "stepwire " + program_version());
+  for (const auto& [path, text] : files) {
+    const std::filesystem::path target = std::filesystem::path(call.out) / path;
+    require_folder(target.parent_path().string());
+    write_file(target.string(), text);
+  }
+  const std::string folder = shell_word(call.out), build = shell_word(call.out + "/build");
+  say("{}: {} blocks written to {}; cmake -S {} -B {} && cmake --build {} makes a program\n", call.file,
+      model.job.plan.blocks.size(), call.out, folder, build, build);
+  if (const std::string parts = left_out(model); !parts.empty()) fmt::print("  left out: {}\n", parts);
+  fmt::print(
+      "  the flags -ffp-contract=off and -fno-builtin-... of its CMakeLists.txt keep the bits of a run\n");
+  return ExitCode::done;
+}
+
+Action declare_generate(CLI::App& verb) {
+  const auto call = std::make_shared<GenerateCall>();
+  verb.add_option("FILE", call->file, "a diagram file")->required();
+  add_load_options(verb, call->words);
+  add_out_option(verb, "-o", call->out, "folder for the program")->required();
+  return [call](const Registry& registry) { return generate(*call, registry); };
+}
+
+}  // namespace
+
+Verb generate_verb() {
+  return {"generate", "write a diagram as C++ that is built without stepwire",
+          "Example:\n  stepwire generate controller.yaml -o controller", declare_generate};
+}
+
+}  // namespace stepwire

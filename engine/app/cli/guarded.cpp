@@ -1,0 +1,52 @@
+#include "engine/app/cli/guarded.hpp"
+
+#include <algorithm>
+#include <new>
+#include <stdexcept>
+#include <string_view>
+
+#include "engine/app/cli/console.hpp"
+#include "engine/app/session/fault_json.hpp"
+#include "engine/base/subprocess/process.hpp"
+#include "engine/base/table/table_file.hpp"
+#include "engine/base/text/characters.hpp"
+
+namespace stepwire {
+
+void print_faults(const RunResult& result) {
+  constexpr std::size_t most_shown = 10;
+  const auto& faults = result.faults;
+  for (std::size_t i = 0; i < std::min(faults.size(), most_shown); ++i)
+    complain("{}\n", faults[i].fault.text());
+  if (faults.size() > most_shown)
+    complain("and {} more runs of the sweep ended early\n", faults.size() - most_shown);
+}
+
+ExitCode guarded(const std::function<ExitCode()>& action, Json* faults) {
+  const auto refused = [&](std::string_view why, ExitCode code) {
+    complain("{}\n", why);
+    if (faults) *faults = Json::list({Json::object().set("text", std::string(why))});
+    return code;
+  };
+  try {
+    return action();
+  } catch (const Error& error) {
+    complain("{}\n", error.what());
+    if (faults) *faults = faults_json(error.faults());
+    return ExitCode::wrong;
+  } catch (const TableError& error) {
+    return refused(visible(error.what()), ExitCode::wrong);
+  } catch (const ProcessStopped&) {
+    return ExitCode::interrupted;
+  } catch (const std::length_error&) {  // a container that was asked for more than any memory has
+    return refused("this run needs more memory than there can be", ExitCode::surroundings);
+  } catch (const std::bad_alloc&) {
+    return refused(
+        "there is not enough memory for this run; record fewer signals or give 'record' an 'every'",
+        ExitCode::surroundings);
+  } catch (const std::exception& error) {  // SurroundingsError, system_error of files and threads, and others
+    return refused(error.what(), ExitCode::surroundings);
+  }
+}
+
+}  // namespace stepwire

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/app/session/loaded_model.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace stepwire {
+
+/// What a call says of reading diagram files: --set, --set-from, --large, and --stop where a verb has it.
+struct LoadWords {
+  std::vector<std::string> set;
+  std::vector<std::string> set_from;
+  std::string stop;
+  bool large = false;
+};
+
+/// Declares all of them but --stop.
+void add_load_options(CLI::App& verb, LoadWords& words);
+
+/// Settings of files come first, so that the call's own win. Throws CLI::ValidationError for what is not
+/// "name=value", Error for a file that is no flat list of values.
+LoadOptions load_options(const LoadWords& words);
+
+}  // namespace stepwire

@@ -1,0 +1,90 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "engine/app/cli/call_options.hpp"
+#include "engine/app/cli/console.hpp"
+#include "engine/app/cli/interrupt.hpp"
+#include "engine/app/cli/load_words.hpp"
+#include "engine/app/cli/monitoring.hpp"
+#include "engine/app/cli/verb.hpp"
+#include "engine/app/report/loop_text.hpp"
+#include "engine/app/session/loop_run.hpp"
+
+namespace stepwire {
+
+namespace {
+
+ExitCode code_of(const LoopOutcome& outcome) {
+  switch (outcome.loop.end()) {
+    case Loop::End::stopped:
+      return ExitCode::fails;
+    case Loop::End::interrupted:
+      return ExitCode::interrupted;
+    case Loop::End::fault:
+      return ExitCode::wrong;
+    case Loop::End::done:
+      break;
+  }
+  return ExitCode::done;
+}
+
+/// What went wrong, on the standard error.
+ExitCode print_troubles(const LoopOutcome& outcome) {
+  ExitCode code = code_of(outcome);
+  if (const auto fault = outcome.loop.simulation().fault()) complain("{}\n", fault->fault.text());
+  if (!outcome.rows || outcome.rows->trouble.empty()) return code;
+  complain("{}; {} rows are lost\n", outcome.rows->trouble, outcome.rows->lost_to_disk);
+  return worst(code, ExitCode::surroundings);
+}
+
+void add_loop_options(CLI::App& verb, LoopCall& call) {
+  LoopWords& words = call.words;
+  verb.add_option("FILE", call.file, "a diagram file")->required();
+  verb.add_option("--rate", words.rate, "how often the thread wakes [Hz]")->capture_default_str();
+  verb.add_option("--duration", words.duration, "for how long [s]; the file's stop does not end it")
+      ->capture_default_str();
+  verb.add_option("--policy", words.policy, "how it is scheduled: fifo:1 to fifo:99, or other")
+      ->capture_default_str();
+  verb.add_option("--cpu", words.cpu, "the processor to which it is bound");
+  verb.add_option("--overrun", words.overrun,
+                  "what a missed deadline means: skip drops it, catch-up runs it late, stop:N ends the loop "
+                  "after N in a row")
+      ->capture_default_str();
+  verb.add_option("--spin", words.spin, "time before each deadline at which it is awake, e.g. 200us")
+      ->capture_default_str();
+  add_engine_option(verb, call.engine, "interpreted, or compiled before the loop begins; to the same bits");
+  add_out_option(verb, "--out", call.out, "folder for signals.csv, inputs.csv, loop.json, loop.svg");
+  verb.add_flag("--baseline", call.baseline, "measure cyclictest by turns, and set it beside the loop");
+}
+
+ExitCode loop(const LoopCall& call, const Registry& registry) {
+  const EndDelay delay(EndDelay::Signals::all);
+  ExitCode code = ExitCode::done;
+  run_loop(call, registry, terminal_monitor(nullptr), [&](const LoopOutcome& outcome) {
+    put_text(loop_text(outcome));
+    code = print_troubles(outcome);
+  });
+  if (!call.out.empty()) say("  written to {}\n", call.out);
+  return code;
+}
+
+Action declare_loop(CLI::App& verb) {
+  const auto call = std::make_shared<LoopCall>();
+  const auto words = std::make_shared<LoadWords>();
+  add_loop_options(verb, *call);
+  add_load_options(verb, *words);
+  return [call, words](const Registry& registry) {
+    call->load = load_options(*words);
+    return loop(*call, registry);
+  };
+}
+
+}  // namespace
+
+Verb loop_verb() {
+  return {"loop", "run a diagram file in real time, and measure how well",
+          "Example:\n  stepwire loop lag.yaml --rate 1000 --duration 10 --overrun stop:3 --out out/lag",
+          declare_loop};
+}
+
+}  // namespace stepwire

@@ -1,0 +1,40 @@
+#include "engine/app/cli/model_call.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "engine/app/cli/console.hpp"
+#include "engine/app/cli/guarded.hpp"
+#include "engine/app/cli/interrupt.hpp"
+
+namespace stepwire {
+
+void add_model_options(CLI::App& verb, ModelCall& call) {
+  verb.add_option("FILE", call.files, "diagram files")->required();
+  add_load_options(verb, call.words);
+  verb.add_option("--stop", call.words.stop, "stop time in place of the file's, e.g. 2s");
+  verb.add_flag("--units", call.units, "print the unit of every wire");
+  verb.add_flag("--json", call.json, "print the result as JSON");
+}
+
+ExitCode each_model(const ModelCall& call, const Registry& registry, const ModelAction& action) {
+  LoadOptions options = load_options(call.words);
+  options.study = call.study;
+  ExitCode code = ExitCode::done;
+  Json results = Json::list();
+  for (const std::string& file : call.files) {
+    if (interrupted()) break;
+    Json faults;
+    const ExitCode one = guarded(
+        [&] {
+          LoadedModel model = load_model(registry, file, options);
+          return action(model, results);
+        },
+        &faults);
+    if (faults.is_list()) results.push(Json::object().set("file", file).set("faults", std::move(faults)));
+    code = worst(code, one);
+  }
+  if (call.json) say("{}\n", results.text());
+  return interrupted() ? ExitCode::interrupted : code;
+}
+
+}  // namespace stepwire

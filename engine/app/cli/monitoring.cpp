@@ -1,0 +1,19 @@
+#include "engine/app/cli/monitoring.hpp"
+
+#include "engine/app/cli/console.hpp"
+#include "engine/app/cli/interrupt.hpp"
+
+namespace stepwire {
+
+Monitor terminal_monitor(Progress* progress) {
+  Monitor monitor;
+  monitor.interrupt = &interrupted();
+  monitor.notice = [](const std::string& text) { complain("{}\n", text); };
+  if (progress)
+    monitor.progress = [progress](double fraction, const std::string& what) {
+      progress->show(fraction, what);
+    };
+  return monitor;
+}
+
+}  // namespace stepwire

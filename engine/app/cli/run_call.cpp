@@ -1,0 +1,194 @@
+#include "engine/app/cli/run_call.hpp"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "engine/app/cli/call_options.hpp"
+#include "engine/app/cli/console.hpp"
+#include "engine/app/cli/guarded.hpp"
+#include "engine/app/cli/interrupt.hpp"
+#include "engine/app/cli/monitoring.hpp"
+#include "engine/app/report/fit_text.hpp"
+#include "engine/app/report/profile_report.hpp"
+#include "engine/app/report/run_text.hpp"
+#include "engine/app/report/study_text.hpp"
+#include "engine/app/session/result_folder.hpp"
+#include "engine/app/session/run_files.hpp"
+#include "engine/app/session/session.hpp"
+#include "engine/base/io/file.hpp"
+#include "engine/simulate/replay/replay_folder.hpp"
+#include "engine/view/render/figure_file.hpp"
+
+namespace stepwire {
+
+namespace {
+
+/// Several files get a folder each; empty where nothing is written.
+std::string folder_of(const RunCall& call, const std::string& file) {
+  if (call.models.files.size() == 1 || call.out.empty()) return call.out;
+  return (std::filesystem::path(call.out) / std::filesystem::path(file).stem()).string();
+}
+
+/// Files of one name in different folders would write over each other.
+bool folders_differ(const RunCall& call) {
+  std::map<std::string, std::string> files;
+  for (const std::string& file : call.models.files) {
+    const auto [first, is_new] = files.emplace(folder_of(call, file), file);
+    if (is_new || call.out.empty()) continue;
+    complain("{} and {} would both be written to {}; give each a call with its own --out\n", first->second,
+             file, first->first);
+    return false;
+  }
+  return true;
+}
+
+void require_section(const RunCall& call, const LoadedModel& model) {
+  const auto refuse = [&](const char* message) { throw Error(Fault{{model.file, {}}, "", message, {}}); };
+  if (call.requires_section == "fit" && !model.fit)
+    refuse("asks for no fit; a section 'fit' names parameters and records");
+  if (call.requires_section == "study" && !model.study)
+    refuse("asks for no study; a section 'study' names task, people and conditions");
+}
+
+std::string file_name(const LoadedModel& model) {
+  return std::filesystem::path(model.file).filename().string();
+}
+
+/// What the files of one call share, and what is done with each of them.
+class FileRuns {
+ public:
+  FileRuns(const RunCall& call, const Registry& registry) : call_(call), session_(registry) {}
+
+  ExitCode carry_out(LoadedModel& model, Json& results) {
+    require_section(call_, model);
+    const EndDelay delay(EndDelay::Signals::first);
+    const std::string folder = folder_of(call_, model.file);
+    const auto owned = own_results(folder, model);
+    if (model.study) return call_.study_repeats > 0 ? repeat(model, folder) : study(model, folder, results);
+    const ExitCode fitted = model.fit ? fit(model, folder, results) : ExitCode::done;
+    return fitted == ExitCode::done ? run(model, folder, results) : fitted;
+  }
+
+ private:
+  /// Finds the parameters for which the file asks, prints them, and loads the model with them.
+  ExitCode fit(LoadedModel& model, const std::string& folder, Json& results) {
+    FitCall call = call_.fit;
+    call.engine = call_.engine;
+    const FitResult result = [&] {
+      const auto watch = watched("fit " + file_name(model));
+      return session_.fit(model, call);
+    }();
+    if (!folder.empty()) write_fit(folder, model, result);
+    if (call_.models.json)
+      results.push(Json::object().set("fit", fit_json(model, result)));
+    else
+      put_text(fit_text(result));
+    const ExitCode code = code_of(result);
+    if (code == ExitCode::done) model = session_.fitted(model, result);
+    return code;
+  }
+
+  ExitCode run(const LoadedModel& model, const std::string& folder, Json& results) {
+    // Better now than after an hour, in which data files may change.
+    if (!folder.empty()) write_replay(folder, model.job);
+    const Outcome outcome = [&] {
+      const auto watch = watched(file_name(model));
+      return session_.run(model, call_.engine);
+    }();
+    print_faults(outcome.result);
+    if (!folder.empty()) write_outputs(folder, model, outcome);
+    const std::optional<Profile> profile = wanted_profile(model);
+    if (profile && !folder.empty()) write_profile(folder, model, *profile);
+    if (call_.models.json) {
+      Json result = run_json(model, outcome).set("claims", claims_json(model, outcome));
+      if (profile) result.set("profile", profile_json(*profile));
+      results.push(std::move(result));
+      return code_of(outcome);
+    }
+    if (call_.models.units) put_text(units_text(model.job.plan.diagram));
+    put_text(outcome_text(model, outcome));
+    if (profile) put_text(profile_text(model, *profile));
+    if (!folder.empty()) say("  written to {}\n", folder);
+    return code_of(outcome);
+  }
+
+  /// A bar on the terminal for what the session does from now on, as long as it lives.
+  std::unique_ptr<Progress> watched(const std::string& label) {
+    auto progress = std::make_unique<Progress>(label);
+    session_.monitor() = terminal_monitor(progress.get());
+    return progress;
+  }
+
+  /// Measured behind the run, on a run of its own: what is recorded and judged is that of any other call.
+  std::optional<Profile> wanted_profile(const LoadedModel& model) const {
+    if (!call_.profile || interrupted()) return std::nullopt;
+    return profile_of(model, &interrupted());
+  }
+
+  static void write_profile(const std::string& folder, const LoadedModel& model, const Profile& profile) {
+    write_file(folder + "/profile.csv", profile_csv(profile));
+    write_figure(folder, "profile", profile_figure(model, profile));
+  }
+
+  /// Makes the study for which the file asks, in the place of a run.
+  ExitCode study(LoadedModel& model, const std::string& folder, Json& results) {
+    const auto experiments = [&] {
+      const auto watch = watched("study " + file_name(model));
+      return session_.study(model, study_call());
+    }();
+    const Outcome outcome = study_outcome(model, *experiments);
+    if (outcome.result.interrupted) return ExitCode::interrupted;  // nothing is kept of half a study
+    if (!folder.empty()) {
+      write_outputs(folder, model, outcome);
+      write_study(folder, model, *experiments, outcome);
+    }
+    if (call_.models.json) {
+      Json result = run_json(model, outcome).set("claims", claims_json(model, outcome));
+      results.push(result.set("study", study_json(model, *experiments)));
+      return code_of(outcome);
+    }
+    say("{}{}", study_text(model, *experiments), outcome_text(model, outcome));
+    if (!folder.empty()) say("  written to {}\n", folder);
+    return code_of(outcome);
+  }
+
+  ExitCode repeat(const LoadedModel& model, const std::string& folder) {
+    const Repetition repetition = [&] {
+      const auto watch = watched("experiments " + file_name(model));
+      return repeat_study(session_.registry(), model, study_call(), call_.study_repeats, folder,
+                          session_.monitor());
+    }();
+    if (interrupted()) {
+      say("{} experiments are done; the same call goes on\n", repetition.size());
+      return ExitCode::interrupted;
+    }
+    say("{}  written to {}\n", text(repetition.table(*model.study)), folder);
+    return ExitCode::done;
+  }
+
+  StudyCall study_call() const { return {call_.engine, call_.study_threads}; }
+
+  const RunCall& call_;
+  Session session_;
+};
+
+}  // namespace
+
+void add_run_options(CLI::App& verb, RunCall& call, const std::string& out) {
+  add_model_options(verb, call.models);
+  add_engine_option(verb, call.engine,
+                    "interpreted, compiled, or auto: compiled once that is worth it; all to the same bits");
+  add_out_option(verb, "--out", call.out, out);
+}
+
+ExitCode run_models(const RunCall& call, const Registry& registry) {
+  if (!folders_differ(call)) return ExitCode::wrong;
+  FileRuns runs(call, registry);
+  return each_model(call.models, registry,
+                    [&](LoadedModel& model, Json& results) { return runs.carry_out(model, results); });
+}
+
+}  // namespace stepwire

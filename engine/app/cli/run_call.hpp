@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "engine/app/cli/model_call.hpp"
+#include "engine/app/session/fitting.hpp"
+#include "engine/app/session/studies.hpp"
+
+namespace stepwire {
+
+/// A call of `run`, `fit` or `study`.
+struct RunCall {
+  ModelCall models;
+  std::string out;  ///< folder; empty: nothing is written
+  Engine engine = Engine::automatic;
+  bool profile = false;          ///< measure what each block costs
+  std::string requires_section;  ///< a file without this section is refused; empty: any file will do
+  FitCall fit;
+  unsigned study_threads = 0;     ///< 0: all cores
+  std::size_t study_repeats = 0;  ///< experiments; 0: the one of the file
+};
+
+/// Declares the options that the three have; `out` explains --out.
+void add_run_options(CLI::App& verb, RunCall& call, const std::string& out);
+
+/// Runs the files; one with a fit is fitted first, and of one with a study the trials are run.
+ExitCode run_models(const RunCall& call, const Registry& registry);
+
+}  // namespace stepwire

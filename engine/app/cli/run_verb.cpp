@@ -1,0 +1,27 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "engine/app/cli/run_call.hpp"
+#include "engine/app/cli/verb.hpp"
+
+namespace stepwire {
+
+namespace {
+
+Action declare_run(CLI::App& verb) {
+  const auto call = std::make_shared<RunCall>();
+  add_run_options(verb, *call,
+                  "folder for signals.csv, signals.mat, pictures, claims.json, run.json, diagram.yaml");
+  verb.add_flag("--profile", call->profile,
+                "measure what each block costs; with --out also in profile.csv and profile.svg");
+  return [call](const Registry& registry) { return run_models(*call, registry); };
+}
+
+}  // namespace
+
+Verb run_verb() {
+  return {"run", "run diagram files, judge their claims",
+          "Example:\n  stepwire run lag.yaml --set tau=0.2s --stop 2s --out out/lag", declare_run};
+}
+
+}  // namespace stepwire

@@ -1,0 +1,25 @@
+#include "engine/app/cli/console.hpp"
+#include "engine/app/cli/verb.hpp"
+#include "engine/app/reference/diagram_schema.hpp"
+
+namespace stepwire {
+
+namespace {
+
+Action declare_schema(CLI::App&) {
+  return [](const Registry& registry) {
+    say("{}\n", diagram_schema(registry).text());
+    return ExitCode::done;
+  };
+}
+
+}  // namespace
+
+Verb schema_verb() {
+  return {"schema", "print the JSON schema of diagram files, for editors",
+          "Example:\n  stepwire schema > stepwire.schema.json\n  # first line of a diagram file:\n"
+          "  # yaml-language-server: $schema=stepwire.schema.json",
+          declare_schema};
+}
+
+}  // namespace stepwire

@@ -1,0 +1,64 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "engine/app/cli/call_options.hpp"
+#include "engine/app/cli/console.hpp"
+#include "engine/app/cli/guarded.hpp"
+#include "engine/app/cli/interrupt.hpp"
+#include "engine/app/cli/monitoring.hpp"
+#include "engine/app/cli/verb.hpp"
+#include "engine/app/thesis/thesis_figures.hpp"
+#include "engine/base/text/characters.hpp"
+
+namespace stepwire {
+
+namespace {
+
+void summarise(const std::vector<GalleryEntry>& entries) {
+  for (const GalleryEntry& entry : entries)
+    for (const Verdict& verdict : entry.verdicts)
+      if (!verdict.holds)
+        say("{}: {}: {}: {} ({})\n", visible(entry.folder), verdict.word(), visible(verdict.that),
+            visible(verdict.shown), visible(verdict.check));
+}
+
+/// Prints why a figure is not as it should be.
+ExitCode report(const ThesisFigure& figure) {
+  return guarded([&] {
+    if (figure.error) std::rethrow_exception(figure.error);
+    print_faults(figure.outcome.result);
+    return code_of(figure.outcome);
+  });
+}
+
+ExitCode thesis(const ThesisCall& call, const Registry& registry) {
+  const EndDelay delay(EndDelay::Signals::first);
+  ExitCode code = ExitCode::done;
+  const std::vector<GalleryEntry> entries = [&] {
+    Progress progress("thesis");
+    return make_thesis(call, registry, terminal_monitor(&progress),
+                       [&](const ThesisFigure& figure) { code = worst(code, report(figure)); });
+  }();
+  summarise(entries);
+  say("{} diagram files; see {}/index.html\n{}\n", entries.size(), call.out, gallery_verdict(entries));
+  return interrupted() ? ExitCode::interrupted : code;
+}
+
+Action declare_thesis(CLI::App& verb) {
+  const auto call = std::make_shared<ThesisCall>();
+  call->diagrams = std::string(STEPWIRE_DIAGRAMS) + "/thesis";
+  verb.add_option("--only", call->only, "beginnings of file names, e.g. fig15,fig31")->delimiter(',');
+  add_out_option(verb, "--out", call->out, "folder of the page")->capture_default_str();
+  return [call](const Registry& registry) { return thesis(*call, registry); };
+}
+
+}  // namespace
+
+Verb thesis_verb() {
+  return {"thesis", "make the figures of the thesis and a page that shows them",
+          "Example:\n  stepwire thesis --only fig15,fig31 --out out/thesis", declare_thesis};
+}
+
+}  // namespace stepwire

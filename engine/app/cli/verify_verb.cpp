@@ -1,0 +1,58 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "engine/app/cli/console.hpp"
+#include "engine/app/cli/guarded.hpp"
+#include "engine/app/cli/interrupt.hpp"
+#include "engine/app/cli/verb.hpp"
+#include "engine/app/session/recorded_study.hpp"
+#include "engine/simulate/replay/verify.hpp"
+
+namespace stepwire {
+
+namespace {
+
+/// Trials that were recorded cannot be replayed; they are analysed again.
+ExitCode verify_analysis(const std::string& folder, const Registry& registry) {
+  const std::string difference = verify_recorded(folder, registry);
+  say("{}\n", difference.empty() ? folder + ": errors and tables of the recorded trials: all bits agree"
+                                 : difference);
+  return difference.empty() ? ExitCode::done : ExitCode::fails;
+}
+
+ExitCode verify_folder(const std::string& folder, const Registry& registry) {
+  if (has_recorded(folder, registry)) return verify_analysis(folder, registry);
+  const Verification verification = verify(folder, registry, &interrupted());
+  if (verification.interrupted) return ExitCode::interrupted;
+  if (verification.difference.empty()) {
+    say("{}: {}\n", folder, verification_text(verification));
+    return ExitCode::done;
+  }
+  say("{}\n", verification_text(verification));
+  return ExitCode::fails;
+}
+
+ExitCode verify_folders(const std::vector<std::string>& folders, const Registry& registry) {
+  const EndDelay delay(EndDelay::Signals::first);
+  ExitCode code = ExitCode::done;
+  for (const std::string& folder : folders) {
+    if (interrupted()) break;
+    code = worst(code, guarded([&] { return verify_folder(folder, registry); }));
+  }
+  return interrupted() ? ExitCode::interrupted : code;
+}
+
+Action declare_verify(CLI::App& verb) {
+  const auto folders = std::make_shared<std::vector<std::string>>();
+  verb.add_option("RUN_DIR", *folders, "folders that run --out wrote")->required();
+  return [folders](const Registry& registry) { return verify_folders(*folders, registry); };
+}
+
+}  // namespace
+
+Verb verify_verb() {
+  return {"verify", "replay what a run left, and compare it bit by bit",
+          "Example:\n  stepwire run lag.yaml --out out/lag && stepwire verify out/lag", declare_verify};
+}
+
+}  // namespace stepwire

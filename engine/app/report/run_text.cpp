@@ -1,0 +1,62 @@
+#include "engine/app/report/run_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/base/text/characters.hpp"
+
+namespace stepwire {
+
+namespace {
+
+std::string verdict_line(const Verdict& verdict) {
+  return fmt::format(
+      "  {} {}: {} ({}){}{}\n",
+      verdict.surprises() || verdict.fails() ? "FAIL"
+      : verdict.holds                        ? "ok  "
+                                             : "note",
+      visible(verdict.that), visible(verdict.shown), visible(verdict.check),
+      verdict.note.empty() ? "" : "; " + visible(verdict.note),
+      verdict.disagrees.empty() ? "" : fmt::format("; {}: {}", verdict.word(), visible(verdict.disagrees)));
+}
+
+}  // namespace
+
+std::string outcome_text(const LoadedModel& model, const Outcome& outcome) {
+  const Diagram& diagram = model.job.plan.diagram;
+  const std::size_t runs = std::max<std::size_t>(1, model.job.points.size());
+  std::string text = fmt::format(
+      "{}\n  {}: {} blocks, {}{} ticks, {:.3g} s\n",
+      visible(diagram.title.empty() ? model.file : diagram.title), visible(model.file), diagram.blocks.size(),
+      runs > 1 ? fmt::format("{} runs, ", runs) : "", outcome.result.ticks, outcome.seconds);
+  std::size_t held = 0;
+  for (const Verdict& verdict : outcome.verdicts) {
+    if (verdict.kind == Claim::Kind::invariant && verdict.holds)
+      ++held;
+    else
+      text += verdict_line(verdict);
+  }
+  if (held > 0)
+    text += fmt::format("  ok   held throughout: {} {}\n", held, held == 1 ? "invariant" : "invariants");
+  for (const RaisedNotice& notice : outcome.result.notices)
+    text += fmt::format("  note {}: {} (first at {:.6g} s)\n", visible(notice.block), visible(notice.text),
+                        notice.time);
+  return text;
+}
+
+std::string units_text(const Diagram& diagram) {
+  std::string text;
+  for (std::size_t b = 0; b < diagram.blocks.size(); ++b) {
+    const DiagramBlock& block = diagram.blocks[b];
+    for (std::size_t o = 0; o < block.type().outputs.size(); ++o) {
+      const auto& dimension = diagram.output_dimensions[b][o];
+      const std::string port =
+          block.type().outputs.size() == 1 ? block.name : block.name + "." + block.type().outputs[o].name;
+      text += fmt::format("  {:<40} {}\n", visible(port), dimension ? si_name(*dimension) : "not known");
+    }
+  }
+  return text;
+}
+
+}  // namespace stepwire

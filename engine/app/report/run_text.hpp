@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "engine/app/session/outcome.hpp"
+
+namespace stepwire {
+
+/// What a run has to tell, for people: title, claims with verdict and value, notices.
+std::string outcome_text(const LoadedModel& model, const Outcome& outcome);
+/// The unit of every wire: "rig.carriage.position  m".
+std::string units_text(const Diagram& diagram);
+
+}  // namespace stepwire

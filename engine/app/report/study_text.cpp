@@ -1,0 +1,28 @@
+#include "engine/app/report/study_text.hpp"
+
+#include <fmt/format.h>
+
+#include "engine/analyse/study/study_tables.hpp"
+#include "engine/base/text/characters.hpp"
+#include "engine/simulate/run/pooling.hpp"
+
+namespace stepwire {
+
+std::string study_text(const LoadedModel& model, const Experiments& experiments) {
+  const StudyRequest& request = *model.study;
+  std::size_t trials = 0;
+  for (const Experiment& experiment : experiments) trials += experiment.trials.size();
+  std::string result =
+      fmt::format("study: task {}, {} subjects, {} trials ({}){}\n", request.task,
+                  request.subject_names().size(), trials, whose_trials(request),
+                  experiments.size() == 1 ? "" : fmt::format(", {} studies of a sweep", experiments.size()));
+  for (const Experiment& experiment : experiments)
+    for (const std::string& remark : experiment.remarks)
+      result += fmt::format("  note {}{}{}\n", visible(remark), experiment.sets.empty() ? "" : "; with ",
+                            visible(settings_text(experiment.sets)));
+  for (const NamedTable& one : model.tables)
+    if (one.name == "means" || one.name == "significance") result += "\n" + text(*one.table);
+  return result + "\n";
+}
+
+}  // namespace stepwire

@@ -1,0 +1,109 @@
+// What a fit found, for programs.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "engine/app/session/fitting.hpp"
+#include "engine/base/text/characters.hpp"
+
+namespace stepwire {
+
+namespace {
+
+Json number_json(const FittedNumber& number) {
+  Json json = Json::object().set("name", number.name);
+  if (!number.record.empty()) json.set("record", number.record);
+  return json.set("value", number.value)
+      .set("unit", number.dimension ? Json(si_name(*number.dimension)) : Json())
+      .set("start", number.start)
+      .set("standard_error", number.standard_error)
+      .set("interval", Json::list({number.low, number.high}))
+      .set("at_bound", number.at_bound);
+}
+
+Json agreements_json(const FittedRecord& record) {
+  Json list = Json::list();
+  for (const ComparedRows& rows : record.comparisons)
+    list.push(std::isfinite(rows.agreement) ? Json(rows.agreement) : Json());
+  return list;
+}
+
+/// In SI, as the parameters.
+Json curves_json(const FitResult& result) {
+  Json list = Json::list();
+  for (const FittedCurve& curve : result.curves)
+    list.push(Json::object()
+                  .set("curve", curve.name)
+                  .set("unit", curve.dimension ? Json(si_name(*curve.dimension)) : Json())
+                  .set("at", Json::list_of(curve.at))
+                  .set("value", Json::list_of(curve.value))
+                  .set("low", Json::list_of(curve.low))
+                  .set("high", Json::list_of(curve.high))
+                  .set("data_range", Json::list_of(curve.data_range)));
+  return list;
+}
+
+Json matrix_json(const Eigen::MatrixXd& matrix) {
+  Json rows = Json::list();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    Json row = Json::list();
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j) row.push(matrix(i, j));
+    rows.push(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::string agreement_text(const ComparedRows& rows, int width) {
+  return std::isfinite(rows.agreement) ? fmt::format("{:{}.2f} %", rows.agreement, width)
+                                       : "constant (no agreement in percent)";
+}
+
+Json fit_json(const LoadedModel& model, const FitResult& result) {
+  Json numbers = Json::list(), records = Json::list(), starts = Json::list();
+  for (const FittedNumber& number : result.numbers) numbers.push(number_json(number));
+  for (const FittedRecord& record : result.records)
+    records.push(Json::object()
+                     .set("record", record.label)
+                     .set("held_out", record.held_out)
+                     .set("rows", record.rows)
+                     .set("fit", agreements_json(record)));
+  for (const FittedStart& start : result.starts)
+    starts.push(Json::object()
+                    .set("cost", start.cost)
+                    .set("finished", start.finished)
+                    .set("iterations", start.iterations));
+  return Json::object()
+      .set("file", model.file)
+      .set("parameters", std::move(numbers))
+      .set("correlation", matrix_json(result.correlation))
+      .set("cost", result.cost)
+      .set("deviation", result.deviation)
+      .set("degrees_of_freedom", result.freedom)
+      .set("residuals_together", static_cast<std::size_t>(result.together))
+      .set("records", std::move(records))
+      .set("curves", curves_json(result))
+      .set("starts", std::move(starts))
+      .set("findings", Json::list_of(result.findings))
+      .set("converged", result.converged)
+      .set("limited", result.limited)
+      .set("interrupted", result.interrupted)
+      .set("compiled", result.compiled)
+      .set("in_part", result.in_part)
+      .set("duration", result.seconds);
+}
+
+std::string parameters_text(const LoadedModel& model, const FitResult& result) {
+  std::string text = fmt::format("# Found by a fit of {}; stepwire run FILE --set-from takes this file.\n",
+                                 visible(model.file));
+  for (const Setting& setting : result.shared) text += fmt::format("{}: {}\n", setting.name, setting.value);
+  for (std::size_t record = 0; record < result.of_records.size(); ++record)
+    for (const Setting& setting : result.of_records[record])
+      text += result.of_records.size() == 1 ? fmt::format("{}: {}\n", setting.name, setting.value)
+                                            : fmt::format("# {}: {}  (in {})\n", setting.name, setting.value,
+                                                          visible(result.records[record].label));
+  return text;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,173 @@
+#include "engine/app/session/loaded_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "engine/analyse/study/study_columns.hpp"
+#include "engine/analyse/study/study_tables.hpp"
+#include "engine/model/diagram/flatten.hpp"
+#include "engine/simulate/record/recorder.hpp"
+#include "engine/view/drawing/draw.hpp"
+#include "engine/view/plot/drawn.hpp"
+#include "engine/view/scene/scene_states.hpp"
+
+namespace stepwire {
+
+namespace {
+
+void add_swept_names(const Job& job, Names& names) {
+  if (job.points.empty()) return;
+  for (const Sweep::Axis& axis : job.plan.diagram.sweep->axes) {
+    RecordedName name{axis.parameter, std::nullopt, std::nullopt};
+    for (const DiagramParameter& parameter : job.plan.diagram.parameters) {
+      if (parameter.name != axis.parameter) continue;
+      name.dimension = parameter.dimension;
+      if (!std::holds_alternative<double>(parameter.value.content))
+        for (const std::string& value : axis.values) name.words.push_back(unquoted(value));
+    }
+    names.columns.push_back(std::move(name));
+  }
+}
+
+void add_signals(const Diagram& diagram, Names& names) {
+  for (const DiagramBlock& block : diagram.blocks) {
+    const auto& outputs = block.type().outputs;
+    if (outputs.size() == 1) names.signals.push_back(block.name);
+    for (const OutputSpec& output : outputs) names.signals.push_back(block.name + "." + output.name);
+  }
+}
+
+void add_outlines(const Diagram& diagram, Names& names) {
+  for (const DiagramBlock& block : diagram.blocks) {
+    if (!block.type().outline) continue;
+    names.outlines.push_back({block.name, {}});
+    block.type().outline(block.block.get(), names.outlines.back().outline);
+  }
+}
+
+/// A number of a block as an expression has it; empty where the unit is that of what is wired to it.
+std::string number_text(const ParameterSpec& spec, double value) {
+  const auto unit = parse_unit(spec.unit);
+  if (!unit) return {};
+  std::string name = unit->dimension == Dimension{} ? "" : " " + si_name(unit->dimension);
+  std::replace(name.begin() + (name.empty() ? 0 : 1), name.end(), ' ', '.');
+  return fmt::format("{}{}", value, name);
+}
+
+/// Adds a number of a block where its name is free.
+void add_number(const std::string& name, const ParameterSpec& spec, double value, Names& names) {
+  const bool is_free = !names.find(name) && !std::ranges::count(names.signals, name);
+  if (!std::isfinite(value) || !is_free) return;
+  if (std::string text = number_text(spec, value); !text.empty())
+    names.drawn.push_back({name, std::move(text)});
+}
+
+/// Numbers that blocks were given, by their file, a preset or as defaults: "rig.damper.beta"; of a list
+/// "rig.damper.alpha.2".
+void add_numbers_of_blocks(const Diagram& diagram, Names& names) {
+  for (const DiagramBlock& block : diagram.blocks)
+    for (const ParameterSpec& spec : block.type().parameters) {
+      const Value value = spec.get(block.block.get());
+      const std::string name = block.name + "." + spec.name;
+      if (const auto* number = std::get_if<double>(&value.content)) add_number(name, spec, *number, names);
+      const auto* list = std::get_if<Eigen::VectorXd>(&value.content);
+      if (list && list->size() == 1) add_number(name, spec, (*list)[0], names);
+      for (Eigen::Index k = 0; list && list->size() > 1 && k < list->size(); ++k)
+        add_number(fmt::format("{}.{}", name, k + 1), spec, (*list)[k], names);
+    }
+}
+
+/// What figures and claims of a file may name.
+Names names_of(const Job& job) {
+  const Diagram& diagram = job.plan.diagram;
+  Names names{diagram.file, {}, {}};
+  names.columns.push_back({"time", parse_unit("s")->dimension, std::nullopt});
+  add_swept_names(job, names);
+  for (std::size_t r = 0; r < diagram.records.size(); ++r) {
+    const auto columns = recorded_columns(job.plan, diagram.records[r]);
+    for (std::size_t i = 1; i < columns.size(); ++i)
+      names.columns.push_back({columns[i].name, columns[i].dimension, r});
+  }
+  for (const DiagramParameter& parameter : diagram.parameters)
+    if (const double* number = std::get_if<double>(&parameter.value.content))
+      names.parameters.push_back({parameter.name, *number, parameter.dimension});
+  add_signals(diagram, names);
+  add_outlines(diagram, names);
+  add_numbers_of_blocks(diagram, names);
+  return names;
+}
+
+/// Reads what the file asks of a study, and adds the names that it makes.
+void add_study(Loader& loader, const LoadOptions& options, LoadedModel& model, Names& names, Faults& faults) {
+  const Node* section = loader.document(model.file).root.find("study");
+  if (!section) return;
+  const Diagram& diagram = model.job.plan.diagram;
+  if (diagram.fit.kind != Node::Kind::empty)
+    faults.add({{model.file, section->mark}, "study", "a file has a study or a fit, not both", {}});
+  model.study = read_study(*section, names, diagram, loader, options.study, faults);
+  faults.throw_if_any();
+  add_study_names(*model.study, names);
+  model.tables = names.tables = empty_study_tables(!model.job.points.empty());
+}
+
+/// Reads the scene ahead of figures and claims, which may name what it shows.
+std::shared_ptr<const Scene> read_scene_of(const Diagram& diagram, Names& names, Faults& faults) {
+  if (diagram.scene.kind == Node::Kind::empty) return nullptr;
+  const std::size_t before = faults.size();
+  auto scene = std::make_shared<const Scene>(read_scene(diagram.scene, names, faults));
+  if (faults.size() == before)
+    std::ranges::copy(scene_state_names(*scene), std::back_inserter(names.columns));
+  return scene;
+}
+
+/// Claims and invariants may name what the figures draw and the scene shows.
+void read_all_claims(const Diagram& diagram, LoadedModel& model, Names& names, Faults& faults) {
+  std::ranges::move(drawn_quantities(model.figures), std::back_inserter(names.drawn));
+  if (model.scene) std::ranges::move(shown_quantities(*model.scene), std::back_inserter(names.drawn));
+  const auto read = [&](const Node& section, Claim::Kind kind) {
+    if (section.kind == Node::Kind::empty) return;
+    std::ranges::move(read_claims(section, kind, names, faults), std::back_inserter(model.claims));
+  };
+  read(diagram.claims, Claim::Kind::statement);
+  read(diagram.invariants, Claim::Kind::invariant);
+}
+
+}  // namespace
+
+std::string unquoted(const std::string& word) {
+  const bool quoted = word.size() > 1 && word.front() == '"' && word.back() == '"';
+  return quoted ? word.substr(1, word.size() - 2) : word;
+}
+
+LoadedModel load_model(const Registry& registry, const std::string& file, const LoadOptions& options) {
+  Loader loader(registry, options.limits);
+  return load_model(loader, file, options);
+}
+
+LoadedModel load_model(Loader& loader, const std::string& file, const LoadOptions& options) {
+  LoadedModel model;
+  model.file = file;
+  model.options = options;
+  model.job = make_job(loader, file, options.settings, options.stop, options.of_points);
+  Names names = names_of(model.job);
+  Faults faults;
+  const Diagram& diagram = model.job.plan.diagram;
+  const DiagramView view(diagram, loader);
+  names.diagram = &view;
+  add_study(loader, options, model, names, faults);
+  names.scene = model.scene = read_scene_of(diagram, names, faults);
+  if (diagram.figure.kind != Node::Kind::empty) model.figures = read_figures(diagram.figure, names, faults);
+  if (model.study)
+    for (Figure& figure : model.figures)
+      if (!figure.title.empty()) figure.title += fmt::format(" ({})", whose_trials(*model.study));
+  read_all_claims(diagram, model, names, faults);
+  if (diagram.fit.kind != Node::Kind::empty) model.fit = read_fit(diagram.fit, names, diagram, faults);
+  faults.throw_if_any();
+  model.hash = diagram_hash(diagram);
+  return model;
+}
+
+}  // namespace stepwire

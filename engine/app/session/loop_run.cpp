@@ -1,0 +1,120 @@
+#include "engine/app/session/loop_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "engine/app/session/loop_files.hpp"
+#include "engine/base/io/file.hpp"
+#include "engine/base/io/owned_folder.hpp"
+#include "engine/base/subprocess/process.hpp"
+#include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/realtime/row_writer.hpp"
+#include "engine/simulate/replay/replay_folder.hpp"
+#include "engine/simulate/run/memory.hpp"
+#include "engine/view/render/figure_file.hpp"
+
+namespace stepwire {
+
+namespace {
+
+constexpr double seconds_in_ring = 4.0;  // that the writer may be late
+constexpr double fewest_numbers = 1 << 16, most_numbers = 1 << 23;
+constexpr double slice = 1.0;  // [s] of each in turn with a baseline
+
+/// A loop runs the file once with its own values, so its sweep, figures and claims are left alone.
+Plan plan_for_loop(const LoopCall& call, const Registry& registry, const LoopSettings& settings) {
+  Loader loader(registry, call.load.limits);
+  Plan plan = make_plan(loader.load_point(call.file, call.load.settings));
+  require_solver_memory(plan);
+  ticks_per_period(plan.diagram, settings.rate);
+  require_fit_for_loop(plan);
+  return plan;
+}
+
+std::size_t ring_size(const Plan& plan, const LoopSettings& settings) {
+  const auto of_tick = static_cast<double>(LoopRecorder::numbers_per_tick(plan));
+  const auto ticks = static_cast<double>(ticks_per_period(plan.diagram, settings.rate));
+  const double wanted = seconds_in_ring * settings.rate * ticks * of_tick;
+  return static_cast<std::size_t>(
+      std::max(std::clamp(wanted, fewest_numbers, most_numbers), 16.0 * ticks * of_tick));
+}
+
+/// The way of rows from the loop into the files of a folder.
+class RowsToFolder {
+ public:
+  RowsToFolder(const Plan& plan, const LoopSettings& settings, const std::string& folder)
+      : ring_(ring_size(plan, settings)), recorder_(plan, ring_), writer_(ring_, folder, loop_files(plan)) {}
+
+  LoopRecorder& recorder() { return recorder_; }
+  LoopRows finish() {
+    writer_.finish();
+    return {writer_.rows(), recorder_.lost(), writer_.lost(), writer_.trouble()};
+  }
+
+ private:
+  RowRing ring_;
+  LoopRecorder recorder_;
+  RowWriter writer_;
+};
+
+/// Compiled code, where that is asked for and can be; with `auto`, too, since a loop has no time for it
+/// later.
+std::optional<CompiledPlan> code_for(const Plan& plan, Engine engine, const Monitor& monitor) {
+  if (engine == Engine::interpreted) return std::nullopt;
+  GeneratedCode source;
+  std::optional<CompiledPlan> code = source.compile(plan, {}, {});
+  monitor.note_interpreted(source.take_problem());
+  return code;
+}
+
+/// Serves all deadlines; in slices, with one of the baseline before each, where there is one.
+Served serve_all(Loop& loop, const LoopSettings& settings, std::optional<Cyclictest>& baseline,
+                 const Monitor& monitor) {
+  const auto count =
+      baseline ? std::max<std::int64_t>(1, std::llround(slice * settings.rate)) : settings.deadlines;
+  Served served;
+  while (!loop.ended()) {
+    const std::int64_t left = settings.deadlines - loop.deadlines().index();
+    if (baseline && !monitor.interrupted()) baseline->run(std::min(count, left));
+    served = serve_in_real_time(loop, count, settings.policy, settings.cpu);
+  }
+  return served;
+}
+
+}  // namespace
+
+void run_loop(const LoopCall& call, const Registry& registry, const Monitor& monitor,
+              const std::function<void(const LoopOutcome&)>& report) {
+  const LoopSettings settings = read_loop_settings(call.words);
+  const Plan plan = plan_for_loop(call, registry, settings);
+  std::optional<Cyclictest> baseline;
+  if (call.baseline) baseline.emplace(settings.rate, settings.policy, settings.cpu);
+  std::optional<OwnedFolder> folder;
+  std::unique_ptr<RowsToFolder> recording;
+  if (!call.out.empty()) {
+    folder.emplace(call.out, [&] { return files_read(plan); });
+    write_replay(call.out, plan);  // of the data files as they are now
+    recording = std::make_unique<RowsToFolder>(plan, settings, call.out);
+  }
+  NoDevice device;
+  SystemClock clock(settings.spin);
+  const std::optional<CompiledPlan> compiled = code_for(plan, call.engine, monitor);
+  const LoopOptions options{settings.rate,
+                            settings.deadlines,
+                            settings.overrun,
+                            monitor.interrupt,
+                            compiled ? &*compiled : nullptr,
+                            monitor.observers};
+  Loop loop(plan, options, device, clock, recording ? &recording->recorder() : nullptr);
+  LoopOutcome outcome{loop, settings, serve_all(loop, settings, baseline, monitor), {}, std::move(baseline)};
+  if (recording) outcome.rows = recording->finish();
+  processes_stop() = false;  // of an interrupted loop there is a picture, too
+  report(outcome);
+  if (!recording) return;
+  write_file(call.out + "/loop.json", loop_json(outcome).text() + "\n");
+  write_figure(call.out, "loop", loop_figure(outcome), "loop-figure");
+}
+
+}  // namespace stepwire

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/app/session/loaded_model.hpp"
+#include "engine/app/session/monitor.hpp"
+
+namespace stepwire {
+
+/// What became of a file.
+struct Outcome {
+  RunResult result;
+  std::vector<Recording> shown;  ///< the recordings with what the scene shows; empty where there is none
+  std::vector<Verdict> verdicts;
+  double seconds = 0.0;  ///< of the run itself, without loading and drawing
+
+  /// What figures and claims read.
+  std::span<const Recording> recordings() const { return shown.empty() ? result.recordings : shown; }
+  /// Did it end before its time, by a fault or an interruption?
+  bool early() const { return !result.faults.empty() || result.interrupted; }
+};
+
+/// Judges all claims on what was recorded; those about a run that ended early do not hold.
+void judge_claims(const LoadedModel& model, Outcome& outcome);
+
+/// Runs and judges. Claims about a run that ended early are not judged and do not hold.
+Outcome run_model(const LoadedModel& model, const RunOptions& options);
+/// The same, watched; `code` compiles what the engine does not interpret.
+Outcome run_model(const LoadedModel& model, Engine engine, CodeSource& code, const Monitor& monitor);
+
+}  // namespace stepwire

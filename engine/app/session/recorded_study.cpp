@@ -1,0 +1,99 @@
+#include "engine/app/session/recorded_study.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <sstream>
+
+#include "engine/app/session/studies.hpp"
+#include "engine/base/io/file.hpp"
+#include "engine/simulate/replay/replay_folder.hpp"
+
+namespace stepwire {
+
+namespace {
+
+constexpr const char* copy_name = "recorded.csv";
+
+std::string path_in(const std::string& folder, const std::string& name) {
+  return (std::filesystem::path(folder) / name).string();
+}
+
+/// Under which name a signal is recorded.
+std::string recorded_name(const Diagram& diagram, const SignalRef& wanted) {
+  for (const RecordRequest& record : diagram.records)
+    for (const RecordedSignal& signal : record.signals)
+      if (signal.signal.block == wanted.block && signal.signal.output == wanted.output) return signal.name;
+  return {};
+}
+
+Json conditions_json(const StudyRequest& request) {
+  Json all = Json::object();
+  for (const StudyCondition& condition : request.conditions) {
+    Json on = Json::object();
+    if (condition.feedback.haptic) on.set("haptic", 1);
+    if (condition.feedback.visual) on.set("visual", 1);
+    if (condition.feedback.guiding_path) on.set("guiding_path", 1);
+    all.set(condition.feedback.name, std::move(on));
+  }
+  return all;
+}
+
+/// The section of a diagram file that asks for the same study of the copied trials; what is JSON is YAML.
+Json section_json(const StudyRequest& request, const Diagram& diagram) {
+  Json section = Json::object()
+                     .set("task", request.task)
+                     .set("trials", copy_name)
+                     .set("conditions", conditions_json(request))
+                     .set("position", request.position);
+  if (request.circle) section.set("circle", Json::object().set("of", request.circle->of));
+  if (request.way_back)
+    section.set("way_back", Json::object()
+                                .set("position", recorded_name(diagram, request.way_back->position))
+                                .set("direction", recorded_name(diagram, request.way_back->direction)));
+  return section;
+}
+
+/// The first line in which a file of the folder differs from what it should be.
+std::string difference(const std::string& path, const std::string& wanted) {
+  std::istringstream there(read_file(path)), here(wanted);
+  std::string one, other;
+  for (std::size_t line = 1;; ++line) {
+    const bool more = static_cast<bool>(std::getline(there, one));
+    const bool wants = static_cast<bool>(std::getline(here, other));
+    if (!more && !wants) return {};
+    if (more != wants || one != other)
+      return fmt::format("{}:{}: is '{}', but the recorded trials give '{}'", path, line, more ? one : "",
+                         wants ? other : "");
+  }
+}
+
+}  // namespace
+
+void write_recorded(const std::string& folder, const LoadedModel& model) {
+  write_replay(folder, model.job.plan);
+  write_file(path_in(folder, copy_name), read_file(model.study->trials));
+  const std::string file = path_in(folder, flattened_name);
+  write_file(file, fmt::format("{}study: {}\n", read_file(file),
+                               section_json(*model.study, model.job.plan.diagram).text(-1)));
+}
+
+bool has_recorded(const std::string& folder, const Registry& registry) {
+  const std::string file = path_in(folder, flattened_name);
+  if (!std::filesystem::exists(file)) return false;
+  Loader loader(registry, wide_limits);
+  return loader.document(file).root.find("study") != nullptr;
+}
+
+std::string verify_recorded(const std::string& folder, const Registry& registry) {
+  LoadOptions options;
+  options.limits = wide_limits;
+  LoadedModel model = load_model(registry, path_in(folder, flattened_name), options);
+  const Experiments experiments{score_recorded(*model.study, model.job.plan.diagram)};
+  const Outcome outcome = study_outcome(model, experiments);
+  const std::string errors =
+      difference(path_in(folder, "errors.csv"), errors_text(model, experiments, outcome));
+  return errors.empty() ? difference(path_in(folder, "tables.txt"), tables_text(model, experiments)) : errors;
+}
+
+}  // namespace stepwire

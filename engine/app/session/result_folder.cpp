@@ -1,0 +1,23 @@
+#include "engine/app/session/result_folder.hpp"
+
+#include <set>
+#include <utility>
+
+#include "engine/simulate/replay/replay_folder.hpp"
+
+namespace stepwire {
+
+std::unique_ptr<OwnedFolder> own_results(const std::string& folder, const LoadedModel& model) {
+  if (folder.empty()) return nullptr;
+  auto owned = std::make_unique<OwnedFolder>(folder, [&] {
+    std::set<std::string> files = files_read(model.job);
+    files.insert({folder + "/experiments.csv", folder + "/experiments.json"});
+    if (model.study && !model.study->trials.empty()) files.insert(model.study->trials);
+    return files;
+  });
+  for (const char* name : {"signals.csv", "signals.mat", "claims.json", "run.json"})
+    note_written(folder + "/" + name);
+  return owned;
+}
+
+}  // namespace stepwire

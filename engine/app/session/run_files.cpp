@@ -1,0 +1,137 @@
+#include "engine/app/session/run_files.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "engine/app/session/version.hpp"
+#include "engine/base/table/table_file.hpp"
+#include "engine/view/plot/figure_spec.hpp"
+#include "engine/view/render/figure_file.hpp"
+#include "engine/view/render/scene_animation.hpp"
+
+namespace stepwire {
+
+namespace {
+
+ColumnWords words_of(const Recording& recording) {
+  ColumnWords words;
+  for (const Words& column : recording.words)
+    for (const std::string& text : column.texts) words[column.column].push_back(unquoted(text));
+  return words;
+}
+
+/// Swept words stand in their column as numbers: a MAT file keeps these, a table for people has the words.
+void write_recordings(const std::string& folder, const RunResult& result) {
+  for (std::size_t i = 0; i < result.recordings.size(); ++i) {
+    const Table& table = result.recordings[i].table;
+    write_csv(folder + "/" + numbered("signals", i, ".csv"), table, words_of(result.recordings[i]));
+    write_mat(folder + "/" + numbered("signals", i, ".mat"), table);
+  }
+}
+
+constexpr std::size_t most_listed = 10'000;  // values of an axis; sweep.csv has all
+
+/// What was varied, in the order in which a MAT file numbers words from 0.
+Json sweep_json(const Job& job) {
+  if (job.points.empty()) return {};
+  Json axes = Json::list();
+  for (const Sweep::Axis& axis : job.plan.diagram.sweep->axes) {
+    Json values = Json::list();
+    if (axis.values.size() <= most_listed)
+      for (const std::string& value : axis.values) values.push(unquoted(value));
+    axes.push(Json::object()
+                  .set("parameter", axis.parameter)
+                  .set("count", axis.values.size())
+                  .set("values", std::move(values)));
+  }
+  return axes;
+}
+
+Json parameter_value(const DiagramParameter& parameter) {
+  if (const double* number = std::get_if<double>(&parameter.value.content)) return *number;
+  return parameter.text;
+}
+
+Json parameters_json(const Diagram& diagram) {
+  Json list = Json::list();
+  for (const DiagramParameter& parameter : diagram.parameters)
+    list.push(Json::object()
+                  .set("name", parameter.name)
+                  .set("value", parameter_value(parameter))
+                  .set("unit", parameter.dimension ? Json(si_name(*parameter.dimension)) : Json())
+                  .set("written", parameter.text)
+                  .set("assumed", parameter.assumed)
+                  .set("set", parameter.set));
+  return list;
+}
+
+void write_scene(const std::string& folder, const LoadedModel& model, const Outcome& outcome,
+                 std::vector<std::string>& pictures) {
+  pictures.emplace_back("scene.svg");
+  write_file(folder + "/" + pictures.back(),
+             animated_scene(*model.scene, model.file, outcome.recordings(), model.job.plan.diagram.title));
+}
+
+}  // namespace
+
+Json claims_json(const LoadedModel& model, const Outcome& outcome) {
+  Json list = Json::list();
+  const auto& figure = model.job.plan.diagram.thesis.figure;
+  for (const Verdict& verdict : outcome.verdicts) {
+    Json claim = Json::object();
+    claim.set("file", model.file).set("figure", figure ? Json(*figure) : Json()).set("that", verdict.that);
+    claim.set("check", verdict.check).set("value", verdict.value).set("holds", verdict.holds);
+    if (verdict.kind == Claim::Kind::invariant) claim.set("invariant", true);
+    if (!verdict.disagrees.empty()) claim.set("disagrees", verdict.disagrees);
+    if (!verdict.note.empty()) claim.set("note", verdict.note);
+    list.push(std::move(claim));
+  }
+  return list;
+}
+
+Json run_json(const LoadedModel& model, const Outcome& outcome) {
+  const Diagram& diagram = model.job.plan.diagram;
+  Json notices = Json::list();
+  for (const RaisedNotice& notice : outcome.result.notices)
+    notices.push(Json::object().set("block", notice.block).set("time", notice.time).set("text", notice.text));
+  Json faults = Json::list();
+  for (const RunFault& fault : outcome.result.faults) faults.push(fault.fault.text());
+  return Json::object()
+      .set("file", model.file)
+      .set("title", diagram.title)
+      .set("hash", model.hash)
+      .set("parameters", parameters_json(diagram))
+      .set("step", diagram.step)
+      .set("stop", diagram.stop)
+      .set("solver", diagram.solver.empty() ? Json() : Json(diagram.solver))
+      .set("sweep", sweep_json(model.job))
+      .set("runs", model.job.points.empty() ? std::size_t{1} : model.job.points.size())
+      .set("ticks", outcome.result.ticks)
+      .set("compiled_ticks", outcome.result.compiled_ticks)
+      .set("blocks", diagram.blocks.size())
+      .set("notices", std::move(notices))
+      .set("faults", std::move(faults))
+      .set("interrupted", outcome.result.interrupted)
+      .set("version", program_version())
+      .set("compiler", compiler_version())
+      .set("duration", outcome.seconds);
+}
+
+std::vector<std::string> write_outputs(const std::string& folder, const LoadedModel& model,
+                                       const Outcome& outcome) {
+  write_recordings(folder, outcome.result);
+  write_file(folder + "/claims.json", claims_json(model, outcome).text() + "\n");
+  write_file(folder + "/run.json", run_json(model, outcome).text() + "\n");
+  std::vector<std::string> pictures;
+  // Of a run that ended early the recordings are kept; a picture of them might be taken for the whole.
+  if (!outcome.result.faults.empty() || outcome.result.interrupted) return pictures;
+  for (std::size_t i = 0; i < model.figures.size(); ++i) {
+    pictures.push_back(numbered("figure", i, ".svg"));
+    write_figure(folder, numbered("figure", i, ""), figure_spec(model.figures[i], outcome.recordings()));
+  }
+  if (model.scene) write_scene(folder, model, outcome, pictures);
+  return pictures;
+}
+
+}  // namespace stepwire

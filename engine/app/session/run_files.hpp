@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/app/session/outcome.hpp"
+#include "engine/base/json/json.hpp"
+
+namespace stepwire {
+
+/// Writes all that a run leaves behind into a folder: signals.csv, signals.mat, pictures with their specs
+/// (figure.svg, figure.json), claims.json, run.json. Each file appears whole or not at all. Returns the names
+/// of the pictures. Throws SurroundingsError.
+std::vector<std::string> write_outputs(const std::string& folder, const LoadedModel& model,
+                                       const Outcome& outcome);
+
+/// The verdicts as a list of {file, figure, that, check, value, holds, disagrees?, note?}.
+Json claims_json(const LoadedModel& model, const Outcome& outcome);
+/// What was run: hash of the flattened diagram, parameters, step, solver, version, compiler, duration.
+Json run_json(const LoadedModel& model, const Outcome& outcome);
+
+}  // namespace stepwire

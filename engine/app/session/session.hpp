@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "engine/app/session/fitting.hpp"
+#include "engine/app/session/outcome.hpp"
+#include "engine/app/session/repeated_study.hpp"
+#include "engine/app/session/studies.hpp"
+#include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/replay/verify.hpp"
+
+namespace stepwire {
+
+/// What the doors to the engine do with diagram files: each call returns data, throws Error for what is wrong
+/// in a file and SurroundingsError for what is wrong around it, and shows what takes long to the monitor.
+/// Nothing here prints, ends the process or knows a terminal. What calls can share (compiled code, studies)
+/// is kept between them. One thread at a time, but for study().
+class Session {
+ public:
+  /// The registry must outlive the session and the models that it loads.
+  explicit Session(const Registry& registry, Monitor monitor = {})
+      : registry_(registry), monitor_(std::move(monitor)) {}
+
+  const Registry& registry() const { return registry_; }
+  /// For the calls that follow.
+  Monitor& monitor() { return monitor_; }
+
+  /// Loads and plans a file, and reads its figures, claims, fit, study and scene: all that can be wrong
+  /// before the first step is found here.
+  LoadedModel load(const std::string& file, const LoadOptions& options = {}) const;
+  /// Runs a model, or all points of its sweep, and judges its claims.
+  Outcome run(const LoadedModel& model, Engine engine = Engine::automatic);
+  /// Finds the parameters that the model's section `fit` names.
+  FitResult fit(const LoadedModel& model, const FitCall& call = {});
+  /// The model with what a fit found.
+  LoadedModel fitted(const LoadedModel& model, const FitResult& result) const;
+  /// Performs the model's study, or finds that it was performed; study_outcome() puts it into the model.
+  Studies::Shared study(const LoadedModel& model, const StudyCall& call = {});
+  /// Replays what a run left in its folder.
+  Verification replay(const std::string& folder) const;
+
+ private:
+  const Registry& registry_;
+  Monitor monitor_;
+  GeneratedCode code_;
+  Studies studies_;
+};
+
+}  // namespace stepwire

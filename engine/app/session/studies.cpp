@@ -1,0 +1,140 @@
+#include "engine/app/session/studies.hpp"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <chrono>
+#include <optional>
+#include <thread>
+
+#include "engine/analyse/study/study_columns.hpp"
+#include "engine/analyse/study/study_tables.hpp"
+#include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/run/pooling.hpp"
+
+namespace stepwire {
+
+namespace {
+
+Experiments make_experiments(const Registry& registry, const LoadedModel& model, const StudyCall& call,
+                             const Monitor& monitor) {
+  const StudyRequest& request = *model.study;
+  if (!request.trials.empty()) return {score_recorded(request, model.job.plan.diagram)};
+  const std::size_t studies = study_count(model.job);
+  Loader loader(registry, model.options.limits);
+  GeneratedCode code;
+  TrialSource source = trial_source(loader, model, engine_of(model, call, studies), code, monitor);
+  source.threads = call.threads;
+  std::optional<TrialRuns> runs(std::in_place, std::move(source), request, model.job);
+  std::atomic<std::size_t> done = 0;
+  const auto all = static_cast<double>(studies * request.subjects.size() * request.conditions.size());
+  Experiments experiments = perform(*runs, request, model.job, request.seed,
+                                    [&] { monitor.show(static_cast<double>(++done) / all); });
+  runs.reset();  // so that nothing is compiled any more, which may have a problem to tell
+  monitor.note_interpreted(code.take_problem());
+  return experiments;
+}
+
+/// What tells the trials apart, as the axes of a sweep: those of the file's own come first.
+Sweep axes_of(const LoadedModel& model) {
+  const StudyRequest& request = *model.study;
+  Sweep sweep = model.job.plan.diagram.sweep.value_or(Sweep{});
+  sweep.axes.push_back({"subject", request.subject_names(), {}, {}});
+  sweep.axes.push_back({"condition", request.condition_names(), {}, {}});
+  return sweep;
+}
+
+}  // namespace
+
+Engine engine_of(const LoadedModel& model, const StudyCall& call, std::size_t experiments) {
+  if (call.engine != Engine::automatic) return call.engine;
+  // What an interpreted block takes per tick, and the part of `stop` that a trial lasts.
+  constexpr double per_block = 2e-8, part = 0.25;
+  // [s]: from when a compilation is worth a core of its own, and from when it is worth waiting for.
+  constexpr double beside = 4.0, ahead = 20.0;
+  const Plan& plan = model.job.plan;
+  const auto trials =
+      static_cast<double>(model.study->subjects.size() * model.study->conditions.size() * experiments);
+  const double ticks = static_cast<double>(plan.steps) * part * trials;
+  const double cores = std::max(1u, std::thread::hardware_concurrency());
+  const double seconds = per_block * static_cast<double>(plan.diagram.blocks.size()) * ticks / cores;
+  return seconds > ahead ? Engine::compiled : seconds > beside ? Engine::automatic : Engine::interpreted;
+}
+
+TrialSource trial_source(Loader& loader, const LoadedModel& model, Engine engine, CodeSource& code,
+                         const Monitor& monitor) {
+  TrialSource source{loader, model.file, model.options.settings, engine, &code, 0, monitor.interrupt};
+  if (const auto& stop = model.options.stop) source.settings.push_back({"stop", *stop, "--stop " + *stop});
+  source.observers = monitor.observers;
+  return source;
+}
+
+std::string study_key(const LoadedModel& model, bool with_seed) {
+  const StudyRequest& request = *model.study;
+  std::string key =
+      fmt::format("{} {} {} {} {} {} {} {} {}", model.hash, request.task, fmt::join(request.subjects, ","),
+                  with_seed ? request.seed : 0, request.subject_parameter, request.seed_parameter,
+                  request.position, request.attempts, request.trials);
+  for (const StudyCondition& condition : request.conditions) {
+    key += " " + condition.feedback.name;
+    for (const Setting& setting : condition.settings)
+      key += fmt::format(",{}={}", setting.name, setting.value);
+  }
+  for (std::size_t point = 0; point < model.job.points.size(); ++point)
+    key += fmt::format(" ({})", settings_text(model.job.settings_of(point)));
+  if (request.circle)
+    key += fmt::format(" {} {} {} {}", request.circle->of, request.circle->x, request.circle->y,
+                       request.circle->radius);
+  if (request.way_back)
+    for (const SignalRef& signal : {request.way_back->position, request.way_back->direction})
+      key += fmt::format(" {}.{}", signal.block, signal.output);
+  return key;
+}
+
+Studies::Shared Studies::experiments(const Registry& registry, const LoadedModel& model,
+                                     const StudyCall& call, const Monitor& monitor) {
+  std::promise<Shared> promise;
+  std::shared_future<Shared> future;
+  bool is_new = false;
+  {
+    const std::lock_guard lock(mutex_);
+    const auto [known, added] = known_.try_emplace(study_key(model));
+    if (added) known->second = promise.get_future().share();
+    is_new = added;
+    future = known->second;
+  }
+  if (is_new) try {
+      promise.set_value(
+          std::make_shared<const Experiments>(make_experiments(registry, model, call, monitor)));
+    } catch (...) {
+      promise.set_exception(std::current_exception());
+    }
+  return future.get();
+}
+
+Outcome study_outcome(LoadedModel& model, const Experiments& experiments) {
+  Outcome outcome;
+  const auto start = std::chrono::steady_clock::now();
+  outcome.result.interrupted = experiments.empty();
+  if (!experiments.empty()) {
+    if (model.job.points.empty())
+      fill_study_tables(experiments.front(), *model.study, model.tables);
+    else
+      fill_sweep_tables(experiments, *model.study, model.tables);
+    outcome.result.recordings = study_recordings(experiments, *model.study, model.job);
+    model.job.plan.diagram.sweep = axes_of(model);
+    model.job.points.clear();
+    model.job.family = experiments.front().family;
+    model.job.trials = true;
+  }
+  for (const Experiment& experiment : experiments) {
+    outcome.result.ticks += experiment.ticks;
+    outcome.result.compiled_ticks += experiment.compiled_ticks;
+    for (const TrialRun& run : experiment.runs) model.job.points.push_back(run.point);
+  }
+  judge_claims(model, outcome);
+  outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return outcome;
+}
+
+}  // namespace stepwire

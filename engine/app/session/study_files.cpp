@@ -1,0 +1,157 @@
+// What a study leaves in its folder.
+#include <fmt/format.h>
+
+#include "engine/analyse/study/published.hpp"
+#include "engine/analyse/study/side_by_side.hpp"
+#include "engine/analyse/study/study_tables.hpp"
+#include "engine/app/session/recorded_study.hpp"
+#include "engine/app/session/studies.hpp"
+#include "engine/base/table/table_file.hpp"
+#include "engine/base/text/characters.hpp"
+#include "engine/simulate/replay/replay_folder.hpp"
+#include "engine/simulate/run/pooling.hpp"
+
+namespace stepwire {
+
+namespace {
+
+Json settings_json(const std::vector<Setting>& settings) {
+  Json json = Json::object();
+  for (const Setting& setting : settings) json.set(setting.name, unquoted(setting.value));
+  return json;
+}
+
+Json trials_json(const Experiment& experiment) {
+  Json list = Json::list();
+  for (std::size_t i = 0; i < experiment.trials.size(); ++i) {
+    const PathError& row = experiment.errors.rows[i];
+    Json trial = Json::object()
+                     .set("subject", row.subject)
+                     .set("condition", row.condition)
+                     .set("error", row.error)
+                     .set("normalised", row.normalised)
+                     .set("raw", row.raw)
+                     .set("deviation", row.deviation)
+                     .set("length", row.length)
+                     .set("duration", row.duration)
+                     .set("points", row.points);
+    if (!experiment.runs.empty()) {
+      trial.set("attempts", experiment.runs[i].attempts)
+          .set("sets", settings_json(experiment.runs[i].point.own));
+    }
+    list.push(std::move(trial));
+  }
+  return list;
+}
+
+Json orders_json(const Experiment& experiment, const StudyRequest& request) {
+  Json orders = Json::object();
+  for (const std::size_t subject : request.subjects) {
+    Json names = Json::list();
+    for (const std::size_t condition : order_of_conditions(request, experiment.seed, subject))
+      names.push(request.conditions[condition].feedback.name);
+    orders.set(std::to_string(subject), std::move(names));
+  }
+  return orders;
+}
+
+Json analysis_json(const TaskAnalysis& analysis, const StudyRequest& request) {
+  Json means = Json::object();
+  for (const NamedValue& mean : analysis.means) means.set(mean.name, mean.value);
+  Json both = Json::list();
+  for (const SideBySide& one : compare(published_task(request.task), analysis))
+    both.push(side_by_side_json(one));
+  return Json::object()
+      .set("means", std::move(means))
+      .set("anova", anova_json(analysis.additive))
+      .set("anova_with_subject", anova_json(analysis.with_subject))
+      .set("repeated_measures",
+           analysis.repeated ? anova_json(*analysis.repeated) : Json(analysis.not_repeated))
+      .set("side_by_side", std::move(both));
+}
+
+std::string all_tables(const std::vector<NamedTable>& tables) {
+  std::string all;
+  for (const NamedTable& one : tables) all += (all.empty() ? "" : "\n") + text(*one.table);
+  return all;
+}
+
+/// Of a sweep, the tables of each of its points behind those of the model.
+std::string tables_of_points(const StudyRequest& request, const Experiments& experiments) {
+  std::string all;
+  for (const Experiment& experiment : experiments) {
+    if (experiment.sets.empty()) continue;
+    std::vector<NamedTable> tables = empty_study_tables(false);
+    fill_study_tables(experiment, request, tables);
+    all += fmt::format("\n\nWith {}\n\n{}", settings_text(experiment.sets), all_tables(tables));
+  }
+  return all;
+}
+
+/// The errors of all trials; those of a sweep behind the swept values, as the recording of errors has them.
+std::string errors_csv(const Experiments& experiments, const Recording& recording) {
+  PathErrors all = experiments.front().errors;
+  for (std::size_t i = 1; i < experiments.size(); ++i)
+    all.rows.insert(all.rows.end(), experiments[i].errors.rows.begin(), experiments[i].errors.rows.end());
+  ColumnWords words;
+  Table table = error_table(all, words);
+  const auto swept = recording.table.columns.begin() + 1;
+  table.columns.insert(table.columns.begin(), swept,
+                       swept + static_cast<std::ptrdiff_t>(experiments.front().sets.size()));
+  for (const Words& one : recording.words)
+    for (const std::string& text : one.texts)
+      if (one.column != "subject" && one.column != "condition") words[one.column].push_back(unquoted(text));
+  return csv_text(table, words);
+}
+
+/// Adds what one experiment found.
+Json add_experiment(Json json, const Experiment& experiment, const StudyRequest& request) {
+  json.set("rule", experiment.errors.rule)
+      .set("remarks", Json::list_of(experiment.remarks))
+      .set("trials", trials_json(experiment));
+  if (!experiment.runs.empty())
+    json.set("seed", experiment.seed).set("orders", orders_json(experiment, request));
+  if (experiment.analysis) json.set("analysis", analysis_json(*experiment.analysis, request));
+  return json;
+}
+
+}  // namespace
+
+void write_study(const std::string& folder, const LoadedModel& model, const Experiments& experiments,
+                 const Outcome& outcome) {
+  if (model.study->trials.empty())
+    write_replay(folder, model.job);
+  else
+    write_recorded(folder, model);
+  for (std::size_t i = 0; i < experiments.size(); ++i)
+    write_file(folder + "/" + numbered("trials", i, ".csv"), trials_csv(experiments[i].trials));
+  write_file(folder + "/errors.csv", errors_text(model, experiments, outcome));
+  write_file(folder + "/study.json", study_json(model, experiments).text() + "\n");
+  write_file(folder + "/tables.txt", tables_text(model, experiments));
+}
+
+std::string errors_text(const LoadedModel& model, const Experiments& experiments, const Outcome& outcome) {
+  return errors_csv(experiments, outcome.result.recordings[model.job.plan.diagram.records.size()]);
+}
+
+std::string tables_text(const LoadedModel& model, const Experiments& experiments) {
+  return all_tables(model.tables) + tables_of_points(*model.study, experiments);
+}
+
+Json study_json(const LoadedModel& model, const Experiments& experiments) {
+  const StudyRequest& request = *model.study;
+  Json json = Json::object()
+                  .set("file", model.file)
+                  .set("task", request.task)
+                  .set("trials_of", request.trials.empty() ? "simulated operators" : request.trials);
+  if (experiments.front().sets.empty()) return add_experiment(std::move(json), experiments.front(), request);
+  Json points = Json::list();
+  for (std::size_t i = 0; i < experiments.size(); ++i)
+    points.push(add_experiment(Json::object()
+                                   .set("sets", settings_json(experiments[i].sets))
+                                   .set("trials_file", numbered("trials", i, ".csv")),
+                               experiments[i], request));
+  return json.set("points", std::move(points));
+}
+
+}  // namespace stepwire

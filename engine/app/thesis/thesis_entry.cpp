@@ -1,0 +1,124 @@
+#include "engine/app/thesis/thesis_entry.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "engine/base/io/file.hpp"
+#include "engine/view/gallery/gallery_picture.hpp"
+
+namespace stepwire {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string label_of(const Diagram& diagram) {
+  std::string label;
+  if (diagram.thesis.figure) label = fmt::format("Figure {}", *diagram.thesis.figure);
+  if (diagram.thesis.table)
+    label += fmt::format("{}Table {}", label.empty() ? "" : " and ", *diagram.thesis.table);
+  return label;
+}
+
+/// Tables of the thesis, and the figure behind which each stands in the text.
+constexpr std::array<std::pair<int, int>, 6> table_places{
+    {{1, 4}, {2, 26}, {3, 42}, {4, 43}, {5, 45}, {6, 46}}};
+
+/// What is drawn beside the figures of a file.
+GalleryPicture extra_picture(const std::string& file) {
+  static const std::map<std::string, std::string> words{
+      {"scene.svg", "The scene in motion"},
+      {"fit-records.svg", "Records and the fitted model"},
+      {"fit-curves.svg", "Curves of the fitted model"},
+      {"fit-correlation.svg", "Correlation of the fitted parameters"}};
+  GalleryPicture picture;
+  picture.title = words.contains(file) ? words.at(file) : fs::path(file).stem().string();
+  picture.alt = picture.title;
+  picture.own = true;
+  return picture;
+}
+
+GalleryPicture picture_of(const Figure& figure) {
+  GalleryPicture picture;
+  picture.caption = figure.caption;
+  picture.alt = described(figure);
+  picture.own = figure.own;
+  return picture;
+}
+
+}  // namespace
+
+std::pair<int, int> place_of(const GalleryEntry& entry) {
+  if (entry.figure) return {*entry.figure, 0};
+  for (const auto& [table, figure] : table_places)
+    if (entry.table == table) return {figure, table};
+  return {std::numeric_limits<int>::max(), entry.table.value_or(0)};
+}
+
+void describe_entry(const LoadedModel& model, GalleryEntry& entry) {
+  const Diagram& diagram = model.job.plan.diagram;
+  entry.label = label_of(diagram);
+  entry.figure = diagram.thesis.figure;
+  entry.table = diagram.thesis.table;
+  entry.section = diagram.thesis.section;
+  entry.title = diagram.title;
+  entry.caption = diagram.caption;
+  entry.source_caption = diagram.thesis.caption;
+  entry.source_says = diagram.thesis.says;
+  entry.departures = diagram.thesis.departures;
+  for (const DiagramParameter& parameter : diagram.parameters)
+    if (parameter.assumed) entry.assumptions.push_back({parameter.name, parameter.text, parameter.doc});
+}
+
+GallerySource source_of(const std::string& file, const std::string& root) {
+  const fs::path inside = fs::weakly_canonical(file).lexically_relative(fs::weakly_canonical(root));
+  const bool outside = inside.empty() || *inside.begin() == "..";
+  const fs::path place = outside ? "elsewhere" / fs::path(file).filename() : inside;
+  return {"diagrams/" + place.generic_string(), read_file(file)};
+}
+
+std::vector<GallerySource> sources_of(const LoadedModel& model, const std::string& root) {
+  std::vector<GallerySource> sources;
+  std::vector<std::string> seen;
+  for (const ScopeInfo& scope : model.job.plan.diagram.scopes) {
+    if (std::ranges::find(seen, scope.file) != seen.end()) continue;
+    seen.push_back(scope.file);
+    sources.push_back(source_of(scope.file, root));
+  }
+  return sources;
+}
+
+void add_pictures(const LoadedModel& model, const std::vector<std::string>& files, const std::string& out,
+                  GalleryEntry& entry) {
+  std::map<std::string, std::string> texts;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const bool of_figure = i < model.figures.size() && files[i] == numbered("figure", i, ".svg");
+    GalleryPicture picture = of_figure ? picture_of(model.figures[i]) : extra_picture(files[i]);
+    picture.file = files[i];
+    texts[files[i]] = read_file(fmt::format("{}/{}/{}", out, entry.folder, files[i]));
+    read_picture(picture, texts[files[i]]);
+    picture.alt = fmt::format("{}, picture {} of {}: {}", entry.label.empty() ? entry.title : entry.label,
+                              i + 1, files.size(), picture.alt);
+    entry.pictures.push_back(std::move(picture));
+  }
+  write_file(fmt::format("{}/{}/pictures.js", out, entry.folder), picture_script(texts));
+}
+
+void add_downloads(const std::string& out, GalleryEntry& entry) {
+  std::error_code error;
+  for (const auto& file : fs::directory_iterator(fs::path(out) / entry.folder, error))
+    if (file.is_regular_file(error))
+      entry.downloads.push_back({file.path().filename().string(), file.file_size(error)});
+  std::ranges::sort(entry.downloads, {}, [](const GalleryDownload& file) {
+    const fs::path path = file.file;
+    return std::pair(path.stem(), path.extension());
+  });
+}
+
+}  // namespace stepwire

@@ -1,0 +1,199 @@
+#include "engine/app/thesis/thesis_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "engine/app/session/fitting.hpp"
+#include "engine/app/session/run_files.hpp"
+#include "engine/app/session/studies.hpp"
+#include "engine/app/thesis/thesis_entry.hpp"
+#include "engine/app/thesis/thesis_print.hpp"
+#include "engine/base/io/file.hpp"
+#include "engine/base/io/owned_folder.hpp"
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/base/subprocess/process.hpp"
+#include "engine/simulate/replay/replay_folder.hpp"
+
+namespace stepwire {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* not_made = "was interrupted before it was made";
+
+bool wanted(const std::string& stem, const std::vector<std::string>& only) {
+  return only.empty() || std::any_of(only.begin(), only.end(),
+                                     [&](const std::string& start) { return stem.starts_with(start); });
+}
+
+std::vector<fs::path> figure_files(const ThesisCall& call) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(call.diagrams, error))
+    if (entry.path().extension() == ".yaml" && wanted(entry.path().stem().string(), call.only))
+      files.push_back(entry.path());
+  if (error) throw SurroundingsError(fmt::format("{}: {}", call.diagrams, error.message()));
+  std::sort(files.begin(), files.end());
+  if (files.empty())
+    throw Error(Fault{{call.diagrams, {}},
+                      "",
+                      fmt::format("no diagram file here begins with {}", fmt::join(call.only, " or ")),
+                      {}});
+  return files;
+}
+
+/// Makes the figures, several at a time; each entry stands at its file's place.
+class Maker {
+ public:
+  Maker(const ThesisCall& call, const Registry& registry, const Monitor& monitor,
+        const std::function<void(const ThesisFigure&)>& made)
+      : call_(call), registry_(registry), monitor_(monitor), made_(made), files_(figure_files(call)) {
+    figures_.resize(files_.size());
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+      GalleryEntry& entry = figures_[i].entry;
+      entry.title = entry.folder = files_[i].stem().string();
+      entry.error = not_made;
+    }
+  }
+
+  void run() {
+    const std::size_t count =
+        std::min<std::size_t>(files_.size(), std::max(1u, std::thread::hardware_concurrency()));
+    const auto others = begin_threads(count, [this] { work(); });
+    work();
+  }
+
+  /// In the order of the thesis.
+  std::vector<GalleryEntry> entries() const {
+    std::vector<GalleryEntry> entries;
+    for (const ThesisFigure& figure : figures_) entries.push_back(figure.entry);
+    std::ranges::stable_sort(entries, {}, place_of);
+    return entries;
+  }
+
+ private:
+  void work() {
+    for (std::size_t i = next_++; i < files_.size() && !monitor_.interrupted(); i = next_++) {
+      make(files_[i], figures_[i]);
+      const std::lock_guard lock(mutex_);
+      made_(figures_[i]);
+      monitor_.show(static_cast<double>(++done_) / static_cast<double>(files_.size()),
+                    files_[i].stem().string());
+    }
+  }
+
+  void make(const fs::path& file, ThesisFigure& figure) {
+    figure.entry.sources = {source_of(file.string(), root())};
+    try {
+      fill(file, figure);
+    } catch (const ProcessStopped&) {
+      figure.error = std::current_exception();
+    } catch (const std::exception& error) {
+      const std::string_view reason = error.what();
+      figure.entry.error = reason.substr(0, reason.find('\n'));
+      figure.error = std::current_exception();
+    }
+  }
+
+  void fill(const fs::path& file, ThesisFigure& figure) {
+    GalleryEntry& entry = figure.entry;
+    const std::string folder = (fs::path(call_.out) / file.stem()).string();
+    LoadedModel model = load_model(registry_, file.string(), {});
+    std::vector<std::string> fitted;
+    if (model.fit) fitted = fit_first(model, folder);
+    describe_entry(model, entry);
+    entry.sources = sources_of(model, root());
+    Outcome outcome = model.study ? study(model, folder) : run(model, folder);
+    if (!outcome.result.interrupted) {
+      entry.verdicts = outcome.verdicts;
+      std::vector<std::string> pictures = write_outputs(folder, model, outcome);
+      pictures.insert(pictures.end(), fitted.begin(), fitted.end());
+      add_pictures(model, pictures, call_.out, entry);
+      add_downloads(call_.out, entry);
+      entry.error = outcome.result.faults.empty() ? "" : outcome.result.faults.front().fault.message;
+    }
+    outcome.result.recordings.clear();
+    outcome.shown.clear();
+    figure.outcome = std::move(outcome);
+  }
+
+  /// What diagram files and their parts lie in.
+  std::string root() const { return fs::path(call_.diagrams).parent_path().string(); }
+
+  Outcome run(const LoadedModel& model, const std::string& folder) const {
+    write_replay(folder, model.job);
+    RunOptions options;
+    options.interrupt = monitor_.interrupt;
+    options.observers = monitor_.observers;
+    // The figures themselves are made in parallel, until no more of them wait than there are cores.
+    const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
+    options.threads = next_ + cores < files_.size() ? 1 : 0;
+    return run_model(model, options);
+  }
+
+  Outcome study(LoadedModel& model, const std::string& folder) {
+    const auto experiments = studies_.experiments(registry_, model, {}, quiet());
+    Outcome outcome = study_outcome(model, *experiments);
+    if (!outcome.result.interrupted) write_study(folder, model, *experiments, outcome);
+    return outcome;
+  }
+
+  /// The names of its pictures.
+  std::vector<std::string> fit_first(LoadedModel& model, const std::string& folder) const {
+    FitCall call;
+    call.threads = 1;
+    const FitResult result = fit_model(registry_, model, call, quiet());
+    const std::vector<std::string> pictures = write_fit(folder, model, result);
+    if (!result.interrupted && !result.refused)
+      model = load_model(registry_, model.file, with_fitted(model.options, result));
+    return pictures;
+  }
+
+  /// The progress is that of all figures.
+  Monitor quiet() const { return {monitor_.interrupt, {}, {}, monitor_.observers}; }
+
+  const ThesisCall& call_;
+  const Registry& registry_;
+  const Monitor& monitor_;
+  const std::function<void(const ThesisFigure&)>& made_;
+  std::vector<fs::path> files_;
+  std::vector<ThesisFigure> figures_;
+  std::atomic<std::size_t> next_ = 0;
+  std::size_t done_ = 0;
+  std::mutex mutex_;
+  Studies studies_;
+};
+
+constexpr const char* introduction =
+    "Every picture was computed by the diagram file on its page. Claims are checked on the recorded signals: "
+    "what "
+    "the thesis says of a figure, and what its pictures are said to show; invariants are what must hold "
+    "throughout: limits, energy, safety.";
+
+void write_gallery(const std::string& out, const std::vector<GalleryEntry>& entries) {
+  for (const auto& [place, text] : gallery_files({"The thesis, figure by figure", introduction, entries}))
+    write_file((fs::path(out) / place).string(), text);
+}
+
+}  // namespace
+
+std::vector<GalleryEntry> make_thesis(const ThesisCall& call, const Registry& registry,
+                                      const Monitor& monitor,
+                                      const std::function<void(const ThesisFigure&)>& made) {
+  Maker maker(call, registry, monitor, made);
+  const OwnedFolder folder(call.out);
+  maker.run();
+  std::vector<GalleryEntry> entries = maker.entries();
+  if (!monitor.interrupted()) print_chapters(call.out, entries);
+  write_gallery(call.out, entries);
+  return entries;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,92 @@
+#include "engine/app/thesis/thesis_print.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <optional>
+
+#include "engine/base/hash/hash.hpp"
+#include "engine/base/io/cache.hpp"
+#include "engine/base/io/file.hpp"
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/base/subprocess/process.hpp"
+
+namespace stepwire {
+
+namespace {
+
+constexpr const char* printer = "rsvg-convert";
+
+std::string printed(const std::string& program, const std::vector<std::string>& files) {
+  Hash hash;
+  hash.add(printer);
+  for (const std::string& file : files) hash.add(read_file(file));
+  const Cache cache;
+  const std::string name = hash.text() + ".pdf";
+  if (std::optional<std::string> text = cache.find(name)) return *std::move(text);
+  ProcessCall call{.command = {program, "--format=pdf"}};
+  call.command.insert(call.command.end(), files.begin(), files.end());
+  const ProcessResult answer = run_helper(printer, call);
+  cache.keep(name, answer.output);
+  return answer.output;
+}
+
+/// The entries of one chapter, and their pictures.
+struct Chapter {
+  std::string file;
+  std::vector<GalleryEntry*> entries;
+  std::vector<std::string> pictures;
+
+  void add(const std::string& out, GalleryEntry& entry) {
+    entry.print = {file, pictures.size() + 1};
+    entries.push_back(&entry);
+    for (const GalleryPicture& picture : entry.pictures)
+      pictures.push_back(fmt::format("{}/{}/{}", out, entry.folder, picture.file));
+  }
+
+  void leave_out(const std::string& note) {
+    for (GalleryEntry* entry : entries) {
+      entry->print = {};
+      entry->note = note;
+    }
+  }
+
+  void print(const std::string& program, const std::string& out) {
+    if (program.empty())
+      return leave_out(fmt::format(
+          "There is no PDF, since {} is not installed; on Debian it is the package librsvg2-bin.", printer));
+    try {
+      write_file(out + "/" + file, printed(program, pictures));
+    } catch (const std::exception& error) {  // also where an interruption has ended the printer
+      leave_out(fmt::format("There is no PDF: {}", error.what()));
+    }
+  }
+};
+
+/// A chapter is whatever a diagram file calls it.
+std::string print_name(const std::string& chapter) {
+  const auto plain = [](unsigned char c) { return std::isalnum(c) != 0; };
+  if (chapter.empty() || !std::ranges::all_of(chapter, plain)) return "pictures.pdf";
+  return "chapter-" + chapter + ".pdf";
+}
+
+}  // namespace
+
+void print_chapters(const std::string& out, std::vector<GalleryEntry>& entries) {
+  std::map<std::string, Chapter> chapters;
+  for (GalleryEntry& entry : entries) {
+    if (entry.pictures.empty()) continue;
+    const std::string name = print_name(chapter_of(entry));
+    Chapter& chapter = chapters[name];
+    chapter.file = name;
+    chapter.add(out, entry);
+  }
+  const std::string program = find_program(printer);
+  std::vector<Chapter*> all;
+  for (auto& [name, chapter] : chapters) all.push_back(&chapter);
+  in_parallel(all.size(), 0, [&](std::size_t i) { all[i]->print(program, out); });
+}
+
+}  // namespace stepwire

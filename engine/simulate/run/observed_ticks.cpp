@@ -1,0 +1,46 @@
+#include "engine/simulate/run/observed_ticks.hpp"
+
+#include <algorithm>
+
+#include "engine/simulate/record/recorder.hpp"
+
+namespace stepwire {
+
+ObservedTicks::ObservedTicks(const ObservedRun& run, std::span<RunObserver* const> observers, bool rows)
+    : run_(run), observers_(observers) {
+  if (!rows || observers.empty()) return;
+  const Plan& plan = run.simulation.plan();
+  for (const RecordRequest& request : plan.diagram.records) {
+    Row& row = rows_.emplace_back();
+    row.every = ticks_between_rows(plan, request);
+    for (const RecordedColumn& column : recorded_columns(plan, request)) row.offsets.push_back(column.offset);
+    row.numbers.resize(row.offsets.size());
+  }
+}
+
+void ObservedTicks::begin() const {
+  for (RunObserver* observer : observers_) observer->begin(run_);
+}
+
+Flow ObservedTicks::before_tick() const {
+  Flow flow = Flow::go_on;
+  for (RunObserver* observer : observers_) flow = std::max(flow, observer->before_tick(run_));
+  return flow;
+}
+
+void ObservedTicks::evaluated() {
+  for (RunObserver* observer : observers_) observer->evaluated(run_);
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    Row& row = rows_[i];
+    if (run_.simulation.tick() % row.every != 0) continue;
+    for (std::size_t k = 0; k < row.offsets.size(); ++k)
+      row.numbers[k] = run_.simulation.values()[row.offsets[k]];
+    for (RunObserver* observer : observers_) observer->row(run_, i, row.numbers);
+  }
+}
+
+void ObservedTicks::end() const {
+  for (RunObserver* observer : observers_) observer->end(run_);
+}
+
+}  // namespace stepwire

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/simulate/run/observer.hpp"
+
+namespace stepwire {
+
+/// Shows observers the ticks of one run.
+class ObservedTicks {
+ public:
+  /// `rows`: do the observers read what is recorded? Simulation and observers must outlive it.
+  ObservedTicks(const ObservedRun& run, std::span<RunObserver* const> observers, bool rows = true);
+
+  void begin() const;
+  /// How the run goes on: as the strictest of the observers says.
+  Flow before_tick() const;
+  /// After the outputs of the tick are computed; shows the rows that are due.
+  void evaluated();
+  void end() const;
+
+ private:
+  struct Row {
+    std::int64_t every = 1;            ///< period [ticks]
+    std::vector<std::size_t> offsets;  ///< in the workspace, the time first
+    std::vector<double> numbers;
+  };
+
+  ObservedRun run_;
+  std::span<RunObserver* const> observers_;
+  std::vector<Row> rows_;
+};
+
+}  // namespace stepwire
