@@ -1,0 +1,87 @@
+#include "engine/app/session/fault_json.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "blocks/register.hpp"
+#include "engine/app/session/session.hpp"
+#include "tests/engine/app/cli/program.hpp"
+
+using namespace stepwire;
+using nlohmann::json;
+
+namespace {
+
+/// What is wrong with a file, as data.
+json faults_of(const Scratch& folder, const std::string& file) {
+  static const Registry registry = all_blocks();
+  try {
+    Session(registry).load(folder.path(file));
+  } catch (const Error& error) {
+    return json::parse(faults_json(error.faults()).text());
+  }
+  return json::array();
+}
+
+const std::string head = "stepwire: 1\ntitle: t\nstep: 1 ms\nstop: 1 s\nsolver: rk4\nrecord: all\n";
+
+}  // namespace
+
+TEST_CASE("a fault as data has the place and the end of what is wrong, the block, the port, and the cure") {
+  const Scratch folder;
+  folder.write("a.yaml", head +
+                             "blocks:\n  one: {block: Constant, value: 1}\n  gain:\n    block: Gain\n    "
+                             "gain: \"two\"\n    u: on\n");
+  const json faults = faults_of(folder, "a.yaml");
+  REQUIRE(faults.size() == 2);
+  const json& gain = faults[0];
+  CHECK(gain["file"] == folder.path("a.yaml"));
+  CHECK(gain["line"] == 11);
+  CHECK(gain["column"] == 11);
+  CHECK(gain["end"] == json{{"line", 11}, {"column", 16}});  // behind the closing quote
+  CHECK(gain["block"] == "gain");
+  CHECK(gain["port"] == "gain");
+  CHECK(gain["subject"] == "gain.gain");
+  const json& wire = faults[1];
+  CHECK(wire["text"] == "there is no block 'on'");
+  CHECK(wire["cure"] == "did you mean 'one'?");
+  CHECK(wire["end"] == json{{"line", 12}, {"column", 10}});
+  CHECK(wire["port"] == "u");
+}
+
+TEST_CASE("a fault in a part names the block by its whole name, and who uses the part") {
+  const Scratch folder;
+  folder.write("spring.yaml",
+               "stepwire: 1\ntitle: a spring\ninputs: {x: m}\noutputs: {force: k}\nblocks:\n  k: {block: "
+               "Gain, gain: -, u: x}\n");
+  folder.write("a.yaml",
+               head + "blocks:\n  x: {block: Constant, value: 1 m}\n  rig: {part: spring.yaml, x: x}\n");
+  const json faults = faults_of(folder, "a.yaml");
+  REQUIRE(faults.size() == 1);
+  CHECK(faults[0]["file"] == folder.path("spring.yaml"));
+  CHECK(faults[0]["block"] == "rig.k");
+  CHECK(faults[0]["port"] == "gain");
+  CHECK(faults[0]["used_by"][0]["line"] == 9);
+}
+
+TEST_CASE("characters, not bytes, are counted up to the end of what is wrong") {
+  const Scratch folder;
+  folder.write("a.yaml", head + "blocks:\n  a: {block: Constant, value: '1 \xC2\xB5\xC2\xB5'}\n");
+  const json faults = faults_of(folder, "a.yaml");
+  REQUIRE(faults.size() == 1);
+  CHECK(faults[0]["end"]["column"].get<int>() - faults[0]["column"].get<int>() == 6);
+}
+
+TEST_CASE("what stands outside of the blocks has no block, and a setting of a call no line") {
+  const Scratch folder;
+  folder.write("a.yaml",
+               "stepwire: 1\ntitle: t\nstep: 0 s\nstop: 1 s\nblocks:\n  a: {block: Constant, value: 1}\n");
+  const json faults = faults_of(folder, "a.yaml");
+  REQUIRE_FALSE(faults.empty());
+  CHECK(faults[0]["block"].is_null());
+  CHECK(faults[0]["line"] == 3);
+  const json call = json::parse(faults_json({Fault{{"--set tau=x", {}}, "tau", "what; that", {}}}).text());
+  CHECK(call[0]["line"].is_null());
+  CHECK(call[0]["end"].is_null());
+  CHECK(call[0]["cure"] == "that");
+}

@@ -1,0 +1,126 @@
+// The application without a terminal.
+#include "engine/app/session/session.hpp"
+
+#include <catch2/catch.hpp>
+#include <mutex>
+#include <set>
+
+#include "blocks/register.hpp"
+#include "engine/app/session/loop_run.hpp"
+#include "tests/engine/app/cli/small_study.hpp"
+
+using namespace stepwire;
+
+namespace {
+
+const Registry& library() {
+  static const Registry registry = all_blocks();
+  return registry;
+}
+
+/// Counts what it is shown, from any thread.
+struct Counting : RunObserver {
+  void begin(const ObservedRun& run) override {
+    const std::lock_guard lock(mutex);
+    begun.insert(run.index);
+  }
+  void row(const ObservedRun&, std::size_t, std::span<const double>) override {
+    const std::lock_guard lock(mutex);
+    ++rows;
+  }
+  void end(const ObservedRun&) override {
+    const std::lock_guard lock(mutex);
+    ++ended;
+  }
+
+  std::mutex mutex;
+  std::set<std::size_t> begun;
+  std::size_t rows = 0, ended = 0;
+};
+
+std::string lag(const std::string& more) {
+  return "stepwire: 1\ntitle: t\nstep: 1 ms\nstop: 50 ms\nsolver: rk4\nparameters: {tau: 10 ms}\nrecord: "
+         "[lag]\n" +
+         more + "blocks:\n  one: {block: Constant, value: 1}\n  lag: {block: Lag, tau: $tau, u: one}\n";
+}
+
+}  // namespace
+
+TEST_CASE("a session watches a run, a sweep and a study by the same observer") {
+  const Scratch folder;
+  folder.write("lag.yaml", lag(""));
+  folder.write("sweep.yaml", lag("sweep: {tau: [10 ms, 20 ms, 40 ms]}\n"));
+  folder.write("study.yaml", small_study());
+  Session session(library());
+  const auto rows_of = [](const Outcome& outcome) { return outcome.result.recordings[0].table.rows(); };
+  SECTION("run") {
+    Counting counting;
+    session.monitor().observers = {&counting};
+    CHECK(rows_of(session.run(session.load(folder.path("lag.yaml")))) == 51);
+    CHECK(counting.rows == 51);
+  }
+  SECTION("sweep") {
+    Counting counting;
+    session.monitor().observers = {&counting};
+    CHECK(rows_of(session.run(session.load(folder.path("sweep.yaml")))) == 153);
+    CHECK(counting.begun == std::set<std::size_t>{0, 1, 2});
+    CHECK(counting.rows == 153);
+    CHECK(counting.ended == 3);
+  }
+  SECTION("study: six people under four conditions") {
+    Counting counting;
+    session.monitor().observers = {&counting};
+    LoadedModel model = session.load(folder.path("study.yaml"));
+    const Outcome outcome = study_outcome(model, *session.study(model));
+    CHECK(counting.begun.size() == 24);
+    CHECK(*counting.begun.rbegin() == 23);
+    CHECK(counting.ended == 24);
+    CHECK(counting.rows > 24);
+  }
+}
+
+TEST_CASE("a session watches a real-time loop, and ends it by an observer") {
+  struct Stops : Counting {
+    Flow before_tick(const ObservedRun& run) override {
+      return run.simulation.tick() < 5 ? Flow::go_on : Flow::stop;
+    }
+  } stops;
+  const Scratch folder;
+  folder.write("lag.yaml", lag(""));
+  LoopCall call;
+  call.file = folder.path("lag.yaml");
+  call.words.policy = "other";
+  Monitor monitor;
+  monitor.observers = {&stops};
+  std::int64_t steps = 0;
+  auto end = Loop::End::done;
+  run_loop(call, library(), monitor, [&](const LoopOutcome& outcome) {
+    steps = outcome.loop.simulation().tick();
+    end = outcome.loop.end();
+  });
+  CHECK(end == Loop::End::stopped);
+  CHECK(steps == 5);
+  CHECK(stops.rows == 5);
+  CHECK(stops.ended == 1);
+}
+
+TEST_CASE("a session returns what is wrong as an error, and prints nothing") {
+  const Scratch folder;
+  folder.write("a.yaml", lag("").replace(lag("").find("Lag"), 3, "Lak"));
+  CHECK_THROWS_AS(Session(library()).load(folder.path("a.yaml")), Error);
+}
+
+TEST_CASE("an interrupted session keeps what was recorded") {
+  const Scratch folder;
+  folder.write("lag.yaml", lag("").replace(lag("").find("50 ms"), 5, "10 s"));
+  const std::atomic<bool> at_once = true;
+  Monitor monitor;
+  monitor.interrupt = &at_once;
+  Session session(library(), monitor);
+  const Outcome outcome = session.run(session.load(folder.path("lag.yaml")), Engine::interpreted);
+  CHECK(outcome.early());
+  CHECK(outcome.result.interrupted);
+  const std::size_t rows = outcome.result.recordings[0].table.rows();
+  CHECK(rows > 0);
+  CHECK(rows < 10'001);
+}
