@@ -158,7 +158,11 @@ class CommandLine {
     verb->footer("Example:\n  stepwire generate controller.yaml -o controller");
     verb->add_option("FILE", generate_.file, "a diagram file")->required();
     add_load_options(*verb, settings_, large_);
-    add_out_option(*verb, "-o", generate_.out, "folder for the program")->required();
+    add_out_option(*verb, "-o,--out", generate_.out, "folder for the program")->required();
+    verb->add_option("--name", generate_.name, "name of the program, in place of that of the file");
+    verb->add_flag("--c-api", generate_.c_interface, "write a header and a source to call it from C as well");
+    verb->add_flag("--constant-parameters", generate_.constant_parameters,
+                   "write parameters as numbers into the code, which is faster; none can be changed then");
     verb->callback([this] {
       action_ = [this] {
         take_load_options(generate_.options);

@@ -53,7 +53,10 @@ struct ThesisCommand {
 struct GenerateCommand {
   std::string file;
   WorkOptions options;
-  std::string out;  ///< folder
+  std::string out;   ///< folder
+  std::string name;  ///< of the program; empty: that of the file
+  bool c_interface = false;
+  bool constant_parameters = false;
 };
 
 struct LoopCommand {

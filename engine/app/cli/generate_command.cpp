@@ -35,8 +35,11 @@ std::string left_out(const Work& work) {
 
 ExitCode generate_files(const GenerateCommand& command, const Registry& registry) {
   const Work work = prepare(registry, command.file, command.options);
-  const std::string name = std::filesystem::path(command.file).stem().string();
-  const auto files = program_files(work.job.plan, name, "stepwire " + program_version());
+  const std::string name =
+      command.name.empty() ? std::filesystem::path(command.file).stem().string() : command.name;
+  const Tuning tuning = command.constant_parameters ? Tuning{} : tuning_of(work.job.plan);
+  const auto files =
+      program_files(work.job.plan, tuning, {name, "stepwire " + program_version(), command.c_interface});
   for (const auto& [path, text] : files) {
     const std::filesystem::path target = std::filesystem::path(command.out) / path;
     require_folder(target.parent_path().string());
@@ -45,6 +48,8 @@ ExitCode generate_files(const GenerateCommand& command, const Registry& registry
   const std::string folder = shell_word(command.out), build = shell_word(command.out + "/build");
   say("{}: {} blocks written to {}; cmake -S {} -B {} && cmake --build {} makes a program\n", command.file,
       work.job.plan.blocks.size(), command.out, folder, build, build);
+  for (const FixedParameter& fixed : tuning.fixed)
+    say("  {} cannot be changed there: {}\n", fixed.name, fixed.reason);
   if (const std::string parts = left_out(work); !parts.empty()) fmt::print("  left out: {}\n", parts);
   fmt::print(
       "  the flags -ffp-contract=off and -fno-builtin-... of its CMakeLists.txt keep the bits of a run\n");
