@@ -4,10 +4,6 @@
 
 namespace stepwire {
 
-void Lag::prepare() {
-  decay = tau.map([](double seconds) { return 1.0 / seconds; });
-}
-
 void Lag::declare(Declare<Lag>& is) {
   is.block("Lag", {.doc = "First-order lag: tau dx/dt = gain u - x, y = x.",
                    .symbol = {.text = "{gain} / {tau} s + 1"}});
@@ -16,7 +12,7 @@ void Lag::declare(Declare<Lag>& is) {
   is.input<&Lag::u>({.unit = "'u", .doc = "signal to smooth", .feedthrough = false});
   is.output<&Lag::y, &Lag::x>({.unit = "'k 'u", .doc = "smoothed signal"});
   is.state<&Lag::x>({.unit = "'k 'u", .doc = "filter state"});
-  is.derived<&Lag::decay>();
+  is.prepared<&Lag::decay>();
 }
 
 }  // namespace stepwire

@@ -17,7 +17,9 @@ struct Lag {
     x.dot.each([&](Index i) { return (gain[i] * u[i] - x[i]) * decay[i]; });
   }
 
-  void prepare();
+  void prepare() {
+    decay = tau.map([](double seconds) { return 1.0 / seconds; });
+  }
   static void declare(Declare<Lag>& is);
 };
 

@@ -64,11 +64,7 @@ void DiscretePID::declare(Declare<DiscretePID>& is) {
   is.clock<&DiscretePID::period>();
   is.derived<&DiscretePID::before>();
   is.derived<&DiscretePID::after>();
-  is.derived<&DiscretePID::per_time>();
-}
-
-void DiscretePID::prepare() {
-  per_time = tau.map([this](double filter) { return 1.0 / (filter + period); });
+  is.prepared<&DiscretePID::per_time>();
 }
 
 void DiscretePID::configure(Configure& is) {

@@ -39,7 +39,9 @@ struct DiscretePID {
   }
 
   void configure(Configure& is);
-  void prepare();
+  void prepare() {
+    per_time = tau.map([this](double filter) { return 1.0 / (filter + period); });
+  }
   static void declare(Declare<DiscretePID>& is);
 
  private:

@@ -4,10 +4,6 @@
 
 namespace stepwire {
 
-void AnalogToDigital::prepare() {
-  most = std::exp2(static_cast<double>(bits - 1));
-}
-
 void AnalogToDigital::declare(Declare<AnalogToDigital>& is) {
   is.block(
       "AnalogToDigital",
@@ -24,7 +20,7 @@ void AnalogToDigital::declare(Declare<AnalogToDigital>& is) {
   is.notice<&AnalogToDigital::out_of_range>({.doc = "a voltage leaves the range; it counts as its end"});
   is.clock<&AnalogToDigital::time>();
   is.preset<sensoray_626>("sensoray-626", "14 bits over -10 to 10 V");
-  is.derived<&AnalogToDigital::most>();
+  is.prepared<&AnalogToDigital::most>();
 }
 
 }  // namespace stepwire

@@ -20,7 +20,7 @@ struct AnalogToDigital {
   Time time{};
   double most = 1.0;  ///< counts of a voltage of `range`
 
-  void prepare();
+  void prepare() { most = std::exp2(static_cast<double>(bits - 1)); }
   void outputs() {
     counts.each([&](Index i) { return std::clamp(nearest(i), -most, most - 1.0); });
   }

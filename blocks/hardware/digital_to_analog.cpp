@@ -4,10 +4,6 @@
 
 namespace stepwire {
 
-void DigitalToAnalog::prepare() {
-  most = std::exp2(static_cast<double>(bits - 1));
-}
-
 void DigitalToAnalog::declare(Declare<DigitalToAnalog>& is) {
   is.block("DigitalToAnalog",
            {.doc = "A converter of an acquisition board, counts to volts: 2^bits levels over -range to "
@@ -20,7 +16,7 @@ void DigitalToAnalog::declare(Declare<DigitalToAnalog>& is) {
   is.input<&DigitalToAnalog::counts>({.doc = "-2^(bits - 1) to 2^(bits - 1) - 1"});
   is.output<&DigitalToAnalog::y>({.unit = "V", .doc = "voltage"});
   is.preset<sensoray_626>("sensoray-626", "14 bits over -10 to 10 V");
-  is.derived<&DigitalToAnalog::most>();
+  is.prepared<&DigitalToAnalog::most>();
 }
 
 }  // namespace stepwire

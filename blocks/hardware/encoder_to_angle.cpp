@@ -1,15 +1,8 @@
 #include "blocks/hardware/encoder_to_angle.hpp"
 
-#include <numbers>
-
 #include "engine/model/block/declare.hpp"
 
 namespace stepwire {
-
-void EncoderToAngle::prepare() {
-  turn = counts_per_revolution.map([](double counts) { return 2.0 * std::numbers::pi / counts; });
-  levels = std::exp2(static_cast<double>(bits));
-}
 
 void EncoderToAngle::declare(Declare<EncoderToAngle>& is) {
   is.block("EncoderToAngle",
@@ -35,8 +28,8 @@ void EncoderToAngle::declare(Declare<EncoderToAngle>& is) {
   is.notice<&EncoderToAngle::jumped>({.doc = "the counts jump further than the encoder can turn in a tick"});
   is.clock<&EncoderToAngle::time>();
   is.preset<rig_encoder_reading>("thesis-3.2", "4000 counts per revolution, counter of 24 bits");
-  is.derived<&EncoderToAngle::turn>();
-  is.derived<&EncoderToAngle::levels>();
+  is.prepared<&EncoderToAngle::turn>();
+  is.prepared<&EncoderToAngle::levels>();
 }
 
 }  // namespace stepwire

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 
 #include "engine/model/block/block.hpp"
 
@@ -25,7 +26,10 @@ struct EncoderToAngle {
   PerElement turn = 1.0;  ///< angle of a count [rad]
   double levels = 2.0;    ///< of the counter
 
-  void prepare();
+  void prepare() {
+    turn = counts_per_revolution.map([](double counts) { return 2.0 * std::numbers::pi / counts; });
+    levels = std::exp2(static_cast<double>(bits));
+  }
   void outputs() {
     angle.each([&](Index i) { return zero[i] + turn[i] * (total[i] + believed(i)); });
     fault.each([&](Index i) { return is_jump(i) ? 1.0 : 0.0; });

@@ -1,15 +1,8 @@
 #include "blocks/hardware/quadrature_encoder.hpp"
 
-#include <numbers>
-
 #include "engine/model/block/declare.hpp"
 
 namespace stepwire {
-
-void QuadratureEncoder::prepare() {
-  turn = counts_per_revolution.map([](double counts) { return 2.0 * std::numbers::pi / counts; });
-  levels = std::exp2(static_cast<double>(bits));
-}
 
 void QuadratureEncoder::declare(Declare<QuadratureEncoder>& is) {
   is.block(
@@ -26,8 +19,8 @@ void QuadratureEncoder::declare(Declare<QuadratureEncoder>& is) {
   is.input<&QuadratureEncoder::angle>({.unit = "rad", .doc = "of the shaft"});
   is.output<&QuadratureEncoder::counts>({.doc = "what the counter shows, a whole number"});
   is.preset<rig_encoder>("thesis-3.2", "4000 counts per revolution, counter of 24 bits");
-  is.derived<&QuadratureEncoder::turn>();
-  is.derived<&QuadratureEncoder::levels>();
+  is.prepared<&QuadratureEncoder::turn>();
+  is.prepared<&QuadratureEncoder::levels>();
 }
 
 }  // namespace stepwire

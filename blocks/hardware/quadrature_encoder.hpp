@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 
 #include "engine/model/block/block.hpp"
 
@@ -18,7 +19,10 @@ struct QuadratureEncoder {
   PerElement turn = 1.0;  ///< angle of a count [rad]
   double levels = 2.0;    ///< of the counter
 
-  void prepare();
+  void prepare() {
+    turn = counts_per_revolution.map([](double counts) { return 2.0 * std::numbers::pi / counts; });
+    levels = std::exp2(static_cast<double>(bits));
+  }
   void outputs() {
     counts.each([&](Index i) { return wrapped(std::floor((angle[i] - zero[i]) / turn[i] + 0.5)); });
   }

@@ -29,11 +29,6 @@ void Sensor::configure(Configure& is) {
         "{} does not go with this 'converter_range'; give both, or none of them", level_text(*this)));
 }
 
-void Sensor::prepare() {
-  const double levels = std::exp2(static_cast<double>(bits));
-  interval = converter_range.map([&](double range) { return range / levels; });
-}
-
 void Sensor::declare(Declare<Sensor>& is) {
   is.block(
       "Sensor",
@@ -66,7 +61,7 @@ void Sensor::declare(Declare<Sensor>& is) {
   is.notice<&Sensor::out_of_range>(
       {.doc = "what is measured leaves the sensor's range; it shows the end of it"});
   is.clock<&Sensor::time>();
-  is.derived<&Sensor::interval>();
+  is.prepared<&Sensor::interval>();
   is.preset<celesco_mlp_75>("celesco-mlp-75", "string potentiometer of 75 mm, in m; 'zero' is its mounting");
   is.preset<ati_mini40_si_80_4>("ati-mini40-si-80-4", "load cell, x and y of 80 N, in N");
   is.preset<ati_mini40_si_40_2>("ati-mini40-si-40-2", "load cell, x and y of 40 N, in N");

@@ -28,7 +28,10 @@ struct Sensor {
   Time time{};
   PerElement interval = 0.0;  ///< between two levels of the converter; 0: none
 
-  void prepare();
+  void prepare() {
+    const double levels = std::exp2(static_cast<double>(bits));
+    interval = converter_range.map([&](double range) { return range / levels; });
+  }
   void outputs() {
     y.each([&](Index i) { return zero[i] + converted(shown(u[i] - zero[i], i), i); });
   }

@@ -21,6 +21,19 @@ struct Literal<BoucWenLaw> {
   }
 };
 
+template <>
+struct PreparedParts<BoucWenLaw> {
+  static constexpr bool by_element = false;
+  static Index count(const BoucWenLaw&) { return 4; }
+  static std::string text(Index k) {
+    constexpr const char* names[] = {".A", ".beta", ".gamma", ".n"};
+    return names[k];
+  }
+  static void put(BoucWenLaw& law, const double* numbers, Index) {
+    law = {numbers[0], numbers[1], numbers[2], numbers[3]};
+  }
+};
+
 /// Declares the parameters, ports and states that both MR dampers have.
 template <class Damper>
 void declare_mr_damper(Declare<Damper>& is, const MRDamperUnits& units) {
@@ -92,9 +105,9 @@ void declare_mr_damper(Declare<Damper>& is, const MRDamperUnits& units) {
       {.unit = "J", .doc = "stored energy at the start", .settable = false});
   is.template state<&Damper::begun>({.doc = "1 from the first tick on", .settable = false});
   is.template clock<&Damper::time>();
-  is.template derived<&Damper::law>();
-  is.template derived<&Damper::scaled_alpha>();
-  is.template derived<&Damper::scaled_c>();
+  is.template prepared<&Damper::law>();
+  is.template prepared<&Damper::scaled_alpha>();
+  is.template prepared<&Damper::scaled_c>();
   is.template notice<&Damper::outside_range>(
       {.doc = "the current leaves the range at which the damper was identified (see 'extrapolate')"});
 }

@@ -10,14 +10,6 @@ void Noise::configure(Configure& is) {
     is.refuse<&Noise::power>("power and deviation both say how strong the noise is; give one of them");
 }
 
-void Noise::prepare() {
-  const Index size = std::max(power.size(), deviation.size());
-  std::vector<double> all;
-  for (Index k = 0; k < size; ++k)
-    all.push_back(power[k] > 0.0 ? std::sqrt(power[k] / period) : deviation[k]);
-  spread = PerElement(Numbers(all));
-}
-
 void Noise::declare(Declare<Noise>& is) {
   is.block(
       "Noise",
@@ -46,7 +38,7 @@ void Noise::declare(Declare<Noise>& is) {
   is.output<&Noise::y>({.unit = "'u", .doc = "the noise"});
   is.state<&Noise::sample>({.doc = "number of the sample", .settable = false});
   is.clock<&Noise::period>();
-  is.derived<&Noise::spread>();
+  is.prepared<&Noise::spread>();
 }
 
 }  // namespace stepwire

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -21,7 +22,11 @@ struct Noise {
   Period period{};
   PerElement spread = 0.0;  ///< standard deviation of a sample
 
-  void prepare();
+  void prepare() {
+    spread = PerElement::made(std::max(power.size(), deviation.size()), [this](Index k) {
+      return power[k] > 0.0 ? std::sqrt(power[k] / period) : deviation[k];
+    });
+  }
   void outputs() {
     for (Index k = 0; k < y.size(); ++k) y[k] = mean[k] + spread[k] * standard(k);
   }

@@ -4,10 +4,6 @@
 
 namespace stepwire {
 
-void Sine::prepare() {
-  omega = frequency.map([](double f) { return 2.0 * std::numbers::pi * f; });
-}
-
 void Sine::declare(Declare<Sine>& is) {
   is.block("Sine", {.doc = "A sine wave: y = amplitude sin(2 pi frequency t + phase) + bias.",
                     .symbol = {.curve = "M-1 0C-.75 1.05 -.25 1.05 0 0C.25 -1.05 .75 -1.05 1 0"}});
@@ -17,7 +13,7 @@ void Sine::declare(Declare<Sine>& is) {
   is.parameter<&Sine::bias>({.unit = "'u", .doc = "mean value"});
   is.output<&Sine::y>({.unit = "'u", .doc = "the wave"});
   is.clock<&Sine::t>();
-  is.derived<&Sine::omega>();
+  is.prepared<&Sine::omega>();
 }
 
 }  // namespace stepwire

@@ -14,7 +14,9 @@ struct Sine {
   Time t{};
   PerElement omega = 0.0;  ///< 2 pi frequency [rad/s]; doubling is exact, so 0.5 Hz gives pi to the last bit
 
-  void prepare();
+  void prepare() {
+    omega = frequency.map([](double f) { return 2.0 * std::numbers::pi * f; });
+  }
   void outputs() {
     y.each([&](Index k) { return amplitude[k] * std::sin(omega[k] * t + phase[k]) + bias[k]; });
   }

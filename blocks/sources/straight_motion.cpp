@@ -6,18 +6,8 @@
 
 namespace stepwire {
 
-namespace {
-
-double length_of(const Numbers& vector) {
-  double square = 0.0;
-  for (double element : vector) square += element * element;
-  return std::sqrt(square);
-}
-
-}  // namespace
-
 void StraightMotion::configure(Configure& is) {
-  if (!(length_of(direction) > 0.0))
+  if (!(length() > 0.0))
     is.refuse<&StraightMotion::direction>("has no length; one element must not be 0, e.g. [0, 1]");
   if (from.size() != direction.size())
     is.refuse<&StraightMotion::from>(
@@ -25,10 +15,6 @@ void StraightMotion::configure(Configure& is) {
   if (is.connected<&StraightMotion::turn>() && direction.size() != 2)
     is.refuse<&StraightMotion::direction>(fmt::format(
         "has {} elements, but 'turn' is wired, which turns a direction in the plane", direction.size()));
-}
-
-void StraightMotion::prepare() {
-  unit = direction.map([length = length_of(direction)](double element) { return element / length; });
 }
 
 void StraightMotion::declare(Declare<StraightMotion>& is) {
@@ -55,7 +41,7 @@ void StraightMotion::declare(Declare<StraightMotion>& is) {
       {.unit = "m/s2", .shape = "d", .doc = "derivative of the velocity"});
   is.output<&StraightMotion::distance>({.unit = "m", .doc = "way from the start, along direction"});
   is.clock<&StraightMotion::time>();
-  is.derived<&StraightMotion::unit>();
+  is.prepared<&StraightMotion::unit>();
 }
 
 }  // namespace stepwire

@@ -20,7 +20,9 @@ struct StraightMotion {
   Time time{};
   Numbers unit{};  ///< unit vector of the direction
 
-  void prepare();
+  void prepare() {
+    unit = direction.map([length = length()](double element) { return element / length; });
+  }
   void outputs() {
     const double t = std::max(time - start_, 0.0);
     distance = speed * (t < rise ? rising(t) : t - 0.5 * rise);
@@ -36,6 +38,13 @@ struct StraightMotion {
   static void declare(Declare<StraightMotion>& is);
 
  private:
+  /// Of the direction.
+  double length() const {
+    double square = 0.0;
+    for (double element : direction) square += element * element;
+    return std::sqrt(square);
+  }
+
   struct Turn {
     double cos = 1.0, sin = 0.0;
   };

@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -76,17 +75,6 @@ void* compiled(const Compiler& compiler, const std::string& source) {
   void* library = problem.empty() ? ::dlopen((stem + ".so").c_str(), RTLD_NOW | RTLD_LOCAL) : nullptr;
   fs::remove_all(folder);
   return library;
-}
-
-/// Are signals, states and notices the same? Slopes are the solver's own affair.
-bool same_numbers(const Plan& plan, const double* a, const double* b) {
-  const Layout& layout = plan.layout;
-  const auto same = [&](std::size_t first, std::size_t end) {
-    return std::memcmp(a + first, b + first, (end - first) * sizeof(double)) == 0;
-  };
-  return same(layout.signals, layout.dots) &&
-         same(layout.discrete, layout.discrete + layout.discrete_count) &&
-         same(layout.notices, layout.notices + layout.notice_count);
 }
 
 /// The tick from which on the two differ; nothing where they never do.

@@ -231,6 +231,16 @@ std::vector<double> output_of(const Simulation& simulation, std::size_t output) 
   return {first, first + slot.size};
 }
 
+bool same_numbers(const Plan& plan, const double* a, const double* b) {
+  const Layout& layout = plan.layout;
+  const auto same = [&](std::size_t first, std::size_t end) {
+    return std::memcmp(a + first, b + first, (end - first) * sizeof(double)) == 0;
+  };
+  return same(layout.signals, layout.dots) &&
+         same(layout.discrete, layout.discrete + layout.discrete_count) &&
+         same(layout.notices, layout.notices + layout.notice_count);
+}
+
 bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }

@@ -35,6 +35,9 @@ bool feeds_through(const Plan& plan, std::size_t input, std::size_t output);
 std::vector<double> numbers_of(const Simulation& simulation);
 std::vector<double> output_of(const Simulation& simulation, std::size_t output);
 
+/// Are signals, states and notices of two workspaces the same? Slopes are the solver's own affair.
+bool same_numbers(const Plan& plan, const double* a, const double* b);
+
 /// Are these the same bits?
 bool same_bits(const std::vector<double>& a, const std::vector<double>& b);
 

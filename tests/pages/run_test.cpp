@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <set>
 #include <sstream>
 
 #include "tests/pages/command.hpp"
@@ -146,7 +147,8 @@ void do_fence(Reading& reading, const Fence& fence) {
   if (fence.language == "sh") do_commands(reading, fence);
   if (fence.language == "csv") reading.bench.write(name_of(fence), fence.text);
   if (fence.language == "json") CHECK_NOTHROW(nlohmann::json::parse(fence.text));
-  if (fence.language == "cpp") CHECK(stands_in_one_of(fence, sources_from(reading.page, fence, "pp")));
+  if (std::set<std::string>{"cpp", "c", "cmake"}.contains(fence.language))
+    CHECK(stands_in_one_of(fence, sources_from(reading.page, fence, "pp")));
 }
 
 void do_prose(const Reading& reading) {

@@ -20,7 +20,10 @@ namespace {
 struct GenerateCall {
   std::string file;
   LoadWords words;
-  std::string out;  ///< folder
+  std::string out;   ///< folder
+  std::string name;  ///< of the program; empty: that of the file
+  bool c_interface = false;
+  bool constant_parameters = false;
 };
 
 /// What of the file is no part of the program, as words; empty where it is all there.
@@ -43,8 +46,10 @@ std::string left_out(const LoadedModel& model) {
 
 ExitCode generate(const GenerateCall& call, const Registry& registry) {
   const LoadedModel model = load_model(registry, call.file, load_options(call.words));
-  const std::string name = std::filesystem::path(call.file).stem().string();
-  const auto files = program_files(model.job.plan, name, "stepwire " + program_version());
+  const std::string name = call.name.empty() ? std::filesystem::path(call.file).stem().string() : call.name;
+  const Tuning tuning = call.constant_parameters ? Tuning{} : tuning_of(model.job.plan);
+  const auto files =
+      program_files(model.job.plan, tuning, {name, "stepwire " + program_version(), call.c_interface});
   for (const auto& [path, text] : files) {
     const std::filesystem::path target = std::filesystem::path(call.out) / path;
     require_folder(target.parent_path().string());
@@ -53,6 +58,8 @@ ExitCode generate(const GenerateCall& call, const Registry& registry) {
   const std::string folder = shell_word(call.out), build = shell_word(call.out + "/build");
   say("{}: {} blocks written to {}; cmake -S {} -B {} && cmake --build {} makes a program\n", call.file,
       model.job.plan.blocks.size(), call.out, folder, build, build);
+  for (const FixedParameter& fixed : tuning.fixed)
+    say("  {} cannot be changed there: {}\n", fixed.name, fixed.reason);
   if (const std::string parts = left_out(model); !parts.empty()) fmt::print("  left out: {}\n", parts);
   fmt::print(
       "  the flags -ffp-contract=off and -fno-builtin-... of its CMakeLists.txt keep the bits of a run\n");
@@ -63,7 +70,11 @@ Action declare_generate(CLI::App& verb) {
   const auto call = std::make_shared<GenerateCall>();
   verb.add_option("FILE", call->file, "a diagram file")->required();
   add_load_options(verb, call->words);
-  add_out_option(verb, "-o", call->out, "folder for the program")->required();
+  add_out_option(verb, "-o,--out", call->out, "folder for the program")->required();
+  verb.add_option("--name", call->name, "name of the program, in place of that of the file");
+  verb.add_flag("--c-api", call->c_interface, "write a header and a source to call it from C as well");
+  verb.add_flag("--constant-parameters", call->constant_parameters,
+                "write parameters as numbers into the code, which is faster; none can be changed then");
   return [call](const Registry& registry) { return generate(*call, registry); };
 }
 

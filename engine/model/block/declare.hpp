@@ -7,59 +7,14 @@
 
 #include "engine/model/block/block.hpp"
 #include "engine/model/block/block_type.hpp"
+#include "engine/model/block/declare_options.hpp"
 #include "engine/model/block/kernels.hpp"
 #include "engine/model/block/literal.hpp"
 #include "engine/model/block/member_name.hpp"
 #include "engine/model/block/parameter_access.hpp"
+#include "engine/model/block/prepared_parts.hpp"
 
 namespace stepwire {
-
-struct BlockOptions {
-  std::string doc;
-  std::string source = "";
-  Timing timing = Timing::inherited;
-  /// Why a real-time loop refuses the block: "reads a file at every step". Left out where no step allocates,
-  /// locks, calls the system, or takes a time that nothing bounds.
-  std::string not_real_time = "";
-  Symbol symbol{};
-};
-
-struct ParameterOptions {
-  std::string unit = "1";
-  std::string shape = "";
-  std::string doc;
-  std::optional<double> above{}, below{}, at_least{}, at_most{};
-  std::vector<std::string> words{};
-  bool required = false;
-};
-
-struct InputOptions {
-  std::string unit = "1";
-  std::string shape = "";
-  std::string doc;
-  bool feedthrough = true;
-  bool optional = false;
-  bool multiply_units = false;
-};
-
-struct OutputOptions {
-  std::string unit = "1";
-  std::string shape = "";
-  std::string doc;
-};
-
-struct StateOptions {
-  std::string unit = "1";
-  std::string shape = "";
-  std::string doc;
-  double initial = 0.0;
-  bool settable = true;
-};
-
-struct NoticeOptions {
-  std::string doc;
-  bool ends_run = false;
-};
 
 namespace detail {
 
@@ -160,6 +115,21 @@ class Declare {
         {std::string(member_identifier<member>()), [](const void* block, LiteralWriter& writer) {
            return Literal<MemberType<member>>::text(static_cast<const Block*>(block)->*member, writer);
          }});
+  }
+
+  /// A derived member that prepare() computes inline, in the header: so generated code computes it again
+  /// where a parameter changes.
+  template <auto member>
+  void prepared() {
+    using Parts = PreparedParts<MemberType<member>>;
+    derived<member>();
+    type_.members.back().prepared = {
+        [](const void* block) { return Parts::count(static_cast<const Block*>(block)->*member); },
+        [](Eigen::Index k) { return Parts::text(k); },
+        [](void* block, const double* numbers, Eigen::Index count) {
+          Parts::put(of<member>(block), numbers, count);
+        },
+        Parts::by_element};
   }
 
   template <auto member>

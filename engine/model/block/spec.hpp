@@ -47,12 +47,21 @@ struct ParameterSpec {
   Value (*get)(const void* block) = nullptr;
 };
 
+/// The numbers of a member that prepare() computes; null for every other one. See PreparedParts.
+struct PreparedMember {
+  Eigen::Index (*count)(const void* block) = nullptr;  ///< 0 where so many would take memory
+  std::string (*text)(Eigen::Index k) = nullptr;       ///< number k in C++, behind the member's name: ".A"
+  void (*put)(void* block, const double* numbers, Eigen::Index count) = nullptr;
+  bool by_element = false;  ///< does number k follow from the elements k of other members?
+};
+
 /// A member that a run reads and never changes, a parameter or what follows from parameters, as a program may
 /// set it.
 struct MemberSpec {
   std::string member;  ///< its name in C++
   /// The value as an expression of C++.
   std::string (*literal)(const void* block, LiteralWriter& writer) = nullptr;
+  PreparedMember prepared{};
 };
 
 /// How an input is declared.

@@ -87,7 +87,8 @@ void demand_units(const Scope& scope, const Resolver& resolver, Report& report) 
 
 /// The outputs of the diagram itself, with what each is while the diagram does not run.
 void read_outputs(const Scope& root, const Resolver& resolver, Report& report) {
-  for (const auto& [name, out] : root.outputs) {
+  for (const auto* port : in_order_of_file(root.outputs)) {
+    const auto& [name, out] = *port;
     const auto signal =
         out.signal ? resolver.signal(out.signal->text, root, root.at(out.signal->mark), name) : std::nullopt;
     if (!signal) continue;

@@ -84,7 +84,8 @@ void Opener::declare_output(Scope& scope, const Entry& port) {
 }
 
 void Opener::make_inputs(Scope& scope) {
-  for (auto& [name, port] : scope.inputs) {
+  for (auto* entry : in_order_of_file(scope.inputs)) {
+    auto& [name, port] = *entry;
     if (!port.fallback || names_signal(*port.fallback)) continue;
     const BlockType& type = external_input_type();
     Diagram& diagram = report_.diagram();

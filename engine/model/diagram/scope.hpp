@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <set>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "engine/model/diagram/parameters.hpp"
@@ -59,5 +61,17 @@ struct Scope {
   std::string rival_of(const std::string& name) const;
   std::vector<std::string> block_names() const;
 };
+
+/// Ports by their name, as their file lists them.
+template <class Ports>
+auto in_order_of_file(Ports& ports) {
+  std::vector<decltype(&*ports.begin())> all;
+  for (auto& port : ports) all.push_back(&port);
+  std::ranges::stable_sort(all, [](const auto* a, const auto* b) {
+    const Mark &one = a->second.mark, &other = b->second.mark;
+    return std::tie(one.line, one.column) < std::tie(other.line, other.column);
+  });
+  return all;
+}
 
 }  // namespace stepwire

@@ -58,9 +58,9 @@ class Numbers {
   const double* begin() const { return data_; }
   const double* end() const { return data_ + size_; }
 
- private:
-  static constexpr Index capacity = 6;
+  static constexpr Index capacity = 6;  ///< as many take no memory of their own
 
+ private:
   double* make(Index size) {
     size_ = size;
     if (size > capacity) many_ = new double[static_cast<std::size_t>(size)];

@@ -21,6 +21,18 @@ class PerElement {
     return elements;
   }
 
+  /// `of(k)` for each of `size` elements; a single one takes no memory.
+  template <class Function>
+  static PerElement made(Index size, const Function& of) {
+    if (size == 1) return PerElement(of(Index{0}));
+    double* counted = new double[static_cast<std::size_t>(size) + 1];
+    counted[0] = static_cast<double>(size);
+    for (Index k = 0; k < size; ++k) counted[k + 1] = of(k);
+    PerElement elements(size == 0 ? 0.0 : counted[1]);
+    elements.many_ = counted + 1;
+    return elements;
+  }
+
   PerElement(const PerElement& other) : one_(other.one_), many_(other.many_) {
     if (other.owns()) many_ = new_elements(other.many_, other.size());
   }
@@ -45,7 +57,7 @@ class PerElement {
   /// The same function of each number.
   template <class Function>
   PerElement map(const Function& of) const {
-    return PerElement(Numbers(data(), size()).map(of));
+    return made(size(), [&](Index k) { return of(data()[k]); });
   }
 
  private:

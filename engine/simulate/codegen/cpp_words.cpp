@@ -39,6 +39,13 @@ std::string cpp_identifier(std::string_view name) {
   return begins_well ? result : "_" + result;
 }
 
+std::string free_member(std::string_view name, std::set<std::string>& taken) {
+  const std::string first = cpp_identifier(name) + "_";
+  std::string own = first;
+  for (int number = 2; !taken.insert(own).second; ++number) own = fmt::format("{}{}_", first, number);
+  return own;
+}
+
 std::string cpp_string(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {

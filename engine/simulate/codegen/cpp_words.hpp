@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,9 @@ std::string cpp_comment(std::string_view text);
 /// A name of a diagram or of its file as one of C++: "rig.carriage" is rig_carriage. A program puts another
 /// word behind it, so that no word of the language or name of a library stands alone.
 std::string cpp_identifier(std::string_view name);
+
+/// The same as a member of a struct, "rig_carriage_", with a number behind it where that is taken.
+std::string free_member(std::string_view name, std::set<std::string>& taken);
 
 /// A text as a string literal of C++ that has its very bytes, whatever they are.
 std::string cpp_string(std::string_view text);

@@ -2,91 +2,74 @@
 
 #include <fmt/format.h>
 
-#include <map>
-#include <vector>
+#include <algorithm>
 
+#include "engine/base/hash/hash.hpp"
 #include "engine/simulate/codegen/cpp_words.hpp"
 #include "engine/simulate/codegen/literals.hpp"
 #include "engine/simulate/codegen/names.hpp"
+#include "engine/simulate/codegen/tuning_text.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
 namespace stepwire {
 
 namespace {
 
-/// One member of the struct: what it is called, and where it comes from.
-struct Member {
-  std::string name, meaning;
-  SignalSlot slot;
-};
-
-std::string unit_text(const Plan& plan, const SignalRef& signal) {
-  const auto dimension = plan.dimension(signal);
-  return dimension ? fmt::format(" [{}]", si_name(*dimension)) : "";
+/// "{}", "{2.0}", "{{1.0, 2.0}, {3.0, 4.0}}"
+std::string initial_text(const GroupMember& member) {
+  std::string text;
+  const std::size_t columns = member.sizes.size() == 2 ? static_cast<std::size_t>(member.sizes[1]) : 0;
+  for (std::size_t k = 0; k < member.initial.size(); ++k) {
+    if (columns > 0 && k % columns == 0) text += k == 0 ? "{" : "}, {";
+    text += (k == 0 || (columns > 0 && k % columns == 0) ? "" : ", ") + number_text(member.initial[k]);
+  }
+  return "{" + text + (columns > 0 ? "}}" : "}");
 }
 
-std::vector<Member> inputs_of(const Plan& plan) {
-  std::vector<Member> members;
-  for (const DiagramInput& input : plan.diagram.inputs)
-    members.push_back({cpp_identifier(input.name) + "_", input.doc + unit_text(plan, {input.block, 0, -1}),
-                       plan.blocks[static_cast<std::size_t>(input.block)].outputs.front()});
-  return members;
+std::string type_text(const Group& group) {
+  std::string text = fmt::format("  /// {}\n  struct {} {{\n", group.doc, group.type);
+  for (const GroupMember& member : group.members)
+    text += fmt::format("    {}{};  ///< {}\n", member.declaration(), initial_text(member),
+                        cpp_comment(member.meaning));
+  return text + "  }";
 }
 
-std::vector<Member> outputs_of(const Plan& plan) {
-  std::vector<Member> members;
-  for (const DiagramOutput& output : plan.diagram.outputs)
-    members.push_back({cpp_identifier(output.name) + "_", output.doc + unit_text(plan, output.signal),
-                       plan.slot(output.signal)});
-  return members;
+/// The struct of a group and its member; nothing where the group is empty.
+std::string group_text(const Group& group) {
+  return group.members.empty() ? "" : type_text(group) + fmt::format(" {};\n\n", group.name);
 }
 
-std::vector<Member> recorded_of(const Plan& plan) {
-  std::vector<Member> members;
-  std::map<std::string, std::size_t> taken;
-  for (const RecordRequest& request : plan.diagram.records)
-    for (const RecordedSignal& signal : request.signals) {
-      const std::string name = recorded_member(signal);
-      const SignalSlot slot = plan.slot(signal.signal);
-      const auto [known, is_new] = taken.emplace(name, slot.offset);
-      if (known->second != slot.offset)
-        throw Error(
-            plan.diagram.fault(signal.origin, "record",
-                               fmt::format("'{}' would be called {} in C++ as another recorded signal is; "
-                                           "give it another name",
-                                           signal.name, name)));
-      if (is_new) members.push_back({name, signal.name + unit_text(plan, signal.signal), slot});
-    }
-  return members;
+std::string states_text(const Group& states) {
+  if (states.members.empty()) return "";
+  return type_text(states) +
+         ";\n  /// Those of this tick, to be read or written between advance() and evaluate().\n"
+         "  States states() const;\n  void set_states(const States& states);\n\n";
 }
 
-std::string type_text(const Member& member, const std::string& value) {
-  return member.slot.size == 1
-             ? fmt::format("double {}{}", member.name, value)
-             : fmt::format("double {}[{}]{}", member.name, member.slot.size, value.empty() ? "" : "{}");
-}
-
-std::string group_text(const std::string& type, const std::string& name, const std::string& doc,
-                       const std::vector<Member>& members) {
-  if (members.empty()) return "";
-  std::string text = fmt::format("  /// {}\n  struct {} {{\n", doc, type);
-  for (const Member& member : members)
-    text += fmt::format("    {};  ///< {}\n", type_text(member, "{}"), cpp_comment(member.meaning));
-  return text + fmt::format("  }} {};\n\n", name);
+std::string fixed_text(const Tuning& tuning) {
+  if (tuning.fixed.empty()) return "";
+  std::string text = "  // Parameters of the file that keep their value:\n";
+  for (const FixedParameter& fixed : tuning.fixed)
+    text += "  //   " + cpp_comment(fixed.name + ": " + fixed.reason) + "\n";
+  return text + "\n";
 }
 
 /// Copies between the struct's members and the numbers of the workspace.
-std::string copies(const std::string& group, const std::vector<Member>& members, bool from_workspace) {
+std::string copies(const std::string& from, const Group& group, bool from_workspace) {
   std::string text;
-  for (const Member& member : members)
+  for (const GroupMember& member : group.members)
     for (Index k = 0; k < member.slot.size; ++k) {
       const std::string element = member.slot.size == 1 ? "" : fmt::format("[{}]", k);
-      const std::string own = fmt::format("{}.{}{}", group, member.name, element);
+      const std::string own = fmt::format("{}.{}{}", from, member.name, element);
       const std::string place = fmt::format("w_[{}]", member.slot.offset + static_cast<std::size_t>(k));
       text +=
           from_workspace ? fmt::format("  {} = {};\n", own, place) : fmt::format("  {} = {};\n", place, own);
     }
   return text;
+}
+
+std::string copies(const Group& group, bool from_workspace) {
+  return copies(group.name, group, from_workspace);
 }
 
 std::string fault_text(const Plan& plan) {
@@ -112,13 +95,66 @@ std::string stop_text(const Plan& plan) {
   });
 }
 
-}  // namespace
-
-std::string recorded_member(const RecordedSignal& signal) {
-  return cpp_identifier(signal.name) + "_";
+/// Tells a saved state of one diagram from that of another: what lies where, whatever the numbers are.
+std::string layout_key(const Plan& plan) {
+  Hash hash;
+  const PlaceNames names(plan);
+  for (const NamedPlace& place : names.places())
+    hash.add(fmt::format("{} {} {}", place.offset, place.size, place.name));
+  return "0x" + hash.add(std::to_string(plan.layout.size)).text().substr(0, 16) + "u";
 }
 
-std::string struct_text(const Plan& plan, const std::string& name) {
+/// What only a program with parameters has.
+struct Tuned {
+  std::string check;  ///< whether they were written
+  std::string members, functions, numbers = "nullptr", restore;
+};
+
+Tuned tuned(const Plan& plan, const Tuning& tuning) {
+  if (tuning.parameters.empty()) return {};
+  const std::size_t dependents = dependent_count(plan, tuning);
+  std::string numbers;
+  for (std::size_t i = 0; i < tuning.numbers.size(); ++i)
+    numbers += (i == 0 ? "" : i % 8 == 0 ? ",\n      " : ", ") + number_text(tuning.numbers[i]);
+  Tuned text;
+  text.check =
+      "  if (std::memcmp(&parameters, &held_, sizeof held_) != 0)\n    take_parameters();\n"
+      "  else\n    parameter_fault_ = nullptr;\n";
+  text.members = fmt::format(
+      "  void take_parameters();\n\n  Parameters held_{{}};  // the ones that hold\n"
+      "  bool own_[{}]{{}};      // does a parameter follow from others no more?\n"
+      "  const char* parameter_fault_ = nullptr;\n"
+      "  double numbers_[{}];  // that blocks read, as they follow from the parameters\n",
+      std::max<std::size_t>(dependents, 1), std::max<std::size_t>(tuning.numbers.size(), 1));
+  text.functions =
+      "namespace {\n\n" + tuning_text(plan, tuning) +
+      fmt::format("constexpr double first_numbers[] = {{{}}};\n\n}}  // namespace\n\n",
+                  numbers.empty() ? "0.0" : numbers) +
+      "Diagram::Diagram() {\n  std::memcpy(numbers_, first_numbers, sizeof numbers_);\n  reset();\n}\n\n"
+      "[[gnu::noinline]] void Diagram::take_parameters() {\n  Parameters p = parameters;\n"
+      "  parameter_fault_ = follow_parameters(p, held_, own_, numbers_);\n  if (parameter_fault_) return;\n"
+      "  parameters = held_ = p;\n  follow_values(w_, numbers_);\n}\n\n"
+      "const char* Diagram::check(const Parameters& wanted) const {\n  Parameters p = wanted;\n"
+      "  bool own[sizeof own_];\n  std::memcpy(own, own_, sizeof own_);\n"
+      "  return follow_parameters(p, held_, own, nullptr);\n}\n\n";
+  text.numbers = "numbers_";
+  text.restore = "  follow_values(w_, numbers_);\n";
+  return text;
+}
+
+std::string states_definitions(const Group& states) {
+  if (states.members.empty()) return "";
+  return fmt::format(
+      "Diagram::States Diagram::states() const {{\n  States states;\n{}  return states;\n}}\n\n"
+      "void Diagram::set_states(const States& states) {{\n{}}}\n\n",
+      copies(states, true), copies(states, false));
+}
+
+}  // namespace
+
+std::string struct_text(const Plan& plan, const Tuning& tuning, const Groups& groups,
+                        const std::string& name) {
+  const bool tunes = !tuning.parameters.empty();
   return fmt::format(
              "#pragma once\n\n#include <cstdint>\n\nnamespace {0} {{\n\n"
              "/// {1}\n///\n"
@@ -128,41 +164,66 @@ std::string struct_text(const Plan& plan, const std::string& name) {
              "calls the "
              "system.\nstruct Diagram {{\n",
              name, cpp_comment(plan.diagram.title), number_text(plan.diagram.step)) +
-         group_text("Inputs", "inputs", "Written before evaluate().", inputs_of(plan)) +
-         group_text("Outputs", "outputs", "As of the last evaluate().", outputs_of(plan)) +
-         group_text("Recorded", "recorded", "What the diagram records, as of the last evaluate().",
-                    recorded_of(plan)) +
+         group_text(groups.inputs) + group_text(groups.outputs) + group_text(groups.recorded) +
+         group_text(groups.parameters) + fixed_text(tuning) +
+         (tunes ? "  /// Why these parameters would be refused; null where they would not.\n"
+                  "  const char* check(const Parameters& wanted) const;\n"
+                  "  /// Why those that were written were refused at the last evaluate() or reset(); null "
+                  "where "
+                  "they hold. Until\n  /// they are right the former ones hold.\n"
+                  "  const char* parameter_fault() const { return parameter_fault_; }\n\n"
+                : "") +
+         states_text(groups.states) +
          fmt::format(
+             "  /// All that moves in a run: plain numbers, to be kept anywhere.\n  struct State {{\n"
+             "    std::uint64_t layout = 0;  ///< of the diagram that it belongs to\n"
+             "    std::int64_t tick = 0;\n    double numbers[{2}]{{}};\n  }};\n"
+             "  void save(State& state) const;\n"
+             "  /// Returns to a state that was saved between advance() and evaluate(). Inputs and "
+             "parameters "
+             "stay as they\n  /// are. False, and nothing happens, for a state of another diagram.\n"
+             "  [[nodiscard]] bool restore(const State& state);\n\n"
              "  std::int64_t tick = 0;\n\n"
-             "  Diagram() {{ reset(); }}\n"
+             "  Diagram(){0}\n"
              "  /// Puts everything at time 0.\n  void reset();\n"
              "  void evaluate();\n  void advance();\n"
              "  void step() {{\n    evaluate();\n    advance();\n  }}\n"
-             "  /// Of this tick [s].\n  double time() const {{ return static_cast<double>(tick) * {0}; }}\n"
+             "  /// Of this tick [s].\n  double time() const {{ return static_cast<double>(tick) * {1}; }}\n"
              "  /// Is every signal and state a finite number?\n  bool finite() const;\n"
              "  /// Why a block has ended the run; null while none has.\n  const char* fault() const;\n"
              "  /// Is the diagram's `stop_when` true?\n  bool stops() const;\n\n"
-             " private:\n  double w_[{1}];  // where each number lies is told in the source\n}};\n\n"
-             "}}  // namespace {2}\n",
-             number_text(plan.diagram.step), plan.layout.size, name);
+             " private:\n{3}  double w_[{2}];  // where each number lies is told in the source\n}};\n\n"
+             "}}  // namespace {4}\n",
+             tunes ? ";" : " { reset(); }", number_text(plan.diagram.step), plan.layout.size,
+             tuned(plan, tuning).members, name);
 }
 
-std::string struct_definitions(const Plan& plan, const std::string& name) {
+std::string struct_definitions(const Plan& plan, const Tuning& tuning, const Groups& groups,
+                               const std::string& name) {
   const Layout& layout = plan.layout;
-  return fmt::format(
-      "namespace {0} {{\n\n"
-      "void Diagram::reset() {{\n  tick = 0;\n  ::reset(w_, nullptr);\n{1}}}\n\n"
-      "[[gnu::flatten]] void Diagram::evaluate() {{\n{2}  ::evaluate(w_, nullptr, tick);\n{3}{4}}}\n\n"
-      "[[gnu::flatten]] void Diagram::advance() {{\n  ::advance(w_, nullptr, tick);\n  ++tick;\n}}\n\n"
-      "bool Diagram::finite() const {{\n"
-      "  std::uint64_t bits = 0;  // a product with 0 is 0 for what is finite and nan for the rest\n"
-      "  for (int i = {5}; i < {6}; ++i) bits |= std::bit_cast<std::uint64_t>(w_[i] * 0.0);\n"
-      "  return (bits << 1) == 0;\n}}\n\n"
-      "const char* Diagram::fault() const {{\n{7}  return nullptr;\n}}\n\n"
-      "bool Diagram::stops() const {{\n  return {8};\n}}\n\n}}  // namespace {0}\n",
-      name, copies("inputs", inputs_of(plan), true), copies("inputs", inputs_of(plan), false),
-      copies("outputs", outputs_of(plan), true), copies("recorded", recorded_of(plan), true), layout.signals,
-      layout.dots + layout.state_count, fault_text(plan), stop_text(plan));
+  const Tuned tuned = stepwire::tuned(plan, tuning);
+  return fmt::format("namespace {} {{\n\n", name) + tuned.functions +
+         fmt::format(
+             "void Diagram::reset() {{\n{0}  tick = 0;\n  ::reset(w_, {1});\n{2}}}\n\n"
+             "[[gnu::flatten]] void Diagram::evaluate() {{\n{0}{3}  ::evaluate(w_, {1}, tick);\n{4}{5}}}\n\n"
+             "[[gnu::flatten]] void Diagram::advance() {{\n  ::advance(w_, {1}, tick);\n  ++tick;\n}}\n\n",
+             tuned.check, tuned.numbers, copies(groups.inputs, true), copies(groups.inputs, false),
+             copies(groups.outputs, true), copies(groups.recorded, true)) +
+         fmt::format(
+             "void Diagram::save(State& state) const {{\n  state.layout = {0};\n  state.tick = tick;\n"
+             "  std::memcpy(state.numbers, w_, sizeof w_);\n}}\n\n"
+             "bool Diagram::restore(const State& state) {{\n  if (state.layout != {0}) return false;\n"
+             "  tick = state.tick;\n  std::memcpy(w_, state.numbers, sizeof w_);\n{1}  return true;\n}}\n\n",
+             layout_key(plan), tuned.restore) +
+         states_definitions(groups.states) +
+         fmt::format(
+             "bool Diagram::finite() const {{\n"
+             "  std::uint64_t bits = 0;  // a product with 0 is 0 for what is finite and nan for the rest\n"
+             "  for (int i = {0}; i < {1}; ++i) bits |= std::bit_cast<std::uint64_t>(w_[i] * 0.0);\n"
+             "  return (bits << 1) == 0;\n}}\n\n"
+             "const char* Diagram::fault() const {{\n{2}  return nullptr;\n}}\n\n"
+             "bool Diagram::stops() const {{\n  return {3};\n}}\n\n}}  // namespace {4}\n",
+             layout.signals, layout.dots + layout.state_count, fault_text(plan), stop_text(plan), name);
 }
 
 }  // namespace stepwire

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 #include "engine/model/diagram/external_input.hpp"
 #include "engine/simulate/codegen/functions.hpp"
+#include "engine/simulate/codegen/headers.hpp"
 #include "engine/simulate/codegen/literals.hpp"
 #include "engine/simulate/codegen/solver_text.hpp"
 #include "engine/simulate/solve/solver.hpp"
@@ -19,32 +19,18 @@ constexpr std::size_t most_inlined = 150;  // calls in a stage; beyond, register
 
 const std::string state_arguments = "w, numbers, tick";
 const std::string state_parameters =
-    "double* w, [[maybe_unused]] const double* numbers, [[maybe_unused]] std::int64_t tick";
+    "[[maybe_unused]] double* w, [[maybe_unused]] const double* numbers, [[maybe_unused]] std::int64_t tick";
 
 bool is_external(const Plan& plan, std::size_t block) {
   return &plan.diagram.blocks[block].type() == &external_input_type();
 }
 
-/// Refuses what only the program itself can run.
-void require_headers(const Plan& plan) {
-  Faults faults;
-  for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
-    const DiagramBlock& block = plan.diagram.blocks[b];
-    const BlockType& type = block.type();
-    const char* why = type.file_output                               ? "it writes files"
-                      : type.header.empty() && !is_external(plan, b) ? "its type is not one of the library"
-                                                                     : nullptr;
-    if (why)
-      faults.add(plan.diagram.fault(block.origin, block.name,
-                                    fmt::format("{} cannot be generated: {}", type.name, why)));
-  }
-  faults.throw_if_any();
-}
-
 class Maker {
  public:
-  Maker(const Plan& plan, const std::vector<VariableBlock>& variable)
+  Maker(const Plan& plan, const std::vector<VariableBlock>& variable,
+        const std::map<std::size_t, std::size_t>& places)
       : plan_(plan),
+        places_(places),
         names_(plan),
         statements_(plan, names_, variable, literals_),
         small_(calls(plan.stage) + calls(plan.derivatives) <= most_inlined &&
@@ -66,16 +52,25 @@ class Maker {
       add_initial(b, code);
     }
     append(code, starts_of(plan_, statements_, at_tick()));
-    append(code, calls_of(plan_, statements_, plan_.once, Phase::outputs, at_tick()));
-    functions_.add("start", "double* w, [[maybe_unused]] const double* numbers", "w, numbers", code);
+    const std::string parameters = "[[maybe_unused]] double* w, [[maybe_unused]] const double* numbers";
+    functions_.add("start", parameters, "w, numbers", code);
+    functions_.add("once", parameters, "w, numbers",
+                   calls_of(plan_, statements_, plan_.once, Phase::outputs, at_tick()));
     functions_.add_text(
         fmt::format("inline void reset(double* w, const double* numbers) {{\n"
                     "  for (int i = 0; i < size; ++i) w[i] = 0.0;\n"
                     "  w[at::timed] = {3};\n"
                     "  for (int i = {0}; i < {1}; ++i) w[i] = Notice::never;\n{2}"
-                    "  start(w, numbers);\n}}\n",
+                    "  start(w, numbers);\n  once(w, numbers);\n}}\n",
                     plan_.layout.notices, plan_.layout.notices + plan_.layout.notice_count, constants_text(),
                     number_text(Layout::never)));
+  }
+
+  void add_follow() {
+    functions_.add_text(
+        fmt::format("\ninline void follow_values(double* w, [[maybe_unused]] const double* numbers) {{\n{}"
+                    "  w[at::timed] = {};\n  once(w, numbers);\n}}\n",
+                    constants_text(), number_text(Layout::never)));
   }
 
   GeneratedProgram program() const;
@@ -162,7 +157,8 @@ class Maker {
 
   void add_slopes() {
     const std::string own = "[[maybe_unused]] double* s, ";
-    const std::string before = "double* w, ", after = "[[maybe_unused]] const double* numbers, double* dot";
+    const std::string before = "[[maybe_unused]] double* w, ",
+                      after = "[[maybe_unused]] const double* numbers, double* dot";
     Places tick = at_tick();
     tick.dot = "dot";
     std::vector<Code> at_start = given_slopes();
@@ -206,8 +202,15 @@ class Maker {
   std::string constants_text() {
     std::string text;
     for (std::size_t i = 0; i < plan_.constants.size(); ++i)
-      text += fmt::format("  w[{}] = {};\n", plan_.layout.constants + i, number_text(plan_.constants[i]));
+      text += fmt::format("  w[{}] = {};\n", plan_.layout.constants + i,
+                          number_at(plan_.layout.constants + i, plan_.constants[i]));
     return text;
+  }
+
+  /// What stands at a place of the workspace before the start: a number, or where it is read from.
+  std::string number_at(std::size_t place, double number) const {
+    const auto found = places_.find(place);
+    return found == places_.end() ? number_text(number) : fmt::format("numbers[{}]", found->second);
   }
 
   /// Values with which a block begins; everything is 0 before.
@@ -217,7 +220,8 @@ class Maker {
     const auto assign = [&](const SignalSlot& slot, bool always, const auto& value) {
       std::string text;
       for (Index k = 0; k < slot.size; ++k)
-        if (const std::string number = number_text(value(k)); always || number != "0.0")
+        if (const std::string number = number_at(slot.offset + static_cast<std::size_t>(k), value(k));
+            always || number != "0.0")
           text += fmt::format("  w[{} + {}] = {};\n", names_.at(slot.offset), k, number);
       if (!text.empty()) code.push_back({std::move(text)});
     };
@@ -237,6 +241,7 @@ class Maker {
   }
 
   const Plan& plan_;
+  const std::map<std::size_t, std::size_t>& places_;  ///< of numbers that vary
   PlaceNames names_;
   Literals literals_;
   Statements statements_;
@@ -244,33 +249,29 @@ class Maker {
   Functions functions_;
 };
 
-std::vector<std::string> headers_of(const Plan& plan) {
-  std::set<std::string> headers;
-  for (const DiagramBlock& block : plan.diagram.blocks)
-    if (!block.type().header.empty()) headers.insert(block.type().header);
-  if (const auto method = find_implicit(plan.diagram.solver)) headers.insert(method->header);
-  if (plan.diagram.stop_when) headers.insert("engine/base/expression/language.hpp");
-  headers.insert("engine/model/block/block.hpp");
-  return {headers.begin(), headers.end()};
-}
-
 GeneratedProgram Maker::program() const {
   return {name_text() + table_text() + functions_.text(), headers_of(plan_)};
 }
 
 }  // namespace
 
-GeneratedProgram make_program(const Plan& plan) {
+GeneratedProgram make_program(const Plan& plan, const Tuning& tuning) {
   require_headers(plan);
-  Maker maker(plan, {});
+  Maker maker(plan, tuning.variable, tuning.places);
   maker.add_steps();
   maker.add_reset();
-  return maker.program();
+  if (tuning.parameters.empty()) return maker.program();
+  maker.add_follow();
+  GeneratedProgram program = maker.program();
+  if (std::ranges::count(program.headers, language_header) == 0)
+    program.headers.emplace_back(language_header);
+  return program;
 }
 
 GeneratedProgram make_steps(const Plan& plan, const std::vector<VariableBlock>& variable) {
   require_headers(plan);
-  Maker maker(plan, variable);
+  const std::map<std::size_t, std::size_t> none;
+  Maker maker(plan, variable, none);
   maker.add_steps();
   return maker.program();
 }

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/model/plan/compiled_plan.hpp"
+#include "engine/simulate/codegen/tuning.hpp"
 
 namespace stepwire {
 
@@ -20,8 +20,10 @@ struct GeneratedProgram {
 };
 
 /// A program that begins by itself, with the plan's values. Throws Error for blocks that no program can have,
-/// with their lines.
-GeneratedProgram make_program(const Plan& plan);
+/// with their lines. What may change is read from `numbers`, those of the tuning; then there is also
+///
+///     void follow_values(double* w, const double* numbers)   what follows from the numbers alone, once more
+GeneratedProgram make_program(const Plan& plan, const Tuning& tuning = {});
 
 /// The steps alone, for runs that begin in the interpreter: without reset(), and `variable` members read from
 /// a NumberTable.

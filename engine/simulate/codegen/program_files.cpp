@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/simulate/codegen/c_interface.hpp"
 #include "engine/simulate/codegen/compiler.hpp"
 #include "engine/simulate/codegen/cpp_words.hpp"
 #include "engine/simulate/codegen/diagram_struct.hpp"
@@ -21,12 +22,14 @@ struct OwnNames {
       : stem(cpp_identifier(of_file)),
         space(stem + "_diagram"),
         header(stem + ".hpp"),
-        main(stem + "-main.cpp") {}
+        main(stem + "-main.cpp"),
+        c_header(stem + "-c.h"),
+        c_source(stem + "-c.cpp") {}
 
   std::string stem;   ///< "rig", of files and of the program
   std::string space;  ///< the namespace
   std::string header;
-  std::string main;  ///< no identifier has a '-'
+  std::string main, c_header, c_source;  ///< no identifier has a '-'
 };
 
 bool uses_eigen(const std::map<std::string, std::string>& files) {
@@ -34,19 +37,20 @@ bool uses_eigen(const std::map<std::string, std::string>& files) {
       files, [](const auto& file) { return file.second.find("#include <Eigen/") != std::string::npos; });
 }
 
-std::string cmake_text(const OwnNames& names, bool uses_eigen) {
+std::string cmake_text(const OwnNames& names, bool c_interface, bool uses_eigen) {
   std::string flags;
   for (const std::string& flag : Compiler::flags()) flags += " " + flag;
   return fmt::format(
-      "cmake_minimum_required(VERSION 3.16)\n"
+      "cmake_minimum_required(VERSION 3.21)\n"
       "project({0} LANGUAGES CXX)\n\n"
-      "if(NOT CMAKE_BUILD_TYPE)\n  set(CMAKE_BUILD_TYPE Release)\nendif()\n"
+      "if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE)\n  set(CMAKE_BUILD_TYPE Release)\nendif()\n"
       "set(CMAKE_CXX_FLAGS_RELEASE \"\")  # the flags below are all there is to it\n\n"
-      "{4}add_executable({0} {3} {1}.cpp)\n"
-      "set_target_properties({0} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "
-      "${{CMAKE_CURRENT_BINARY_DIR}}/bin)\n"
-      "target_include_directories({0} PRIVATE ${{CMAKE_CURRENT_SOURCE_DIR}} "
+      "{4}# The diagram, for add_subdirectory() and target_link_libraries(... {0}::{0}).\n"
+      "add_library({0} STATIC {1}.cpp{6})\n"
+      "add_library({0}::{0} ALIAS {0})\n"
+      "target_include_directories({0} PUBLIC ${{CMAKE_CURRENT_SOURCE_DIR}} PRIVATE "
       "${{CMAKE_CURRENT_SOURCE_DIR}}/stepwire)\n"
+      "set_target_properties({0} PROPERTIES POSITION_INDEPENDENT_CODE ON)\n"
       "# What keeps the bits of `stepwire run`: -ffp-contract=off (no fused multiply-add) and "
       "-fno-builtin-... (functions\n"
       "# of the library, none computed by the compiler). Another -O or -march may be taken, never "
@@ -54,35 +58,56 @@ std::string cmake_text(const OwnNames& names, bool uses_eigen) {
       "target_compile_options({0} PRIVATE{2})\n"
       "if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)  # passes that find little in straight-line code\n"
       "  target_compile_options({0} PRIVATE -fno-tree-pta -fno-tree-slp-vectorize)\n"
-      "endif()\n{5}",
+      "endif()\n{5}\n"
+      "# The program that writes what the diagram records; in another project built on demand only.\n"
+      "add_executable({0}_main {3})\n"
+      "target_link_libraries({0}_main PRIVATE {0})\n"
+      "target_compile_features({0}_main PRIVATE cxx_std_20)\n"
+      "set_target_properties({0}_main PROPERTIES OUTPUT_NAME {0} RUNTIME_OUTPUT_DIRECTORY "
+      "${{CMAKE_CURRENT_BINARY_DIR}}/bin)\n"
+      "if(NOT PROJECT_IS_TOP_LEVEL)\n"
+      "  set_target_properties({0}_main PROPERTIES EXCLUDE_FROM_ALL TRUE)\n"
+      "endif()\n",
       names.space, names.stem, flags, names.main,
       uses_eigen ? "find_package(Eigen3 REQUIRED NO_MODULE)  # of the solver\n" : "",
-      uses_eigen ? fmt::format("target_link_libraries({} PRIVATE Eigen3::Eigen)\n", names.space) : "");
+      uses_eigen ? fmt::format("target_link_libraries({} PRIVATE Eigen3::Eigen)\n", names.space) : "",
+      c_interface ? " " + names.c_source : "");
 }
 
-std::string source_text(const Plan& plan, const GeneratedProgram& program, const OwnNames& names) {
-  std::string text =
-      fmt::format("#include \"{}\"\n\n#include <bit>\n#include <cmath>\n#include <limits>\n\n", names.header);
+std::string source_text(const GeneratedProgram& program, const OwnNames& names,
+                        const std::string& definitions) {
+  std::string text = fmt::format(
+      "#include \"{}\"\n\n#include <bit>\n#include <cmath>\n#include <cstring>\n#include <limits>\n\n"
+      "// Blocks of another version may be linked beside these.\n#define stepwire stepwire_of_{}\n",
+      names.header, names.space);
   for (const std::string& header : program.headers) text += fmt::format("#include \"{}\"\n", header);
-  text += "\nnamespace {\n\nusing namespace stepwire;\n\n" + program.text + "\n}  // namespace\n\n";
-  return text + struct_definitions(plan, names.space);
+  return text + "\nnamespace {\n\nusing namespace stepwire;\n\n" + program.text + "\n}  // namespace\n\n" +
+         definitions;
 }
 
 }  // namespace
 
-std::map<std::string, std::string> program_files(const Plan& plan, const std::string& name,
-                                                 const std::string& made_by) {
-  const GeneratedProgram program = make_program(plan);
-  const OwnNames names(name);
-  const std::string note =
-      fmt::format("// {}\n\n", cpp_comment(fmt::format("{} made this from {}", made_by, plan.diagram.file)));
+std::map<std::string, std::string> program_files(const Plan& plan, const Tuning& tuning,
+                                                 const ProgramOptions& options) {
+  const GeneratedProgram program = make_program(plan, tuning);
+  const OwnNames names(options.name);
+  const Groups groups(plan, tuning);
+  const std::string made =
+      cpp_comment(fmt::format("{} made this from {}", options.made_by, plan.diagram.file));
+  const std::string note = "// " + made + "\n\n";
   std::map<std::string, std::string> files;
-  files[names.header] = note + struct_text(plan, names.space);
-  files[names.stem + ".cpp"] = note + source_text(plan, program, names);
+  files[names.header] = note + struct_text(plan, tuning, groups, names.space);
+  files[names.stem + ".cpp"] =
+      note + source_text(program, names, struct_definitions(plan, tuning, groups, names.space));
   files[names.main] = note + main_text(plan, names.header, names.space);
+  if (options.c_interface) {
+    const CInterface c = c_interface(plan, tuning, groups, names.space, names.header, names.c_header);
+    files[names.c_header] = "/* " + made + " */\n\n" + c.header;
+    files[names.c_source] = note + c.source;
+  }
   for (const std::string& header : with_included(program.headers))
     files["stepwire/" + header] = header_text(header);
-  files["CMakeLists.txt"] = cmake_text(names, uses_eigen(files));
+  files["CMakeLists.txt"] = cmake_text(names, options.c_interface, uses_eigen(files));
   return files;
 }
 

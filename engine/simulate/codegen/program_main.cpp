@@ -6,7 +6,7 @@
 
 #include "engine/base/table/table_file.hpp"
 #include "engine/simulate/codegen/cpp_words.hpp"
-#include "engine/simulate/codegen/diagram_struct.hpp"
+#include "engine/simulate/codegen/groups.hpp"
 #include "engine/simulate/record/recorder.hpp"
 
 namespace stepwire {

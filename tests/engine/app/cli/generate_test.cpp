@@ -189,7 +189,8 @@ TEST_CASE(
     const Done done = run_program(folder, {"generate", file + ".yaml", "-o", "made/" + program});
     INFO(done.err);
     REQUIRE(done.code == 0);
-    super += "add_subdirectory(" + program + ")\n";
+    super += "add_subdirectory(" + program + ")\nset_target_properties(" + program +
+             "_diagram_main PROPERTIES EXCLUDE_FROM_ALL FALSE)\n";
   }
   folder.file("made/CMakeLists.txt", super);
   const std::string made = folder.path("made");

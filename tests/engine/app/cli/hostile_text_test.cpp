@@ -86,7 +86,7 @@ TEST_CASE(
   CHECK(content_of(folder.path("compiled/signals.csv")) ==
         content_of(folder.path("interpreted/signals.csv")));
   CHECK_THAT(content_of(folder.path("compiled/run.json")), !Contains("\"compiled_ticks\": 0,"));
-  REQUIRE(run_program(folder, {"generate", "all.yaml", "-o", "made"}).code == 0);
+  REQUIRE(run_program(folder, {"generate", "all.yaml", "--c-api", "-o", "made"}).code == 0);
   const std::string made = folder.path("made");
   REQUIRE(run_process({.command = {"cmake", "-S", made, "-B", made + "/build", "-G", "Ninja"}}).succeeded());
   const ProcessResult built =

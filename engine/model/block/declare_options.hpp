@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/model/block/block_type.hpp"
+
+namespace stepwire {
+
+// What a declaration says of a block and its members.
+
+struct BlockOptions {
+  std::string doc;
+  std::string source = "";
+  Timing timing = Timing::inherited;
+  /// Why a real-time loop refuses the block: "reads a file at every step". Left out where no step allocates,
+  /// locks, calls the system, or takes a time that nothing bounds.
+  std::string not_real_time = "";
+  Symbol symbol{};
+};
+
+struct ParameterOptions {
+  std::string unit = "1";
+  std::string shape = "";
+  std::string doc;
+  std::optional<double> above{}, below{}, at_least{}, at_most{};
+  std::vector<std::string> words{};
+  bool required = false;
+};
+
+struct InputOptions {
+  std::string unit = "1";
+  std::string shape = "";
+  std::string doc;
+  bool feedthrough = true;
+  bool optional = false;
+  bool multiply_units = false;
+};
+
+struct OutputOptions {
+  std::string unit = "1";
+  std::string shape = "";
+  std::string doc;
+};
+
+struct StateOptions {
+  std::string unit = "1";
+  std::string shape = "";
+  std::string doc;
+  double initial = 0.0;
+  bool settable = true;
+};
+
+struct NoticeOptions {
+  std::string doc;
+  bool ends_run = false;
+};
+
+}  // namespace stepwire

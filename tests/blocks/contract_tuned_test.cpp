@@ -1,0 +1,276 @@
+// A generated program follows its parameters as the interpreter follows set(), whatever block they reach.
+#include <dlfcn.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+
+#include "engine/model/diagram/load.hpp"
+#include "engine/simulate/codegen/compiler.hpp"
+#include "engine/simulate/codegen/diagram_struct.hpp"
+#include "engine/simulate/codegen/program.hpp"
+#include "engine/simulate/codegen/value_text.hpp"
+#include "tests/blocks/contract_rig.hpp"
+
+using namespace stepwire;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t ticks = 20, change_at = 5;
+
+std::string list_text(const double* numbers, Eigen::Index count, Eigen::Index stride) {
+  std::string text;
+  for (Eigen::Index k = 0; k < count; ++k)
+    text += fmt::format("{}{}", k == 0 ? "" : ", ", numbers[k * stride]);
+  return "[" + text + "]";
+}
+
+/// A value of numbers as YAML.
+std::string yaml_of(const Value& value) {
+  if (const auto* number = std::get_if<double>(&value.content)) return fmt::format("{}", *number);
+  if (const auto* vector = std::get_if<Eigen::VectorXd>(&value.content))
+    return vector->size() == 1 ? fmt::format("{}", (*vector)[0])
+                               : list_text(vector->data(), vector->size(), 1);
+  const auto& matrix = std::get<Eigen::MatrixXd>(value.content);
+  std::string rows;
+  for (Eigen::Index r = 0; r < matrix.rows(); ++r)
+    rows += (r == 0 ? "" : ", ") + list_text(matrix.data() + r, matrix.cols(), matrix.rows());
+  return "[" + rows + "]";
+}
+
+bool all_finite(const std::vector<double>& numbers) {
+  return !numbers.empty() && std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); });
+}
+
+/// Where the value that begins here in a map on one line ends.
+std::size_t end_of_value(const std::string& text, std::size_t at) {
+  for (int depth = 0; at < text.size(); ++at) {
+    if (depth == 0 && (text[at] == ',' || text[at] == '}')) return at;
+    if (text[at] == '[' || text[at] == '{') ++depth;
+    if (text[at] == ']' || text[at] == '}') --depth;
+  }
+  return at;
+}
+
+/// The wiring with a parameter of the file for every number that the tested block is given; empty where there
+/// is none.
+std::string with_parameters(const Wiring& wiring) {
+  const auto plan = plan_of(wiring);
+  if (!plan) return "";
+  const std::size_t tested = tested_in(*plan);
+  const auto& written = plan->blocks[tested].written;
+  const AnyBlock& block = written ? *written : plan->diagram.blocks[tested].block;
+  std::string text = wiring.text, parameters;
+  for (const ParameterSpec& spec : block.type().parameters) {
+    const Value value = spec.get(block.get());
+    if (spec.kind == ParameterKind::word || !all_finite(numbers_of(value))) continue;
+    parameters += fmt::format("  p_{}: {}\n", spec.name, yaml_of(value));
+    const std::size_t line = text.rfind("  tested: ");
+    const std::string key = ", " + spec.name + ": ";
+    const std::size_t at = text.find(key, line);
+    if (at != std::string::npos) text.erase(at, end_of_value(text, at + key.size()) - at);
+    text.insert(text.rfind("}\n"), key + "$p_" + spec.name);
+  }
+  return parameters.empty() ? "" : text + "parameters:\n" + parameters;
+}
+
+struct Made {
+  std::string yaml;
+  Plan plan;
+  Tuning tuning;
+};
+
+/// Each block as it is used least, and with all of its inputs.
+std::vector<Made> all_made() {
+  std::vector<Made> all;
+  Loader loader(library());
+  const auto beside = fs::path(STEPWIRE_SOURCE_DIR) / "tests" / "blocks" / "contract.yaml";
+  for (const BlockType* type : library().types()) {
+    if (type->header.empty() || type->file_output) continue;
+    for (const Wiring& wiring : wirings_of(*type)) {
+      if (wiring.may_be_refused) continue;
+      const std::string yaml = with_parameters(wiring);
+      if (yaml.empty()) continue;
+      INFO(yaml);
+      Plan plan = make_plan(loader.load_text(yaml, beside.string()));
+      Tuning tuning = tuning_of(plan);
+      if (!tuning.parameters.empty()) all.push_back({yaml, std::move(plan), std::move(tuning)});
+    }
+  }
+  return all;
+}
+
+std::string source_of(const std::vector<Made>& all) {
+  std::set<std::string> headers;
+  std::string body;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto& [yaml, plan, tuning] = all[i];
+    const GeneratedProgram program = make_program(plan, tuning);
+    headers.insert(program.headers.begin(), program.headers.end());
+    const Groups groups(plan, tuning);
+    const std::string space = fmt::format("tuned_{}", i), made = fmt::format("made_{}", i);
+    std::string text = struct_definitions(plan, tuning, groups, space);
+    // Here several programs stand in one source.
+    text = std::regex_replace(text, std::regex(R"( ::(reset|evaluate|advance)\()"), " " + made + "::$1(");
+    text.insert(text.find("{\n") + 2, "using namespace " + made + ";\n");
+    body += struct_text(plan, tuning, groups, space) +
+            fmt::format("namespace {} {{\nnamespace {{\nusing namespace stepwire;\n{}}}\n}}\n", made,
+                        program.text) +
+            text +
+            fmt::format(
+                "extern \"C\" void* make_{0}() {{ return new {1}::Diagram; }}\n"
+                "extern \"C\" void free_{0}(void* d) {{ delete static_cast<{1}::Diagram*>(d); }}\n"
+                "extern \"C\" void evaluate_{0}(void* d, double* numbers) {{\n"
+                "  auto& own = *static_cast<{1}::Diagram*>(d);\n  own.evaluate();\n"
+                "  {1}::Diagram::State state;\n  own.save(state);\n"
+                "  std::memcpy(numbers, state.numbers, sizeof state.numbers);\n}}\n"
+                "extern \"C\" void advance_{0}(void* d) {{ static_cast<{1}::Diagram*>(d)->advance(); }}\n"
+                "extern \"C\" double* parameters_{0}(void* d) {{\n"
+                "  return reinterpret_cast<double*>(&static_cast<{1}::Diagram*>(d)->parameters);\n}}\n"
+                "extern \"C\" const char* fault_{0}(void* d) {{\n"
+                "  return static_cast<{1}::Diagram*>(d)->parameter_fault();\n}}\n",
+                i, space);
+  }
+  std::string source =
+      "#include <bit>\n#include <cmath>\n#include <cstdint>\n#include <cstring>\n#include <limits>\n";
+  for (const std::string& header : headers) source += fmt::format("#include \"{}\"\n", header);
+  return source + "using namespace stepwire;\n" + body;
+}
+
+void* compiled(const Compiler& compiler, const std::string& source) {
+  const fs::path folder = fs::temp_directory_path() / fmt::format("stepwire-tuned-{}", ::getpid());
+  fs::create_directories(folder);
+  const std::string stem = (folder / "all").string();
+  std::ofstream(stem + ".cpp") << source;
+  const std::string problem = compiler.compile(stem + ".cpp", stem + ".so", {"-O0"}, {});
+  INFO(problem.substr(0, 2000));
+  CHECK(problem.empty());
+  void* library = problem.empty() ? ::dlopen((stem + ".so").c_str(), RTLD_NOW | RTLD_LOCAL) : nullptr;
+  fs::remove_all(folder);
+  return library;
+}
+
+/// A generated program that runs.
+class Instance {
+ public:
+  Instance(void* library, std::size_t index) {
+    const auto find = [&]<class Function>(const char* name, Function*& function) {
+      function = reinterpret_cast<Function*>(::dlsym(library, fmt::format("{}_{}", name, index).c_str()));
+    };
+    void* (*make)() = nullptr;
+    find("make", make);
+    find("free", free_);
+    find("evaluate", evaluate_);
+    find("advance", advance_);
+    find("parameters", parameters_);
+    find("fault", fault_);
+    diagram_ = make();
+  }
+  ~Instance() { free_(diagram_); }
+  Instance(const Instance&) = delete;
+  Instance& operator=(const Instance&) = delete;
+
+  void evaluate(double* numbers) { evaluate_(diagram_, numbers); }
+  void advance() { advance_(diagram_); }
+  double* parameters() { return parameters_(diagram_); }
+  const char* fault() { return fault_(diagram_); }
+
+ private:
+  void* diagram_ = nullptr;
+  void (*free_)(void*) = nullptr;
+  void (*evaluate_)(void*, double*) = nullptr;
+  void (*advance_)(void*) = nullptr;
+  double* (*parameters_)(void*) = nullptr;
+  const char* (*fault_)(void*) = nullptr;
+};
+
+/// The value with its numbers a little, or much, different.
+Value changed(Value value, double factor, double more, bool whole) {
+  const auto change = [&](double& x) { x = whole ? std::round(x * factor) + 1.0 : x * factor + more; };
+  if (auto* number = std::get_if<double>(&value.content)) change(*number);
+  if (auto* vector = std::get_if<Eigen::VectorXd>(&value.content))
+    for (double& x : *vector) change(x);
+  if (auto* matrix = std::get_if<Eigen::MatrixXd>(&value.content))
+    for (double& x : matrix->reshaped()) change(x);
+  return value;
+}
+
+void write(const Value& value, double* place) {
+  if (const auto* matrix = std::get_if<Eigen::MatrixXd>(&value.content)) {
+    for (Eigen::Index r = 0; r < matrix->rows(); ++r)
+      for (Eigen::Index c = 0; c < matrix->cols(); ++c) *place++ = (*matrix)(r, c);
+    return;
+  }
+  for (const double number : numbers_of(value)) *place++ = number;
+}
+
+enum class Outcome { same, differs, refused, structure };
+
+/// What becomes of a change of one parameter that is written before a tick.
+Outcome outcome(const Plan& plan, void* library, std::size_t index, std::size_t place, int parameter,
+                const Value& value) {
+  Simulation interpreted(plan);
+  Instance generated(library, index);
+  std::vector<double> numbers(plan.layout.size);
+  for (std::int64_t tick = 0; tick < ticks && interpreted.healthy(); ++tick) {
+    if (tick == change_at) {
+      try {
+        const auto& name = plan.diagram.parameters[static_cast<std::size_t>(parameter)].name;
+        if (interpreted.set(name, yaml_of(value)) != Simulation::Setting::done) return Outcome::structure;
+      } catch (const Error&) {
+        return Outcome::refused;
+      }
+      write(value, generated.parameters() + place);
+    }
+    interpreted.evaluate();
+    generated.evaluate(numbers.data());
+    if (generated.fault() || !same_numbers(plan, interpreted.values(), numbers.data()))
+      return Outcome::differs;
+    interpreted.advance();
+    generated.advance();
+  }
+  return Outcome::same;
+}
+
+}  // namespace
+
+TEST_CASE("a generated program follows each number of each block as the interpreter follows set()") {
+  const Compiler compiler;
+  if (!compiler.found()) {
+    WARN("there is no C++ compiler here; nothing was compared");
+    return;
+  }
+  const std::vector<Made> all = all_made();
+  void* library = compiled(compiler, source_of(all));
+  REQUIRE(library);
+  std::size_t followed = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Groups groups(all[i].plan, all[i].tuning);
+    std::size_t place = 0;
+    for (std::size_t p = 0; p < all[i].tuning.parameters.size(); ++p) {
+      const int parameter = all[i].tuning.parameters[p];
+      const auto& known = all[i].plan.diagram.parameters[static_cast<std::size_t>(parameter)];
+      const ParameterSpec* spec =
+          all[i].plan.diagram.blocks[tested_in(all[i].plan)].type().parameter(known.name.substr(2));
+      for (const auto& [factor, more] :
+           std::vector<std::pair<double, double>>{{1.25, 0.0}, {0.7, 0.1}, {2.0, 3.0}}) {
+        const Value value = changed(known.value, factor, more, spec->kind == ParameterKind::integer);
+        INFO(all[i].yaml << known.name << ": " << yaml_of(value));
+        const Outcome is = outcome(all[i].plan, library, i, place, parameter, value);
+        CHECK(is != Outcome::differs);
+        CHECK(is != Outcome::structure);
+        followed += is == Outcome::same ? 1 : 0;
+      }
+      place += groups.parameters.members[p].count();
+    }
+  }
+  CHECK(followed > 500);
+  ::dlclose(library);
+}
