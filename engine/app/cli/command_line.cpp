@@ -13,6 +13,7 @@
 #include "engine/app/cli/report.hpp"
 #include "engine/app/cli/version.hpp"
 #include "engine/base/io/cache.hpp"
+#include "engine/base/io/resources.hpp"
 #include "engine/base/text/characters.hpp"
 
 namespace stepwire {
@@ -227,8 +228,12 @@ class CommandLine {
     verb->footer("Example:\n  stepwire thesis --only fig15,fig31 --out out/thesis");
     verb->add_option("--only", thesis_.only, "beginnings of file names, e.g. fig15,fig31")->delimiter(',');
     add_out_option(*verb, "--out", thesis_.out, "folder of the page")->capture_default_str();
-    thesis_.diagrams = std::string(STEPWIRE_DIAGRAMS) + "/thesis";
-    verb->callback([this] { action_ = [this] { return run_thesis(thesis_, registry_); }; });
+    verb->callback([this] {
+      action_ = [this] {
+        thesis_.diagrams = resource("diagrams") + "/thesis";
+        return run_thesis(thesis_, registry_);
+      };
+    });
   }
 
   void add_blocks() {
