@@ -48,8 +48,8 @@ std::map<std::string, Folders> links() {
 // They are transitive: who may see a room may see what it sees.
 const std::map<std::string, Folders> arrows = links();
 
-const Folders seen_by_blocks{"model/signal", "model/block", "base/expression", "base/table",
-                             "base/io",      "base/unit",   "base/math"};
+const Folders seen_by_blocks{"model/signal", "model/block",    "base/expression", "base/table",
+                             "base/io",      "base/data_file", "base/unit",       "base/math"};
 
 void reach(const std::string& folder, Folders& seen) {
   if (!seen.insert(folder).second || !arrows.contains(folder)) return;

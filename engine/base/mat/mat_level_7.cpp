@@ -4,7 +4,7 @@
 #include <memory>
 #include <mutex>
 
-#include "engine/base/table/mat_elements.hpp"
+#include "engine/base/mat/mat_elements.hpp"
 #include "engine/base/table/table_file.hpp"
 
 namespace stepwire {

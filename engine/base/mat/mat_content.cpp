@@ -1,4 +1,4 @@
-#include "engine/base/table/mat_content.hpp"
+#include "engine/base/mat/mat_content.hpp"
 
 #include <algorithm>
 #include <cstring>

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "engine/base/mat/mat_file.hpp"
 #include "engine/base/table/table_file.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 

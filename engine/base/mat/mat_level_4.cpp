@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstring>
 
-#include "engine/base/table/mat_content.hpp"
+#include "engine/base/mat/mat_content.hpp"
 #include "engine/base/table/table_file.hpp"
 
 // Layout: "MAT-File Format", The MathWorks, appendix on level 4. Type, rows, columns, whether complex, length

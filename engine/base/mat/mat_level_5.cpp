@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <string>
 
-#include "engine/base/table/inflate.hpp"
-#include "engine/base/table/mat_content.hpp"
-#include "engine/base/table/mat_elements.hpp"
+#include "engine/base/mat/inflate.hpp"
+#include "engine/base/mat/mat_content.hpp"
+#include "engine/base/mat/mat_elements.hpp"
 #include "engine/base/table/table_file.hpp"
 
 namespace stepwire {

@@ -1,4 +1,4 @@
-#include "engine/base/table/inflate.hpp"
+#include "engine/base/mat/inflate.hpp"
 
 #include <zlib.h>
 

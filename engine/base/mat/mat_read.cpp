@@ -5,7 +5,8 @@
 #include <cstring>
 #include <set>
 
-#include "engine/base/table/mat_content.hpp"
+#include "engine/base/mat/mat_content.hpp"
+#include "engine/base/mat/mat_file.hpp"
 #include "engine/base/table/table_file.hpp"
 
 namespace stepwire {

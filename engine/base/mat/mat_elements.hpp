@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/base/table/mat_content.hpp"
+#include "engine/base/mat/mat_content.hpp"
 
 namespace stepwire {
 

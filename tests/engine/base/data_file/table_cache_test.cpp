@@ -1,4 +1,4 @@
-#include "engine/base/table/table_cache.hpp"
+#include "engine/base/data_file/table_cache.hpp"
 
 #include <atomic>
 #include <catch2/catch.hpp>

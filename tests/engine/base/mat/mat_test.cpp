@@ -7,8 +7,9 @@
 #include <random>
 #include <set>
 
+#include "engine/base/mat/mat_file.hpp"
 #include "engine/base/table/table_file.hpp"
-#include "tests/engine/base/table/mat_samples.hpp"
+#include "tests/engine/base/mat/mat_samples.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 
 using stepwire::read_mat;
@@ -70,7 +71,7 @@ TEST_CASE("a table comes back from a MAT file with its names, units and bits") {
   const Scratch scratch;
   const Table table = sample();
   write_mat(scratch.path("a.mat"), table);
-  const Table back = stepwire::read_table(scratch.path("a.mat"));
+  const Table back = stepwire::read_mat(scratch.path("a.mat"));
   REQUIRE(back.columns.size() == table.columns.size());
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     CHECK(back.columns[i].name == table.columns[i].name);

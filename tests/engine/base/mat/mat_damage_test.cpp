@@ -4,8 +4,9 @@
 #include <catch2/catch.hpp>
 #include <cstring>
 
+#include "engine/base/mat/mat_file.hpp"
 #include "engine/base/table/table_file.hpp"
-#include "tests/engine/base/table/mat_samples.hpp"
+#include "tests/engine/base/mat/mat_samples.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 
 using namespace stepwire;

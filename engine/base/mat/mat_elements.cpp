@@ -1,4 +1,4 @@
-#include "engine/base/table/mat_elements.hpp"
+#include "engine/base/mat/mat_elements.hpp"
 
 #include <fmt/format.h>
 

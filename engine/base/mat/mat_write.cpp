@@ -5,6 +5,7 @@
 #include <cstring>
 #include <set>
 
+#include "engine/base/mat/mat_file.hpp"
 #include "engine/base/table/table_file.hpp"
 
 // Level 5 of the format is written here and not by the library that reads it, because that one drops what the

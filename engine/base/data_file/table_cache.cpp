@@ -1,8 +1,9 @@
-#include "engine/base/table/table_cache.hpp"
+#include "engine/base/data_file/table_cache.hpp"
 
 #include <algorithm>
 #include <chrono>
 
+#include "engine/base/data_file/data_file.hpp"
 #include "engine/base/io/file.hpp"
 
 namespace stepwire {
@@ -37,7 +38,7 @@ TableCache::Stamp TableCache::stamp_of(const std::string& path) {
 std::shared_ptr<const RecordTable> TableCache::read(const std::string& path) {
   const Stamp stamp = stamp_of(path);
   if (auto known = find(path, stamp)) return known;
-  const auto table = std::make_shared<const RecordTable>(read_record_table(path));
+  const auto table = std::make_shared<const RecordTable>(read_data_file(path));
   const bool may_change_unseen =
       stamp.changed + coarsest_clock > std::filesystem::file_time_type::clock::now();
   if (!may_change_unseen && stamp_of(path) == stamp) keep({path, stamp, table});
