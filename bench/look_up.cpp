@@ -8,7 +8,7 @@
 
 #include "blocks/register.hpp"
 #include "engine/model/diagram/load.hpp"
-#include "engine/simulate/run/simulation.hpp"
+#include "engine/simulate/run/executor.hpp"
 
 namespace stepwire {
 

@@ -52,7 +52,7 @@ void for_every_job(const std::function<void(Job job)>& check) {
   }
 }
 
-std::uint64_t fingerprint(Simulation& simulation, std::int64_t last) {
+std::uint64_t fingerprint(Executor& simulation, std::int64_t last) {
   std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a over all numbers of all ticks
   while (simulation.healthy() && simulation.tick() < last) {
     simulation.evaluate();

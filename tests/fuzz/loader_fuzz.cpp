@@ -37,7 +37,7 @@ bool is_large(const Diagram& diagram) {
 
 void step(const Plan& plan) {
   if (plan.layout.size > most_numbers) return;
-  Simulation simulation(plan);
+  Executor simulation(plan);
   for (int tick = 0; tick < 3; ++tick) {
     simulation.evaluate();
     if (!simulation.healthy() || simulation.finished()) break;

@@ -24,7 +24,7 @@ class Drive {
     interrupted
   };
 
-  Drive(Simulation& simulation, std::vector<Recorder>& recorders);
+  Drive(Executor& simulation, std::vector<Recorder>& recorders);
 
   std::size_t index = 0;                         ///< of the run, for observers
   std::span<RunObserver* const> observers;       ///< must outlive the drive
@@ -41,7 +41,7 @@ class Drive {
   void show_rows();
   End end(End how);
 
-  Simulation& simulation_;
+  Executor& simulation_;
   std::vector<Recorder>& recorders_;
   Stopper stopper_;
   std::vector<double> row_;

@@ -3,14 +3,14 @@
 #include <cstddef>
 #include <span>
 
-#include "engine/simulate/run/simulation.hpp"
+#include "engine/simulate/run/executor.hpp"
 
 namespace stepwire {
 
 /// A run as it is shown to observers.
 struct ObservedRun {
   std::size_t index;  ///< among the runs of a sweep or the trials of a study; 0 for a single one
-  Simulation& simulation;
+  Executor& simulation;
 };
 
 /// How a run goes on.

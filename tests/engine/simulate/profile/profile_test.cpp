@@ -4,7 +4,7 @@
 
 #include "blocks/register.hpp"
 #include "engine/simulate/profile/profile.hpp"
-#include "engine/simulate/run/simulation.hpp"
+#include "engine/simulate/run/executor.hpp"
 #include "tests/support/plan_text.hpp"
 
 using namespace stepwire;

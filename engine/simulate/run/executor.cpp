@@ -1,4 +1,4 @@
-#include "engine/simulate/run/simulation.hpp"
+#include "engine/simulate/run/executor.hpp"
 
 #include <fmt/format.h>
 
@@ -36,9 +36,9 @@ void write(const SignalSlot& slot, const Eigen::VectorXd& value, double* values)
 }  // namespace
 
 /// The continuous part of the diagram at a solver's stage.
-class Simulation::Equations : public System {
+class Executor::Equations : public System {
  public:
-  explicit Equations(Simulation& simulation) : simulation_(simulation) {
+  explicit Equations(Executor& simulation) : simulation_(simulation) {
     const Layout& layout = simulation.plan_.layout;
     double* values = simulation.workspace_.values.data();
     time = values + Layout::time;
@@ -54,14 +54,14 @@ class Simulation::Equations : public System {
   }
 
  private:
-  Simulation& simulation_;
+  Executor& simulation_;
 };
 
-void Simulation::FreeBlocks::operator()(std::byte* memory) const {
+void Executor::FreeBlocks::operator()(std::byte* memory) const {
   ::operator delete(memory, block_alignment);
 }
 
-Simulation::Simulation(const Plan& plan)
+Executor::Executor(const Plan& plan)
     : plan_(plan),
       solver_(solver_of(plan)),
       blocks_(static_cast<std::byte*>(::operator new(plan.block_bytes + 1, block_alignment))),
@@ -83,14 +83,14 @@ Simulation::Simulation(const Plan& plan)
   reset();
 }
 
-Simulation::~Simulation() {
+Executor::~Executor() {
   for (int block : plan_.memory_order) {
     const auto index = static_cast<std::size_t>(block);
     plan_.diagram.blocks[index].type().destroy(memory(index));
   }
 }
 
-void Simulation::bind() {
+void Executor::bind() {
   std::size_t elements = 0;
   for (const PlannedBlock& block : plan_.blocks) {
     first_list_element_.push_back(elements);
@@ -105,7 +105,7 @@ void Simulation::bind() {
   }
 }
 
-void Simulation::bind_block(std::size_t index) {
+void Executor::bind_block(std::size_t index) {
   const BlockType& type = plan_.diagram.blocks[index].type();
   const PlannedBlock& planned = plan_.blocks[index];
   double* values = workspace_.values.data();
@@ -134,7 +134,7 @@ void Simulation::bind_block(std::size_t index) {
     if (clock.bind_time) clock.bind_time(block, values + Layout::time);
 }
 
-void Simulation::reset() {
+void Executor::reset() {
   workspace_.tick = 0;
   healthy_ = true;
   auto& values = workspace_.values;
@@ -162,16 +162,16 @@ void Simulation::reset() {
   compute_once();
 }
 
-void Simulation::write_constants() {
+void Executor::write_constants() {
   std::copy(constants_.begin(), constants_.end(),
             workspace_.values.begin() + static_cast<std::ptrdiff_t>(plan_.layout.constants));
 }
 
-void Simulation::compute_once() {
+void Executor::compute_once() {
   for (const Batch& batch : plan_.once) call(batch);
 }
 
-void Simulation::restore(const Workspace& workspace) {
+void Executor::restore(const Workspace& workspace) {
   // The blocks point into these numbers, so they are written in place.
   std::copy(workspace.values.begin(), workspace.values.end(), workspace_.values.begin());
   workspace_.tick = workspace.tick;
@@ -179,17 +179,17 @@ void Simulation::restore(const Workspace& workspace) {
   follow_values();
 }
 
-void Simulation::write_input(std::size_t input, const double* numbers) {
+void Executor::write_input(std::size_t input, const double* numbers) {
   const auto block = static_cast<std::size_t>(plan_.diagram.inputs[input].block);
   const SignalSlot& slot = plan_.blocks[block].outputs.front();
   std::copy_n(numbers, slot.size, workspace_.values.begin() + static_cast<std::ptrdiff_t>(slot.offset));
 }
 
-Simulation::Table::Table(const std::vector<Batch>& batches, std::byte* blocks) : batches(batches) {
+Executor::Table::Table(const std::vector<Batch>& batches, std::byte* blocks) : batches(batches) {
   for (const Batch& batch : batches) calls.push_back({batch.run, blocks + batch.first, blocks + batch.end});
 }
 
-void Simulation::run(const Table& table) {
+void Executor::run(const Table& table) {
   if (watcher_ && watcher_->phase == &table.batches) return run_watched(table);
   const Table::Call* call = table.calls.data();
   const Table::Call* const end = call + table.calls.size();
@@ -203,27 +203,27 @@ void Simulation::run(const Table& table) {
   for (; call != end; ++call) call->run(call->first, call->end);
 }
 
-void Simulation::follow_time() {
+void Executor::follow_time() {
   double* values = workspace_.values.data();
   if (values[Layout::timed] == values[Layout::time] || plan_.timed.empty()) return;
   values[Layout::timed] = values[Layout::time];
   run(timed_);
 }
 
-void Simulation::run_due(const Table& table) {
+void Executor::run_due(const Table& table) {
   if (due_.size() == 1) return run(table);  // nothing is slower than the step
   if (watcher_ && watcher_->phase == &table.batches) return run_watched(table);
   run_range(table, 0, table.calls.size());
 }
 
-void Simulation::run_range(const Table& table, std::size_t first, std::size_t end) {
+void Executor::run_range(const Table& table, std::size_t first, std::size_t end) {
   for (std::size_t i = first; i < end; ++i)
     if (due_[static_cast<std::size_t>(table.batches[i].period)])
       table.calls[i].run(table.calls[i].first, table.calls[i].end);
 }
 
 /// What runs between ticks is continuous, and what is continuous is due at every tick.
-void Simulation::run_watched(const Table& table) {
+void Executor::run_watched(const Table& table) {
   run_range(table, 0, watcher_->first);
   watcher_->enter();
   run_range(table, watcher_->first, watcher_->end);
@@ -231,11 +231,11 @@ void Simulation::run_watched(const Table& table) {
   run_range(table, watcher_->end, table.calls.size());
 }
 
-void Simulation::find_due() {
+void Executor::find_due() {
   for (std::size_t i = 1; i < due_.size(); ++i) due_[i] = workspace_.tick % plan_.periods[i] == 0;
 }
 
-void Simulation::evaluate() {
+void Executor::evaluate() {
   if (code_) {
     code_->functions.evaluate(workspace_.values.data(), numbers_->data(), workspace_.tick);
   } else {
@@ -247,7 +247,7 @@ void Simulation::evaluate() {
   healthy_ = healthy_ && is_finite();
 }
 
-void Simulation::advance() {
+void Executor::advance() {
   if (code_) {
     code_->functions.advance(workspace_.values.data(), numbers_->data(), workspace_.tick);
   } else {
@@ -258,7 +258,7 @@ void Simulation::advance() {
   ++workspace_.tick;
 }
 
-void Simulation::take_step() {
+void Executor::take_step() {
   run_due(updates_);
   if (!solver_) return;
   if (plan_.updates_continuous) run(stage_);
@@ -266,12 +266,12 @@ void Simulation::take_step() {
   solver_->advance(*equations_, {time(), plan_.time_of(workspace_.tick + 1), plan_.diagram.step});
 }
 
-bool Simulation::is_finite() const {
+bool Executor::is_finite() const {
   const Layout& layout = plan_.layout;
   return all_finite(values() + layout.signals, layout.dots + layout.state_count - layout.signals);
 }
 
-bool Simulation::notice_ends_run() const {
+bool Executor::notice_ends_run() const {
   for (std::size_t offset : ending_notices_)
     if (workspace_.values[offset] != Notice::never) return true;
   return false;

@@ -38,13 +38,13 @@ struct RaisedNotice {
 ///
 /// A tick is evaluate(), then, unless it is the last, advance(): outputs, then discrete updates, then the
 /// solver. Neither allocates, throws, locks or calls the system.
-class Simulation {
+class Executor {
  public:
   /// Throws Error where the diagram names a solver that is not known.
-  explicit Simulation(const Plan& plan);
-  ~Simulation();
-  Simulation(const Simulation&) = delete;
-  Simulation& operator=(const Simulation&) = delete;
+  explicit Executor(const Plan& plan);
+  ~Executor();
+  Executor(const Executor&) = delete;
+  Executor& operator=(const Executor&) = delete;
 
   /// From now on steps with compiled code, which must outlive this; call it between advance() and evaluate().
   /// Code that does not read all that set() has changed is not used.

@@ -1,7 +1,7 @@
 // Values that are set while a run goes on.
 #include <algorithm>
 
-#include "engine/simulate/run/simulation.hpp"
+#include "engine/simulate/run/executor.hpp"
 
 namespace stepwire {
 
@@ -33,24 +33,24 @@ void merge(const std::vector<VariableBlock>& more, std::vector<VariableBlock>& a
 
 }  // namespace
 
-void Simulation::use(const CompiledPlan& code) {
+void Executor::use(const CompiledPlan& code) {
   if (!reads(code, changed_)) return;
   numbers_.emplace(plan_, code.variable, [this](std::size_t block) { return memory(block); });
   code_ = &code;
 }
 
-const Value& Simulation::parameter(std::size_t index) const {
+const Value& Executor::parameter(std::size_t index) const {
   const Value* set = parameters_ ? parameters_->value(index) : nullptr;
   return set ? *set : plan_.diagram.parameters[index].value;
 }
 
-Diagram Simulation::diagram() const {
+Diagram Executor::diagram() const {
   Diagram diagram = plan_.diagram;
   put_values(diagram);
   return diagram;
 }
 
-void Simulation::put_values(Diagram& diagram) const {
+void Executor::put_values(Diagram& diagram) const {
   for (const auto& [index, written] : written_) {
     const BlockType& type = written.type();
     AnyBlock& block = diagram.blocks[index].block;
@@ -72,12 +72,12 @@ void Simulation::put_values(Diagram& diagram) const {
   }
 }
 
-Simulation::Setting Simulation::set(const std::string& name, const std::string& value) {
+Executor::Setting Executor::set(const std::string& name, const std::string& value) {
   const std::string place = "set " + name + "=" + value;
   return set(Variation(plan_.diagram, {name}), {{{name, value_of_text(value, place), place}}});
 }
 
-Simulation::Setting Simulation::set(const Variation& variation, std::span<const Assignment> values) {
+Executor::Setting Executor::set(const Variation& variation, std::span<const Assignment> values) {
   if (variation.structural()) {
     const auto found = std::ranges::find_if(variation.names(), &Variation::Name::structural);
     structure_change_ = found->text + ": the diagram's times, records or parts follow from it";
@@ -102,7 +102,7 @@ Simulation::Setting Simulation::set(const Variation& variation, std::span<const 
   return Setting::done;
 }
 
-void Simulation::apply(PlanChange& change) {
+void Executor::apply(PlanChange& change) {
   const std::vector<double> before = workspace_.values;  // a block's start() writes into them
   for (RebuiltBlock& rebuilt : change.blocks) replace(rebuilt);
   std::copy(before.begin(), before.end(), workspace_.values.begin());
@@ -117,7 +117,7 @@ void Simulation::apply(PlanChange& change) {
   follow_values();
 }
 
-void Simulation::replace(RebuiltBlock& rebuilt) {
+void Executor::replace(RebuiltBlock& rebuilt) {
   const BlockType& type = rebuilt.made.type();
   void* block = memory(rebuilt.block);
   type.destroy(block);
@@ -131,7 +131,7 @@ void Simulation::replace(RebuiltBlock& rebuilt) {
   written_.insert_or_assign(rebuilt.block, std::move(rebuilt.written));
 }
 
-void Simulation::follow_values() {
+void Executor::follow_values() {
   write_constants();
   compute_once();
   workspace_.values[Layout::timed] = Layout::never;
