@@ -79,9 +79,7 @@ std::string Compiler::compile(const std::string& source, const std::string& libr
   const std::string headers = find_resource("precompiled") + "/" + standard_headers;
   // GCC takes what is precompiled only if it fits these flags and this version; clang refuses another's.
   if (is_gcc() && std::filesystem::exists(headers)) command.insert(command.end(), {"-include", headers});
-  command.insert(command.end(), {"-shared", "-I", source_folder(), "-o", library, source});
-  if (const std::string eigen = find_resource("eigen"); !eigen.empty())
-    command.insert(command.end(), {"-isystem", eigen});
+  command.insert(command.end(), {"-shared", "-o", library, source});
   return problem_of({.command = command, .stop = stop, .limit = compiler_limit()});
 }
 
@@ -97,10 +95,6 @@ std::string Compiler::precompile(const std::string& folder, const std::vector<st
   std::vector<std::string> command = this->command(more);
   command.insert(command.end(), {"-x", "c++-header", header, "-o", header + ".gch/" + name});
   return problem_of({.command = command, .limit = compiler_limit()});
-}
-
-std::string source_folder() {
-  return resource("headers");
 }
 
 }  // namespace stepwire

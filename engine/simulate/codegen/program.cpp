@@ -32,7 +32,7 @@ void require_headers(const Plan& plan) {
     const DiagramBlock& block = plan.diagram.blocks[b];
     const BlockType& type = block.type();
     const char* why = type.file_output                               ? "it writes files"
-                      : type.header.empty() && !is_external(plan, b) ? "its type is not one of the library"
+                      : type.header.empty() && !is_external(plan, b) ? "no header declares its struct"
                                                                      : nullptr;
     if (why)
       faults.add(plan.diagram.fault(block.origin, block.name,

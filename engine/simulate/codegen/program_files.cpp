@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "engine/simulate/codegen/compiler.hpp"
 #include "engine/simulate/codegen/cpp_words.hpp"
@@ -14,6 +15,8 @@
 namespace stepwire {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 /// What a program is called in its own files. Each is a word that is none of C++, of a library or of CMake.
 struct OwnNames {
@@ -34,7 +37,54 @@ bool uses_eigen(const std::map<std::string, std::string>& files) {
       files, [](const auto& file) { return file.second.find("#include <Eigen/") != std::string::npos; });
 }
 
-std::string cmake_text(const OwnNames& names, bool uses_eigen) {
+/// Where headers lie in a program's folder: ours under stepwire/, those of others under blocks_of_others/ as
+/// they lie to each other.
+class HeaderFiles {
+ public:
+  explicit HeaderFiles(const IncludedHeaders& headers) : headers_(headers) {
+    for (const std::string& header : headers.all)
+      if (is_of_others(header)) widen(fs::path(header).parent_path());
+    for (const std::string& folder : headers.folders) widen(folder);
+  }
+
+  /// The path of a header, as sources include it.
+  std::string included(const std::string& header) const {
+    return is_of_others(header) ? moved(header) : header;
+  }
+  void add_to(std::map<std::string, std::string>& files) const {
+    for (const std::string& header : headers_.all) {
+      const bool has_place = is_of_others(header) || header.starts_with("stepwire/");
+      files[has_place ? included(header) : "stepwire/" + header] = header_text(header);
+    }
+  }
+  /// Folders in which headers are looked for, beside that of the program and stepwire/.
+  std::vector<std::string> folders() const {
+    std::vector<std::string> folders;
+    for (const std::string& folder : headers_.folders) folders.push_back(moved(folder));
+    return folders;
+  }
+
+ private:
+  void widen(const fs::path& folder) {
+    if (common_.empty()) common_ = folder;
+    while (common_ != common_.root_path() &&
+           fs::path(folder).lexically_relative(common_).string().starts_with(".."))
+      common_ = common_.parent_path();
+  }
+  std::string moved(const std::string& path) const {
+    return (fs::path("blocks_of_others") / fs::path(path).lexically_relative(common_))
+        .lexically_normal()
+        .string();
+  }
+
+  const IncludedHeaders& headers_;
+  fs::path common_;  ///< the folder that holds all headers of others
+};
+
+std::string cmake_text(const OwnNames& names, const std::vector<std::string>& folders, bool uses_eigen) {
+  std::string more;
+  for (const std::string& folder : folders)
+    more += fmt::format(" \"${{CMAKE_CURRENT_SOURCE_DIR}}/{}\"", folder);
   std::string flags;
   for (const std::string& flag : Compiler::flags()) flags += " " + flag;
   return fmt::format(
@@ -46,7 +96,7 @@ std::string cmake_text(const OwnNames& names, bool uses_eigen) {
       "set_target_properties({0} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "
       "${{CMAKE_CURRENT_BINARY_DIR}}/bin)\n"
       "target_include_directories({0} PRIVATE ${{CMAKE_CURRENT_SOURCE_DIR}} "
-      "${{CMAKE_CURRENT_SOURCE_DIR}}/stepwire)\n"
+      "${{CMAKE_CURRENT_SOURCE_DIR}}/stepwire{6})\n"
       "# What keeps the bits of `stepwire run`: -ffp-contract=off (no fused multiply-add) and "
       "-fno-builtin-... (functions\n"
       "# of the library, none computed by the compiler). Another -O or -march may be taken, never "
@@ -57,13 +107,15 @@ std::string cmake_text(const OwnNames& names, bool uses_eigen) {
       "endif()\n{5}",
       names.space, names.stem, flags, names.main,
       uses_eigen ? "find_package(Eigen3 REQUIRED NO_MODULE)  # of the solver\n" : "",
-      uses_eigen ? fmt::format("target_link_libraries({} PRIVATE Eigen3::Eigen)\n", names.space) : "");
+      uses_eigen ? fmt::format("target_link_libraries({} PRIVATE Eigen3::Eigen)\n", names.space) : "", more);
 }
 
-std::string source_text(const Plan& plan, const GeneratedProgram& program, const OwnNames& names) {
+std::string source_text(const Plan& plan, const GeneratedProgram& program, const OwnNames& names,
+                        const HeaderFiles& headers) {
   std::string text =
       fmt::format("#include \"{}\"\n\n#include <bit>\n#include <cmath>\n#include <limits>\n\n", names.header);
-  for (const std::string& header : program.headers) text += fmt::format("#include \"{}\"\n", header);
+  for (const std::string& header : program.headers)
+    text += fmt::format("#include \"{}\"\n", headers.included(header));
   text += "\nnamespace {\n\nusing namespace stepwire;\n\n" + program.text + "\n}  // namespace\n\n";
   return text + struct_definitions(plan, names.space);
 }
@@ -74,15 +126,16 @@ std::map<std::string, std::string> program_files(const Plan& plan, const std::st
                                                  const std::string& made_by) {
   const GeneratedProgram program = make_program(plan);
   const OwnNames names(name);
+  const IncludedHeaders included = with_included(program.headers);
+  const HeaderFiles headers(included);
   const std::string note =
       fmt::format("// {}\n\n", cpp_comment(fmt::format("{} made this from {}", made_by, plan.diagram.file)));
   std::map<std::string, std::string> files;
   files[names.header] = note + struct_text(plan, names.space);
-  files[names.stem + ".cpp"] = note + source_text(plan, program, names);
+  files[names.stem + ".cpp"] = note + source_text(plan, program, names, headers);
   files[names.main] = note + main_text(plan, names.header, names.space);
-  for (const std::string& header : with_included(program.headers))
-    files["stepwire/" + header] = header_text(header);
-  files["CMakeLists.txt"] = cmake_text(names, uses_eigen(files));
+  headers.add_to(files);
+  files["CMakeLists.txt"] = cmake_text(names, headers.folders(), uses_eigen(files));
   return files;
 }
 
