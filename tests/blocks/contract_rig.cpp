@@ -173,7 +173,7 @@ void add_choices(const BlockType& type, bool optional_inputs, std::vector<Wiring
 }  // namespace
 
 const Registry& library() {
-  static const Registry registry = all_blocks();
+  static const Registry registry = blocks();
   return registry;
 }
 

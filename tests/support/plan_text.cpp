@@ -37,7 +37,7 @@ std::vector<std::string> faults_in(const Make& make) {
 }  // namespace
 
 const Registry& library() {
-  static const Registry registry = all_blocks();
+  static const Registry registry = blocks();
   return registry;
 }
 

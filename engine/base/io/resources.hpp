@@ -5,7 +5,8 @@
 namespace stepwire {
 
 /// What comes with the program and is read while it runs lies in one folder, share/stepwire, as folders or
-/// links to them: "headers" (of engine and blocks), "eigen" and "precompiled" (for generated code), "drawing"
+/// links to them: "headers" (of engine and blocks), "public" (those of
+/// the library), "eigen" and "precompiled" (for generated code), "drawing"
 /// (the module for node), "diagrams". That folder is the one that $STEPWIRE_HOME names (or the prefix above
 /// it), else that of the installed package which a program was built with, else the one beside the running
 /// program: in its own folder, or in one of the two above.

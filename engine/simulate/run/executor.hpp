@@ -11,6 +11,7 @@
 #include "engine/model/plan/compiled_plan.hpp"
 #include "engine/model/signal/input.hpp"
 #include "engine/simulate/run/batch_watcher.hpp"
+#include "engine/simulate/run/run_fault.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
 namespace stepwire {
@@ -19,19 +20,6 @@ namespace stepwire {
 struct Workspace {
   std::int64_t tick = 0;
   std::vector<double> values;
-};
-
-/// What ends a run before its time.
-struct RunFault {
-  std::string block, port;
-  double time = 0.0;  ///< [s]
-  Fault fault;
-};
-
-/// What a block had to say during a run.
-struct RaisedNotice {
-  std::string block, text;
-  double time = 0.0;  ///< when first [s]
 };
 
 /// One run of a plan: its own copy of the blocks, bound to its own workspace. The plan must outlive it.

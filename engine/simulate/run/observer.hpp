@@ -4,6 +4,7 @@
 #include <span>
 
 #include "engine/simulate/run/executor.hpp"
+#include "engine/simulate/run/flow.hpp"
 
 namespace stepwire {
 
@@ -11,13 +12,6 @@ namespace stepwire {
 struct ObservedRun {
   std::size_t index;  ///< among the runs of a sweep or the trials of a study; 0 for a single one
   Executor& simulation;
-};
-
-/// How a run goes on.
-enum class Flow {
-  go_on,
-  pause,  ///< before the next tick; the run can be taken up again
-  stop    ///< for good, with what is recorded so far
 };
 
 /// Watches runs while they are computed. Each run calls from its own thread, so that calls for several runs

@@ -33,7 +33,7 @@ struct Counter {
 };
 
 Registry with_counters() {
-  Registry registry = all_blocks();
+  Registry registry = blocks();
   registry.add<Counter<held_calls>>("test");
   registry.add<Counter<timed_calls>>("test");
   registry.add<Counter<followed_calls>>("test");

@@ -56,7 +56,7 @@ struct Tick {
 };
 
 Registry with_slow_blocks() {
-  Registry registry = all_blocks();
+  Registry registry = blocks();
   registry.add<Slow>("test");
   registry.add<Tick>("test");
   return registry;
