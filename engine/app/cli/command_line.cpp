@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "engine/app/cli/blockset_options.hpp"
 #include "engine/app/cli/call_options.hpp"
 #include "engine/app/cli/call_settings.hpp"
 #include "engine/app/cli/console.hpp"
@@ -39,7 +40,7 @@ void add_work_options(CLI::App& verb, RunCommand& command, SettingWords& setting
 /// All verbs with what they fill in.
 class CommandLine {
  public:
-  explicit CommandLine(const Registry& registry) : registry_(registry) {
+  explicit CommandLine(Registry& registry) : registry_(registry) {
     app_.require_subcommand(1);
     app_.failure_message([](const CLI::App*, const CLI::Error& error) {
       return fmt::format("stepwire: {}; stepwire --help and stepwire VERB --help tell more\n",
@@ -58,12 +59,13 @@ class CommandLine {
     add_thesis();
     add_blocks();
     add_schema();
+    blocksets_.add_to(app_);
   }
-
   ExitCode run(int argc, char** argv) {
     if (argc > 1 && *argv[1] != '-' && !is_verb(argv[1])) return refuse_verb(argv[1]);
     try {
       app_.parse(argc, argv);
+      blocksets_.load(registry_);
       return action_();
     } catch (const CLI::ParseError& error) {
       return explain(error);
@@ -264,7 +266,8 @@ class CommandLine {
     return run_files(run_, registry_);
   }
 
-  const Registry& registry_;
+  Registry& registry_;
+  BlocksetOptions blocksets_;
   CLI::App app_{"Block diagrams in text, run at a fixed step."};
   RunCommand run_;
   GenerateCommand generate_;
@@ -286,7 +289,7 @@ int run_command_line(int argc, char** argv, Registry (*blocks)()) {
   fill_standard_streams();
   catch_signals();
   const ExitCode code = guarded([&] {
-    const Registry registry = blocks();
+    Registry registry = blocks();
     return CommandLine(registry).run(argc, argv);
   });
   if (const std::string problem = take_cache_problem(); !problem.empty())
