@@ -9,7 +9,7 @@
 #include "bench/hand_written.hpp"
 #include "bench/workload.hpp"
 #include "engine/simulate/codegen/generated_code.hpp"
-#include "engine/simulate/run/simulation.hpp"
+#include "engine/simulate/run/executor.hpp"
 
 namespace stepwire {
 
@@ -44,14 +44,14 @@ bool agrees(const std::string& what, double value, double reference) {
   return good;
 }
 
-double state(const Simulation& simulation, const std::string& name) {
+double state(const Executor& simulation, const std::string& name) {
   const auto& blocks = simulation.plan().diagram.blocks;
   for (std::size_t b = 0; b < blocks.size(); ++b)
     if (blocks[b].name == name) return simulation.values()[simulation.plan().blocks[b].states[0].offset];
   return std::nan("");
 }
 
-void go(Simulation& simulation, int steps) {
+void go(Executor& simulation, int steps) {
   for (int i = 0; i < steps; ++i) {
     simulation.evaluate();
     simulation.advance();
@@ -59,7 +59,7 @@ void go(Simulation& simulation, int steps) {
 }
 
 /// The same with compiled code.
-void go_compiled(Simulation& simulation, int steps) {
+void go_compiled(Executor& simulation, int steps) {
   static GeneratedCode source;
   const std::optional<CompiledPlan> code = source.compile(simulation.plan(), {}, {});
   if (code) simulation.use(*code);
@@ -68,8 +68,8 @@ void go_compiled(Simulation& simulation, int steps) {
 
 bool w1_agrees(const ReferenceW1& reference) {
   const Plan plan = w1_plan();
-  Simulation simulation(plan);
-  Simulation generated(plan);
+  Executor simulation(plan);
+  Executor generated(plan);
   go(simulation, reference.steps);
   go_compiled(generated, reference.steps);
   HandWrittenW1<> by_hand;
@@ -85,7 +85,7 @@ bool w1_agrees(const ReferenceW1& reference) {
   return good;
 }
 
-double sum_of_states(const Simulation& simulation, int blocks) {
+double sum_of_states(const Executor& simulation, int blocks) {
   double sum = 0.0;
   for (int j = 0; j < blocks / 5; ++j) sum += state(simulation, fmt::format("x{}", j));
   return sum;
@@ -93,8 +93,8 @@ double sum_of_states(const Simulation& simulation, int blocks) {
 
 bool w2_agrees(const ReferenceW2& reference) {
   const Plan plan = w2_plan(reference.blocks, reference.steps);
-  Simulation simulation(plan);
-  Simulation generated(plan);
+  Executor simulation(plan);
+  Executor generated(plan);
   go(simulation, reference.steps);
   go_compiled(generated, reference.steps);
   HandWrittenW2<> by_hand(reference.blocks);

@@ -66,7 +66,7 @@ struct Tally {
 };
 
 std::map<std::string, Tally> study(const Call& call) {
-  const Registry registry = all_blocks();
+  const Registry registry = blocks();
   GeneratedCode code;
   std::map<std::string, Tally> tallies;
   for (int seed = 1; seed <= call.repetitions; ++seed) {

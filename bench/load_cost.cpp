@@ -8,7 +8,7 @@
 #include "bench/workload.hpp"
 #include "blocks/register.hpp"
 #include "engine/model/diagram/load.hpp"
-#include "engine/simulate/run/simulation.hpp"
+#include "engine/simulate/run/executor.hpp"
 
 namespace stepwire {
 
@@ -18,7 +18,7 @@ double milliseconds_to_first_step(const Registry& registry, const std::string& t
   const std::clock_t start = std::clock();
   Loader loader(registry);
   const Plan plan = make_plan(loader.load_text(text, "w2.yaml"));
-  Simulation simulation(plan);
+  Executor simulation(plan);
   simulation.evaluate();
   return 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
@@ -32,7 +32,7 @@ double peak_megabytes() {
 }  // namespace
 
 std::vector<Result> measure_load(int blocks, int times) {
-  const Registry registry = all_blocks();
+  const Registry registry = blocks();
   const std::string text = w2_text(blocks, 5);
   const Result result{fmt::format("text of W2 {} to first step", blocks), "interpreted", "ms", 0.0,
                       static_cast<std::size_t>(blocks) + 2};

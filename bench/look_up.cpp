@@ -8,7 +8,7 @@
 
 #include "blocks/register.hpp"
 #include "engine/model/diagram/load.hpp"
-#include "engine/simulate/run/simulation.hpp"
+#include "engine/simulate/run/executor.hpp"
 
 namespace stepwire {
 
@@ -65,7 +65,7 @@ double cost(const Plan& plan, const std::vector<double>& numbers) {
 }  // namespace
 
 std::vector<Result> measure_look_up(int times) {
-  const Registry registry = all_blocks();  // blocks know their types by it
+  const Registry registry = blocks();  // blocks know their types by it
   const std::vector<double> numbers = places(100000);
   std::vector<Result> results;
   for (const char* kind : {"corridor", "spline"}) {

@@ -11,7 +11,7 @@
 #include "bench/workload.hpp"
 #include "engine/simulate/codegen/generated_code.hpp"
 #include "engine/simulate/record/recorder.hpp"
-#include "engine/simulate/run/simulation.hpp"
+#include "engine/simulate/run/executor.hpp"
 
 namespace stepwire {
 
@@ -19,7 +19,7 @@ namespace {
 
 /// Steps a diagram with its 8 signals recorded and the finite check on; with compiled code if there is any.
 void run_diagram(benchmark::State& bench, const Plan& plan, const CompiledPlan* code = nullptr) {
-  Simulation simulation(plan);
+  Executor simulation(plan);
   if (code) simulation.use(*code);
   RunRecording recording(plan);
   Recorder& recorder = recording.recorders().front();

@@ -58,7 +58,7 @@ Plan long_plan(const Registry& registry, std::size_t points) {
 }  // namespace
 
 std::vector<Result> measure_sweep() {
-  const Registry registry = all_blocks();
+  const Registry registry = blocks();
   GeneratedCode code;
   const double before = peak_megabytes();
   Loader loader(registry);

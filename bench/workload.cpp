@@ -10,8 +10,8 @@ namespace stepwire {
 namespace {
 
 const Registry& registry() {
-  static const Registry blocks = all_blocks();
-  return blocks;
+  static const Registry known = stepwire::blocks();
+  return known;
 }
 
 }  // namespace

@@ -15,7 +15,7 @@
 
 namespace stepwire {
 
-Registry all_blocks() {
+Registry blocks() {
   Registry registry;
   register_sources(registry);
   register_math(registry);

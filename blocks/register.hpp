@@ -5,6 +5,6 @@
 namespace stepwire {
 
 /// Every block of the library.
-Registry all_blocks();
+Registry blocks();
 
 }  // namespace stepwire

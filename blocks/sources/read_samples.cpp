@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "blocks/records/preparation.hpp"
-#include "engine/base/table/table_cache.hpp"
+#include "engine/base/data_file/table_cache.hpp"
 #include "engine/base/table/table_file.hpp"
 #include "engine/base/unit/unit.hpp"
 #include "engine/model/block/configure.hpp"

@@ -22,20 +22,20 @@ void for_every_plan(const Check& check) {
     }
 }
 
-void run_to(Simulation& simulation, std::int64_t tick) {
+void run_to(Executor& simulation, std::int64_t tick) {
   while (simulation.tick() < tick && simulation.healthy()) {
     simulation.evaluate();
     simulation.advance();
   }
 }
 
-std::vector<double> region(const Simulation& simulation, std::size_t first, std::size_t count) {
+std::vector<double> region(const Executor& simulation, std::size_t first, std::size_t count) {
   const double* start = simulation.values() + first;
   return {start, start + count};
 }
 
 /// All that lasts from tick to tick: states and notices.
-std::vector<double> memory_of(const Simulation& simulation) {
+std::vector<double> memory_of(const Executor& simulation) {
   const Layout& layout = simulation.plan().layout;
   std::vector<double> memory = region(simulation, layout.states, layout.state_count);
   for (double number : region(simulation, layout.discrete, layout.discrete_count)) memory.push_back(number);
@@ -51,7 +51,7 @@ TEST_CASE("every block runs with neutral inputs") {
     INFO(wiring.text);
     std::optional<Plan> plan;
     REQUIRE_NOTHROW(plan = plan_of(wiring));
-    Simulation simulation(*plan);
+    Executor simulation(*plan);
     run_to(simulation, plan->steps);
     simulation.evaluate();
     if (const auto fault = simulation.fault()) FAIL_CHECK(fault->fault.text());
@@ -61,7 +61,7 @@ TEST_CASE("every block runs with neutral inputs") {
 
 TEST_CASE("no block allocates in a step") {
   for_every_plan([](const Plan& plan) {
-    Simulation simulation(plan);
+    Executor simulation(plan);
     const long before = allocations();
     run_to(simulation, plan.steps);
     const long after = allocations();
@@ -71,7 +71,7 @@ TEST_CASE("no block allocates in a step") {
 
 TEST_CASE("outputs() has no side effect: evaluated twice, a tick has the same bits, and no state has moved") {
   for_every_plan([](const Plan& plan) {
-    Simulation simulation(plan);
+    Executor simulation(plan);
     for (std::int64_t tick = 0; tick < plan.steps && simulation.healthy(); ++tick) {
       const std::vector<double> memory = memory_of(simulation);
       simulation.evaluate();
@@ -86,7 +86,7 @@ TEST_CASE("outputs() has no side effect: evaluated twice, a tick has the same bi
 
 TEST_CASE("two runs give the same bits") {
   for_every_plan([](const Plan& plan) {
-    Simulation one(plan), other(plan);
+    Executor one(plan), other(plan);
     run_to(one, plan.steps);
     run_to(other, plan.steps);
     CHECK(same_bits(numbers_of(one), numbers_of(other)));
@@ -98,7 +98,7 @@ TEST_CASE("two runs give the same bits") {
 
 TEST_CASE("a run goes on from a kept moment with the same bits, also in another simulation") {
   for_every_plan([](const Plan& plan) {
-    Simulation simulation(plan), fresh(plan);
+    Executor simulation(plan), fresh(plan);
     run_to(simulation, plan.steps / 2);
     if (!simulation.healthy()) return;
     const Workspace kept = simulation.workspace();
@@ -117,7 +117,7 @@ TEST_CASE("a parameter that is set in a run to the value that it has changes not
   for_every_plan([](const Plan& plan) {
     const std::size_t tested = tested_in(plan);
     const BlockType& type = plan.diagram.blocks[tested].type();
-    Simulation untouched(plan);
+    Executor untouched(plan);
     run_to(untouched, plan.steps / 2);
     const Workspace kept = untouched.workspace();
     run_to(untouched, plan.steps);
@@ -126,11 +126,11 @@ TEST_CASE("a parameter that is set in a run to the value that it has changes not
       const auto value = flattened_value(plan.diagram, target, absolute_path);
       if (!value) continue;
       INFO(name_of(plan.diagram, target) << ": " << yaml_line(*value));
-      Simulation run(plan);
+      Executor run(plan);
       run.restore(kept);
       const Variation variation(plan.diagram, {name_of(plan.diagram, target)});
       const Assignment assignment{variation.names()[0].text, *value, "test"};
-      const bool done = run.set(variation, {&assignment, 1}) == Simulation::Setting::done;
+      const bool done = run.set(variation, {&assignment, 1}) == Executor::Setting::done;
       CHECK(done != type.file_output);
       run_to(run, plan.steps);
       CHECK(same_bits(numbers_of(run), numbers_of(untouched)));

@@ -41,7 +41,7 @@ class Bench {
 
  private:
   const Plan& plan_;
-  Simulation simulation_;
+  Executor simulation_;
   Workspace kept_;
 };
 

@@ -17,7 +17,7 @@ TEST_CASE("every block is the same after it was written into a flattened file") 
       REQUIRE(flat);
       CHECK(flattened_text(flat->diagram) == text);
       CHECK(diagram_hash(flat->diagram) == diagram_hash(plan->diagram));
-      Simulation one(*plan), other(*flat);
+      Executor one(*plan), other(*flat);
       while (one.tick() < 10 && one.healthy()) {
         one.evaluate();
         other.evaluate();

@@ -88,7 +88,7 @@ std::optional<std::int64_t> first_difference(const Plan& plan, void* library, st
   find("reset", reset);
   find("evaluate", evaluate);
   find("advance", advance);
-  Simulation interpreted(plan);
+  Executor interpreted(plan);
   std::vector<double> w(plan.layout.size, -1.0);
   reset(w.data());
   for (std::int64_t tick = 0; tick < ticks && interpreted.healthy(); ++tick) {

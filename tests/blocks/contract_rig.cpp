@@ -173,7 +173,7 @@ void add_choices(const BlockType& type, bool optional_inputs, std::vector<Wiring
 }  // namespace
 
 const Registry& library() {
-  static const Registry registry = all_blocks();
+  static const Registry registry = blocks();
   return registry;
 }
 
@@ -220,11 +220,11 @@ bool feeds_through(const Plan& plan, std::size_t input, std::size_t output) {
   return said == is.answers().feedthrough.end() ? type.inputs[input].feedthrough : said->second;
 }
 
-std::vector<double> numbers_of(const Simulation& simulation) {
+std::vector<double> numbers_of(const Executor& simulation) {
   return simulation.workspace().values;
 }
 
-std::vector<double> output_of(const Simulation& simulation, std::size_t output) {
+std::vector<double> output_of(const Executor& simulation, std::size_t output) {
   const Plan& plan = simulation.plan();
   const SignalSlot& slot = plan.blocks[tested_in(plan)].outputs[output];
   const double* first = simulation.values() + slot.offset;

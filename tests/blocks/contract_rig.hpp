@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/model/block/registry.hpp"
-#include "engine/simulate/run/simulation.hpp"
+#include "engine/simulate/run/executor.hpp"
 
 namespace stepwire {
 
@@ -32,8 +32,8 @@ std::size_t tested_in(const Plan& plan);
 bool feeds_through(const Plan& plan, std::size_t input, std::size_t output);
 
 /// All numbers of a run, and of one output of the tested block.
-std::vector<double> numbers_of(const Simulation& simulation);
-std::vector<double> output_of(const Simulation& simulation, std::size_t output);
+std::vector<double> numbers_of(const Executor& simulation);
+std::vector<double> output_of(const Executor& simulation, std::size_t output);
 
 /// Are signals, states and notices of two workspaces the same? Slopes are the solver's own affair.
 bool same_numbers(const Plan& plan, const double* a, const double* b);

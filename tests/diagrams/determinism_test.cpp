@@ -16,7 +16,7 @@ std::int64_t end_of(const Plan& plan) {
 
 TEST_CASE("a diagram that is run twice gives the same bits") {
   for_every_diagram([](const Plan& plan) {
-    Simulation one(plan), other(plan);
+    Executor one(plan), other(plan);
     const std::uint64_t first = fingerprint(one, end_of(plan));
     CHECK(fingerprint(other, end_of(plan)) == first);
     other.reset();
@@ -26,7 +26,7 @@ TEST_CASE("a diagram that is run twice gives the same bits") {
 
 TEST_CASE("a diagram that goes on from a kept moment gives the same bits") {
   for_every_diagram([](const Plan& plan) {
-    Simulation simulation(plan), fresh(plan);
+    Executor simulation(plan), fresh(plan);
     fingerprint(simulation, end_of(plan) / 3);
     REQUIRE(simulation.healthy());
     const Workspace kept = simulation.workspace();

@@ -26,7 +26,7 @@ std::vector<std::string> files_to_run() {
 }  // namespace
 
 Plan plan_at(const Job& job, std::size_t point) {
-  static const Registry registry = all_blocks();
+  static const Registry registry = blocks();
   return make_plan(Loader(registry).load_point(job.plan.diagram.file, job.settings_of(point)));
 }
 
@@ -40,7 +40,7 @@ void for_every_diagram(const std::function<void(const Plan& plan)>& check) {
 }
 
 void for_every_job(const std::function<void(Job job)>& check) {
-  static const Registry registry = all_blocks();
+  static const Registry registry = blocks();
   for (const std::string& file : files_to_run()) {
     INFO(file);
     try {
@@ -52,7 +52,7 @@ void for_every_job(const std::function<void(Job job)>& check) {
   }
 }
 
-std::uint64_t fingerprint(Simulation& simulation, std::int64_t last) {
+std::uint64_t fingerprint(Executor& simulation, std::int64_t last) {
   std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a over all numbers of all ticks
   while (simulation.healthy() && simulation.tick() < last) {
     simulation.evaluate();

@@ -18,6 +18,6 @@ Plan plan_at(const Job& job, std::size_t point);
 void for_every_diagram(const std::function<void(const Plan& plan)>& check);
 
 /// A number that stands for all bits of a run from its present tick to `last`.
-std::uint64_t fingerprint(Simulation& simulation, std::int64_t last);
+std::uint64_t fingerprint(Executor& simulation, std::int64_t last);
 
 }  // namespace stepwire

@@ -51,7 +51,7 @@ TEST_CASE("every diagram computes and records the same bits when it is flattened
     CHECK(headers(flat) == headers(plan));
     CHECK(flattened_text(flat.diagram) == text);
     const std::int64_t last = std::min<std::int64_t>(plan.steps, 200);
-    Simulation one(plan), other(flat);
+    Executor one(plan), other(flat);
     CHECK(fingerprint(one, last) == fingerprint(other, last));
   });
 }

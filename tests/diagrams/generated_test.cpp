@@ -68,7 +68,7 @@ std::size_t first_difference(const std::vector<bool>& compared, const double* a,
 
 /// Where and when the two part; empty where they never do.
 std::string difference(const Plan& plan, const Loaded& loaded) {
-  Simulation interpreted(plan);
+  Executor interpreted(plan);
   std::vector<double> w(plan.layout.size, -1.0);
   loaded.reset(w.data(), nullptr);
   const std::vector<bool> of_run = compared(plan);
@@ -89,8 +89,8 @@ std::string difference(const Plan& plan, const Loaded& loaded) {
 }
 
 /// Does a run give the bits of a plan for a thousand ticks, if compiled code takes over at tick 100?
-bool same_bits(const Plan& plan, Simulation& run, const std::optional<CompiledPlan>& code) {
-  Simulation own(plan);
+bool same_bits(const Plan& plan, Executor& run, const std::optional<CompiledPlan>& code) {
+  Executor own(plan);
   const std::vector<bool> of_run = compared(plan);
   while (own.tick() < 1000 && own.healthy()) {
     if (run.tick() == 100 && code) run.use(*code);
@@ -165,7 +165,7 @@ TEST_CASE("the runs of a sweep are those of plans of their own, compiled or not"
     static std::mutex mutex;  // of the checks
     for (std::size_t point : {std::size_t{0}, job.points.size() - 1}) {
       const std::size_t member = job.points[point].member;
-      Simulation run(job.family->plan(member));
+      Executor run(job.family->plan(member));
       if (job.points[0].member == member)
         job.family->begin(member, job.settings_of(0), run);  // what it had before leaves no trace
       job.family->begin(member, job.settings_of(point), run);

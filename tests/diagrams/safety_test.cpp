@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "engine/simulate/run/simulation.hpp"
+#include "engine/simulate/run/executor.hpp"
 #include "tests/support/plan_text.hpp"
 #include "tests/support/run_text.hpp"
 
@@ -65,7 +65,7 @@ std::string from_anywhere(std::string text) {
 }
 
 /// What the interlock lets through to the linear damper.
-double command_of(const Simulation& simulation) {
+double command_of(const Executor& simulation) {
   const Plan& plan = simulation.plan();
   for (std::size_t b = 0; b < plan.blocks.size(); ++b)
     if (plan.diagram.blocks[b].name == "safety.interlock")
@@ -169,7 +169,7 @@ TEST_CASE(
       rig("position: pin, force: hand, length: broken, angle: angle",
           "  clock: {block: Clock}\n  broken: {block: Expression, u: [length, clock], expression: \"u1 + "
           "0*sqrt(0.4995 - u2)\", every: 1 ms}\n")));
-  Simulation simulation(plan);
+  Executor simulation(plan);
   double last = 0.0;
   while (simulation.healthy()) {
     last = command_of(simulation);

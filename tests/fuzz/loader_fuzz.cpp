@@ -37,7 +37,7 @@ bool is_large(const Diagram& diagram) {
 
 void step(const Plan& plan) {
   if (plan.layout.size > most_numbers) return;
-  Simulation simulation(plan);
+  Executor simulation(plan);
   for (int tick = 0; tick < 3; ++tick) {
     simulation.evaluate();
     if (!simulation.healthy() || simulation.finished()) break;
@@ -56,7 +56,7 @@ extern "C" int LLVMFuzzerInitialize(int*, char***) {
 // Any text must give a diagram that can be stepped, or an Error; anything else that is thrown ends the
 // program, and that is a find.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const Registry registry = all_blocks();
+  static const Registry registry = blocks();
   static const std::vector<Document> parts = read_parts();
   const std::string file = folder + "fuzz/fuzz.yaml";
   try {

@@ -13,7 +13,7 @@ namespace {
 using Folders = std::set<std::string>;
 
 /// The floors, from below.
-const std::vector<std::string> floors{"base", "model", "simulate", "analyse", "view", "app"};
+const std::vector<std::string> floors{"base", "model", "simulate", "stepwire", "analyse", "view", "app"};
 
 std::string floor_of(const std::string& room) {
   return room.substr(0, room.find('/'));
@@ -23,18 +23,19 @@ std::ptrdiff_t height_of(const std::string& room) {
   return std::find(floors.begin(), floors.end(), floor_of(room)) - floors.begin();
 }
 
-/// "engine_base_io" of a link is the room base/io.
+/// "engine_base_io" of a link is the room base/io, "engine_stepwire" a floor that is one room.
 std::string room_of_link(const std::string& link) {
   const std::string path = link.substr(std::string("engine_").size());
   const std::size_t end = path.find('_');
-  return path.substr(0, end) + "/" + path.substr(end + 1);
+  return end == std::string::npos ? path : path.substr(0, end) + "/" + path.substr(end + 1);
 }
 
 /// Which rooms the library of each room links, as engine/CMakeLists.txt has it.
 std::map<std::string, Folders> links() {
   std::string text;
   for (const Line& line : lines_of("engine/CMakeLists.txt")) text += line.text + "\n";
-  const std::regex library(R"re(stepwire_library\(engine/(\w+/\w+)([^)]*)\))re"), link(R"re(engine_\w+)re");
+  const std::regex library(R"re(stepwire_library\(engine/(\w+(?:/\w+)?)([^)]*)\))re"),
+      link(R"re(engine_\w+)re");
   std::map<std::string, Folders> found;
   for (std::sregex_iterator it(text.begin(), text.end(), library), end; it != end; ++it) {
     Folders& rooms = found[(*it)[1]];
@@ -51,8 +52,8 @@ const std::map<std::string, Folders>& arrows() {
   return all;
 }
 
-const Folders seen_by_blocks{"model/signal", "model/block", "base/expression", "base/table",
-                             "base/io",      "base/unit",   "base/math"};
+const Folders seen_by_blocks{"model/signal", "model/block",    "base/expression", "base/table",
+                             "base/io",      "base/data_file", "base/unit",       "base/math"};
 
 void reach(const std::string& folder, Folders& seen) {
   if (!seen.insert(folder).second || !arrows().contains(folder)) return;
@@ -65,12 +66,13 @@ Folders reachable_from(const std::string& folder) {
   return seen;
 }
 
-// A family of blocks sees itself; the file that registers them all sees the families. What is done to a
-// record has a room of its own, which suggests names as the reader of diagrams does.
+// A family of blocks sees itself; what registers them all sees the families and the library that they go
+// with. What is done to a record has a room of its own, which suggests names as the reader of diagrams does.
 bool block_may_include(const std::string& file, const std::string& included) {
   const std::string folder = folder_of(file);
   if (folder == "blocks/records" && included == "engine/base/yaml") return true;
   if (folder == "blocks/sources" && included == "blocks/records") return true;
+  if (folder == "blocks" && included == "engine/stepwire") return true;
   if (included.starts_with("engine/")) return seen_by_blocks.contains(included.substr(7));
   return included == folder_of(file) || folder_of(file) == "blocks";
 }

@@ -21,7 +21,7 @@ const std::vector<Home> homes{
     {"boost/", "engine/model/plan"},
     {"yaml-cpp/", "engine/base/yaml"},
     {"udunits2", "engine/base/unit"},
-    {"matio", "engine/base/table"},
+    {"matio", "engine/base/mat"},
     {"nlohmann/", "engine/base/json"},
     {"CLI/", "engine/app/cli"},
     {"ceres/", "engine/analyse/estimation"},

@@ -27,7 +27,7 @@ std::vector<std::string> faults_in(const Make& make) {
   std::vector<std::string> lines;
   try {
     const Plan plan = make();
-    const Simulation simulation(plan);
+    const Executor simulation(plan);
   } catch (const Error& error) {
     for (const Fault& fault : error.faults()) lines.push_back(fault.text());
   }
@@ -37,7 +37,7 @@ std::vector<std::string> faults_in(const Make& make) {
 }  // namespace
 
 const Registry& library() {
-  static const Registry registry = all_blocks();
+  static const Registry registry = blocks();
   return registry;
 }
 

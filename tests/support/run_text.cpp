@@ -18,7 +18,7 @@ std::string with_head(const std::string& yaml) {
 }
 
 RunResult run(const std::string& yaml) {
-  static const Registry registry = all_blocks();
+  static const Registry registry = blocks();
   Loader loader(registry);
   const std::string beside = (std::filesystem::path(STEPWIRE_SOURCE_DIR) / "tests" / "test.yaml").string();
   const Plan plan = make_plan(loader.load_text(with_head(yaml), beside));

@@ -73,7 +73,7 @@ class TapePlayer : public RunObserver {
   const std::vector<double>& tape_;
 };
 
-std::string fault_of(const Simulation& simulation) {
+std::string fault_of(const Executor& simulation) {
   const auto fault = simulation.fault();
   return fault ? fault->fault.text() : "the run ended early";
 }
@@ -120,7 +120,7 @@ void ModelRuns::find_part() {
 
 /// Keeps what the part reads and what does not move; false where the run ends early.
 bool ModelRuns::play_in(std::size_t record, const Plan& whole) {
-  Simulation simulation(whole);
+  Executor simulation(whole);
   std::vector<double>& tape = tapes_.emplace_back();
   tape.reserve(part_->width() * static_cast<std::size_t>(whole.steps + 1));
   TapeWriter writer(*part_, tape);
@@ -178,8 +178,8 @@ std::vector<Assignment> ModelRuns::assignments(const Values& values) const {
   return assignments;
 }
 
-std::unique_ptr<Simulation> ModelRuns::begin(Record& record, const Values& values) const {
-  std::unique_ptr<Simulation> run;
+std::unique_ptr<Executor> ModelRuns::begin(Record& record, const Values& values) const {
+  std::unique_ptr<Executor> run;
   {
     const std::lock_guard lock(record.mutex);
     if (!record.idle.empty()) {
@@ -188,15 +188,15 @@ std::unique_ptr<Simulation> ModelRuns::begin(Record& record, const Values& value
     }
   }
   if (!run) {
-    run = std::make_unique<Simulation>(record.plan);
+    run = std::make_unique<Executor>(record.plan);
     if (record.code) run->use(*record.code);
   }
-  if (run->set(record.varied, assignments(values)) != Simulation::Setting::done) return nullptr;
+  if (run->set(record.varied, assignments(values)) != Executor::Setting::done) return nullptr;
   run->reset();
   return run;
 }
 
-void ModelRuns::give_back(Record& record, std::unique_ptr<Simulation> run) const {
+void ModelRuns::give_back(Record& record, std::unique_ptr<Executor> run) const {
   const std::lock_guard lock(record.mutex);
   if (run) record.idle.push_back(std::move(run));
 }
@@ -204,7 +204,7 @@ void ModelRuns::give_back(Record& record, std::unique_ptr<Simulation> run) const
 std::vector<Recording> ModelRuns::run(std::size_t record, const Values& values, std::string* fault) const {
   try {
     Record& of = *records_[record];
-    std::unique_ptr<Simulation> run = begin(of, values);
+    std::unique_ptr<Executor> run = begin(of, values);
     if (!run) return run_anew(record, values, fault);
     std::optional<TapePlayer> player;
     if (part_) player.emplace(*part_, tapes_[record]);
@@ -229,14 +229,14 @@ std::vector<Recording> ModelRuns::complete(std::size_t record, std::vector<Recor
 std::vector<Recording> ModelRuns::run_anew(std::size_t record, const Values& values,
                                            std::string* fault) const {
   const Plan own = plan(record, values);
-  Simulation simulation(own);
+  Executor simulation(own);
   return take(record, simulation, fault);
 }
 
 std::string ModelRuns::refusal(std::size_t record, const Values& values) const {
   try {
     Record& of = *records_[record];
-    std::unique_ptr<Simulation> run = begin(of, values);
+    std::unique_ptr<Executor> run = begin(of, values);
     if (!run) plan(record, values);
     give_back(of, std::move(run));
     return "";
@@ -245,7 +245,7 @@ std::string ModelRuns::refusal(std::size_t record, const Values& values) const {
   }
 }
 
-std::vector<Recording> ModelRuns::take(std::size_t record, Simulation& simulation, std::string* fault,
+std::vector<Recording> ModelRuns::take(std::size_t record, Executor& simulation, std::string* fault,
                                        RunObserver* observer) const {
   RunRecording recording(simulation.plan());
   Drive drive(simulation, recording.recorders());

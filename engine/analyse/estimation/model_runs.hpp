@@ -58,7 +58,7 @@ class ModelRuns {
     Variation varied;  ///< the fitted parameters
     std::optional<CompiledPlan> code;
     std::mutex mutex;
-    std::vector<std::unique_ptr<Simulation>> idle;
+    std::vector<std::unique_ptr<Executor>> idle;
   };
 
   Diagram load(std::size_t record, const Values& values) const;
@@ -70,10 +70,10 @@ class ModelRuns {
   void make_records();
   void compile(Record& record) const;
   /// A run at time 0 with these values; null where they need another plan. Throws Error for refused ones.
-  std::unique_ptr<Simulation> begin(Record& record, const Values& values) const;
-  void give_back(Record& record, std::unique_ptr<Simulation> run) const;
+  std::unique_ptr<Executor> begin(Record& record, const Values& values) const;
+  void give_back(Record& record, std::unique_ptr<Executor> run) const;
   /// Runs to the end and takes all that is recorded; nothing after a fault.
-  std::vector<Recording> take(std::size_t record, Simulation& simulation, std::string* fault,
+  std::vector<Recording> take(std::size_t record, Executor& simulation, std::string* fault,
                               RunObserver* observer = nullptr) const;
   std::vector<Recording> complete(std::size_t record, std::vector<Recording> moved) const;
 

@@ -104,7 +104,7 @@ bool MovedPart::find_reads(const Plan& plan) {
   return true;
 }
 
-void MovedPart::play(const std::vector<double>& tape, Simulation& simulation) const {
+void MovedPart::play(const std::vector<double>& tape, Executor& simulation) const {
   const double* numbers = tape.data() + static_cast<std::size_t>(simulation.tick()) * width();
   for (std::size_t i = 0; i < reads_.size(); numbers += reads_[i++].size) simulation.write_input(i, numbers);
 }

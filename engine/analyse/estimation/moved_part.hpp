@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/model/plan/plan.hpp"
-#include "engine/simulate/run/simulation.hpp"
+#include "engine/simulate/run/executor.hpp"
 
 namespace stepwire {
 
@@ -27,7 +27,7 @@ class MovedPart {
     for (const std::size_t offset : offsets_) tape.push_back(values[offset]);
   }
   /// Writes what was read at the present tick into a run of the part.
-  void play(const std::vector<double>& tape, Simulation& simulation) const;
+  void play(const std::vector<double>& tape, Executor& simulation) const;
   /// Does the part give this recorded column?
   bool gives(const std::string& column) const;
 

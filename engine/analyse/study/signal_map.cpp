@@ -92,7 +92,7 @@ SignalMap::SignalMap(const Diagram& diagram, const SignalRef& from, const Signal
   }
   SignalRef result = to;
   plan_ = std::make_unique<const Plan>(make_plan(cut_out(diagram, between, from, result)));
-  simulation_ = std::make_unique<Simulation>(*plan_);
+  simulation_ = std::make_unique<Executor>(*plan_);
   start_ = simulation_->workspace();
   result_ = plan_->slot(result).offset;
 }

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "engine/analyse/study/study_request.hpp"
-#include "engine/simulate/run/simulation.hpp"
+#include "engine/simulate/run/executor.hpp"
 
 namespace stepwire {
 
@@ -20,7 +20,7 @@ class SignalMap {
 
  private:
   std::unique_ptr<const Plan> plan_;
-  std::unique_ptr<Simulation> simulation_;
+  std::unique_ptr<Executor> simulation_;
   Workspace start_;
   std::size_t result_ = 0;  ///< offset in the workspace
 };

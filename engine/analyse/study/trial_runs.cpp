@@ -34,7 +34,7 @@ std::size_t study_count(const Job& job) {
 
 Diagram diagram_of(const Job& job, std::size_t study) {
   if (job.points.empty()) return job.plan.diagram;
-  Simulation run(job.plan_of(study));
+  Executor run(job.plan_of(study));
   job.family->begin(job.points[study].member, job.settings_of(study), run);
   return run.diagram();
 }
@@ -135,7 +135,7 @@ void TrialRuns::plan(std::uint64_t seed, TrialRun& trial, const Circles& circles
   }
 }
 
-void TrialRuns::note_end(const Simulation& run, TrialRun& trial) const {
+void TrialRuns::note_end(const Executor& run, TrialRun& trial) const {
   const auto& signals = run.plan().diagram.records[request_.recording].signals;
   const auto position = std::find_if(signals.begin(), signals.end(), [&](const RecordedSignal& signal) {
     return signal.name == request_.position;

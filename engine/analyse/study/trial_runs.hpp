@@ -81,7 +81,7 @@ class TrialRuns {
   void run_all(std::vector<TrialRun*>& trials, const std::function<void()>& told);
   std::size_t number_of(const TrialRun& trial) const;
   void run_one(TrialRun& trial, IdleRuns& idle, Changeover& changeover);
-  void note_end(const Simulation& run, TrialRun& trial) const;
+  void note_end(const Executor& run, TrialRun& trial) const;
 
   TrialSource source_;
   const StudyRequest& request_;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "engine/app/cli/blockset_options.hpp"
 #include "engine/app/cli/console.hpp"
 #include "engine/app/cli/guarded.hpp"
 #include "engine/app/cli/interrupt.hpp"
@@ -34,12 +35,14 @@ class CommandLine {
       words->footer(verb.footer);
       words->callback([this, action = verb.declare(*words)] { action_ = action; });
     }
+    blocksets_.add_to(app_);
   }
 
-  ExitCode run(int argc, char** argv, const Registry& registry) {
+  ExitCode run(int argc, char** argv, Registry registry) {
     if (argc > 1 && *argv[1] != '-' && !is_verb(argv[1])) return refuse_verb(argv[1]);
     try {
       app_.parse(argc, argv);
+      blocksets_.load(registry);
       return action_(registry);
     } catch (const CLI::ParseError& error) {
       return explain(error);
@@ -69,6 +72,7 @@ class CommandLine {
   }
 
   CLI::App app_{"Block diagrams in text, run at a fixed step."};
+  BlocksetOptions blocksets_;
   Action action_;
 };
 

@@ -10,6 +10,7 @@
 #include "engine/app/cli/monitoring.hpp"
 #include "engine/app/cli/verb.hpp"
 #include "engine/app/thesis/thesis_figures.hpp"
+#include "engine/base/io/resources.hpp"
 #include "engine/base/text/characters.hpp"
 
 namespace stepwire {
@@ -48,10 +49,12 @@ ExitCode thesis(const ThesisCall& call, const Registry& registry) {
 
 Action declare_thesis(CLI::App& verb) {
   const auto call = std::make_shared<ThesisCall>();
-  call->diagrams = std::string(STEPWIRE_DIAGRAMS) + "/thesis";
   verb.add_option("--only", call->only, "beginnings of file names, e.g. fig15,fig31")->delimiter(',');
   add_out_option(verb, "--out", call->out, "folder of the page")->capture_default_str();
-  return [call](const Registry& registry) { return thesis(*call, registry); };
+  return [call](const Registry& registry) {
+    call->diagrams = resource("diagrams") + "/thesis";
+    return thesis(*call, registry);
+  };
 }
 
 }  // namespace

@@ -120,7 +120,7 @@ Json deadlines_json(const LoopOutcome& outcome) {
       .set("longest_row", deadlines.longest_row());
 }
 
-Json diagram_json(const Simulation& simulation) {
+Json diagram_json(const Executor& simulation) {
   const Plan& plan = simulation.plan();
   return Json::object()
       .set("file", plan.diagram.file)

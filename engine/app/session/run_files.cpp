@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/app/session/version.hpp"
+#include "engine/base/mat/mat_file.hpp"
 #include "engine/base/table/table_file.hpp"
 #include "engine/view/plot/figure_spec.hpp"
 #include "engine/view/render/figure_file.hpp"

@@ -53,7 +53,7 @@ struct Numbering {
 
 class Csv {
  public:
-  /// `tolerant`: as read_record_table().
+  /// `tolerant`: as read_record_csv().
   Csv(const std::string& path, std::string_view text, ColumnWords& words, bool tolerant = false)
       : path_(path), at_(text.data()), end_(at_ + text.size()), words_(words), tolerant_(tolerant) {
     if (text.starts_with("\xEF\xBB\xBF")) at_ += 3;
@@ -271,8 +271,7 @@ Table read_csv(const std::string& path, ColumnWords& words) {
   return Csv(path, text, words).read();
 }
 
-RecordTable read_record_table(const std::string& path) {
-  if (!path.ends_with(".csv") && !path.ends_with(".CSV")) return {read_table(path)};
+RecordTable read_record_csv(const std::string& path) {
   const std::string text = read_file(path);
   ColumnWords none;
   RecordTable table = Csv(path, text, none, true).read_record();

@@ -13,9 +13,9 @@ struct RecordTable : Table {
       problems{};  ///< by column: its first cell that is no number, with its place
 };
 
-/// The table in a .csv or .mat file (TableError for others), as read_csv and read_mat read it and with their
-/// errors; but in a CSV file a cell that is a text or empty is nan and a problem of its column, and columns
-/// without a name, as that of trailing commas, and empty rows at the end are left out.
-RecordTable read_record_table(const std::string& path);
+/// A CSV file, read as by read_csv and with its errors; but a cell that is a text or empty is nan and a
+/// problem of its column, and columns without a name, as that of trailing commas, and empty rows at the end
+/// are left out.
+RecordTable read_record_csv(const std::string& path);
 
 }  // namespace stepwire

@@ -32,14 +32,6 @@ Table read_csv(const std::string& path, ColumnWords& words);
 /// Its columns alone, without values.
 Table read_csv_header(const std::string& path);
 
-/// Every real vector of a MATLAB file (level 4, 5 or 7.3), one column each; a matrix gives columns "name(1)",
-/// "name(2)", ... Columns may differ in length here. Errors as read_csv. A damaged
-/// file is an error, except that inside a file of level 7.3 only the HDF5 library can tell.
-Table read_mat(const std::string& path);
-
-/// By the ending of the path: .csv or .mat; TableError for others.
-Table read_table(const std::string& path);
-
 /// Comma, header "name [unit]", numbers in the shortest form that reads back to the same bits; nan and inf as
 /// such; words where a column has them. Throws TableError for columns of different lengths.
 std::string csv_text(const Table& table, const ColumnWords& words = {});
@@ -48,10 +40,6 @@ std::string csv_text(const Table& table, const ColumnWords& words = {});
 /// number of a row.
 void append_csv_head(std::string& text, const std::vector<Column>& columns);
 void append_csv_number(std::string& text, double value);
-
-/// Variables are named as the columns with what MATLAB does not allow replaced by '_' (made unique), doubles,
-/// one column vector each; beside them the cell arrays "names" and "units" in the same order.
-void write_mat(const std::string& path, const Table& table);
 
 /// Writes the text of the table as write_file() does.
 inline void write_csv(const std::string& path, const Table& table, const ColumnWords& words = {}) {

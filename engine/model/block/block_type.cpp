@@ -2,17 +2,55 @@
 #include "engine/model/block/declare.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <new>
+#include <system_error>
 #include <utility>
 
 namespace stepwire {
 
-std::string detail::header_beside(std::string_view source) {
-  const std::size_t folder = source.rfind("blocks/"), ending = source.rfind(".cpp");
-  const bool of_library =
-      folder != source.npos && ending != source.npos && source.find("tests/") == source.npos;
-  if (!of_library) return "";
-  return std::string(source.substr(folder, ending - folder)) + ".hpp";
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A path that may stand between the quotes of an #include.
+bool can_be_included(const std::string& path) {
+  return path.find_first_of("\"\\\n\r") == path.npos;
+}
+
+bool has_name_outside(std::string_view struct_name) {
+  return struct_name.find(")::") == struct_name.npos && struct_name.find("}::") == struct_name.npos;
+}
+
+bool is_header(const fs::path& file) {
+  const std::string ending = file.extension().string();
+  return ending == ".hpp" || ending == ".h" || ending == ".hh" || ending == ".hxx";
+}
+
+/// The header that goes with a source, where there is one.
+fs::path header_file(const fs::path& source, const std::string& named) {
+  if (!named.empty()) return source.parent_path() / named;
+  if (is_header(source)) return source;
+  for (const char* ending : {".hpp", ".h", ".hh", ".hxx"})
+    if (fs::path header = fs::path(source).replace_extension(ending); fs::exists(header)) return header;
+  return {};
+}
+
+}  // namespace
+
+// "blocks/math/gain.hpp" for what "blocks/math/gain.cpp" of the library declares. For what the full path of
+// another source declares, the full path of its header: the one that is named, the source itself where it is
+// a header, or one of its name beside it. Empty where there is none.
+// Empty, too, for a struct in a function or in a namespace without a name.
+std::string detail::header_of(std::string_view source, const std::string& named,
+                              std::string_view struct_name) {
+  if (!has_name_outside(struct_name)) return "";
+  if (source.starts_with("blocks/"))  // our own sources are compiled under their path from the root
+    return fs::path(source).replace_extension(".hpp").string();
+  if (!source.starts_with('/')) return "";
+  std::error_code none;
+  const std::string header = fs::canonical(header_file(source, named), none).string();
+  return none || !can_be_included(header) ? "" : header;
 }
 
 namespace {

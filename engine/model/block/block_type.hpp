@@ -32,7 +32,9 @@ struct BlockType {
   Timing timing = Timing::inherited;
   bool file_output = false;
   std::string struct_name;  ///< in C++, with its namespace
-  std::string header;  ///< that declares the struct, from the root of the sources; empty if there is none
+  std::string header;  ///< that declares the struct, from the root of the sources, or its full path where it
+                       ///< is none of ours; empty if there is none
+  std::string declared_at;    ///< "blocks/math/gain.cpp:12"
   std::string not_real_time;  ///< why its steps are not fit for a real-time loop; empty: they are
 
   std::vector<ParameterSpec> parameters;

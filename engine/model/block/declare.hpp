@@ -41,8 +41,8 @@ std::string shape_of(const std::string& given) {
   }
 }
 
-/// "blocks/math/gain.hpp" for what "blocks/math/gain.cpp" declares; empty for what is not of the library.
-std::string header_beside(std::string_view source);
+/// BlockType::header of a struct that a source declares, which may name the header.
+std::string header_of(std::string_view source, const std::string& named, std::string_view struct_name);
 
 template <class Port>
 inline constexpr int unbound_size = PortSize<Port>::value == any_size ? 0 : PortSize<Port>::value;
@@ -74,12 +74,13 @@ class Declare {
     find_phases();
   }
 
-  void block(
-      std::string name, BlockOptions options,
-      const char* file = __builtin_FILE()) {  // of the declaration; clang 14 has no std::source_location
+  void block(std::string name, BlockOptions options,
+             const char* file = __builtin_FILE(),  // of the declaration; clang 14 has no std::source_location
+             int line = __builtin_LINE()) {
     type_.name = std::move(name);
     type_.struct_name = detail::type_name<Block>();
-    type_.header = detail::header_beside(file);
+    type_.header = detail::header_of(file, options.header, type_.struct_name);
+    type_.declared_at = std::string(file) + ":" + std::to_string(line);
     type_.doc = std::move(options.doc);
     type_.source = std::move(options.source);
     type_.not_real_time = std::move(options.not_real_time);

@@ -18,6 +18,9 @@ struct BlockOptions {
   /// locks, calls the system, or takes a time that nothing bounds.
   std::string not_real_time = "";
   Symbol symbol{};
+  /// The header that declares the struct, from the folder of the source that declares the block; needed where
+  /// it has another name, or lies in another folder.
+  std::string header = "";
 };
 
 struct ParameterOptions {

@@ -1,5 +1,7 @@
 #include "engine/model/block/registry.hpp"
 
+#include <fmt/format.h>
+
 #include <stdexcept>
 
 #include "engine/model/block/symbol_check.hpp"
@@ -8,9 +10,11 @@ namespace stepwire {
 
 void Registry::add(BlockType type) {
   check_symbol(type);
+  if (const BlockType* known = find(type.name))
+    throw std::logic_error(fmt::format("{}: a block is called {} already, that of {}", type.declared_at,
+                                       type.name, known->declared_at));
   const std::string name = type.name;
-  const bool added = types_.emplace(name, std::make_unique<const BlockType>(std::move(type))).second;
-  if (!added) throw std::logic_error("two blocks are called " + name);
+  types_.emplace(name, std::make_unique<const BlockType>(std::move(type)));
 }
 
 const BlockType* Registry::find(std::string_view name) const {

@@ -78,6 +78,12 @@ struct SignalRef {
   bool operator==(const SignalRef&) const = default;
 };
 
+/// A port of a part, which is the name of a signal that others make or read.
+struct PartPort {
+  std::string name;  ///< full: "rig.force"
+  SignalRef signal;
+};
+
 struct RecordedSignal {
   std::string name;  ///< as the file wrote it, and as figures and claims call it
   SignalRef signal;
@@ -177,6 +183,7 @@ struct Diagram {
   std::vector<UnitDemand> unit_demands;
   std::vector<DiagramInput> inputs;
   std::vector<DiagramOutput> outputs;
+  std::vector<PartPort> part_ports;  ///< but for those that are fed by constants
   std::vector<RecordRequest> records;
   std::vector<DiagramParameter> parameters;
   std::shared_ptr<const Bindings> bindings;  ///< how its values follow from the parameters

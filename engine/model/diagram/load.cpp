@@ -103,6 +103,21 @@ void read_outputs(const Scope& root, const Resolver& resolver, Report& report) {
   }
 }
 
+/// Which signals the ports of parts are. What is wrong with a port that nothing uses stays unsaid.
+void name_ports(const Scope& scope, const Resolver& resolver, Diagram& diagram) {
+  const auto name = [&](const std::string& port, const std::string& reference) {
+    if (const auto signal = resolver.signal(reference, scope, {}, port))
+      diagram.part_ports.push_back({scope.prefix + port, *signal});
+  };
+  if (scope.parent) {
+    for (const auto& [port, in] : scope.inputs) name(port, port);
+    for (const auto& [port, out] : scope.outputs)
+      if (out.signal) name(port, out.signal->text);
+  }
+  for (const auto& [part, named] : scope.names)
+    if (named.part) name_ports(*named.part, resolver, diagram);
+}
+
 /// Takes what the parameters of a file and its parts are, by the index of their scopes.
 void take_parameters(Scope& scope, Bindings& bindings) {
   bindings.scopes[static_cast<std::size_t>(scope.index)] = std::move(scope.parameters);
@@ -138,6 +153,8 @@ Diagram build(Loader& loader, const Document& document, const std::vector<Settin
     if (report.faults().empty()) refuse_unused_parameters(root, report);  // else it may follow from a fault
   }
   report.faults().throw_if_any();
+  Report unsaid(diagram);
+  name_ports(root, Resolver(unsaid), diagram);
   report.bindings().scopes.resize(diagram.scopes.size());
   take_parameters(root, report.bindings());
   diagram.bindings = std::make_shared<const Bindings>(std::move(report.bindings()));

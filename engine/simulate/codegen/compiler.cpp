@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "engine/base/io/file.hpp"
+#include "engine/base/io/resources.hpp"
 #include "engine/base/subprocess/process.hpp"
 
 namespace stepwire {
@@ -75,11 +76,10 @@ std::vector<std::string> Compiler::command(const std::vector<std::string>& more)
 std::string Compiler::compile(const std::string& source, const std::string& library,
                               const std::vector<std::string>& more, const std::stop_token& stop) const {
   std::vector<std::string> command = this->command(more);
-  const std::string headers = std::string(STEPWIRE_PRECOMPILED) + "/" + standard_headers;
+  const std::string headers = find_resource("precompiled") + "/" + standard_headers;
   // GCC takes what is precompiled only if it fits these flags and this version; clang refuses another's.
   if (is_gcc() && std::filesystem::exists(headers)) command.insert(command.end(), {"-include", headers});
-  command.insert(command.end(),
-                 {"-shared", "-I", source_folder(), "-isystem", STEPWIRE_EIGEN, "-o", library, source});
+  command.insert(command.end(), {"-shared", "-o", library, source});
   return problem_of({.command = command, .stop = stop, .limit = compiler_limit()});
 }
 
@@ -95,10 +95,6 @@ std::string Compiler::precompile(const std::string& folder, const std::vector<st
   std::vector<std::string> command = this->command(more);
   command.insert(command.end(), {"-x", "c++-header", header, "-o", header + ".gch/" + name});
   return problem_of({.command = command, .limit = compiler_limit()});
-}
-
-std::string source_folder() {
-  return STEPWIRE_SOURCES;
 }
 
 }  // namespace stepwire

@@ -43,7 +43,4 @@ class Compiler {
   std::string problem_ = "no C++ compiler is there (c++, g++ or clang++, or what CXX names)";
 };
 
-/// The folder in which headers of blocks lie.
-std::string source_folder();
-
 }  // namespace stepwire

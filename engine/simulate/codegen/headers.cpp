@@ -2,39 +2,102 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <regex>
 #include <set>
 
+#include "engine/base/io/resources.hpp"
 #include "engine/base/io/surroundings.hpp"
 #include "engine/model/diagram/external_input.hpp"
-#include "engine/simulate/codegen/compiler.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
 namespace stepwire {
 
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_public(const std::string& header) {
+  return header.starts_with("stepwire/");
+}
+
+std::string path_of(const std::string& header) {
+  if (is_of_others(header)) return header;
+  return resource(is_public(header) ? "public" : "headers") + "/" + header;
+}
+
+/// Gathers what headers include.
+class Gatherer {
+ public:
+  explicit Gatherer(const std::vector<std::string>& headers) : open_(headers) {
+    while (!open_.empty()) {
+      const std::string header = open_.back();
+      open_.pop_back();
+      if (all_.insert(header).second) follow(header);
+    }
+  }
+
+  IncludedHeaders take() const { return {{all_.begin(), all_.end()}, {folders_.begin(), folders_.end()}}; }
+
+ private:
+  void follow(const std::string& header) {
+    static const std::regex include(R"re(#[ \t]*include[ \t]*("([^"\n]+)"|<(stepwire/[^>\n]+)>))re");
+    const std::string text = header_text(header);
+    for (std::sregex_iterator it(text.begin(), text.end(), include), end; it != end; ++it)
+      if ((*it)[3].matched) {
+        open_.push_back((*it)[3]);
+      } else if (is_of_others(header)) {
+        follow_quoted(header, (*it)[2]);
+      } else {
+        open_.push_back((*it)[2]);
+      }
+  }
+
+  /// As the compiler looks: beside the including file, then among ours. What is in none of these nor above is
+  /// for the compiler to find, or to miss.
+  void follow_quoted(const std::string& header, const std::string& included) {
+    const fs::path beside = fs::path(header).parent_path();
+    if (fs::exists(beside / included)) return add(beside / included);
+    const bool is_ours = included.starts_with("engine/") || included.starts_with("blocks/");
+    if (is_ours || is_public(included)) return open_.push_back(included);
+    for (fs::path above = beside.parent_path(); above != above.root_path(); above = above.parent_path()) {
+      if (!fs::exists(above / included)) continue;
+      folders_.insert(above.string());
+      return add(above / included);
+    }
+  }
+
+  void add(const fs::path& header) { open_.push_back(fs::canonical(header).string()); }
+
+  std::vector<std::string> open_;
+  std::set<std::string> all_, folders_;
+};
+
+}  // namespace
+
+bool is_of_others(const std::string& header) {
+  return header.starts_with('/');
+}
+
 std::string header_text(const std::string& header) {
-  std::ifstream file(source_folder() + "/" + header);
-  if (!file)
-    throw SurroundingsError(source_folder() + "/" + header +
-                            ": is not there; code is made with the headers of the blocks");
+  const std::string path = path_of(header);
+  std::ifstream file(path);
+  if (!file) throw SurroundingsError(path + ": is not there; code is made with the headers of the blocks");
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-std::vector<std::string> with_included(const std::vector<std::string>& headers) {
-  static const std::regex include(R"re(#include "([^"]+)")re");
-  std::set<std::string> all;
-  std::vector<std::string> open(headers);
-  while (!open.empty()) {
-    const std::string header = open.back();
-    open.pop_back();
-    if (!all.insert(header).second) continue;
-    const std::string text = header_text(header);
-    for (std::sregex_iterator it(text.begin(), text.end(), include), end; it != end; ++it)
-      open.push_back((*it)[1]);
-  }
-  return {all.begin(), all.end()};
+IncludedHeaders with_included(const std::vector<std::string>& headers) {
+  return Gatherer(headers).take();
+}
+
+std::vector<std::string> include_options(const IncludedHeaders& headers) {
+  std::vector<std::string> options{"-I", resource("headers"), "-I", resource("public")};
+  for (const std::string& folder : headers.folders) options.insert(options.end(), {"-I", folder});
+  if (const std::string eigen = find_resource("eigen"); !eigen.empty())
+    options.insert(options.end(), {"-isystem", eigen});
+  return options;
 }
 
 void require_headers(const Plan& plan) {
@@ -44,7 +107,7 @@ void require_headers(const Plan& plan) {
     const BlockType& type = block.type();
     const char* why = type.file_output ? "it writes files"
                       : type.header.empty() && &type != &external_input_type()
-                          ? "its type is not one of the library"
+                          ? "no header declares its struct"
                           : nullptr;
     if (why)
       faults.add(plan.diagram.fault(block.origin, block.name,

@@ -7,10 +7,20 @@
 
 namespace stepwire {
 
-/// These headers and all of ours that they include, from the root of the sources, sorted.
-std::vector<std::string> with_included(const std::vector<std::string>& headers);
+// A header is named by its path from the root of our sources ("blocks/math/gain.hpp"), as one of the public
+// ones ("stepwire/block.hpp"), or, where it came with somebody else's block, by its full path.
 
-/// The text of one of our headers. Throws SurroundingsError where the sources are not there.
+/// Headers of a program, with all that they include of ours and of those who wrote their blocks.
+struct IncludedHeaders {
+  std::vector<std::string> all;  ///< sorted
+  /// Folders from which headers of others include theirs: a folder above the including one, where it is not
+  /// that one itself.
+  std::vector<std::string> folders;
+};
+
+IncludedHeaders with_included(const std::vector<std::string>& headers);
+
+/// The text of a header. Throws SurroundingsError where it is not there.
 std::string header_text(const std::string& header);
 
 /// That of what expressions call.
@@ -21,5 +31,11 @@ void require_headers(const Plan& plan);
 
 /// The headers that the code of a plan needs, from the root of the sources, sorted.
 std::vector<std::string> headers_of(const Plan& plan);
+
+/// Has it a full path, and is none of ours?
+bool is_of_others(const std::string& header);
+
+/// Options for the compiler, which then finds what generated code includes.
+std::vector<std::string> include_options(const IncludedHeaders& headers);
 
 }  // namespace stepwire

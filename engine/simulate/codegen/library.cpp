@@ -6,8 +6,11 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <regex>
 
 #include "engine/base/hash/hash.hpp"
 #include "engine/base/io/file.hpp"
@@ -45,16 +48,9 @@ int sealed_file(std::string_view bytes) {
   return file;
 }
 
-/// What is loaded are these very bytes, whatever becomes of the file that they were read from. The file in
-/// memory stays open, since the loader takes another one of its number for it.
 StepFunctions open_library(const std::string& bytes, std::string& problem) {
-  const int file = sealed_file(bytes);
-  void* library = ::dlopen(fmt::format("/proc/self/fd/{}", file).c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (!library) {
-    problem = ::dlerror();
-    if (file >= 0) ::close(file);
-    return {};
-  }
+  void* library = load_library(bytes, problem);
+  if (!library) return {};
   StepFunctions functions;
   functions.evaluate = reinterpret_cast<decltype(functions.evaluate)>(::dlsym(library, "stepwire_evaluate"));
   functions.advance = reinterpret_cast<decltype(functions.advance)>(::dlsym(library, "stepwire_advance"));
@@ -64,10 +60,16 @@ StepFunctions open_library(const std::string& bytes, std::string& problem) {
 std::string key(const std::string& source, const GeneratedProgram& program, const Compiler& compiler) {
   Hash hash;
   hash.add(source);
-  for (const std::string& header : with_included(program.headers)) hash.add(header_text(header));
+  for (const std::string& header : with_included(program.headers).all) hash.add(header_text(header));
   for (const std::string& flag : Compiler::flags()) hash.add(flag);
   for (const std::string& flag : flags_for_this_machine(program.headers)) hash.add(flag).add(processor());
   return hash.add(compiler.version()).text() + ".so";
+}
+
+std::vector<std::string> flags_of(const std::vector<std::string>& headers) {
+  std::vector<std::string> flags = flags_for_this_machine(headers);
+  std::ranges::copy(include_options(with_included(headers)), std::back_inserter(flags));
+  return flags;
 }
 
 /// The bytes of the compiled library; none where that fails.
@@ -82,9 +84,21 @@ std::string compiled(const std::string& source, const std::vector<std::string>& 
 
 }  // namespace
 
+// The file in memory stays open, since the loader takes another one of its number for it.
+void* load_library(const std::string& bytes, std::string& problem) {
+  const int file = sealed_file(bytes);
+  void* library = ::dlopen(fmt::format("/proc/self/fd/{}", file).c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (library) return library;
+  problem = ::dlerror();
+  if (file >= 0) ::close(file);
+  return nullptr;
+}
+
 std::vector<std::string> flags_for_this_machine(const std::vector<std::string>& headers) {
-  for (const std::string& header : with_included(headers))
-    if (header_text(header).find("#include <Eigen/") != std::string::npos) return {};
+  // A header of the standard library has neither folder nor ending; of others nobody knows what they include.
+  static const std::regex foreign(R"re(#[ \t]*include[ \t]*<(?!stepwire/)[^>\n]*[/.])re");
+  for (const std::string& header : with_included(headers).all)
+    if (std::regex_search(header_text(header), foreign)) return {};
   return {Compiler::native};
 }
 
@@ -107,8 +121,7 @@ StepFunctions CodeCache::load(const GeneratedProgram& program, const Compiler& c
   try {
     const std::string source = library_source(program), name = key(source, program, compiler);
     if (const auto kept = cache_.find(name)) return open_library(*kept, problem);
-    const std::string made =
-        compiled(source, flags_for_this_machine(program.headers), compiler, stop, problem);
+    const std::string made = compiled(source, flags_of(program.headers), compiler, stop, problem);
     if (made.empty()) return {};
     cache_.keep(name, made);
     return open_library(made, problem);

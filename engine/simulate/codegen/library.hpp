@@ -12,9 +12,13 @@
 namespace stepwire {
 
 /// Flags for code with these headers that only this machine will run. Eigen adds in an order that depends on
-/// the processor it is compiled for, and the interpreter is compiled for any: only code without it gives the
-/// same bits when it is compiled for this one.
+/// the processor it is compiled for, and the interpreter is compiled for any: only code without it, and
+/// without other libraries, gives the same bits when it is compiled for this one.
 std::vector<std::string> flags_for_this_machine(const std::vector<std::string>& headers);
+
+/// Loads a shared library for good: these very bytes, whatever becomes of the file that they were read from.
+/// Null where that fails, and `problem` says why.
+void* load_library(const std::string& bytes, std::string& problem);
 
 /// The source of a shared library with a program's functions.
 std::string library_source(const GeneratedProgram& program);

@@ -13,7 +13,7 @@ namespace stepwire {
 ///     void advance(double* w, const double* numbers, std::int64_t tick)    updates, then the solver
 ///     void reset(double* w, const double* numbers)                         everything at time 0
 ///
-/// They do bit by bit what Simulation does.
+/// They do bit by bit what Executor does.
 struct GeneratedProgram {
   std::string text;                  ///< names of places, tables and the functions; inside of namespaces
   std::vector<std::string> headers;  ///< that it needs, from the root of the sources

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "engine/simulate/codegen/c_interface.hpp"
 #include "engine/simulate/codegen/compiler.hpp"
@@ -15,6 +16,8 @@
 namespace stepwire {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 /// What a program is called in its own files. Each is a word that is none of C++, of a library or of CMake.
 struct OwnNames {
@@ -37,7 +40,55 @@ bool uses_eigen(const std::map<std::string, std::string>& files) {
       files, [](const auto& file) { return file.second.find("#include <Eigen/") != std::string::npos; });
 }
 
-std::string cmake_text(const OwnNames& names, bool c_interface, bool uses_eigen) {
+/// Where headers lie in a program's folder: ours under stepwire/, those of others under blocks_of_others/ as
+/// they lie to each other.
+class HeaderFiles {
+ public:
+  explicit HeaderFiles(const IncludedHeaders& headers) : headers_(headers) {
+    for (const std::string& header : headers.all)
+      if (is_of_others(header)) widen(fs::path(header).parent_path());
+    for (const std::string& folder : headers.folders) widen(folder);
+  }
+
+  /// The path of a header, as sources include it.
+  std::string included(const std::string& header) const {
+    return is_of_others(header) ? moved(header) : header;
+  }
+  void add_to(std::map<std::string, std::string>& files) const {
+    for (const std::string& header : headers_.all) {
+      const bool has_place = is_of_others(header) || header.starts_with("stepwire/");
+      files[has_place ? included(header) : "stepwire/" + header] = header_text(header);
+    }
+  }
+  /// Folders in which headers are looked for, beside that of the program and stepwire/.
+  std::vector<std::string> folders() const {
+    std::vector<std::string> folders;
+    for (const std::string& folder : headers_.folders) folders.push_back(moved(folder));
+    return folders;
+  }
+
+ private:
+  void widen(const fs::path& folder) {
+    if (common_.empty()) common_ = folder;
+    while (common_ != common_.root_path() &&
+           fs::path(folder).lexically_relative(common_).string().starts_with(".."))
+      common_ = common_.parent_path();
+  }
+  std::string moved(const std::string& path) const {
+    return (fs::path("blocks_of_others") / fs::path(path).lexically_relative(common_))
+        .lexically_normal()
+        .string();
+  }
+
+  const IncludedHeaders& headers_;
+  fs::path common_;  ///< the folder that holds all headers of others
+};
+
+std::string cmake_text(const OwnNames& names, const std::vector<std::string>& folders, bool c_interface,
+                       bool uses_eigen) {
+  std::string more;
+  for (const std::string& folder : folders)
+    more += fmt::format(" \"${{CMAKE_CURRENT_SOURCE_DIR}}/{}\"", folder);
   std::string flags;
   for (const std::string& flag : Compiler::flags()) flags += " " + flag;
   return fmt::format(
@@ -49,7 +100,7 @@ std::string cmake_text(const OwnNames& names, bool c_interface, bool uses_eigen)
       "add_library({0} STATIC {1}.cpp{6})\n"
       "add_library({0}::{0} ALIAS {0})\n"
       "target_include_directories({0} PUBLIC ${{CMAKE_CURRENT_SOURCE_DIR}} PRIVATE "
-      "${{CMAKE_CURRENT_SOURCE_DIR}}/stepwire)\n"
+      "${{CMAKE_CURRENT_SOURCE_DIR}}/stepwire{7})\n"
       "set_target_properties({0} PROPERTIES POSITION_INDEPENDENT_CODE ON)\n"
       "# What keeps the bits of `stepwire run`: -ffp-contract=off (no fused multiply-add) and "
       "-fno-builtin-... (functions\n"
@@ -71,16 +122,17 @@ std::string cmake_text(const OwnNames& names, bool c_interface, bool uses_eigen)
       names.space, names.stem, flags, names.main,
       uses_eigen ? "find_package(Eigen3 REQUIRED NO_MODULE)  # of the solver\n" : "",
       uses_eigen ? fmt::format("target_link_libraries({} PRIVATE Eigen3::Eigen)\n", names.space) : "",
-      c_interface ? " " + names.c_source : "");
+      c_interface ? " " + names.c_source : "", more);
 }
 
 std::string source_text(const GeneratedProgram& program, const OwnNames& names,
-                        const std::string& definitions) {
+                        const HeaderFiles& headers, const std::string& definitions) {
   std::string text = fmt::format(
       "#include \"{}\"\n\n#include <bit>\n#include <cmath>\n#include <cstring>\n#include <limits>\n\n"
       "// Blocks of another version may be linked beside these.\n#define stepwire stepwire_of_{}\n",
       names.header, names.space);
-  for (const std::string& header : program.headers) text += fmt::format("#include \"{}\"\n", header);
+  for (const std::string& header : program.headers)
+    text += fmt::format("#include \"{}\"\n", headers.included(header));
   return text + "\nnamespace {\n\nusing namespace stepwire;\n\n" + program.text + "\n}  // namespace\n\n" +
          definitions;
 }
@@ -91,6 +143,8 @@ std::map<std::string, std::string> program_files(const Plan& plan, const Tuning&
                                                  const ProgramOptions& options) {
   const GeneratedProgram program = make_program(plan, tuning);
   const OwnNames names(options.name);
+  const IncludedHeaders included = with_included(program.headers);
+  const HeaderFiles headers(included);
   const Groups groups(plan, tuning);
   const std::string made =
       cpp_comment(fmt::format("{} made this from {}", options.made_by, plan.diagram.file));
@@ -98,16 +152,15 @@ std::map<std::string, std::string> program_files(const Plan& plan, const Tuning&
   std::map<std::string, std::string> files;
   files[names.header] = note + struct_text(plan, tuning, groups, names.space);
   files[names.stem + ".cpp"] =
-      note + source_text(program, names, struct_definitions(plan, tuning, groups, names.space));
+      note + source_text(program, names, headers, struct_definitions(plan, tuning, groups, names.space));
   files[names.main] = note + main_text(plan, names.header, names.space);
   if (options.c_interface) {
     const CInterface c = c_interface(plan, tuning, groups, names.space, names.header, names.c_header);
     files[names.c_header] = "/* " + made + " */\n\n" + c.header;
     files[names.c_source] = note + c.source;
   }
-  for (const std::string& header : with_included(program.headers))
-    files["stepwire/" + header] = header_text(header);
-  files["CMakeLists.txt"] = cmake_text(names, options.c_interface, uses_eigen(files));
+  headers.add_to(files);
+  files["CMakeLists.txt"] = cmake_text(names, headers.folders(), options.c_interface, uses_eigen(files));
   return files;
 }
 

@@ -39,7 +39,7 @@ CallTimes::CallTimes(const Plan& plan, const std::vector<Batch>& batches) : plan
   }
 }
 
-void CallTimes::sample(Simulation& simulation, const Stopwatch& stopwatch) {
+void CallTimes::sample(Executor& simulation, const Stopwatch& stopwatch) {
   ++samples_;
   if (calls_.empty()) return;
   table_ += stopwatch.repeated(aim_of_table, [&] {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "engine/simulate/profile/profile.hpp"
-#include "engine/simulate/run/simulation.hpp"
+#include "engine/simulate/run/executor.hpp"
 
 namespace stepwire {
 
@@ -13,7 +13,7 @@ class CallTimes {
   CallTimes(const Plan& plan, const std::vector<Batch>& batches);
 
   /// Times each call at the present moment of a simulation. Updates change it; the others do not.
-  void sample(Simulation& simulation, const Stopwatch& stopwatch);
+  void sample(Executor& simulation, const Stopwatch& stopwatch);
 
   /// How often the batches of a period are called in the whole run.
   using CallCount = std::function<std::int64_t(std::int64_t period)>;

@@ -188,7 +188,7 @@ class Profiler {
   const Plan& plan_;
   const ProfileOptions& options_;
   Stopwatch stopwatch_;
-  Simulation simulation_;
+  Executor simulation_;
   RunRecording rows_;
   Stopper stopper_;
   std::unique_ptr<Solver> solver_;

@@ -46,7 +46,7 @@ void GroupCosts::cut(const Plan& plan, const std::vector<Batch>& phase) {
   }
 }
 
-void GroupCosts::before_tick(Simulation& simulation) {
+void GroupCosts::before_tick(Executor& simulation) {
   sequence_ = sequence_ * 6364136223846793005u + 1442695040888963407u;  // Knuth's, of full period
   now_ = &stretches_[static_cast<std::size_t>((sequence_ >> 33) % stretches_.size())];
   phase = now_->phase;
@@ -56,7 +56,7 @@ void GroupCosts::before_tick(Simulation& simulation) {
   simulation.watch(this);
 }
 
-void GroupCosts::after_tick(Simulation& simulation) {
+void GroupCosts::after_tick(Executor& simulation) {
   if (ran_) ++now_->samples;
   simulation.watch(nullptr);
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/simulate/realtime/loop_clock.hpp"
-#include "engine/simulate/run/simulation.hpp"
+#include "engine/simulate/run/executor.hpp"
 
 namespace stepwire {
 
@@ -27,8 +27,8 @@ class GroupCosts : private BatchWatcher {
   GroupCosts(const Plan& plan, LoopClock& clock);
 
   /// Around the first tick of a wake-up.
-  void before_tick(Simulation& simulation);
-  void after_tick(Simulation& simulation);
+  void before_tick(Executor& simulation);
+  void after_tick(Executor& simulation);
 
   /// The dearest first.
   std::vector<GroupCost> costs() const;

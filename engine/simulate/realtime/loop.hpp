@@ -13,8 +13,8 @@
 #include "engine/simulate/realtime/loop_recorder.hpp"
 #include "engine/simulate/realtime/measurements.hpp"
 #include "engine/simulate/realtime/thread_counts.hpp"
+#include "engine/simulate/run/executor.hpp"
 #include "engine/simulate/run/observed_ticks.hpp"
-#include "engine/simulate/run/simulation.hpp"
 
 namespace stepwire {
 
@@ -59,7 +59,7 @@ class Loop {
   bool ended() const { return end_.has_value(); }
   /// How it ended; `done` as long as nothing ended it early.
   End end() const { return end_.value_or(End::done); }
-  const Simulation& simulation() const { return simulation_; }
+  const Executor& simulation() const { return simulation_; }
   const Deadlines& deadlines() const { return deadlines_; }
   const Measurements& measurements() const { return measurements_; }
   std::vector<GroupCost> group_costs() const { return groups_.costs(); }
@@ -87,7 +87,7 @@ class Loop {
   Device& device_;
   LoopClock& clock_;
   LoopRecorder* recorder_;
-  Simulation simulation_;
+  Executor simulation_;
   ObservedTicks watched_;
   Deadlines deadlines_;
   Measurements measurements_;

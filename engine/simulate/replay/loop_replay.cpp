@@ -53,7 +53,7 @@ class Inputs {
     numbers_.resize(table_.columns.size());
   }
 
-  void write(Simulation& simulation) {
+  void write(Executor& simulation) {
     if (!cursor_.is_at(simulation.tick())) return;
     for (std::size_t i = 0; i < numbers_.size(); ++i) numbers_[i] = table_.columns[i].values[cursor_.row];
     std::size_t column = 2;
@@ -150,7 +150,7 @@ class LoopReplay {
     return "";
   }
 
-  Simulation simulation_;
+  Executor simulation_;
   const std::vector<Recorded>& tables_;
   Inputs inputs_;
   std::vector<Cursor> cursors_;

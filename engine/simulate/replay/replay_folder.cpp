@@ -42,7 +42,7 @@ class SweepTable {
   /// A run of a member, and its diagram with the values of the last point.
   struct Member {
     explicit Member(const Plan& plan) : run(plan), diagram(plan.diagram) {}
-    Simulation run;
+    Executor run;
     Diagram diagram;
   };
 
@@ -116,7 +116,7 @@ std::set<std::string> files_read(const Job& job) {
     if (std::ranges::none_of(targets,
                              [&](const Target& target) { return is_file(job.plan.diagram, target); }))
       continue;
-    Simulation run(job.plan_of(point));
+    Executor run(job.plan_of(point));
     job.family->begin(job.points[point].member, job.settings_of(point), run);
     flattened_text(run.diagram(), [&](const std::string& path) { return *files.insert(path).first; });
   }

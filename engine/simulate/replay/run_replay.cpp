@@ -65,7 +65,7 @@ class UntilTick : public RunObserver {
 
 }  // namespace
 
-std::vector<std::size_t> replay_run(Simulation& simulation, const std::vector<Recorded>& tables,
+std::vector<std::size_t> replay_run(Executor& simulation, const std::vector<Recorded>& tables,
                                     const std::vector<RowRange>& rows, const RunOptions& options,
                                     Verification& verification) {
   const Plan& plan = simulation.plan();

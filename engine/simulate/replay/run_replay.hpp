@@ -13,7 +13,7 @@ struct RowRange {
 
 /// Runs a plan as far as its rows go and compares them, one entry of `rows` for each table; adds what came of
 /// it. Returns how many rows of each table were this run's.
-std::vector<std::size_t> replay_run(Simulation& simulation, const std::vector<Recorded>& tables,
+std::vector<std::size_t> replay_run(Executor& simulation, const std::vector<Recorded>& tables,
                                     const std::vector<RowRange>& rows, const RunOptions& options,
                                     Verification& verification);
 

@@ -17,7 +17,7 @@ struct SweepRuns::Diagram {
   }
 
   Plan plan;
-  Simulation run;
+  Executor run;
 };
 
 SweepRuns::SweepRuns(std::string folder, std::size_t runs, const Registry& registry)
@@ -45,7 +45,7 @@ SweepRuns::Diagram& SweepRuns::diagram_of(std::size_t run) {
   return *diagram;
 }
 
-Simulation& SweepRuns::begin(std::size_t run) {
+Executor& SweepRuns::begin(std::size_t run) {
   Diagram& diagram = diagram_of(run);
   const std::string place = folder_ + "/" + sweep_name;
   const Mark mark{static_cast<int>(run) + 2, 1};
@@ -59,7 +59,7 @@ Simulation& SweepRuns::begin(std::size_t run) {
     values.push_back({name, value_of_text(value, place), place});
     values.back().value.mark = mark;
   }
-  if (diagram.run.set(Variation(diagram.plan.diagram, names), values) != Simulation::Setting::done)
+  if (diagram.run.set(Variation(diagram.plan.diagram, names), values) != Executor::Setting::done)
     throw Error(Fault{{place, mark}, "", diagram.run.structure_change(), {}});
   diagram.run.reset();
   return diagram.run;

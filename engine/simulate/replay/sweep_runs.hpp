@@ -6,7 +6,7 @@
 
 #include "engine/base/table/table_file.hpp"
 #include "engine/model/block/registry.hpp"
-#include "engine/simulate/run/simulation.hpp"
+#include "engine/simulate/run/executor.hpp"
 
 namespace stepwire {
 
@@ -18,7 +18,7 @@ class SweepRuns {
   ~SweepRuns();
 
   /// The simulation of a run, at time 0. Throws Error where the diagram does not take what it sets.
-  Simulation& begin(std::size_t run);
+  Executor& begin(std::size_t run);
 
  private:
   struct Diagram;

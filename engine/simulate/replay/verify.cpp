@@ -126,7 +126,7 @@ class Verifier {
     const std::vector<Recorded> tables = read_tables(plan, 1);
     std::vector<RowRange> rows;
     for (const Recorded& table : tables) rows.push_back({0, table.table.rows()});
-    Simulation simulation(plan);
+    Executor simulation(plan);
     replay_run(simulation, tables, rows, options_, result_);
   }
 
@@ -138,7 +138,7 @@ class Verifier {
     std::vector<Recorded> tables;
     std::vector<RowRange> rows;
     for (std::size_t run = 0; run < note.runs && result_.difference.empty() && !result_.interrupted; ++run) {
-      Simulation& simulation = runs.begin(run);
+      Executor& simulation = runs.begin(run);
       if (run == 0) {
         tables = read_tables(simulation.plan(), 1 + note.swept.size(), words);
         rows.resize(tables.size());

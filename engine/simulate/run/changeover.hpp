@@ -7,15 +7,9 @@
 #include <vector>
 
 #include "engine/model/plan/compiled_plan.hpp"
+#include "engine/simulate/run/engine.hpp"
 
 namespace stepwire {
-
-/// How a run is computed. The results are the same to the last bit.
-enum class Engine {
-  interpreted,
-  compiled,  ///< from the first tick on; where nothing can be compiled, interpreted
-  automatic  ///< interpreted at first; compiled once that is worth it and ready
-};
 
 /// Compiles the plans of some runs, at once or beside them, and hands out the code when it is there.
 class Changeover {

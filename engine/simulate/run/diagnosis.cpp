@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/model/signal/notice.hpp"
-#include "engine/simulate/run/simulation.hpp"
+#include "engine/simulate/run/executor.hpp"
 
 namespace stepwire {
 
@@ -26,7 +26,7 @@ RunFault make_fault(const Plan& plan, std::size_t block, const std::string& port
 
 }  // namespace
 
-std::optional<RunFault> Simulation::wrong_step() const {
+std::optional<RunFault> Executor::wrong_step() const {
   const double* report = values() + plan_.layout.report;
   if (report[0] == StepReport::fine) return std::nullopt;
   const std::string message =
@@ -51,7 +51,7 @@ std::optional<RunFault> Simulation::wrong_step() const {
   return std::nullopt;
 }
 
-std::optional<RunFault> Simulation::not_finite() const {
+std::optional<RunFault> Executor::not_finite() const {
   const auto cure = [&](double value) {
     return fmt::format(
         "became {} at {:.12g} s; the run ends here. A smaller step, a stiff solver (rosenbrock, sdirk) or a "
@@ -76,12 +76,12 @@ std::optional<RunFault> Simulation::not_finite() const {
   return std::nullopt;
 }
 
-std::string Simulation::notice_text(std::size_t block, std::size_t notice) const {
+std::string Executor::notice_text(std::size_t block, std::size_t notice) const {
   const NoticeSpec& spec = plan_.diagram.blocks[block].type().notices[notice];
   return spec.detail ? spec.doc + ": " + spec.detail(memory(block)) : spec.doc;
 }
 
-std::optional<RunFault> Simulation::fault() const {
+std::optional<RunFault> Executor::fault() const {
   if (healthy_) return std::nullopt;
   for (std::size_t b = 0; b < plan_.blocks.size(); ++b) {
     const auto& specs = plan_.diagram.blocks[b].type().notices;
@@ -96,7 +96,7 @@ std::optional<RunFault> Simulation::fault() const {
   return not_finite();
 }
 
-std::vector<RaisedNotice> Simulation::notices() const {
+std::vector<RaisedNotice> Executor::notices() const {
   std::vector<RaisedNotice> raised;
   for (std::size_t b = 0; b < plan_.blocks.size(); ++b) {
     const DiagramBlock& block = plan_.diagram.blocks[b];

@@ -2,7 +2,7 @@
 
 namespace stepwire {
 
-Drive::Drive(Simulation& simulation, std::vector<Recorder>& recorders)
+Drive::Drive(Executor& simulation, std::vector<Recorder>& recorders)
     : simulation_(simulation), recorders_(recorders), stopper_(simulation.plan()) {}
 
 Drive::End Drive::run() {

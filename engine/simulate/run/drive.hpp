@@ -25,7 +25,7 @@ class Drive {
     interrupted
   };
 
-  Drive(Simulation& simulation, std::vector<Recorder>& recorders);
+  Drive(Executor& simulation, std::vector<Recorder>& recorders);
 
   std::size_t index = 0;                         ///< of the run, for observers
   std::span<RunObserver* const> observers;       ///< must outlive the drive
@@ -40,7 +40,7 @@ class Drive {
   Flow show_tick();
   End end(End how);
 
-  Simulation& simulation_;
+  Executor& simulation_;
   std::vector<Recorder>& recorders_;
   Stopper stopper_;
   std::optional<ObservedTicks> watched_;  ///< once it has begun

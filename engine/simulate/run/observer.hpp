@@ -3,7 +3,8 @@
 #include <cstddef>
 #include <span>
 
-#include "engine/simulate/run/simulation.hpp"
+#include "engine/simulate/run/executor.hpp"
+#include "engine/simulate/run/flow.hpp"
 
 namespace stepwire {
 
@@ -12,14 +13,7 @@ struct ObservedRun {
   /// Among the runs of a sweep; of a study's trials by study of a sweep, subject and condition. 0 for a
   /// single run and a real-time loop.
   std::size_t index;
-  Simulation& simulation;
-};
-
-/// How a run goes on.
-enum class Flow {
-  go_on,
-  pause,  ///< before the next tick; a Drive goes on when it is run again, other runs end here
-  stop    ///< for good, with what is recorded so far
+  Executor& simulation;
 };
 
 /// Watches runs while they are computed. Each run calls from its own thread, so that calls for several runs

@@ -49,7 +49,7 @@ struct PlanFamily::Member {
     return true;
   }
 
-  Simulation::Setting set(const std::vector<Setting>& values, Simulation& run) const {
+  Executor::Setting set(const std::vector<Setting>& values, Executor& run) const {
     std::vector<Assignment> assignments;
     for (std::size_t i = 0; i < values.size(); ++i)
       if (!all.names()[i].structural) assignments.push_back(assignment_of(values[i]));
@@ -58,8 +58,8 @@ struct PlanFamily::Member {
 
   /// Makes a try of its own, for find().
   bool takes(const std::vector<Setting>& values) {
-    if (!probe) probe = std::make_unique<Simulation>(*plan);
-    return set(values, *probe) == Simulation::Setting::done;
+    if (!probe) probe = std::make_unique<Executor>(*plan);
+    return set(values, *probe) == Executor::Setting::done;
   }
 
   std::vector<std::string> names_to_set() const {
@@ -74,7 +74,7 @@ struct PlanFamily::Member {
   Variation all;                       ///< of all names
   Variation free;                      ///< of those that are set in a run of the plan
   std::vector<std::string> structure;  ///< values of structural names; "" of others
-  std::unique_ptr<Simulation> probe;
+  std::unique_ptr<Executor> probe;
 };
 
 PlanFamily::PlanFamily(Loader& loader, std::string file, std::vector<Setting> settings, const Plan& base)
@@ -124,13 +124,13 @@ std::vector<VariableBlock> PlanFamily::variable(std::size_t member) const {
   return variable_blocks(*members_[member]->plan, members_[member]->free);
 }
 
-void PlanFamily::begin(std::size_t member, const std::vector<Setting>& values, Simulation& run) const {
-  if (members_[member]->set(values, run) != Simulation::Setting::done)
+void PlanFamily::begin(std::size_t member, const std::vector<Setting>& values, Executor& run) const {
+  if (members_[member]->set(values, run) != Executor::Setting::done)
     throw std::logic_error("a run is given values of another structure: " + run.structure_change());
   run.reset();
 }
 
-std::unique_ptr<Simulation> IdleRuns::take(std::size_t member) {
+std::unique_ptr<Executor> IdleRuns::take(std::size_t member) {
   {
     const std::lock_guard lock(mutex_);
     idle_.resize(family_.size());
@@ -140,10 +140,10 @@ std::unique_ptr<Simulation> IdleRuns::take(std::size_t member) {
       return run;
     }
   }
-  return std::make_unique<Simulation>(family_.plan(member));
+  return std::make_unique<Executor>(family_.plan(member));
 }
 
-void IdleRuns::give_back(std::size_t member, std::unique_ptr<Simulation> run) {
+void IdleRuns::give_back(std::size_t member, std::unique_ptr<Executor> run) {
   const std::lock_guard lock(mutex_);
   idle_[member].push_back(std::move(run));
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/model/diagram/load.hpp"
-#include "engine/simulate/run/simulation.hpp"
+#include "engine/simulate/run/executor.hpp"
 
 namespace stepwire {
 
@@ -29,7 +29,7 @@ class PlanFamily {
   /// The members of blocks that differ between the runs of a member.
   std::vector<VariableBlock> variable(std::size_t member) const;
   /// Sets the values of a run, for which find() gave this member, and puts it at time 0. From any thread.
-  void begin(std::size_t member, const std::vector<Setting>& values, Simulation& run) const;
+  void begin(std::size_t member, const std::vector<Setting>& values, Executor& run) const;
 
  private:
   struct Member;
@@ -49,13 +49,13 @@ class IdleRuns {
  public:
   explicit IdleRuns(const PlanFamily& family) : family_(family) {}
 
-  std::unique_ptr<Simulation> take(std::size_t member);
-  void give_back(std::size_t member, std::unique_ptr<Simulation> run);
+  std::unique_ptr<Executor> take(std::size_t member);
+  void give_back(std::size_t member, std::unique_ptr<Executor> run);
 
  private:
   const PlanFamily& family_;
   std::mutex mutex_;
-  std::vector<std::vector<std::unique_ptr<Simulation>>> idle_;  ///< of each member
+  std::vector<std::vector<std::unique_ptr<Executor>>> idle_;  ///< of each member
 };
 
 }  // namespace stepwire

@@ -83,7 +83,7 @@ double SweptColumns::evaluated(std::size_t axis, std::size_t point) const {
   const std::string& name = columns_[axis].name;
   const DiagramParameter* parameter = parameter_of(plan.diagram, name);
   if (!parameter) return unknown;
-  Simulation run(plan);
+  Executor run(plan);
   job_.family->begin(job_.points[point].member, job_.settings_of(point), run);
   const auto index = static_cast<std::size_t>(parameter - plan.diagram.parameters.data());
   const double* number = std::get_if<double>(&run.parameter(index).content);

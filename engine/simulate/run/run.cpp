@@ -6,14 +6,14 @@ namespace stepwire {
 
 RunResult run_plan(const Plan& plan, const RunOptions& options) {
   Changeover changeover(options.engine, options.code, {{&plan, {}}}, static_cast<double>(plan.steps));
-  Simulation simulation(plan);
+  Executor simulation(plan);
   RunRecording recording(plan);
   RunResult result{run_simulation(simulation, recording.recorders(), options, changeover, 0, 0), {}};
   result.recordings = recording.take();
   return result;
 }
 
-RunEnd run_simulation(Simulation& simulation, std::vector<Recorder>& recorders, const RunOptions& options,
+RunEnd run_simulation(Executor& simulation, std::vector<Recorder>& recorders, const RunOptions& options,
                       Changeover& changeover, std::size_t member, std::size_t index) {
   std::int64_t changed = -1;  // tick at which compiled code took over
   const auto take_over = [&] {

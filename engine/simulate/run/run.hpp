@@ -46,7 +46,7 @@ RunResult run_plan(const Plan& plan, const RunOptions& options = {});
 
 /// Runs a simulation that stands at time 0, as the run `index` of several ones that share a changeover to
 /// compiled code, as its `member`.
-RunEnd run_simulation(Simulation& simulation, std::vector<Recorder>& recorders, const RunOptions& options,
+RunEnd run_simulation(Executor& simulation, std::vector<Recorder>& recorders, const RunOptions& options,
                       Changeover& changeover, std::size_t member, std::size_t index);
 
 /// One run of a sweep, or of a study.

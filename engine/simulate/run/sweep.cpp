@@ -173,7 +173,7 @@ Job make_job(Loader& loader, const std::string& path, const std::vector<Setting>
   if (stop) all.push_back({"stop", *stop, "--stop " + *stop});
   Job job{make_plan(loader.load(path, all)), {}, {}};
   require_solver_memory(job.plan);
-  static_cast<void>(Simulation(job.plan));  // a block's start() may find what no plan shows
+  static_cast<void>(Executor(job.plan));  // a block's start() may find what no plan shows
   auto& sweep = job.plan.diagram.sweep;
   if (sweep) pin(*sweep, all);
   if (sweep && !sweep->axes.empty())

@@ -7,6 +7,7 @@
 #include "engine/base/hash/hash.hpp"
 #include "engine/base/io/cache.hpp"
 #include "engine/base/io/file.hpp"
+#include "engine/base/io/resources.hpp"
 #include "engine/base/io/surroundings.hpp"
 #include "engine/base/subprocess/process.hpp"
 #include "engine/model/diagram/report.hpp"
@@ -61,9 +62,9 @@ Diagram with_units(Diagram diagram) {
 }
 
 /// Of what a picture follows from: what is drawn, the modules that draw, and the version of elkjs.
-std::string hash_of_picture(const std::string& drawn) {
-  std::vector<std::filesystem::path> files{STEPWIRE_DRAW "/package-lock.json"};
-  for (const auto& entry : std::filesystem::directory_iterator(STEPWIRE_DRAW))
+std::string hash_of_picture(const std::string& module, const std::string& drawn) {
+  std::vector<std::filesystem::path> files{module + "/package-lock.json"};
+  for (const auto& entry : std::filesystem::directory_iterator(module))
     if (entry.path().extension() == ".mjs") files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   Hash hash;
@@ -125,11 +126,12 @@ std::string draw_picture(const Json& drawn) {
   const std::string node = find_program("node");
   if (node.empty()) throw SurroundingsError("node is not installed; on Debian it is the package nodejs");
   const std::string text = drawn.text(-1);
+  const std::string module = resource("drawing");
   const Cache cache;
-  const std::string name = hash_of_picture(text) + ".svg";
+  const std::string name = hash_of_picture(module, text) + ".svg";
   if (std::optional<std::string> picture = cache.find(name)) return *std::move(picture);
   const ProcessResult answer =
-      run_helper("node", {.command = {node, STEPWIRE_DRAW "/main.mjs"}, .input = text});
+      run_helper("node", {.command = {node, module + "/main.mjs"}, .input = text});
   cache.keep(name, answer.output);
   return answer.output;
 }

@@ -1,4 +1,4 @@
-#include "engine/simulate/run/simulation.hpp"
+#include "engine/simulate/run/executor.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -109,7 +109,7 @@ TEST_CASE("A number that is none cuts the commands off at the very tick that sho
         "expression: sqrt(0.0095 - u1)}\n  asked: {block: Mux, u: [0.4, bad]}\n  lock: {block: Interlock, "
         "ramp: 0 s, faults: [0], " +
         what + "}\nrecord: [lock.y, lock.cause]\n");
-    Simulation simulation(plan);
+    Executor simulation(plan);
     const double* current = simulation.values() + first_output(plan, "lock");
     while (simulation.healthy()) {
       simulation.evaluate();

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "engine/base/mat/mat_file.hpp"
 #include "engine/base/table/table_file.hpp"
 #include "tests/support/run_text.hpp"
 

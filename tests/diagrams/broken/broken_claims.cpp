@@ -138,7 +138,7 @@ class Runner {
   bool sweeps(const std::string& parameter) const { return swept_.contains(parameter); }
 
  private:
-  const Registry registry_ = all_blocks();
+  const Registry registry_ = blocks();
   GeneratedCode code_;
   Studies studies_;
   bool has_study_or_fit_ = false;

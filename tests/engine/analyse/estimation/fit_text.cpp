@@ -8,7 +8,7 @@
 namespace stepwire {
 
 FitResult fit_text(const std::string& yaml, CodeSource* code, const FitOptions& options) {
-  static const Registry registry = all_blocks();
+  static const Registry registry = blocks();
   const std::string file = "fit.yaml";
   Loader loader(registry);
   loader.add(parse_document("stepwire: 1\ntitle: test\n" + yaml, file));

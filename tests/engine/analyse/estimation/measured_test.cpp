@@ -20,7 +20,7 @@ bool there() {
 
 /// Fits an example, with its request changed.
 FitResult fit_example(const std::string& name, const std::function<void(FitRequest&)>& change = {}) {
-  static const Registry registry = all_blocks();
+  static const Registry registry = blocks();
   const std::string file = STEPWIRE_SOURCE_DIR "/diagrams/examples/" + name;
   Loader loader(registry);
   LoadedModel model = load_model(loader, file, {});

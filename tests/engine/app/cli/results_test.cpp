@@ -5,6 +5,7 @@
 #include <set>
 
 #include "engine/base/subprocess/process.hpp"
+#include "engine/base/mat/mat_file.hpp"
 #include "engine/base/table/table_file.hpp"
 #include "tests/engine/app/cli/program.hpp"
 
@@ -72,8 +73,8 @@ TEST_CASE("signals.csv and signals.mat hold the same bits, those of the closed f
   CHECK(lines.size() == 502);
   CHECK(lines[1] == "0,1,0");
   CHECK_THAT(lines[3], Catch::StartsWith("0.002,1,0.0198"));
-  const auto csv = stepwire::read_table(folder.path("out/signals.csv"));
-  const auto mat = stepwire::read_table(folder.path("out/signals.mat"));
+  const auto csv = stepwire::read_csv(folder.path("out/signals.csv"));
+  const auto mat = stepwire::read_mat(folder.path("out/signals.mat"));
   REQUIRE(mat.find("lag") != nullptr);
   CHECK(csv.find("lag")->values == mat.find("lag")->values);
   CHECK(csv.find("time")->values == mat.find("time")->values);
@@ -198,7 +199,7 @@ TEST_CASE("swept words stand as words in signals.csv and as their numbers in sig
   CHECK(lines[0] == "time [s],way,table");
   CHECK(lines[4] == "0.003,hold,1");
   CHECK(lines[8] == "0.003,linear,1.003");
-  CHECK(stepwire::read_table(folder.path("out/signals.mat")).find("way")->values ==
+  CHECK(stepwire::read_mat(folder.path("out/signals.mat")).find("way")->values ==
         std::vector<double>{0, 0, 0, 0, 1, 1, 1, 1});
   const json run = json::parse(content_of(folder.path("out/run.json")));
   CHECK(run["sweep"][0]["parameter"] == "way");

@@ -39,7 +39,7 @@ Words listed_in(const std::string& message, const std::string& mark) {
 }
 
 json schema() {
-  static const Registry registry = all_blocks();
+  static const Registry registry = blocks();
   return json::parse(diagram_schema(registry).text());
 }
 

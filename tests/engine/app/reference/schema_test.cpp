@@ -17,7 +17,7 @@ using nlohmann::json;
 namespace {
 
 const Registry& registry() {
-  static const Registry all = all_blocks();
+  static const Registry all = blocks();
   return all;
 }
 

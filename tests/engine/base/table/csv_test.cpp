@@ -5,6 +5,7 @@
 #include <limits>
 #include <random>
 
+#include "engine/base/data_file/data_file.hpp"
 #include "engine/base/table/record_table.hpp"
 #include "engine/base/table/table_file.hpp"
 #include "tests/engine/base/table/scratch.hpp"
@@ -120,7 +121,7 @@ TEST_CASE("what is wrong in a CSV file is said with its line") {
 
 TEST_CASE("in a record as other programs leave it only what is read must be numbers") {
   const Scratch scratch;
-  const stepwire::RecordTable table = stepwire::read_record_table(scratch.file(
+  const stepwire::RecordTable table = stepwire::read_record_csv(scratch.file(
       "press.csv",
       ",t [s],x [mm],note,\n0,0,1,begins,\n1,0.1,2,\"\",\n2,0.2,off,,\n3,0.3,4,ends\n,,,,\n,,\n"));
   REQUIRE(table.columns.size() == 3);  // that of the row numbers and that of the trailing comma have no names
@@ -131,9 +132,9 @@ TEST_CASE("in a record as other programs leave it only what is read must be numb
   CHECK_THAT(table.problems.at("note"),
              Catch::EndsWith("press.csv:2: 'begins' is no number (column 'note')"));
   CHECK(table.problems.count("t") == 0);
-  CHECK_THROWS_WITH(stepwire::read_record_table(scratch.file("a.csv", "a,b\n1,2,3\n")),
+  CHECK_THROWS_WITH(stepwire::read_record_csv(scratch.file("a.csv", "a,b\n1,2,3\n")),
                     Catch::Contains("a.csv:2: 3 values where the header names 2"));
-  CHECK_THROWS_WITH(stepwire::read_record_table(scratch.file("a.csv", "a,b\n1\n")),
+  CHECK_THROWS_WITH(stepwire::read_record_csv(scratch.file("a.csv", "a,b\n1\n")),
                     Catch::Contains("a.csv:2: 1 value where the header names 2"));
 }
 
@@ -143,7 +144,7 @@ TEST_CASE("a missing file is a matter of the surroundings and keeps the system's
                     Catch::Contains("none.csv: No such file or directory"));
   CHECK_THROWS_AS(read_csv(scratch.path("none.csv")), stepwire::SurroundingsError);
   CHECK_THROWS_WITH(read_csv(scratch.path("")), Catch::Contains("Is a directory"));
-  CHECK_THROWS_WITH(stepwire::read_table(scratch.file("a.txt", "")), Catch::Contains("not '.txt'"));
+  CHECK_THROWS_WITH(stepwire::read_data_file(scratch.file("a.txt", "")), Catch::Contains("not '.txt'"));
 }
 
 TEST_CASE("numbers are written in the fewest digits") {
@@ -164,7 +165,7 @@ TEST_CASE("every double comes back from a CSV file with the same bits") {
   }
   const Scratch scratch;
   write_csv(scratch.path("a.csv"), table);
-  const Table back = stepwire::read_table(scratch.path("a.csv"));
+  const Table back = stepwire::read_csv(scratch.path("a.csv"));
   REQUIRE(back.columns.size() == 2);
   for (std::size_t c = 0; c < 2; ++c) {
     CHECK(back.columns[c].name == table.columns[c].name);

@@ -96,10 +96,10 @@ record: [all, lag.x]
   INFO(text);
   const Plan flat = again(plan);
   CHECK(flattened(flat) == text);
-  Simulation one(plan), other(flat);
+  Executor one(plan), other(flat);
   one.evaluate();
   other.evaluate();
-  const auto bits = [](const Simulation& s) {
+  const auto bits = [](const Executor& s) {
     const auto& values = s.workspace().values;
     return std::string(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double));
   };

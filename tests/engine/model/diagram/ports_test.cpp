@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "engine/simulate/run/simulation.hpp"
+#include "engine/simulate/run/executor.hpp"
 #include "tests/support/plan_text.hpp"
 
 using namespace stepwire;
@@ -13,7 +13,7 @@ const std::string doubled =
     "blocks: {half: {block: Gain, gain: 0.5, u: force}}\n"
     "record: [half]\n";
 
-double half_of(const Simulation& simulation) {
+double half_of(const Executor& simulation) {
   return simulation.values()[simulation.plan().slot(simulation.plan().diagram.outputs[0].signal).offset];
 }
 
@@ -24,7 +24,7 @@ TEST_CASE("an input of the diagram itself holds its default until somebody write
   REQUIRE(plan.diagram.inputs.size() == 1);
   CHECK(plan.diagram.inputs[0].name == "force");
   CHECK(plan.diagram.inputs[0].doc == "of the hand");
-  Simulation simulation(plan);
+  Executor simulation(plan);
   simulation.evaluate();
   CHECK(half_of(simulation) == 1.5);
   const double written = 8.0;

@@ -33,7 +33,7 @@ struct Counter {
 };
 
 Registry with_counters() {
-  Registry registry = all_blocks();
+  Registry registry = blocks();
   registry.add<Counter<held_calls>>("test");
   registry.add<Counter<timed_calls>>("test");
   registry.add<Counter<followed_calls>>("test");
@@ -62,7 +62,7 @@ stop: 10 s
 solver: rk4
 )",
                               {}, registry);
-  Simulation simulation(plan);
+  Executor simulation(plan);
   held_calls = timed_calls = followed_calls = aside_calls = once_calls = 0;
   simulation.reset();
   while (!simulation.finished()) {
@@ -84,7 +84,7 @@ TEST_CASE("what only feeds on constants is a constant, whatever stands in betwee
       "  d: {block: Product, u: [c, b]}\n");
   for (const PlannedBlock& block : plan.blocks) CHECK(block.rate.kind == Rate::Kind::constant);
   CHECK(plan.outputs.empty());
-  Simulation simulation(plan);
+  Executor simulation(plan);
   simulation.evaluate();
   CHECK(simulation.values()[plan.blocks[3].outputs[0].offset] == 52.0);
 }

@@ -32,7 +32,7 @@ struct Damper {
 };
 
 Registry with_damper() {
-  Registry registry = all_blocks();
+  Registry registry = blocks();
   registry.add<Damper>("test");
   return registry;
 }

@@ -30,7 +30,7 @@ Plan plan_file(const Scratch& folder, const std::string& name) {
 }
 
 /// What the struct `recorded` of a generated program holds.
-void append_recorded(const Simulation& run, std::string& bytes) {
+void append_recorded(const Executor& run, std::string& bytes) {
   for (const RecordRequest& request : run.plan().diagram.records)
     for (const RecordedSignal& signal : request.signals) {
       const SignalSlot slot = run.plan().slot(signal.signal);
@@ -39,12 +39,12 @@ void append_recorded(const Simulation& run, std::string& bytes) {
     }
 }
 
-void set(Simulation& run, const std::string& name, const std::string& value) {
-  REQUIRE(run.set(name, value) == Simulation::Setting::done);
+void set(Executor& run, const std::string& name, const std::string& value) {
+  REQUIRE(run.set(name, value) == Executor::Setting::done);
 }
 
 std::string of_rig(const Plan& plan) {
-  Simulation run(plan);
+  Executor run(plan);
   run.reset();
   Workspace kept;
   std::string bytes;
@@ -77,7 +77,7 @@ std::string of_rig(const Plan& plan) {
 }
 
 std::string of_rack(const Plan& plan) {
-  Simulation run(plan);
+  Executor run(plan);
   run.reset();
   Workspace kept;
   std::string bytes;

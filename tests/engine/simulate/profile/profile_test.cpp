@@ -4,7 +4,7 @@
 
 #include "blocks/register.hpp"
 #include "engine/simulate/profile/profile.hpp"
-#include "engine/simulate/run/simulation.hpp"
+#include "engine/simulate/run/executor.hpp"
 #include "tests/support/plan_text.hpp"
 
 using namespace stepwire;
@@ -56,7 +56,7 @@ struct Tick {
 };
 
 Registry with_slow_blocks() {
-  Registry registry = all_blocks();
+  Registry registry = blocks();
   registry.add<Slow>("test");
   registry.add<Tick>("test");
   return registry;

@@ -42,7 +42,7 @@ struct Reader {
 
 const Registry& with_test_blocks() {
   static const Registry registry = [] {
-    Registry all = all_blocks();
+    Registry all = blocks();
     all.add<Laborious>("test");
     all.add<Reader>("test");
     return all;

@@ -20,7 +20,7 @@ blocks:
   damper: {block: MRDamper, preset: rd-1097-01, velocity: 0.01, current: 0.2 A}
   late: {block: Delay, delay: 50 ms, u: x}
 solver: )" + kind.name);
-    Simulation simulation(plan);
+    Executor simulation(plan);
     const long before = allocations();
     for (int tick = 0; tick < 10'000; ++tick) {
       simulation.evaluate();

@@ -78,12 +78,12 @@ TEST_CASE("an observer of a sweep is shown the rows of all its runs") {
 TEST_CASE("an observer may keep a moment, set a value, go back, pause and stop") {
   struct Director : RunObserver {
     Flow before_tick(const ObservedRun& run) override {
-      Simulation& simulation = run.simulation;
+      Executor& simulation = run.simulation;
       if (simulation.tick() == 2 && kept.values.empty()) kept = simulation.workspace();
       if (simulation.tick() == 4 && !returned) {
         returned = true;
         simulation.restore(kept);
-        CHECK(simulation.set("k", "10") == Simulation::Setting::done);
+        CHECK(simulation.set("k", "10") == Executor::Setting::done);
       }
       if (simulation.tick() == 3 && returned && !std::exchange(paused, true)) return Flow::pause;
       return simulation.tick() == 5 ? Flow::stop : Flow::go_on;
@@ -92,7 +92,7 @@ TEST_CASE("an observer may keep a moment, set a value, go back, pause and stop")
     bool returned = false, paused = false;
   };
   const Plan plan = plan_text(ramp);
-  Simulation simulation(plan);
+  Executor simulation(plan);
   RunRecording recording(plan);
   Drive drive(simulation, recording.recorders());
   Director director;

@@ -47,7 +47,7 @@ blocks:
   late: {block: Delay, delay: 50 ms, u: plant}
   hold: {block: UnitDelay, u: late, every: 5 ms}
 solver: )" + kind.name);
-    Simulation simulation(plan);
+    Executor simulation(plan);
     INFO(kind.name);
     CHECK(runs_without_system_calls([&] {
       for (int tick = 0; tick < 10'000; ++tick) {

@@ -38,7 +38,7 @@ Plan plan_with(const std::string& yaml, const std::vector<Setting>& settings = {
   return plan_text(yaml, settings);
 }
 
-void go(Simulation& run, int ticks) {
+void go(Executor& run, int ticks) {
   for (int i = 0; i < ticks; ++i) {
     run.evaluate();
     run.advance();
@@ -46,7 +46,7 @@ void go(Simulation& run, int ticks) {
 }
 
 /// The bits of all signals and states of some ticks. Derivatives are the solver's own affair.
-std::vector<std::uint64_t> next(Simulation& run, int ticks) {
+std::vector<std::uint64_t> next(Executor& run, int ticks) {
   const Layout& layout = run.plan().layout;
   std::vector<std::uint64_t> all;
   const auto add = [&](std::size_t first, std::size_t end) {
@@ -61,7 +61,7 @@ std::vector<std::uint64_t> next(Simulation& run, int ticks) {
   return all;
 }
 
-std::string refusal(Simulation& run, const std::string& name, const std::string& value) {
+std::string refusal(Executor& run, const std::string& name, const std::string& value) {
   try {
     static_cast<void>(run.set(name, value));
   } catch (const Error& error) {
@@ -93,13 +93,13 @@ TEST_CASE("a value set between two ticks gives the bits of a run that begins wit
   const Plan plan = plan_with(spring);
   for (const Case& one : cases) {
     INFO(one.name << "=" << one.value);
-    Simulation run(plan);
+    Executor run(plan);
     go(run, 37);
     const Workspace kept = run.workspace();
-    REQUIRE(run.set(one.name, one.value) == Simulation::Setting::done);
+    REQUIRE(run.set(one.name, one.value) == Executor::Setting::done);
     if (one.name == "sum.u.1") continue;  // no file sets what is wired
     const Plan own = plan_with(spring, {{one.name, one.value}});
-    Simulation begun(own);
+    Executor begun(own);
     begun.restore(kept);
     CHECK((next(run, 60) == next(begun, 60)));
     run.reset();
@@ -110,8 +110,8 @@ TEST_CASE("a value set between two ticks gives the bits of a run that begins wit
 
 TEST_CASE("what a wire carries can be set as well") {
   const Plan plan = plan_text("blocks: {a: {block: Gain, gain: 3, u: 2}}\nrecord: a\n");
-  Simulation one(plan);
-  REQUIRE(one.set("a.u", "5") == Simulation::Setting::done);
+  Executor one(plan);
+  REQUIRE(one.set("a.u", "5") == Executor::Setting::done);
   one.evaluate();
   CHECK(one.values()[one.plan().blocks[0].outputs[0].offset] == 15.0);
 }
@@ -130,21 +130,21 @@ TEST_CASE("compiled code takes values as the interpreter does, and is left for t
   }
   for (const Case& one : cases) {
     INFO(one.name << "=" << one.value);
-    Simulation interpreted(plan), compiled(plan), left(plan);
+    Executor interpreted(plan), compiled(plan), left(plan);
     compiled.use(*code);
     left.use(*fixed);
-    for (Simulation* run : {&interpreted, &compiled, &left}) {
+    for (Executor* run : {&interpreted, &compiled, &left}) {
       go(*run, 37);
-      REQUIRE(run->set(one.name, one.value) == Simulation::Setting::done);
+      REQUIRE(run->set(one.name, one.value) == Executor::Setting::done);
     }
     CHECK(compiled.compiled());
     const auto expected = next(interpreted, 60);
     CHECK((next(compiled, 60) == expected));
     CHECK((next(left, 60) == expected));
   }
-  Simulation left(plan);
+  Executor left(plan);
   left.use(*fixed);
-  REQUIRE(left.set("mass", "3 kg") == Simulation::Setting::done);
+  REQUIRE(left.set("mass", "3 kg") == Executor::Setting::done);
   CHECK_FALSE(left.compiled());
   left.use(*fixed);
   CHECK_FALSE(left.compiled());
@@ -152,7 +152,7 @@ TEST_CASE("compiled code takes values as the interpreter does, and is left for t
 
 TEST_CASE("a refused value leaves everything as it was, and says what would be right") {
   const Plan plan = plan_with(spring);
-  Simulation run(plan), untouched(plan);
+  Executor run(plan), untouched(plan);
   go(run, 10);
   go(untouched, 10);
   CHECK_THAT(refusal(run, "mass", "-1 kg"), Contains("mass") && Contains("above 0"));
@@ -163,8 +163,8 @@ TEST_CASE("a refused value leaves everything as it was, and says what would be r
   CHECK_THAT(refusal(run, "masss", "1 kg"), Contains("mass"));
   CHECK_THAT(refusal(run, "mass", "[1"), Contains("mass"));
   CHECK((next(run, 60) == next(untouched, 60)));
-  Simulation again(plan);
-  REQUIRE(again.set("stiffness", "150 N/m") == Simulation::Setting::done);  // nothing of them is left
+  Executor again(plan);
+  REQUIRE(again.set("stiffness", "150 N/m") == Executor::Setting::done);  // nothing of them is left
   CHECK_THAT(refusal(again, "mass", "1000 kg"), Contains("rate"));
 }
 
@@ -172,13 +172,13 @@ TEST_CASE("values that need another plan are answered so, and change nothing") {
   const Plan plan = plan_with(spring);
   for (const Case& one : std::vector<Case>{{"step", "2 ms"}, {"late.delay", "6 ms"}, {"curve", "[1, 2]"}}) {
     INFO(one.name);
-    Simulation run(plan), untouched(plan);
+    Executor run(plan), untouched(plan);
     go(run, 10);
     go(untouched, 10);
     if (one.name == "curve") {
       CHECK_THAT(refusal(run, one.name, one.value), Contains("table"));
     } else {
-      CHECK(run.set(one.name, one.value) == Simulation::Setting::structure_changed);
+      CHECK(run.set(one.name, one.value) == Executor::Setting::structure_changed);
       CHECK_THAT(run.structure_change(), Contains(one.name.substr(0, 4)));
     }
     CHECK((next(run, 60) == next(untouched, 60)));
@@ -194,18 +194,18 @@ TEST_CASE("a parameter of a part reaches the part's blocks") {
                "stepwire: 1\nstep: 1 s\nstop: 3 s\nparameters: {a: 3}\nblocks:\n  c: {block: Clock}\n"
                "  rig: {diagram: part.yaml, k: =a+1, u: c}\nrecord: rig.y\n");
   const Plan plan = folder.plan("main.yaml");
-  const auto last = [](Simulation& run) {
+  const auto last = [](Executor& run) {
     run.reset();
     go(run, 2);
     run.evaluate();
     return run.values()[run.plan().slot(run.plan().diagram.records[0].signals[0].signal).offset];
   };
-  Simulation run(plan);
+  Executor run(plan);
   CHECK(last(run) == 16.0);
-  REQUIRE(run.set("a", "4") == Simulation::Setting::done);
+  REQUIRE(run.set("a", "4") == Executor::Setting::done);
   CHECK(last(run) == 20.0);
-  REQUIRE(run.set("rig.k", "7") == Simulation::Setting::done);
+  REQUIRE(run.set("rig.k", "7") == Executor::Setting::done);
   CHECK(last(run) == 28.0);
-  REQUIRE(run.set("a", "1") == Simulation::Setting::done);  // rig.k was set by its own name, and stays
+  REQUIRE(run.set("a", "1") == Executor::Setting::done);  // rig.k was set by its own name, and stays
   CHECK(last(run) == 28.0);
 }

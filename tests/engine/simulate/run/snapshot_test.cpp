@@ -24,7 +24,7 @@ record: all
 )";
 
 /// What a simulation computes at every tick until its end.
-std::vector<std::vector<double>> rest_of(Simulation& simulation) {
+std::vector<std::vector<double>> rest_of(Executor& simulation) {
   std::vector<std::vector<double>> ticks;
   while (true) {
     simulation.evaluate();
@@ -38,19 +38,19 @@ std::vector<std::vector<double>> rest_of(Simulation& simulation) {
 
 TEST_CASE("a run from a kept moment gives the same bits as the run that went through it") {
   const Plan plan = plan_text(everything);
-  Simulation whole(plan);
+  Executor whole(plan);
   const auto in_one_go = rest_of(whole);
   REQUIRE(in_one_go.size() == 501);
   for (const int tick : {0, 1, 137, 250, 499, 500}) {
     INFO("kept at tick " << tick);
-    Simulation first(plan);
+    Executor first(plan);
     for (int k = 0; k < tick; ++k) {
       first.evaluate();
       first.advance();
     }
     const Workspace kept = first.workspace();
     const auto continued = rest_of(first);
-    Simulation second(plan);
+    Executor second(plan);
     second.restore(kept);
     const auto restored = rest_of(second);
     first.restore(kept);  // back in time on the same simulation
@@ -63,7 +63,7 @@ TEST_CASE("a run from a kept moment gives the same bits as the run that went thr
 TEST_CASE("the runner records what a run stepped by hand computes") {
   const Plan plan = plan_text(everything);
   const RunResult result = run_plan(plan);
-  Simulation by_hand(plan);
+  Executor by_hand(plan);
   const auto ticks = rest_of(by_hand);
   const Table& table = result.recordings.front().table;
   REQUIRE(table.rows() == ticks.size());
@@ -79,7 +79,7 @@ TEST_CASE("the runner records what a run stepped by hand computes") {
 
 TEST_CASE("a run put back to its beginning gives the same bits") {
   const Plan plan = plan_text(everything);
-  Simulation simulation(plan);
+  Executor simulation(plan);
   const auto first = rest_of(simulation);
   simulation.reset();
   CHECK(first == rest_of(simulation));

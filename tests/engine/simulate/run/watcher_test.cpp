@@ -25,14 +25,14 @@ struct Counter : BatchWatcher {
 /// How often a stretch runs in ten ticks.
 int runs_of(const std::vector<Batch> Plan::*phase, std::size_t first, std::size_t end) {
   const Plan plan = plan_text(swing_yaml);
-  Simulation simulation(plan), unwatched(plan);
+  Executor simulation(plan), unwatched(plan);
   Counter counter;
   counter.phase = &(plan.*phase);
   counter.first = first;
   counter.end = end;
   simulation.watch(&counter);
   for (int tick = 0; tick < 10; ++tick)
-    for (Simulation* each : {&simulation, &unwatched}) {
+    for (Executor* each : {&simulation, &unwatched}) {
       each->evaluate();
       each->advance();
     }

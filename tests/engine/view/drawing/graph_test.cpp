@@ -27,7 +27,7 @@ void write_rig(const Scratch& folder) {
 }
 
 json graph(const std::string& file, const GraphOptions& options = {}) {
-  const Registry registry = all_blocks();
+  const Registry registry = blocks();
   Loader loader(registry);
   return json::parse(DrawnFile(loader, file).view().graph(options).text());
 }
@@ -119,7 +119,7 @@ TEST_CASE("wires carry units where they are wanted") {
 TEST_CASE("a file's parts are known by their names") {
   const Scratch folder;
   write_rig(folder);
-  const Registry registry = all_blocks();
+  const Registry registry = blocks();
   Loader loader(registry);
   CHECK(DrawnFile(loader, folder.path("rig.yaml")).view().parts() == Names{"mount"});
   CHECK(DrawnFile(loader, folder.path("spring.yaml")).view().parts().empty());
@@ -137,7 +137,7 @@ json rig_with(const GraphOptions& options) {
 std::vector<GraphFault> faults_with(const GraphOptions& options) {
   const Scratch folder;
   write_rig(folder);
-  const Registry registry = all_blocks();
+  const Registry registry = blocks();
   Loader loader(registry);
   return faults_of(DrawnFile(loader, folder.path("rig.yaml")).view(), options);
 }

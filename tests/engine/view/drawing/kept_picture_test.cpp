@@ -34,7 +34,7 @@ Json graph_of_gain(const std::string& gain) {
                   "stepwire: 1\nstep: 1 s\nstop: 1 s\nblocks:\n  a: {block: Constant, value: 1}\n"
                   "  b: {block: Gain, u: a, gain: " +
                       gain + "}\nrecord: [b]\n");
-  const Registry registry = all_blocks();
+  const Registry registry = blocks();
   Loader loader(registry);
   return DrawnFile(loader, file).view().graph({});
 }

@@ -13,7 +13,7 @@ using Lines = std::vector<std::string>;
 
 /// The text in the symbol of a block that is written as these keys.
 Lines lines_of(const std::string& keys, bool* fraction = nullptr) {
-  const Registry registry = all_blocks();
+  const Registry registry = blocks();
   Loader loader(registry);
   const std::string head =
       "stepwire: 1\nstep: 1 ms\nstop: 1 s\nsolver: rk4\nparameters: {tau: 2, k: 3, long_name: 1}\n";
@@ -29,7 +29,7 @@ Lines lines_of(const std::string& keys, bool* fraction = nullptr) {
 }  // namespace
 
 TEST_CASE("every symbol names parameters of its block and draws in its square") {
-  const Registry registry = all_blocks();
+  const Registry registry = blocks();
   const std::regex place(R"(\{([a-z_0-9]+)(:[sz])?(\|[^}]+)?\})", std::regex::icase);
   const std::regex command(R"([MLHVCZ]|-?(?:\d+\.?\d*|\.\d+)| )");
   for (const BlockType* type : registry.types()) {

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "engine/base/table/record_table.hpp"
+
+namespace stepwire {
+
+/// Tables as they were read from files, so that a record which many runs play is parsed once. Safe from
+/// several threads. Those that were asked for longest ago go where all together would hold more than
+/// `most_numbers`.
+class TableCache {
+ public:
+  explicit TableCache(std::size_t most_numbers) : most_numbers_(most_numbers) {}
+
+  /// The table in a .csv or .mat file, as read_data_file() reads it and with its errors. What was read
+  /// before is given as long as the file has the same size and time of change; a file that changed within the
+  /// last two seconds is read anew, since clocks of file systems are coarse.
+  std::shared_ptr<const RecordTable> read(const std::string& path);
+  /// Of this process, for 64 MB of numbers.
+  static TableCache& of_process();
+
+  std::size_t numbers() const { return numbers_; }  ///< that are kept
+
+ private:
+  struct Stamp {
+    std::uintmax_t size = 0;
+    std::filesystem::file_time_type changed;
+    bool operator==(const Stamp&) const = default;
+  };
+  struct Entry {
+    std::string path;
+    Stamp stamp;
+    std::shared_ptr<const RecordTable> table;
+  };
+
+  static Stamp stamp_of(const std::string& path);
+  std::shared_ptr<const RecordTable> find(const std::string& path, const Stamp& stamp);
+  void keep(Entry entry);
+  void drop(std::list<Entry>::iterator entry);
+
+  std::size_t most_numbers_, numbers_ = 0;
+  std::mutex mutex_;
+  std::list<Entry> entries_;  ///< the one that was asked for last is first
+};
+
+}  // namespace stepwire

@@ -1,0 +1,87 @@
+#include "engine/base/mat/mat_elements.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/base/table/table_file.hpp"
+
+namespace stepwire {
+namespace {
+
+constexpr std::size_t tag_size = 8;
+
+void append_utf8(std::string& text, std::uint32_t code) {
+  const auto tail = [&](unsigned shift) { text += static_cast<char>(0x80 | (code >> shift & 0x3F)); };
+  if (code < 0x80) {
+    text += static_cast<char>(code);
+  } else if (code < 0x800) {
+    text += static_cast<char>(0xC0 | code >> 6), tail(0);
+  } else if (code < 0x10000) {
+    text += static_cast<char>(0xE0 | code >> 12), tail(6), tail(0);
+  } else {
+    text += static_cast<char>(0xF0 | (code >> 18 & 7)), tail(12), tail(6), tail(0);
+  }
+}
+
+/// Two halves of a character beyond 16 bits are joined.
+std::string utf8_of(const std::vector<double>& units) {
+  std::string text;
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    auto code = static_cast<std::uint32_t>(units[i]);
+    const std::uint32_t low = i + 1 < units.size() ? static_cast<std::uint32_t>(units[i + 1]) : 0;
+    if (code >> 10 == 0x36 && low >> 10 == 0x37) {
+      code = 0x10000 + ((code & 0x3FF) << 10) + (low & 0x3FF);
+      ++i;
+    }
+    append_utf8(text, code);
+  }
+  return text;
+}
+
+}  // namespace
+
+MatElement MatElements::tag() const {
+  if (rest_.size() < tag_size) throw TableError("the file is damaged or cut off");
+  const std::vector<double> words = mat_numbers(rest_.substr(0, tag_size), MatNumber::uint32, swap_);
+  const auto type = static_cast<std::uint32_t>(words[0]);
+  if (type > 0xFFFF) return {type & 0xFFFF, type >> 16, {}};
+  return {type, static_cast<std::size_t>(words[1]), {}};
+}
+
+MatElement MatElements::next() {
+  MatElement element = tag();
+  const auto first =
+      static_cast<std::uint32_t>(mat_numbers(rest_.substr(0, 4), MatNumber::uint32, swap_).front());
+  const bool small = first > 0xFFFF;
+  const std::size_t begin = small ? 4 : tag_size;
+  if (element.length > (small ? 4 : rest_.size() - tag_size))
+    throw TableError("the file is damaged or cut off");
+  element.bytes = rest_.substr(begin, element.length);
+  const std::size_t filled = element.type == MatElement::packed ? 0 : (8 - element.length % 8) % 8;
+  rest_.remove_prefix(std::min(rest_.size(), small ? tag_size : tag_size + element.length + filled));
+  return element;
+}
+
+std::vector<double> MatElements::numbers(const MatElement& element) const {
+  const auto kind = static_cast<MatNumber>(element.type);
+  const std::size_t one = mat_number_size(kind);
+  if (one == 0 || element.bytes.size() % one != 0)
+    throw TableError(fmt::format("{} bytes of type {} are no numbers", element.bytes.size(), element.type));
+  return mat_numbers(element.bytes, kind, swap_);
+}
+
+std::string mat_text(const MatElements& of, const MatElement& element) {
+  const auto with = [&](MatNumber kind) {
+    return utf8_of(of.numbers({MatElement::of(kind), element.length, element.bytes}));
+  };
+  if (element.type == MatElement::utf16) return with(MatNumber::uint16);
+  if (element.type == MatElement::utf32) return with(MatNumber::uint32);
+  const bool bytes = element.type == MatElement::utf8 || element.type == MatElement::of(MatNumber::int8) ||
+                     element.type == MatElement::of(MatNumber::uint8);
+  if (bytes) return std::string(element.bytes);
+  if (element.type == MatElement::of(MatNumber::uint16)) return with(MatNumber::uint16);
+  throw TableError(fmt::format("its text is of type {}, which it cannot be", element.type));
+}
+
+}  // namespace stepwire

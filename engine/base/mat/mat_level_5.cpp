@@ -1,0 +1,176 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "engine/base/mat/inflate.hpp"
+#include "engine/base/mat/mat_content.hpp"
+#include "engine/base/mat/mat_elements.hpp"
+#include "engine/base/table/table_file.hpp"
+
+namespace stepwire {
+namespace {
+
+constexpr std::size_t file_header = 128;
+constexpr std::size_t longest_head = 4096;  // of a matrix: flags, dimensions and name
+
+enum ArrayClass : unsigned {
+  cell = 1,
+  text = 4,
+  first_number = 6,
+  single = 7,
+  first_integer = 8,
+  last_number = 15
+};
+
+/// What a matrix begins with.
+struct Head {
+  unsigned type = 0;  ///< its ArrayClass
+  bool complex = false;
+  std::vector<std::size_t> size;
+  std::string name;
+
+  bool is_real() const {
+    return type >= first_number && type <= last_number && !complex && mat_count(size) > 0;
+  }
+  bool is_list(std::string_view wanted) const { return type == cell && name == wanted; }
+  bool counts() const { return !name.empty() && (is_real() || is_list("names") || is_list("units")); }
+};
+
+Head head_of(MatElements& parts) {
+  Head head;
+  const MatElement flags = parts.next();
+  if (flags.type != MatElement::of(MatNumber::uint32) || flags.bytes.size() != 8)
+    throw TableError("a variable does not begin with its type");
+  const auto flag = static_cast<std::uint32_t>(parts.numbers(flags).front());
+  head.type = flag & 0xFF;
+  head.complex = (flag & 0x800) != 0;
+  const MatElement size = parts.next();
+  if (size.type != MatElement::of(MatNumber::int32) || size.bytes.size() < 8)
+    throw TableError("the dimensions of a variable are damaged");
+  for (const double count : parts.numbers(size)) {
+    if (count < 0.0) throw TableError("a dimension of a variable is below 0");
+    head.size.push_back(static_cast<std::size_t>(count));
+  }
+  const MatElement name = parts.next();
+  if (name.type != MatElement::of(MatNumber::int8) && name.type != MatElement::of(MatNumber::uint8) &&
+      name.type != MatElement::utf8)
+    throw TableError("the name of a variable is damaged");
+  head.name = name.bytes.substr(0, name.bytes.find('\0'));
+  return head;
+}
+
+std::string size_text(const std::vector<std::size_t>& size) {
+  return fmt::format("{}", fmt::join(size, " x "));
+}
+
+/// Numbers may be stored in a smaller type than that of the variable, but whole ones as whole ones.
+std::vector<double> values_of(const Head& head, MatElements& parts) {
+  const MatElement element = parts.next();
+  const auto kind = static_cast<MatNumber>(element.type);
+  const std::size_t one = mat_number_size(kind);
+  const bool broken = kind == MatNumber::float32 || kind == MatNumber::float64;
+  if (one == 0 || (broken && head.type >= first_integer))
+    throw TableError(fmt::format("its numbers are of type {}, which they cannot be", element.type));
+  if (element.bytes.size() != mat_count(head.size) * one)
+    throw TableError(fmt::format("it is {} and has {} bytes of numbers, not {}", size_text(head.size),
+                                 element.bytes.size(), mat_count(head.size) * one));
+  std::vector<double> values = parts.numbers(element);
+  if (head.type == single)
+    for (double& value : values) value = static_cast<double>(static_cast<float>(value));
+  return values;
+}
+
+std::string text_of(MatElements cell) {
+  if (cell.empty()) return "";
+  const Head head = head_of(cell);
+  return head.type == text && !cell.empty() ? mat_text(cell, cell.next()) : "";
+}
+
+std::vector<std::string> texts_of(const Head& head, MatElements& parts) {
+  const std::size_t count = mat_count(head.size);
+  std::vector<std::string> texts;
+  for (; texts.size() < count && !parts.empty();) {
+    const MatElement cell = parts.next();
+    if (cell.type != MatElement::matrix) throw TableError("a cell is none");
+    texts.push_back(text_of(parts.inside(cell)));
+  }
+  if (texts.size() != count)
+    throw TableError(fmt::format("it is {} and has {} cells", size_text(head.size), texts.size()));
+  return texts;
+}
+
+/// What is wrong with a variable, with its name.
+template <class Action>
+auto named(const Head& head, const Action& action) {
+  try {
+    return action();
+  } catch (const TableError& error) {
+    throw TableError(fmt::format("'{}' is damaged: {}", head.name, error.what()));
+  }
+}
+
+class Level5 {
+ public:
+  Level5(std::string_view file, bool swap)
+      : swap_(swap),
+        budget_(most_unpacked(file.size())),
+        most_(budget_),
+        elements_(file.substr(file_header), swap) {}
+
+  MatContent read() {
+    while (!elements_.empty()) {
+      const MatElement element = elements_.next();
+      if (element.type != MatElement::matrix && element.type != MatElement::packed)
+        throw TableError(fmt::format("a data element is of type {}, which is no variable", element.type));
+      element.type == MatElement::packed ? unpack(element.bytes) : take(elements_.inside(element));
+    }
+    return std::move(content_);
+  }
+
+ private:
+  /// The head alone is unpacked of what does not count.
+  void unpack(std::string_view packed) {
+    const std::string start = inflate_start(packed, longest_head);
+    const MatElement tag = MatElements(start, swap_).tag();
+    if (tag.type != MatElement::matrix) throw TableError("what is packed is no variable");
+    MatElements front(std::string_view(start).substr(8), swap_);
+    const Head head = head_of(front);
+    if (!head.counts()) return;
+    const std::size_t size = 8 + tag.length;
+    if (size > budget_)
+      throw TableError(
+          fmt::format("'{}' unpacks to {} MB, and what lies before it to {} MB; a file of this size may "
+                      "unpack to {} MB in all",
+                      head.name, size >> 20, (most_ - budget_) >> 20, most_ >> 20));
+    budget_ -= size;
+    const std::string all = named(head, [&] { return inflate_all(packed, size); });
+    take(MatElements(std::string_view(all).substr(8), swap_));
+  }
+
+  void take(MatElements parts) {
+    if (parts.empty()) return;
+    const Head head = head_of(parts);
+    if (!head.counts()) return;
+    named(head, [&] {
+      if (head.is_real())
+        content_.variables.push_back({head.name, head.size, values_of(head, parts)});
+      else
+        (head.name == "names" ? content_.names : content_.units) = texts_of(head, parts);
+      return 0;
+    });
+  }
+
+  bool swap_;
+  std::size_t budget_, most_;
+  MatElements elements_;
+  MatContent content_;
+};
+
+}  // namespace
+
+MatContent read_mat_level_5(std::string_view file, bool swap) {
+  return Level5(file, swap).read();
+}
+
+}  // namespace stepwire

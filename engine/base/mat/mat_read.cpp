@@ -1,0 +1,89 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <set>
+
+#include "engine/base/mat/mat_content.hpp"
+#include "engine/base/mat/mat_file.hpp"
+#include "engine/base/table/table_file.hpp"
+
+namespace stepwire {
+namespace {
+
+constexpr std::size_t most_columns = 20'000;
+
+/// Version and byte order as the header of levels 5 and 7.3 has them; 0 for none.
+struct Header {
+  unsigned version = 0;
+  bool swap = false;
+};
+
+Header header_of(std::string_view file) {
+  if (file.size() < 128) return {};
+  std::array<std::uint16_t, 2> mark{};
+  std::memcpy(mark.data(), file.data() + 124, 4);
+  if (mark[1] == 0x4D49) return {mark[0], false};
+  if (mark[1] == 0x494D) return {static_cast<unsigned>(mark[0] >> 8 | (mark[0] & 0xFF) << 8), true};
+  return {};
+}
+
+MatContent content_of(const std::string& path) {
+  const std::string file = read_file(path);
+  const Header header = header_of(file);
+  if (header.version == 0x0200) return read_mat_level_7(path, file.size());
+  return header.version == 0x0100 ? read_mat_level_5(file, header.swap) : read_mat_level_4(file);
+}
+
+/// A vector is one column; of anything larger each column is one.
+void append_columns(Table& table, MatVariable& variable) {
+  const std::size_t longest = *std::max_element(variable.size.begin(), variable.size.end());
+  const std::vector<double>& all = variable.values;
+  if (longest == all.size()) return table.columns.push_back({variable.name, "", std::move(variable.values)});
+  const std::size_t rows = variable.size.front();
+  if (all.size() / rows + table.columns.size() > most_columns)
+    throw TableError(fmt::format("'{}' has {} columns; at most {} are read", variable.name, all.size() / rows,
+                                 most_columns));
+  for (std::size_t first = 0; first < all.size(); first += rows) {
+    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
+    table.columns.push_back({fmt::format("{}({})", variable.name, first / rows + 1),
+                             "",
+                             {begin, begin + static_cast<std::ptrdiff_t>(rows)}});
+  }
+}
+
+/// Files of our own keep the names of their columns, which MATLAB would not allow, and their units.
+void name_columns(Table& table, const MatContent& content) {
+  const std::size_t count = table.columns.size();
+  if (content.names.size() == count && content.units.size() == count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      table.columns[i].name = content.names[i];
+      table.columns[i].unit = content.units[i];
+    }
+  }
+  std::set<std::string_view> seen;
+  for (const Column& column : table.columns)
+    if (!seen.insert(column.name).second)
+      throw TableError(fmt::format("two columns are named '{}'", column.name));
+}
+
+Table table_of(MatContent content) {
+  Table table;
+  for (MatVariable& variable : content.variables) append_columns(table, variable);
+  if (table.columns.empty()) throw TableError("there is no real vector in the file");
+  name_columns(table, content);
+  return table;
+}
+
+}  // namespace
+
+Table read_mat(const std::string& path) {
+  try {
+    return table_of(content_of(path));
+  } catch (const TableError& error) {
+    throw TableError(fmt::format("{}: {}", path, error.what()));
+  }
+}
+
+}  // namespace stepwire

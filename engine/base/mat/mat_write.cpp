@@ -1,0 +1,123 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <set>
+
+#include "engine/base/mat/mat_file.hpp"
+#include "engine/base/table/table_file.hpp"
+
+// Level 5 of the format is written here and not by the library that reads it, because that one drops what the
+// system says about a full disk. Layout: "MAT-File Format", The MathWorks. Numbers stand in the byte order of
+// the machine, and the header says which.
+
+namespace stepwire {
+namespace {
+
+enum class Element : std::uint32_t { int8 = 1, uint16 = 4, int32 = 5, uint32 = 6, float64 = 9, matrix = 14 };
+enum class Class : std::uint32_t { cell = 1, text = 4, float64 = 6 };
+
+constexpr std::size_t longest_element = 0x7FFF'FFFF;
+constexpr std::size_t longest_name = 63;
+
+template <class T>
+std::string bytes(const T* values, std::size_t count) {
+  std::string result(count * sizeof(T), '\0');
+  if (count > 0) std::memcpy(result.data(), values, result.size());
+  return result;
+}
+
+/// Type, length, the bytes, filled up to a multiple of eight.
+std::string element(Element type, const std::string& content) {
+  if (content.size() > longest_element) throw TableError("a column is too long for a MAT file of level 5");
+  const std::array<std::uint32_t, 2> tag{static_cast<std::uint32_t>(type),
+                                         static_cast<std::uint32_t>(content.size())};
+  return bytes(tag.data(), tag.size()) + content + std::string((8 - content.size() % 8) % 8, '\0');
+}
+
+std::string matrix(Class type, std::size_t rows, std::size_t columns, const std::string& name,
+                   const std::string& content) {
+  const std::array<std::uint32_t, 2> flags{static_cast<std::uint32_t>(type), 0};
+  const std::array<std::int32_t, 2> size{static_cast<std::int32_t>(rows), static_cast<std::int32_t>(columns)};
+  return element(Element::matrix, element(Element::uint32, bytes(flags.data(), 2)) +
+                                      element(Element::int32, bytes(size.data(), 2)) +
+                                      element(Element::int8, name) + content);
+}
+
+/// The format keeps text as UTF-16.
+std::u16string utf16(std::string_view text) {
+  std::u16string result;
+  for (std::size_t i = 0; i < text.size();) {
+    const auto first = static_cast<unsigned char>(text[i++]);
+    const int more = first >= 0xF0 ? 3 : first >= 0xE0 ? 2 : first >= 0xC0 ? 1 : 0;
+    std::uint32_t code = more == 0 ? first : first & (0x3Fu >> more);
+    for (int k = 0; k < more && i < text.size(); ++k)
+      code = code << 6 | (static_cast<unsigned char>(text[i++]) & 0x3Fu);
+    if (code < 0x10000) {
+      result += static_cast<char16_t>(code);
+    } else {
+      result += static_cast<char16_t>(0xD7C0 + (code >> 10));
+      result += static_cast<char16_t>(0xDC00 + (code & 0x3FF));
+    }
+  }
+  return result;
+}
+
+std::string text_matrix(const std::string& text) {
+  const std::u16string units = utf16(text);
+  return matrix(Class::text, units.empty() ? 0 : 1, units.size(), "",
+                element(Element::uint16, bytes(units.data(), units.size())));
+}
+
+std::string text_cells(const std::string& name, const std::vector<Column>& columns,
+                       std::string Column::*text) {
+  std::string cells;
+  for (const Column& column : columns) cells += text_matrix(column.*text);
+  return matrix(Class::cell, columns.size(), 1, name, cells);
+}
+
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+/// The name of a column as MATLAB allows it, and not one of `used`.
+std::string matlab_name(const std::string& name, std::set<std::string>& used) {
+  std::string allowed = name.empty() || !is_letter(name.front()) ? "x" : "";
+  for (const char c : name) allowed += is_letter(c) || (c >= '0' && c <= '9') ? c : '_';
+  allowed.resize(std::min(allowed.size(), longest_name));
+  std::string unique = allowed;
+  for (int i = 2; !used.insert(unique).second; ++i) {
+    const std::string ending = fmt::format("_{}", i);
+    unique = allowed.substr(0, longest_name - ending.size()) + ending;
+  }
+  return unique;
+}
+
+/// 116 bytes of text, 8 of nothing, version and byte order. No date: the same table gives the same bytes.
+std::string header_text() {
+  std::string text = "MATLAB 5.0 MAT-file, created by stepwire";
+  text.resize(116, ' ');
+  const std::array<std::uint16_t, 2> version{0x0100, 0x4D49};
+  return text + std::string(8, '\0') + bytes(version.data(), 2);
+}
+
+}  // namespace
+
+void write_mat(const std::string& path, const Table& table) {
+  // What MATLAB would not take back as the name of a variable, and our own two.
+  std::set<std::string> used{"names",  "units",     "break",  "case",       "catch",    "continue",
+                             "else",   "elseif",    "end",    "for",        "function", "global",
+                             "if",     "otherwise", "parfor", "persistent", "return",   "spmd",
+                             "switch", "try",       "while",  "classdef"};
+  std::string content = header_text();
+  for (const Column& column : table.columns) {
+    content += matrix(Class::float64, column.values.size(), 1, matlab_name(column.name, used),
+                      element(Element::float64, bytes(column.values.data(), column.values.size())));
+  }
+  content += text_cells("names", table.columns, &Column::name);
+  content += text_cells("units", table.columns, &Column::unit);
+  write_file(path, content);
+}
+
+}  // namespace stepwire

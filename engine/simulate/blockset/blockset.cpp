@@ -1,0 +1,149 @@
+#include "engine/simulate/blockset/blockset.hpp"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <iterator>
+#include <regex>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+#include "engine/base/hash/hash.hpp"
+#include "engine/base/io/cache.hpp"
+#include "engine/base/io/file.hpp"
+#include "engine/base/subprocess/process.hpp"
+#include "engine/base/subprocess/scratch_folder.hpp"
+#include "engine/base/yaml/error.hpp"
+#include "engine/simulate/codegen/compiler.hpp"
+#include "engine/simulate/codegen/headers.hpp"
+#include "engine/simulate/codegen/library.hpp"
+
+namespace stepwire {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// As g++ and clang++ name void register_blocks(stepwire::Registry&).
+constexpr const char* registration = "_Z15register_blocksRN8stepwire8RegistryE";
+
+[[noreturn]] void refuse(const std::string& folder, const std::string& message) {
+  throw Error(Fault{{folder, {}}, "", message, {}});
+}
+
+bool is_source(const fs::path& file) {
+  const std::string ending = file.extension().string();
+  return ending == ".cpp" || ending == ".cc" || ending == ".cxx";
+}
+
+/// The sources in a folder and those below it, but for hidden ones, in an order that is always the same.
+std::vector<std::string> sources_in(const std::string& folder) {
+  std::vector<std::string> sources;
+  for (auto it = fs::recursive_directory_iterator(folder); it != fs::recursive_directory_iterator(); ++it) {
+    const bool hidden = it->path().filename().string().starts_with('.');
+    if (hidden && it->is_directory()) it.disable_recursion_pending();
+    if (!hidden && it->is_regular_file() && is_source(it->path())) sources.push_back(it->path().string());
+  }
+  if (sources.empty()) refuse(folder, "there is no .cpp file in this folder, so there are no blocks");
+  std::ranges::sort(sources);
+  return sources;
+}
+
+std::vector<std::string> flags_of(const std::string& folder, const IncludedHeaders& headers) {
+  std::vector<std::string> flags = include_options(headers);
+  // What it defines is what it uses, also where the program has something of the same name.
+  flags.insert(flags.end(), {"-I", folder, "-Wl,-Bsymbolic"});
+  return flags;
+}
+
+std::string key_of(const std::vector<std::string>& sources, const IncludedHeaders& headers,
+                   const std::vector<std::string>& flags, const Compiler& compiler) {
+  Hash hash;
+  hash.add("blocks");
+  for (const std::string& source : sources) hash.add(source).add(read_file(source));
+  for (const std::string& header : headers.all) hash.add(header).add(header_text(header));
+  for (const std::string& flag : Compiler::flags()) hash.add(flag);
+  for (const std::string& flag : flags) hash.add(flag);
+  return hash.add(compiler.version()).text() + ".so";
+}
+
+/// What the compiler complains of, each with its place; all that it said where no line of it has one.
+[[noreturn]] void refuse_sources(const std::string& folder, const std::string& said) {
+  static const std::regex complaint(R"re(^(.+?):(\d+):(\d+): (?:fatal )?error: (.*)$)re");
+  std::vector<Fault> faults;
+  std::istringstream lines(said);
+  for (std::string line; std::getline(lines, line);) {
+    std::smatch match;
+    if (std::regex_match(line, match, complaint))
+      faults.push_back({{match[1], {std::stoi(match[2]), std::stoi(match[3])}}, "", match[4], {}});
+  }
+  if (!faults.empty()) throw Error(std::move(faults));
+  refuse(folder, "the blocks of this folder cannot be compiled: " + said);
+}
+
+std::string compiled(const std::string& folder, const std::vector<std::string>& sources,
+                     std::vector<std::string> flags, const Compiler& compiler) {
+  const ScratchFolder scratch;
+  const std::string library = scratch.path() + "/blocks.so";
+  flags.insert(flags.end(), sources.begin(), std::prev(sources.end()));
+  const std::string said = compiler.compile(sources.back(), library, flags, {});
+  if (!said.empty()) refuse_sources(folder, said);
+  if (!fs::exists(library)) throw ProcessStopped("the compiler was stopped");
+  return read_file(library);
+}
+
+void* load(const std::string& folder, const std::string& bytes) {
+  std::string problem;
+  void* library = load_library(bytes, problem);
+  if (!library) refuse(folder, "the blocks of this folder cannot be loaded: " + problem);
+  return library;
+}
+
+/// The compiled blocks of a folder, from the cache or made.
+void* library_of(const std::string& folder) {
+  const Compiler compiler;
+  if (!compiler.found()) throw SurroundingsError(folder + ": " + compiler.problem());
+  const std::vector<std::string> sources = sources_in(folder);
+  const IncludedHeaders headers = with_included(sources);
+  const std::vector<std::string> flags = flags_of(folder, headers);
+  const std::string key = key_of(sources, headers, flags, compiler);
+  const Cache cache;
+  if (const auto kept = cache.find(key)) return load(folder, *kept);
+  const std::string made = compiled(folder, sources, flags, compiler);
+  void* library = load(folder, made);
+  cache.keep(key, made);
+  return library;
+}
+
+}  // namespace
+
+void load_blockset(const std::string& path, Registry& registry) {
+  std::error_code problem;
+  const std::string folder = fs::canonical(path, problem).string();
+  if (problem || !fs::is_directory(folder)) throw SurroundingsError(path + ": is no folder with blocks");
+  if (folder.find_first_of("\"\\\n\r") != folder.npos)
+    refuse(folder, "has a character that no #include can name");
+  void* library = library_of(folder);
+  const auto add = reinterpret_cast<void (*)(Registry&)>(::dlsym(library, registration));
+  if (!add)
+    refuse(folder,
+           "no source here defines 'void register_blocks(stepwire::Registry&)', outside of any namespace");
+  try {
+    add(registry);
+  } catch (const std::logic_error& error) {
+    refuse(folder, error.what());
+  }
+}
+
+void load_blocksets_of_environment(Registry& registry) {
+  const char* listed = std::getenv("STEPWIRE_BLOCKS");
+  std::istringstream folders(listed ? listed : "");
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (!folder.empty()) load_blockset(folder, registry);
+}
+
+}  // namespace stepwire

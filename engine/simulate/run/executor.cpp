@@ -1,0 +1,280 @@
+#include "engine/simulate/run/executor.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <new>
+
+#include "engine/model/signal/notice.hpp"
+#include "engine/simulate/run/finite.hpp"
+
+namespace stepwire {
+
+namespace {
+
+constexpr std::align_val_t block_alignment{64};
+
+std::unique_ptr<Solver> solver_of(const Plan& plan) {
+  const Diagram& diagram = plan.diagram;
+  if (diagram.solver.empty()) return nullptr;
+  auto solver = make_solver(diagram.solver, plan.layout.state_count);
+  if (solver) return plan.layout.state_count > 0 ? std::move(solver) : nullptr;
+  std::vector<std::string> names;
+  for (const SolverKind& kind : solver_kinds()) names.push_back(kind.name);
+  throw Error(diagram.fault(diagram.solver_origin, "solver",
+                            fmt::format("there is no solver '{}'{}", diagram.solver,
+                                        did_you_mean(diagram.solver, names,
+                                                     fmt::format("Known are: {}", fmt::join(names, ", "))))));
+}
+
+/// One number for all elements, or one for each.
+void write(const SignalSlot& slot, const Eigen::VectorXd& value, double* values) {
+  for (Eigen::Index k = 0; k < slot.size; ++k)
+    values[slot.offset + static_cast<std::size_t>(k)] = value[value.size() == 1 ? 0 : k];
+}
+
+}  // namespace
+
+/// The continuous part of the diagram at a solver's stage.
+class Executor::Equations : public System {
+ public:
+  explicit Equations(Executor& simulation) : simulation_(simulation) {
+    const Layout& layout = simulation.plan_.layout;
+    double* values = simulation.workspace_.values.data();
+    time = values + Layout::time;
+    x = values + layout.states;
+    dot = values + layout.dots;
+    count = layout.state_count;
+    report = {values + layout.report, simulation.plan_.diagram.tolerance};
+  }
+  void evaluate() override {
+    simulation_.follow_time();
+    simulation_.run(simulation_.stage_);
+    simulation_.run(simulation_.derivatives_);
+  }
+
+ private:
+  Executor& simulation_;
+};
+
+void Executor::FreeBlocks::operator()(std::byte* memory) const {
+  ::operator delete(memory, block_alignment);
+}
+
+Executor::Executor(const Plan& plan)
+    : plan_(plan),
+      solver_(solver_of(plan)),
+      blocks_(static_cast<std::byte*>(::operator new(plan.block_bytes + 1, block_alignment))),
+      timed_(plan.timed, blocks_.get()),
+      outputs_(plan.outputs, blocks_.get()),
+      stage_(plan.stage, blocks_.get()),
+      derivatives_(plan.derivatives, blocks_.get()),
+      updates_(plan.updates, blocks_.get()) {
+  workspace_.values.assign(plan.layout.size, 0.0);
+  constants_ = plan.constants;
+  due_.assign(plan.periods.size(), 1);
+  for (int block : plan.memory_order) {
+    const auto index = static_cast<std::size_t>(block);
+    const DiagramBlock& from = plan.diagram.blocks[index];
+    from.type().copy(memory(index), from.block.get());
+  }
+  equations_ = std::make_unique<Equations>(*this);
+  bind();
+  reset();
+}
+
+Executor::~Executor() {
+  for (int block : plan_.memory_order) {
+    const auto index = static_cast<std::size_t>(block);
+    plan_.diagram.blocks[index].type().destroy(memory(index));
+  }
+}
+
+void Executor::bind() {
+  std::size_t elements = 0;
+  for (const PlannedBlock& block : plan_.blocks) {
+    first_list_element_.push_back(elements);
+    for (const auto& slots : block.inputs) elements += slots.size();
+  }
+  list_elements_.resize(elements);
+  for (int block : plan_.memory_order) bind_block(static_cast<std::size_t>(block));
+  for (std::size_t b = 0; b < plan_.blocks.size(); ++b) {
+    const auto& specs = plan_.diagram.blocks[b].type().notices;
+    for (std::size_t n = 0; n < specs.size(); ++n)
+      if (specs[n].ends_run) ending_notices_.push_back(plan_.blocks[b].notices[n].offset);
+  }
+}
+
+void Executor::bind_block(std::size_t index) {
+  const BlockType& type = plan_.diagram.blocks[index].type();
+  const PlannedBlock& planned = plan_.blocks[index];
+  double* values = workspace_.values.data();
+  void* block = memory(index);
+  Inputs::Element* element = list_elements_.data() + first_list_element_[index];
+  for (std::size_t i = 0; i < type.inputs.size(); ++i) {
+    const auto& slots = planned.inputs[i];
+    if (type.inputs[i].list) {
+      const Inputs::Element* first = element;
+      for (const SignalSlot& slot : slots) *element++ = {values + slot.offset, slot.size};
+      type.inputs[i].bind_list(block, first, static_cast<Eigen::Index>(slots.size()));
+    } else if (slots.empty()) {
+      type.inputs[i].unbind(block);
+    } else {
+      type.inputs[i].bind(block, values + slots.front().offset, slots.front().size);
+    }
+  }
+  for (std::size_t o = 0; o < type.outputs.size(); ++o)
+    type.outputs[o].bind(block, values + planned.outputs[o].offset, planned.outputs[o].size);
+  for (std::size_t s = 0; s < type.states.size(); ++s)
+    type.states[s].bind(block, values + planned.states[s].offset, values + planned.dots[s].offset,
+                        planned.states[s].size);
+  for (std::size_t n = 0; n < type.notices.size(); ++n)
+    type.notices[n].bind(block, values + planned.notices[n].offset);
+  for (const ClockSpec& clock : type.clocks)
+    if (clock.bind_time) clock.bind_time(block, values + Layout::time);
+}
+
+void Executor::reset() {
+  workspace_.tick = 0;
+  healthy_ = true;
+  auto& values = workspace_.values;
+  std::fill(values.begin(), values.end(), 0.0);
+  values[Layout::timed] = Layout::never;
+  write_constants();
+  std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(plan_.layout.notices), plan_.layout.notice_count,
+              Notice::never);
+  for (int block : plan_.memory_order) {
+    const auto index = static_cast<std::size_t>(block);
+    const DiagramBlock& from = plan_.diagram.blocks[index];
+    const auto& states = plan_.blocks[index].states;
+    for (std::size_t s = 0; s < states.size(); ++s)
+      std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(states[s].offset), states[s].size,
+                  from.type().states[s].initial);
+    for (const InitialValue& initial : from.initial)
+      write(states[static_cast<std::size_t>(initial.state)], initial.value, values.data());
+  }
+  for (const auto& [slot, value] : initial_) write(slot, value, values.data());
+  for (int block : plan_.memory_order) {
+    const auto index = static_cast<std::size_t>(block);
+    const BlockType& type = plan_.diagram.blocks[index].type();
+    if (type.start) type.start(memory(index));
+  }
+  compute_once();
+}
+
+void Executor::write_constants() {
+  std::copy(constants_.begin(), constants_.end(),
+            workspace_.values.begin() + static_cast<std::ptrdiff_t>(plan_.layout.constants));
+}
+
+void Executor::compute_once() {
+  for (const Batch& batch : plan_.once) call(batch);
+}
+
+void Executor::restore(const Workspace& workspace) {
+  // The blocks point into these numbers, so they are written in place.
+  std::copy(workspace.values.begin(), workspace.values.end(), workspace_.values.begin());
+  workspace_.tick = workspace.tick;
+  healthy_ = true;
+  follow_values();
+}
+
+void Executor::write_input(std::size_t input, const double* numbers) {
+  const auto block = static_cast<std::size_t>(plan_.diagram.inputs[input].block);
+  const SignalSlot& slot = plan_.blocks[block].outputs.front();
+  std::copy_n(numbers, slot.size, workspace_.values.begin() + static_cast<std::ptrdiff_t>(slot.offset));
+}
+
+Executor::Table::Table(const std::vector<Batch>& batches, std::byte* blocks) : batches(batches) {
+  for (const Batch& batch : batches) calls.push_back({batch.run, blocks + batch.first, blocks + batch.end});
+}
+
+void Executor::run(const Table& table) {
+  if (watcher_ && watcher_->phase == &table.batches) return run_watched(table);
+  const Table::Call* call = table.calls.data();
+  const Table::Call* const end = call + table.calls.size();
+  // Four at a time: most calls do so little that counting them is felt.
+  for (; end - call >= 4; call += 4) {
+    call[0].run(call[0].first, call[0].end);
+    call[1].run(call[1].first, call[1].end);
+    call[2].run(call[2].first, call[2].end);
+    call[3].run(call[3].first, call[3].end);
+  }
+  for (; call != end; ++call) call->run(call->first, call->end);
+}
+
+void Executor::follow_time() {
+  double* values = workspace_.values.data();
+  if (values[Layout::timed] == values[Layout::time] || plan_.timed.empty()) return;
+  values[Layout::timed] = values[Layout::time];
+  run(timed_);
+}
+
+void Executor::run_due(const Table& table) {
+  if (due_.size() == 1) return run(table);  // nothing is slower than the step
+  if (watcher_ && watcher_->phase == &table.batches) return run_watched(table);
+  run_range(table, 0, table.calls.size());
+}
+
+void Executor::run_range(const Table& table, std::size_t first, std::size_t end) {
+  for (std::size_t i = first; i < end; ++i)
+    if (due_[static_cast<std::size_t>(table.batches[i].period)])
+      table.calls[i].run(table.calls[i].first, table.calls[i].end);
+}
+
+/// What runs between ticks is continuous, and what is continuous is due at every tick.
+void Executor::run_watched(const Table& table) {
+  run_range(table, 0, watcher_->first);
+  watcher_->enter();
+  run_range(table, watcher_->first, watcher_->end);
+  watcher_->leave();
+  run_range(table, watcher_->end, table.calls.size());
+}
+
+void Executor::find_due() {
+  for (std::size_t i = 1; i < due_.size(); ++i) due_[i] = workspace_.tick % plan_.periods[i] == 0;
+}
+
+void Executor::evaluate() {
+  if (code_) {
+    code_->functions.evaluate(workspace_.values.data(), numbers_->data(), workspace_.tick);
+  } else {
+    workspace_.values[Layout::time] = time();
+    follow_time();
+    find_due();
+    run_due(outputs_);
+  }
+  healthy_ = healthy_ && is_finite();
+}
+
+void Executor::advance() {
+  if (code_) {
+    code_->functions.advance(workspace_.values.data(), numbers_->data(), workspace_.tick);
+  } else {
+    take_step();
+  }
+  if (!ending_notices_.empty() && notice_ends_run()) healthy_ = false;
+  if (workspace_.values[plan_.layout.report] != StepReport::fine) healthy_ = false;
+  ++workspace_.tick;
+}
+
+void Executor::take_step() {
+  run_due(updates_);
+  if (!solver_) return;
+  if (plan_.updates_continuous) run(stage_);
+  run(derivatives_);
+  solver_->advance(*equations_, {time(), plan_.time_of(workspace_.tick + 1), plan_.diagram.step});
+}
+
+bool Executor::is_finite() const {
+  const Layout& layout = plan_.layout;
+  return all_finite(values() + layout.signals, layout.dots + layout.state_count - layout.signals);
+}
+
+bool Executor::notice_ends_run() const {
+  for (std::size_t offset : ending_notices_)
+    if (workspace_.values[offset] != Notice::never) return true;
+  return false;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,162 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/model/plan/compiled_plan.hpp"
+#include "engine/model/signal/input.hpp"
+#include "engine/simulate/run/batch_watcher.hpp"
+#include "engine/simulate/run/run_fault.hpp"
+#include "engine/simulate/solve/solver.hpp"
+
+namespace stepwire {
+
+/// All that moves in a run: copy it to keep a moment, put it back to return there.
+struct Workspace {
+  std::int64_t tick = 0;
+  std::vector<double> values;
+};
+
+/// One run of a plan: its own copy of the blocks, bound to its own workspace. The plan must outlive it.
+///
+/// A tick is evaluate(), then, unless it is the last, advance(): outputs, then discrete updates, then the
+/// solver. Neither allocates, throws, locks or calls the system.
+class Executor {
+ public:
+  /// Throws Error where the diagram names a solver that is not known.
+  explicit Executor(const Plan& plan);
+  ~Executor();
+  Executor(const Executor&) = delete;
+  Executor& operator=(const Executor&) = delete;
+
+  /// From now on steps with compiled code, which must outlive this; call it between advance() and evaluate().
+  /// Code that does not read all that set() has changed is not used.
+  void use(const CompiledPlan& code);
+  bool compiled() const { return code_ != nullptr; }
+
+  /// What set() came to.
+  enum class Setting {
+    done,
+    structure_changed  ///< the values need another plan: sizes, rates or what is wired would be others
+  };
+  /// Sets values, one for each name of a variation of the plan's diagram, between two ticks: what follows
+  /// from them is evaluated, configured and prepared as by a run that begins with these values. Where the
+  /// structure changes, or where a value is refused (throws Error), everything stays as it was. Code that
+  /// does not read one of the values is left, and the run goes on interpreted. Allocates.
+  [[nodiscard]] Setting set(const Variation& variation, std::span<const Assignment> values);
+  /// The same for one parameter ("rig.mass"), value of a block ("spring.gain") or initial value, as `--set`
+  /// reads it.
+  [[nodiscard]] Setting set(const std::string& name, const std::string& value);
+  /// The plan's diagram with the values that are set now, its blocks configured.
+  Diagram diagram() const;
+  /// Puts the values that are set now into a copy of the plan's diagram.
+  void put_values(Diagram& diagram) const;
+  /// The present value of a parameter of the diagram, by its index in Diagram::parameters.
+  const Value& parameter(std::size_t index) const;
+  /// Why the last set() needs another plan.
+  const std::string& structure_change() const { return structure_change_; }
+
+  /// Puts everything at time 0.
+  void reset();
+  /// Computes all outputs at the present tick.
+  void evaluate();
+  /// Goes on to the next tick: updates, then the solver. evaluate() comes first.
+  void advance();
+  /// May the run go on? False after a value that is not finite, a step that the solver finds wrong or a
+  /// notice that ends the run.
+  bool healthy() const { return healthy_; }
+  bool finished() const { return workspace_.tick >= plan_.steps; }
+  std::int64_t tick() const { return workspace_.tick; }
+  double time() const { return plan_.time_of(workspace_.tick); }
+
+  const Plan& plan() const { return plan_; }
+  const Workspace& workspace() const { return workspace_; }
+  const double* values() const { return workspace_.values.data(); }
+  /// Writes an input of the diagram, by its index in Diagram::inputs: as many numbers as it has elements.
+  void write_input(std::size_t input, const double* numbers);
+  /// Who is told of a stretch of batches, from now on; null: nobody.
+  void watch(BatchWatcher* watcher) { watcher_ = watcher; }
+  /// Returns to a kept moment (as it was between advance() and evaluate()), with the values that are set now.
+  void restore(const Workspace& workspace);
+
+  /// Makes one call of the plan, which may be cut down to some of its blocks, at the present moment: for
+  /// measuring what it costs.
+  void call(const Batch& batch) { batch.run(blocks_.get() + batch.first, blocks_.get() + batch.end); }
+  /// Are all signals and continuous states finite? evaluate() asks this at every tick.
+  bool is_finite() const;
+
+  /// What ended the run, once healthy() is false.
+  std::optional<RunFault> fault() const;
+  std::vector<RaisedNotice> notices() const;
+
+ private:
+  class Equations;
+
+  void apply(PlanChange& change);
+  void replace(RebuiltBlock& rebuilt);
+  void write_constants();
+  /// Computes what does not change in a run.
+  void compute_once();
+  /// Writes again what follows from the values and not from the state.
+  void follow_values();
+  void bind();
+  void bind_block(std::size_t block);
+  void* memory(std::size_t block) const { return blocks_.get() + plan_.blocks[block].memory; }
+  /// A table of calls of the plan, and where its blocks lie in this run.
+  struct Table {
+    struct Call {
+      Kernel run;
+      std::byte *first, *end;
+    };
+    Table(const std::vector<Batch>& batches, std::byte* blocks);
+
+    const std::vector<Batch>& batches;
+    std::vector<Call> calls;
+  };
+
+  void run(const Table& table);
+  /// Computes what follows from the time alone, if it has changed.
+  void follow_time();
+  void run_due(const Table& table);
+  void run_watched(const Table& table);
+  void run_range(const Table& table, std::size_t first, std::size_t end);
+  void find_due();
+  void take_step();
+  bool notice_ends_run() const;
+  std::optional<RunFault> wrong_step() const;
+  std::optional<RunFault> not_finite() const;
+  std::string notice_text(std::size_t block, std::size_t notice) const;
+
+  struct FreeBlocks {
+    void operator()(std::byte* memory) const;
+  };
+
+  const Plan& plan_;
+  std::unique_ptr<Solver> solver_;  ///< none where nothing is continuous
+  Workspace workspace_;
+  std::vector<double> constants_;
+  std::vector<std::pair<SignalSlot, Eigen::VectorXd>>
+      initial_;                                  ///< values that were set, in the place of the plan's
+  std::vector<Inputs::Element> list_elements_;   ///< of all list inputs, in the order of blocks in memory
+  std::vector<std::size_t> first_list_element_;  ///< of each block
+  std::unique_ptr<std::byte, FreeBlocks> blocks_;
+  Table timed_, outputs_, stage_, derivatives_, updates_;
+  std::unique_ptr<Equations> equations_;
+  std::vector<char> due_;  ///< for each of the plan's periods
+  std::vector<std::size_t> ending_notices_;
+  BatchWatcher* watcher_ = nullptr;
+  bool healthy_ = true;
+  const CompiledPlan* code_ = nullptr;        ///< none while interpreted
+  std::optional<NumberTable> numbers_;        ///< that the code reads
+  std::optional<ParameterState> parameters_;  ///< once one is set
+  WrittenBlocks written_;                     ///< of which values were set
+  std::vector<VariableBlock> changed_;        ///< by set(), so far
+  std::string structure_change_;
+};
+
+}  // namespace stepwire

@@ -1,0 +1,140 @@
+// Values that are set while a run goes on.
+#include <algorithm>
+
+#include "engine/simulate/run/executor.hpp"
+
+namespace stepwire {
+
+namespace {
+
+/// Does the code read what a variation may change?
+bool reads(const CompiledPlan& code, const std::vector<VariableBlock>& changing) {
+  return std::ranges::all_of(changing, [&](const VariableBlock& block) {
+    const auto known = std::ranges::find(code.variable, block.block, &VariableBlock::block);
+    if (known == code.variable.end()) return false;
+    for (std::size_t m = 0; m < block.members.size(); ++m)
+      if (block.members[m] && !known->members[m]) return false;
+    return true;
+  });
+}
+
+/// Adds members to those that are there.
+void merge(const std::vector<VariableBlock>& more, std::vector<VariableBlock>& all) {
+  for (const VariableBlock& block : more) {
+    const auto known = std::ranges::find(all, block.block, &VariableBlock::block);
+    if (known == all.end()) {
+      all.push_back(block);
+      continue;
+    }
+    for (std::size_t m = 0; m < block.members.size(); ++m)
+      if (block.members[m]) known->members[m] = true;
+  }
+}
+
+}  // namespace
+
+void Executor::use(const CompiledPlan& code) {
+  if (!reads(code, changed_)) return;
+  numbers_.emplace(plan_, code.variable, [this](std::size_t block) { return memory(block); });
+  code_ = &code;
+}
+
+const Value& Executor::parameter(std::size_t index) const {
+  const Value* set = parameters_ ? parameters_->value(index) : nullptr;
+  return set ? *set : plan_.diagram.parameters[index].value;
+}
+
+Diagram Executor::diagram() const {
+  Diagram diagram = plan_.diagram;
+  put_values(diagram);
+  return diagram;
+}
+
+void Executor::put_values(Diagram& diagram) const {
+  for (const auto& [index, written] : written_) {
+    const BlockType& type = written.type();
+    AnyBlock& block = diagram.blocks[index].block;
+    type.destroy(block.get());
+    type.copy(block.get(), memory(index));
+  }
+  for (std::size_t b = 0; b < diagram.blocks.size(); ++b) {
+    const PlannedBlock& planned = plan_.blocks[b];
+    for (std::size_t i = 0; i < planned.inputs.size(); ++i)
+      for (std::size_t k = 0; k < planned.inputs[i].size(); ++k)
+        if (Source& source = diagram.blocks[b].inputs[i][k]; source.block < 0)
+          for (Eigen::Index e = 0; e < source.constant.size(); ++e)
+            source.constant[e] = constants_[planned.inputs[i][k].offset - plan_.layout.constants +
+                                            static_cast<std::size_t>(e)];
+    for (InitialValue& initial : diagram.blocks[b].initial)
+      for (const auto& [slot, value] : initial_)
+        if (slot.offset == planned.states[static_cast<std::size_t>(initial.state)].offset)
+          initial.value = value;
+  }
+}
+
+Executor::Setting Executor::set(const std::string& name, const std::string& value) {
+  const std::string place = "set " + name + "=" + value;
+  return set(Variation(plan_.diagram, {name}), {{{name, value_of_text(value, place), place}}});
+}
+
+Executor::Setting Executor::set(const Variation& variation, std::span<const Assignment> values) {
+  if (variation.structural()) {
+    const auto found = std::ranges::find_if(variation.names(), &Variation::Name::structural);
+    structure_change_ = found->text + ": the diagram's times, records or parts follow from it";
+    return Setting::structure_changed;
+  }
+  if (!parameters_) parameters_.emplace(plan_.diagram);
+  const std::vector<ChangedValue> changed = parameters_->set(variation, values);
+  try {
+    PlanChange change = change_of(plan_, changed, written_);
+    structure_change_ = change.structure;
+    if (structure_change_.empty()) apply(change);
+  } catch (...) {
+    parameters_->undo();
+    throw;
+  }
+  if (!structure_change_.empty()) {
+    parameters_->undo();
+    return Setting::structure_changed;
+  }
+  merge(variable_blocks(plan_, variation), changed_);
+  if (code_ && !reads(*code_, changed_)) code_ = nullptr;
+  return Setting::done;
+}
+
+void Executor::apply(PlanChange& change) {
+  const std::vector<double> before = workspace_.values;  // a block's start() writes into them
+  for (RebuiltBlock& rebuilt : change.blocks) replace(rebuilt);
+  std::copy(before.begin(), before.end(), workspace_.values.begin());
+  for (const auto& [slot, value] : change.constants)
+    for (Eigen::Index k = 0; k < slot.size; ++k)
+      constants_[slot.offset - plan_.layout.constants + static_cast<std::size_t>(k)] =
+          value[value.size() == 1 ? 0 : k];
+  for (auto& [slot, value] : change.initial) {
+    std::erase_if(initial_, [at = slot.offset](const auto& known) { return known.first.offset == at; });
+    initial_.emplace_back(slot, std::move(value));
+  }
+  follow_values();
+}
+
+void Executor::replace(RebuiltBlock& rebuilt) {
+  const BlockType& type = rebuilt.made.type();
+  void* block = memory(rebuilt.block);
+  type.destroy(block);
+  type.copy(block, rebuilt.made.get());
+  bind_block(rebuilt.block);
+  if (type.start) type.start(block);
+  if (code_)
+    for (std::size_t v = 0; v < code_->variable.size(); ++v)
+      if (code_->variable[v].block == rebuilt.block)
+        numbers_->read(v, [this](std::size_t index) { return memory(index); });
+  written_.insert_or_assign(rebuilt.block, std::move(rebuilt.written));
+}
+
+void Executor::follow_values() {
+  write_constants();
+  compute_once();
+  workspace_.values[Layout::timed] = Layout::never;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "engine/base/yaml/error.hpp"
+
+namespace stepwire {
+
+/// What ends a run before its time.
+struct RunFault {
+  std::string block, port;
+  double time = 0.0;  ///< [s]
+  Fault fault;
+};
+
+/// What a block had to say during a run.
+struct RaisedNotice {
+  std::string block, text;
+  double time = 0.0;  ///< when first [s]
+};
+
+}  // namespace stepwire

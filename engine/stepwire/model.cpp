@@ -1,0 +1,155 @@
+#include "engine/stepwire/model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "engine/stepwire/content.hpp"
+
+namespace stepwire {
+
+namespace {
+
+std::string unit_of(const std::optional<Dimension>& dimension) {
+  return dimension && *dimension != Dimension{} ? si_name(*dimension) : "";
+}
+
+std::vector<Setting> settings_of(const NamedTexts& texts) {
+  std::vector<Setting> settings;
+  for (const auto& [name, text] : texts) settings.push_back({name, text, name + "=" + text});
+  return settings;
+}
+
+/// The index of the one of this name. Throws Error where there is none.
+template <class Info>
+std::size_t find(const std::vector<Info>& all, const std::string& name, const char* kind,
+                 const std::string& file) {
+  const auto found = std::ranges::find(all, name, &Info::name);
+  if (found != all.end()) return static_cast<std::size_t>(found - all.begin());
+  std::vector<std::string> names;
+  for (const Info& info : all) names.push_back(info.name);
+  throw Error(Fault{
+      {file, {}}, name, fmt::format("there is no {} of this name{}", kind, did_you_mean(name, names)), {}});
+}
+
+template <class Id>
+std::size_t index_of(Id id, const Model::Content* model) {
+  if (id.model != model) throw std::logic_error("a signal or input of another model is used");
+  return id.index;
+}
+
+void add_signals(const DiagramBlock& block, int index, std::map<std::string, SignalRef>& all) {
+  const BlockType& type = block.type();
+  for (std::size_t o = 0; o < type.outputs.size(); ++o) {
+    const SignalRef signal{index, static_cast<int>(o), -1};
+    all.emplace(block.name + "." + type.outputs[o].name, signal);
+    if (type.outputs.size() == 1) all.emplace(block.name, signal);
+  }
+  for (std::size_t s = 0; s < type.states.size(); ++s)
+    all.emplace(block.name + "." + type.states[s].name, SignalRef{index, -1, static_cast<int>(s)});
+}
+
+}  // namespace
+
+std::map<std::string, SignalRef> named_signals(const Diagram& diagram) {
+  std::map<std::string, SignalRef> all;
+  for (const DiagramOutput& output : diagram.outputs) all.emplace(output.name, output.signal);
+  for (const PartPort& port : diagram.part_ports) all.emplace(port.name, port.signal);
+  for (std::size_t b = 0; b < diagram.blocks.size(); ++b)
+    add_signals(diagram.blocks[b], static_cast<int>(b), all);
+  return all;
+}
+
+Model::Content::Content(const std::string& path, Registry blocks, const std::vector<Setting>& settings)
+    : registry(std::move(blocks)), loader(registry), job(make_job(loader, path, settings)) {
+  const Plan& plan = job.plan;
+  for (const auto& [name, signal] : named_signals(plan.diagram)) {
+    slots.push_back(plan.slot(signal));
+    signals.push_back({name, unit_of(plan.dimension(signal)), static_cast<std::size_t>(slots.back().size)});
+  }
+  for (const DiagramInput& input : plan.diagram.inputs) {
+    const SignalRef signal{input.block, 0, -1};
+    inputs.push_back({input.name, unit_of(plan.dimension(signal)),
+                      static_cast<std::size_t>(plan.slot(signal).size), input.doc});
+  }
+}
+
+std::size_t Model::Content::index(SignalId signal) const {
+  return index_of(signal, this);
+}
+
+std::size_t Model::Content::index(InputId input) const {
+  return index_of(input, this);
+}
+
+std::vector<SignalSlot> Model::Content::slots_in(const Plan& plan) const {
+  const auto named = named_signals(plan.diagram);
+  std::vector<SignalSlot> found;
+  for (const SignalInfo& signal : signals) {
+    const auto known = named.find(signal.name);
+    found.push_back(known == named.end() ? SignalSlot{0, 0} : plan.slot(known->second));
+  }
+  return found;
+}
+
+void set_value(Executor& run, const std::string& name, Node value) {
+  const Diagram& diagram = run.plan().diagram;
+  const Assignment assignment{name, std::move(value), "set " + name};
+  if (run.set(Variation(diagram, {name}), {&assignment, 1}) == Executor::Setting::done) return;
+  throw Error(Fault{
+      {diagram.file, {}},
+      name,
+      fmt::format("cannot be set in a run ({}); load the model with this value", run.structure_change()),
+      {}});
+}
+
+void check_size(const InputInfo& input, std::size_t count) {
+  if (count == input.size) return;
+  throw Error(Fault{{}, input.name, fmt::format("takes {} numbers, not {}", input.size, count), {}});
+}
+
+const std::string& Model::file() const {
+  return content_->job.plan.diagram.file;
+}
+
+double Model::step() const {
+  return content_->job.plan.diagram.step;
+}
+
+double Model::stop() const {
+  return content_->job.plan.diagram.stop;
+}
+
+std::size_t Model::runs() const {
+  return std::max<std::size_t>(content_->job.points.size(), 1);
+}
+
+const std::vector<SignalInfo>& Model::signals() const {
+  return content_->signals;
+}
+
+SignalId Model::signal(const std::string& name) const {
+  return {content_.get(), find(content_->signals, name, "signal", file())};
+}
+
+const std::vector<InputInfo>& Model::inputs() const {
+  return content_->inputs;
+}
+
+InputId Model::input(const std::string& name) const {
+  return {content_.get(), find(content_->inputs, name, "input", file())};
+}
+
+std::vector<ParameterInfo> Model::parameters() const {
+  std::vector<ParameterInfo> all;
+  for (const DiagramParameter& parameter : content_->job.plan.diagram.parameters)
+    all.push_back({parameter.name, parameter.text, unit_of(parameter.dimension), parameter.doc});
+  return all;
+}
+
+Model load(const std::string& path, Registry blocks, const NamedTexts& settings) {
+  return Model(std::make_shared<const Model::Content>(path, std::move(blocks), settings_of(settings)));
+}
+
+}  // namespace stepwire

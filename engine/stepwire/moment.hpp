@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/simulate/run/executor.hpp"
+#include "engine/stepwire/snapshot.hpp"
+
+namespace stepwire {
+
+struct Snapshot::Content {
+  const Plan* plan = nullptr;
+  Workspace workspace{};        ///< between two ticks
+  std::vector<double> shown{};  ///< the numbers of the tick before, where a step has been made
+  std::int64_t shown_tick = 0;
+  bool ended = false;
+};
+
+/// Throws std::logic_error for a moment of a run of another plan.
+void check_plan(const Snapshot& snapshot, const Plan& plan);
+
+}  // namespace stepwire

@@ -1,0 +1,9 @@
+#pragma once
+
+// The library in one header. README.md of this folder explains it.
+#include <stepwire/blocks.hpp>
+#include <stepwire/generate.hpp>
+#include <stepwire/model.hpp>
+#include <stepwire/observer.hpp>
+#include <stepwire/simulate.hpp>
+#include <stepwire/simulation.hpp>

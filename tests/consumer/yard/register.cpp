@@ -1,0 +1,7 @@
+#include <stepwire/registry.hpp>
+
+#include "drag.hpp"
+
+void register_blocks(stepwire::Registry& registry) {
+  registry.add<yard::Drag>("yard");
+}
