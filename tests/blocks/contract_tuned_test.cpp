@@ -216,14 +216,14 @@ enum class Outcome { same, differs, refused, structure };
 /// What becomes of a change of one parameter that is written before a tick.
 Outcome outcome(const Plan& plan, void* library, std::size_t index, std::size_t place, int parameter,
                 const Value& value) {
-  Simulation interpreted(plan);
+  Executor interpreted(plan);
   Instance generated(library, index);
   std::vector<double> numbers(plan.layout.size);
   for (std::int64_t tick = 0; tick < ticks && interpreted.healthy(); ++tick) {
     if (tick == change_at) {
       try {
         const auto& name = plan.diagram.parameters[static_cast<std::size_t>(parameter)].name;
-        if (interpreted.set(name, yaml_of(value)) != Simulation::Setting::done) return Outcome::structure;
+        if (interpreted.set(name, yaml_of(value)) != Executor::Setting::done) return Outcome::structure;
       } catch (const Error&) {
         return Outcome::refused;
       }

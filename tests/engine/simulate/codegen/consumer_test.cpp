@@ -8,7 +8,7 @@
 #include "engine/model/diagram/load.hpp"
 #include "engine/simulate/codegen/compiler.hpp"
 #include "engine/simulate/codegen/program_files.hpp"
-#include "engine/simulate/run/simulation.hpp"
+#include "engine/simulate/run/executor.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 #include "tests/engine/simulate/codegen/consumer_project.hpp"
 #include "tests/support/plan_text.hpp"
