@@ -32,9 +32,13 @@ Assignment assignment_of(const Setting& setting) {
 /// A plan, what its runs set, and what they share: the values that decide its structure.
 struct PlanFamily::Member {
   Member(std::shared_ptr<const Plan> of, const std::vector<Setting>& values)
-      : plan(std::move(of)), names(names_of(values)), all(plan->diagram, names), free(plan->diagram, names_to_set()) {
+      : plan(std::move(of)),
+        names(names_of(values)),
+        all(plan->diagram, names),
+        free(plan->diagram, names_to_set()) {
     for (std::size_t i = 0; i < values.size(); ++i)
       structure.push_back(all.names()[i].structural ? values[i].value : "");
+    variable = variable_blocks(*plan, free);
   }
 
   /// May a run of this member have these values?
@@ -56,7 +60,9 @@ struct PlanFamily::Member {
   /// Makes a try of its own, for find().
   bool takes(const std::vector<Setting>& values) {
     if (!probe) probe = std::make_unique<Simulation>(*plan);
-    return set(values, *probe) == Simulation::Setting::done;
+    if (set(values, *probe) != Simulation::Setting::done) return false;
+    probe->widen(variable);
+    return true;
   }
 
   std::vector<std::string> names_to_set() const {
@@ -68,17 +74,15 @@ struct PlanFamily::Member {
 
   std::shared_ptr<const Plan> plan;
   std::vector<std::string> names;
-  Variation all;   ///< of all names
-  Variation free;  ///< of those that are set in a run of the plan
-  std::vector<std::string> structure;  ///< values of structural names; "" of others
+  Variation all;                        ///< of all names
+  Variation free;                       ///< of those that are set in a run of the plan
+  std::vector<std::string> structure;   ///< values of structural names; "" of others
+  std::vector<VariableBlock> variable;  ///< so far
   std::unique_ptr<Simulation> probe;
 };
 
 PlanFamily::PlanFamily(Loader& loader, std::string file, std::vector<Setting> settings, const Plan& base)
-    : loader_(loader),
-      file_(std::move(file)),
-      settings_(std::move(settings)),
-      base_(plan_of_runs(base)) {}
+    : loader_(loader), file_(std::move(file)), settings_(std::move(settings)), base_(plan_of_runs(base)) {}
 
 PlanFamily::~PlanFamily() = default;
 
@@ -87,8 +91,8 @@ std::size_t PlanFamily::find(const std::vector<Setting>& values) {
     const std::size_t last = members_.size();
     for (std::size_t m = last; m-- > last - std::min(last, most_tried);)  // values come in order
       if (members_[m]->may_take(values) && members_[m]->takes(values)) return m;
-    const bool known = std::ranges::any_of(
-        members_, [&](const auto& member) { return member->names == names_of(values); });
+    const bool known =
+        std::ranges::any_of(members_, [&](const auto& member) { return member->names == names_of(values); });
     if (!known) {
       auto member = std::make_unique<Member>(base_, values);
       if (!member->all.structural() && member->takes(values)) {
@@ -121,7 +125,11 @@ const std::vector<Target>& PlanFamily::targets(std::size_t member) const {
 }
 
 std::vector<VariableBlock> PlanFamily::variable(std::size_t member) const {
-  return variable_blocks(*members_[member]->plan, members_[member]->free);
+  const auto& plan = members_[member]->plan;
+  std::vector<VariableBlock> variable;
+  for (const auto& other : members_)
+    if (other->plan == plan) unite(variable, *plan, other->variable);
+  return variable;
 }
 
 void PlanFamily::begin(std::size_t member, const std::vector<Setting>& values, Simulation& run) const {
