@@ -1,14 +1,21 @@
 #include "bench/sweep_cost.hpp"
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <filesystem>
 #include <functional>
+#include <stdexcept>
 
 #include "blocks/register.hpp"
+#include "engine/base/subprocess/process.hpp"
+#include "engine/base/subprocess/scratch_folder.hpp"
+#include "engine/base/table/table_file.hpp"
 #include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/run/executor.hpp"
 #include "engine/simulate/run/run.hpp"
 
 namespace stepwire {
@@ -16,6 +23,7 @@ namespace stepwire {
 namespace {
 
 const char* const file = STEPWIRE_BENCH_DIR "/cart.yaml";
+const char* const program = "/proc/self/exe";
 constexpr int tries = 3;
 
 double peak_megabytes() {
@@ -55,20 +63,37 @@ Plan long_plan(const Registry& registry, std::size_t points) {
   return make_plan(Loader(registry).load_point(file, {{"stop", seconds}}));
 }
 
+/// What the peak of memory grows by in the sweep, in a process of its own: in this one an earlier peak hides
+/// it.
+double memory_in_own_process() {
+  const ProcessResult result =
+      run_process({.command = {std::filesystem::read_symlink(program).string(), sweep_memory_option}});
+  if (!result.succeeded()) throw std::runtime_error(result.problem(sweep_memory_option));
+  return std::stod(result.output);
+}
+
 }  // namespace
 
-std::vector<Result> measure_sweep() {
+double sweep_memory() {
   const Registry registry = blocks();
   GeneratedCode code;
   const double before = peak_megabytes();
   Loader loader(registry);
   const Job job = make_job(loader, file);
-  RunResult first = run_job(job, options_for(code, 1));
+  const RunResult result = run_job(job, options_for(code, 1));
   double rows = 0.0;
-  for (const Column& column : first.recordings.front().table.columns)
+  for (const Column& column : result.recordings.front().table.columns)
     rows += static_cast<double>(column.values.size() * sizeof(double)) / (1024.0 * 1024.0);
-  const double memory = peak_megabytes() - before - rows;
-  if (first.compiled_ticks == 0) return {};
+  return peak_megabytes() - before - rows;
+}
+
+std::vector<Result> measure_sweep() {
+  const Registry registry = all_blocks();
+  GeneratedCode code;
+  Loader loader(registry);
+  const Job job = make_job(loader, file);
+  if (run_job(job, options_for(code, 1)).compiled_ticks == 0) return {};
+  const double memory = memory_in_own_process();
   const Plan one = long_plan(registry, job.points.size());
   std::vector<double> sweep, single, once, twice;
   for (int i = 0; i < tries; ++i) {
@@ -86,6 +111,50 @@ std::vector<Result> measure_sweep() {
           {name + ", beside the ticks of each", "compiled", "us", beside, blocks},
           {name + ", beyond its rows", "compiled", "MB", memory, blocks},
           {name + ", with two threads over one", "compiled", "ratio", median(twice) / median(once), blocks}};
+}
+
+namespace {
+
+/// W1 with a sweep of one of its gains.
+Job w1_sweep(Loader& loader, const std::string& folder, std::size_t points) {
+  const std::string path = folder + "/w1-sweep.yaml";
+  write_file(path, read_file(STEPWIRE_BENCH_DIR "/w1.yaml") +
+                       fmt::format("sweep: {{gA.gain: {{from: 36, to: 36.25, count: {}}}}}\n", points));
+  return make_job(loader, path, {}, "10 s");
+}
+
+/// The same steps as all runs make, one behind the other.
+void step_alone(const Plan& plan, const CompiledPlan& code, std::size_t runs) {
+  Executor run(plan);
+  run.use(code);
+  for (std::size_t i = 0; i < runs; ++i) {
+    run.reset();
+    for (std::int64_t tick = 0; tick < plan.steps; ++tick) {
+      run.evaluate();
+      run.advance();
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Result> measure_w1_sweep() {
+  const Registry registry = all_blocks();
+  GeneratedCode source;
+  Loader loader(registry);
+  const ScratchFolder folder;
+  const Job job = w1_sweep(loader, folder.path(), 256);
+  const Plan& plan = job.family->plan(0);
+  const auto code = source.compile(plan, job.family->variable(0), {});
+  if (!code) return {};
+  std::vector<double> ratios;
+  for (int i = 0; i < tries; ++i) {
+    const double all = processor_seconds([&] { run_job(job, options_for(source, 2)); });
+    const double steps = processor_seconds([&] { step_alone(plan, *code, job.points.size()); });
+    ratios.push_back(all / steps);
+  }
+  return {{"sweep of W1, time over that of its steps alone", "compiled", "ratio", median(ratios),
+           plan.blocks.size()}};
 }
 
 }  // namespace stepwire

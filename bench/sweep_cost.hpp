@@ -11,4 +11,13 @@ namespace stepwire {
 /// twice the threads. None where there is no compiler.
 std::vector<Result> measure_sweep();
 
+/// What the peak of this process' memory grows by in that sweep, beyond its rows [MB].
+double sweep_memory();
+/// The option by which this program prints sweep_memory() alone.
+inline constexpr const char* sweep_memory_option = "--sweep-memory";
+
+/// The time of a sweep of W1 over that of its steps alone: 256 compiled runs of 10 s, 8 signals recorded at
+/// every tick, two threads. None where there is no compiler.
+std::vector<Result> measure_w1_sweep();
+
 }  // namespace stepwire

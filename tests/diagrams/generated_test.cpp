@@ -88,12 +88,14 @@ std::string difference(const Plan& plan, const Loaded& loaded) {
   return requests == 0 ? "" : "the generated code asks for memory";
 }
 
-/// Does a run give the bits of a plan for a thousand ticks, if compiled code takes over at tick 100?
+/// Does a run give the bits of a plan for a thousand ticks, if compiled code takes over at tick 100, and does
+/// it?
 bool same_bits(const Plan& plan, Executor& run, const std::optional<CompiledPlan>& code) {
   Executor own(plan);
   const std::vector<bool> of_run = compared(plan);
   while (own.tick() < 1000 && own.healthy()) {
     if (run.tick() == 100 && code) run.use(*code);
+    if (run.tick() >= 100 && run.compiled() != code.has_value()) return false;
     own.evaluate();
     run.evaluate();
     if (first_difference(of_run, own.values(), run.values()) < plan.layout.size) return false;

@@ -73,6 +73,16 @@ class TapePlayer : public RunObserver {
   const std::vector<double>& tape_;
 };
 
+/// May the records' plans share code that reads these blocks from a table?
+bool are_alike(const std::vector<VariableBlock>& variable, const Plan& one, const Plan& other) {
+  if (one.blocks.size() != other.blocks.size()) return false;
+  return std::ranges::all_of(variable, [&](const VariableBlock& of) {
+    const AnyBlock &a = one.diagram.blocks[of.block].block, &b = other.diagram.blocks[of.block].block;
+    return &a.type() == &b.type() &&
+           MemberItems(a.type(), a.get()).outline() == MemberItems(b.type(), b.get()).outline();
+  });
+}
+
 std::string fault_of(const Executor& simulation) {
   const auto fault = simulation.fault();
   return fault ? fault->fault.text() : "the run ended early";
@@ -143,19 +153,30 @@ void ModelRuns::make_records() {
     Diagram diagram = load(r, start);
     records_.push_back(
         std::make_unique<Record>(make_plan(part_ ? part_->of(diagram) : std::move(diagram)), names()));
-    if (source_.code) compile(*records_.back());
   }
-  compiled_ = std::ranges::all_of(records_, [](const auto& record) { return record->code.has_value(); });
+  if (source_.code) compile_all();
+}
+
+std::vector<VariableBlock> ModelRuns::variable(const Record& record) const {
+  std::vector<std::string> all = names();
+  if (!job_.points.empty())
+    for (const Sweep::Axis& axis : job_.plan.diagram.sweep->axes) all.push_back(axis.parameter);
+  return variable_blocks(record.plan, Variation(record.plan.diagram, all));
 }
 
 /// The text of records that differ in numbers is the same, since what their sweep varies is read from the
 /// run as well.
-void ModelRuns::compile(Record& record) const {
-  std::vector<std::string> all = names();
-  if (!job_.points.empty())
-    for (const Sweep::Axis& axis : job_.plan.diagram.sweep->axes) all.push_back(axis.parameter);
-  const Variation variation(record.plan.diagram, all);
-  record.code = source_.code->compile(record.plan, variable_blocks(record.plan, variation), {});
+void ModelRuns::compile_all() {
+  const Plan& first = records_.front()->plan;
+  std::vector<VariableBlock> shared = variable(*records_.front());
+  for (const auto& record : records_)
+    if (are_alike(shared, first, record->plan))
+      widen(shared, first, [&](std::size_t b) { return record->plan.diagram.blocks[b].block.get(); });
+  for (const auto& record : records_) {
+    const bool shares = are_alike(shared, first, record->plan);
+    record->code = source_.code->compile(record->plan, shares ? shared : variable(*record), {});
+  }
+  compiled_ = std::ranges::all_of(records_, [](const auto& record) { return record->code.has_value(); });
 }
 
 Diagram ModelRuns::load(std::size_t record, const Values& values) const {
@@ -187,11 +208,9 @@ std::unique_ptr<Executor> ModelRuns::begin(Record& record, const Values& values)
       record.idle.pop_back();
     }
   }
-  if (!run) {
-    run = std::make_unique<Executor>(record.plan);
-    if (record.code) run->use(*record.code);
-  }
+  if (!run) run = std::make_unique<Executor>(record.plan);
   if (run->set(record.varied, assignments(values)) != Executor::Setting::done) return nullptr;
+  if (record.code && !run->compiled()) run->use(*record.code);
   run->reset();
   return run;
 }

@@ -68,7 +68,8 @@ class ModelRuns {
   void find_part();
   bool play_in(std::size_t record, const Plan& whole);
   void make_records();
-  void compile(Record& record) const;
+  void compile_all();
+  std::vector<VariableBlock> variable(const Record& record) const;
   /// A run at time 0 with these values; null where they need another plan. Throws Error for refused ones.
   std::unique_ptr<Executor> begin(Record& record, const Values& values) const;
   void give_back(Record& record, std::unique_ptr<Executor> run) const;

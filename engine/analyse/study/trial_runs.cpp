@@ -64,22 +64,30 @@ TrialRuns::TrialRuns(TrialSource source, const StudyRequest& request, const Job&
       request_(request),
       job_(job),
       family_(std::make_shared<PlanFamily>(source_.loader, source_.file, source_.settings, job.plan)) {
-  if (source_.engine == Engine::automatic) compile_ahead();
+  if (source_.engine == Engine::interpreted) return;
+  const std::vector<std::size_t> members = find_conditions();
+  if (source_.engine == Engine::automatic) compile_ahead(members);
 }
 
-/// What a trial under each condition needs, so that the code is there soon after the first trials begin. They
-/// find it by its text.
-void TrialRuns::compile_ahead() {
+/// One member or more for each condition, so that code that is compiled for the first trials serves all.
+std::vector<std::size_t> TrialRuns::find_conditions() {
+  std::vector<std::size_t> members;
+  for (std::size_t condition = 0; condition < request_.conditions.size(); ++condition) {
+    const TrialRun trial{.study = 0, .subject = request_.subjects.front(), .condition = condition};
+    members.push_back(family_->find(settings_of(request_.seed, trial, circles_to_come(trial))));
+  }
+  return members;
+}
+
+/// Compiles beside the first trials what they need. They find it by its text.
+void TrialRuns::compile_ahead(const std::vector<std::size_t>& members) {
   struct Wanted {
     const Plan* plan;
     std::vector<VariableBlock> variable;
   };
   std::vector<Wanted> wanted;
-  for (std::size_t condition = 0; condition < request_.conditions.size(); ++condition) {
-    const TrialRun trial{.study = 0, .subject = request_.subjects.front(), .condition = condition};
-    const std::size_t member = family_->find(settings_of(request_.seed, trial, circles_to_come(trial)));
+  for (const std::size_t member : members)
     wanted.push_back({&family_->plan(member), family_->variable(member)});
-  }
   try {
     ahead_ = std::jthread([this, wanted](const std::stop_token& stop) {
       for (const Wanted& one : wanted) source_.code->compile(*one.plan, one.variable, stop);

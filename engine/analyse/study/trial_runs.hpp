@@ -76,7 +76,8 @@ class TrialRuns {
  private:
   std::vector<Setting> settings_of(std::uint64_t seed, const TrialRun& trial, const Circles& circles) const;
   void plan(std::uint64_t seed, TrialRun& trial, const Circles& circles);
-  void compile_ahead();
+  std::vector<std::size_t> find_conditions();
+  void compile_ahead(const std::vector<std::size_t>& members);
   Circles circles_to_come(const TrialRun& trial) const;
   void run_all(std::vector<TrialRun*>& trials, const std::function<void()>& told);
   std::size_t number_of(const TrialRun& trial) const;

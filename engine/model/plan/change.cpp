@@ -3,61 +3,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <optional>
 
-#include "engine/model/block/literal.hpp"
 #include "engine/model/plan/configuring.hpp"
+#include "engine/model/plan/member_items.hpp"
 
 namespace stepwire {
 
 namespace {
 
-/// What a block's members are beside their numbers: lengths that are 1, or not, and functions.
-class Outlines : public LiteralWriter {
- public:
-  std::string number(double) override { return ""; }
-  std::string flag(bool) override { return ""; }
-  std::string enumerator(int, const std::string&) override { return ""; }
-  std::string numbers(const double*, Index) override { return ""; }
-  std::string whole(std::int64_t) override { return ""; }
-  std::string natural(std::uint64_t) override { return ""; }
-};
-
-/// A member with its numbers.
-class Contents : public Outlines {
- public:
-  std::string number(double value) override { return add(value); }
-  std::string flag(bool value) override { return add(value ? 1.0 : 0.0); }
-  std::string enumerator(int value, const std::string&) override { return add(value); }
-  std::string numbers(const double* values, Index size) override {
-    for (Index i = 0; i < size; ++i) add(values[i]);
-    return "";
-  }
-  std::string whole(std::int64_t value) override { return add(static_cast<double>(value)); }
-  std::string natural(std::uint64_t value) override { return std::to_string(value); }
-
-  std::vector<std::uint64_t> bits;
-
- private:
-  std::string add(double value) {
-    bits.push_back(std::bit_cast<std::uint64_t>(value));
-    return "";
-  }
-};
-
-std::pair<std::string, std::vector<std::uint64_t>> contents_of(const MemberSpec& member,
-                                                               const AnyBlock& block) {
-  Contents writer;
-  std::string text = member.literal(block.get(), writer);
-  return {std::move(text), std::move(writer.bits)};
+MemberItems items_of(const MemberSpec& member, const AnyBlock& block) {
+  MemberItems items;
+  items.add(member, block.get());
+  return items;
 }
 
 std::string outline_of(const AnyBlock& block) {
-  Outlines writer;
-  std::string text;
-  for (const MemberSpec& member : block.type().members) text += member.literal(block.get(), writer) + ";";
-  return text;
+  return MemberItems(block.type(), block.get()).outline();
 }
 
 Eigen::Index size_of(const Value& value) {
@@ -177,8 +139,8 @@ class Changing {
     for (const ParameterSpec& spec : made.type().parameters) {
       if (spec.member < 0) continue;
       const MemberSpec& member = made.type().members[static_cast<std::size_t>(spec.member)];
-      const bool was_set = contents_of(member, written) != contents_of(member, plan_written);
-      if (!was_set && contents_of(member, made) != contents_of(member, plan_made)) return spec.name;
+      const bool was_set = !(items_of(member, written) == items_of(member, plan_written));
+      if (!was_set && !(items_of(member, made) == items_of(member, plan_made))) return spec.name;
     }
     return std::nullopt;
   }
@@ -212,36 +174,6 @@ PlanChange change_of(const Plan& plan, const std::vector<ChangedValue>& values,
   Changing changing(plan, written);
   for (const ChangedValue& value : values) changing.add(value);
   return changing.take();
-}
-
-namespace {
-
-/// What configure() and prepare() compute, which may be anything once a parameter changes.
-std::vector<bool> derived_members(const Plan& plan, std::size_t block) {
-  const BlockType& type = plan.diagram.blocks[block].type();
-  std::vector<bool> members(type.members.size(), plan.blocks[block].written.has_value());
-  for (const ParameterSpec& spec : type.parameters)
-    if (spec.member >= 0) members[static_cast<std::size_t>(spec.member)] = false;
-  return members;
-}
-
-}  // namespace
-
-std::vector<VariableBlock> variable_blocks(const Plan& plan, const Variation& variation) {
-  std::map<std::size_t, std::vector<bool>> members;
-  for (const Target& target : variation.targets()) {
-    if (target.kind != Target::Kind::parameter) continue;
-    const auto block = static_cast<std::size_t>(target.block);
-    const BlockType& type = plan.diagram.blocks[block].type();
-    const auto [known, is_new] = members.try_emplace(block, derived_members(plan, block));
-    const int member = type.parameters[static_cast<std::size_t>(target.index)].member;
-    if (member >= 0) known->second[static_cast<std::size_t>(member)] = true;
-  }
-  std::vector<VariableBlock> result;
-  for (const int block : plan.memory_order)
-    if (const auto found = members.find(static_cast<std::size_t>(block)); found != members.end())
-      result.push_back({found->first, found->second});
-  return result;
 }
 
 }  // namespace stepwire

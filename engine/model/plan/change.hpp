@@ -32,13 +32,4 @@ using WrittenBlocks = std::map<std::size_t, AnyBlock>;
 /// Throws Error where a block refuses its parameters.
 PlanChange change_of(const Plan& plan, const std::vector<ChangedValue>& values, const WrittenBlocks& written);
 
-/// A block whose members compiled code reads from a table.
-struct VariableBlock {
-  std::size_t block;
-  std::vector<bool> members;  ///< which of BlockType::members
-};
-
-/// The members of blocks that may have other values in runs of a variation, in the order of memory.
-std::vector<VariableBlock> variable_blocks(const Plan& plan, const Variation& variation);
-
 }  // namespace stepwire

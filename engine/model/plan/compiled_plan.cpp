@@ -2,84 +2,68 @@
 
 #include <algorithm>
 
-#include "engine/model/block/literal.hpp"
-
 namespace stepwire {
 
-/// Gathers numbers in the order in which a program reads them.
-class NumberTable::Writer : public LiteralWriter {
- public:
-  std::string number(double value) override { return add(value); }
-  std::string flag(bool value) override { return add(value ? 1.0 : 0.0); }
-  std::string enumerator(int value, const std::string&) override { return add(value); }
-  std::string numbers(const double* values, Index size) override {
-    lists.push_back({singles.size(), in_lists.size(), static_cast<std::size_t>(size)});
-    in_lists.insert(in_lists.end(), values, values + size);
-    return add(0.0);
-  }
-  std::string whole(std::int64_t value) override { return add(static_cast<double>(value)); }
-  /// In two halves, since a double does not hold all of them.
-  std::string natural(std::uint64_t value) override {
-    add(static_cast<double>(value >> 32));
-    return add(static_cast<double>(value & 0xffffffffu));
-  }
+namespace {
 
-  std::vector<double> singles, in_lists;
-  std::vector<List> lists;
-
- private:
-  std::string add(double value) {
-    singles.push_back(value);
-    return "";
-  }
-};
-
-NumberTable::NumberTable(const Plan& plan, const std::vector<VariableBlock>& variable, const Blocks& blocks)
-    : plan_(plan), variable_(variable) {
-  read_all(blocks);
+/// Are the items that do not vary those of the plan?
+bool fits(const std::vector<bool>& varies, const MemberItems& plan, const MemberItems& run) {
+  if (plan.outline() != run.outline()) return false;
+  for (std::size_t i = 0; i < plan.items().size(); ++i)
+    if (!(i < varies.size() && varies[i]) && !plan.same(i, run)) return false;
+  return true;
 }
 
-void NumberTable::write(std::size_t variable, const Blocks& blocks, Writer& writer) const {
-  const VariableBlock& block = variable_[variable];
-  const auto& members = plan_.diagram.blocks[block.block].type().members;
-  for (std::size_t m = 0; m < members.size(); ++m)
-    if (block.members[m]) members[m].literal(blocks(block.block), writer);
+}  // namespace
+
+NumberTable::NumberTable(const Plan& plan, const std::vector<VariableBlock>& variable, BlocksOfRun blocks)
+    : plan_(plan), variable_(variable), blocks_(std::move(blocks)) {
+  for (const VariableBlock& one : variable)
+    entries_.push_back(entry_of(one, MemberItems(plan.diagram.blocks[one.block].type(), blocks_(one.block))));
+  lay_out();
 }
 
-void NumberTable::read_all(const Blocks& blocks) {
-  Writer all;
-  places_.clear();
-  for (std::size_t v = 0; v < variable_.size(); ++v) {
-    const std::size_t singles = all.singles.size(), lists = all.lists.size();
-    write(v, blocks, all);
-    places_.push_back({singles, all.singles.size() - singles, lists, all.lists.size() - lists});
+NumberTable::Entry NumberTable::entry_of(const VariableBlock& variable, const MemberItems& items) const {
+  Entry entry;
+  for (std::size_t i = 0; i < items.items().size(); ++i) {
+    if (!variable.items[i]) continue;
+    const MemberItems::Item& item = items.items()[i];
+    const auto first = items.numbers().begin() + static_cast<std::ptrdiff_t>(item.first);
+    const auto end = first + static_cast<std::ptrdiff_t>(item.size);
+    if (!item.is_list) {
+      entry.singles.insert(entry.singles.end(), first, end);
+      continue;
+    }
+    entry.lists.push_back({entry.singles.size(), entry.in_lists.size(), item.size});
+    entry.in_lists.insert(entry.in_lists.end(), first, end);
+    entry.singles.push_back(0.0);
   }
-  for (List& list : all.lists) {
-    list.first += all.singles.size();
-    all.singles[list.place] = static_cast<double>(list.first);
-  }
-  lists_ = std::move(all.lists);
-  numbers_ = std::move(all.singles);
-  numbers_.insert(numbers_.end(), all.in_lists.begin(), all.in_lists.end());
+  return entry;
 }
 
-void NumberTable::read(std::size_t variable, const Blocks& blocks) {
-  Writer own;
-  write(variable, blocks, own);
-  const Place& place = places_[variable];
-  const auto first = lists_.begin() + static_cast<std::ptrdiff_t>(place.first_list);
-  const bool same = own.lists.size() == place.lists &&
-                    std::equal(own.lists.begin(), own.lists.end(), first,
-                               [](const List& a, const List& b) { return a.size == b.size; });
-  if (!same) return read_all(blocks);
-  const auto at = [&](std::size_t i) { return numbers_.begin() + static_cast<std::ptrdiff_t>(i); };
-  for (std::size_t i = 0; i < own.lists.size(); ++i) {
-    const List& list = first[static_cast<std::ptrdiff_t>(i)];
-    own.singles[own.lists[i].place] = static_cast<double>(list.first);
-    std::copy_n(own.in_lists.begin() + static_cast<std::ptrdiff_t>(own.lists[i].first), list.size,
-                at(list.first));
+void NumberTable::lay_out() {
+  std::size_t list = 0;
+  for (const Entry& entry : entries_) list += entry.singles.size();
+  numbers_.clear();
+  for (const Entry& entry : entries_) {
+    const std::size_t first = numbers_.size();
+    numbers_.insert(numbers_.end(), entry.singles.begin(), entry.singles.end());
+    for (const List& one : entry.lists) numbers_[first + one.place] = static_cast<double>(list + one.first);
+    list += entry.in_lists.size();
   }
-  std::copy(own.singles.begin(), own.singles.end(), at(place.first_single));
+  for (const Entry& entry : entries_)
+    numbers_.insert(numbers_.end(), entry.in_lists.begin(), entry.in_lists.end());
+}
+
+bool NumberTable::read(std::size_t block) {
+  const AnyBlock& own = plan_.diagram.blocks[block].block;
+  const MemberItems planned(own.type(), own.get()), run(own.type(), blocks_(block));
+  const auto found = std::ranges::find(variable_, block, &VariableBlock::block);
+  if (found == variable_.end()) return fits({}, planned, run);
+  if (!fits(found->items, planned, run)) return false;
+  entries_[static_cast<std::size_t>(found - variable_.begin())] = entry_of(*found, run);
+  lay_out();
+  return true;
 }
 
 }  // namespace stepwire

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <stop_token>
 #include <vector>
 
-#include "engine/model/plan/change.hpp"
+#include "engine/model/plan/member_items.hpp"
+#include "engine/model/plan/variable_blocks.hpp"
 
 namespace stepwire {
 
@@ -17,7 +17,7 @@ struct StepFunctions {
   void (*advance)(double* values, const double* numbers, std::int64_t tick) = nullptr;
 };
 
-/// A plan's code, for runs in which some members have other values.
+/// A plan's code, for runs in which some items have other values.
 struct CompiledPlan {
   StepFunctions functions;
   std::vector<VariableBlock> variable;
@@ -27,33 +27,32 @@ struct CompiledPlan {
 /// number in the place of a list is where it begins.
 class NumberTable {
  public:
-  /// `block(i)` is the i-th block of the plan as it is run.
-  using Blocks = std::function<const void*(std::size_t)>;
+  /// The plan and what varies must outlive it.
+  NumberTable(const Plan& plan, const std::vector<VariableBlock>& variable, BlocksOfRun blocks);
 
-  NumberTable(const Plan& plan, const std::vector<VariableBlock>& variable, const Blocks& blocks);
-
-  /// Reads the numbers again, of all blocks or of one; false where the code does not read all of them.
-  void read_all(const Blocks& blocks);
-  void read(std::size_t variable, const Blocks& blocks);
+  /// Reads a block again after its members have changed; false where code with this table has other numbers
+  /// of that block than the run, as they stand in the plan.
+  [[nodiscard]] bool read(std::size_t block);
   const double* data() const { return numbers_.data(); }
   std::size_t size() const { return numbers_.size(); }
 
  private:
-  class Writer;
-  /// Where the numbers of a block lie.
-  struct Place {
-    std::size_t first_single, singles, first_list, lists;
-  };
   struct List {
     std::size_t place, first, size;
   };
+  /// What is read of a block.
+  struct Entry {
+    std::vector<double> singles, in_lists;
+    std::vector<List> lists;  ///< with places in these
+  };
 
-  void write(std::size_t variable, const Blocks& blocks, Writer& writer) const;
+  Entry entry_of(const VariableBlock& variable, const MemberItems& items) const;
+  void lay_out();
 
   const Plan& plan_;
   const std::vector<VariableBlock>& variable_;
-  std::vector<Place> places_;
-  std::vector<List> lists_;
+  BlocksOfRun blocks_;
+  std::vector<Entry> entries_;
   std::vector<double> numbers_;
 };
 

@@ -54,7 +54,9 @@ Compiler::Compiler() {
 }
 
 std::vector<std::string> Compiler::flags() {
-  std::vector<std::string> flags{"-std=c++20", "-O3", "-DNDEBUG", "-ffp-contract=off"};
+  // Nothing reads errno or traps, so that a root is one instruction and branches may become selections.
+  std::vector<std::string> flags{
+      "-std=c++20", "-O3", "-DNDEBUG", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math"};
   for (const char* function : library_functions) flags.push_back(std::string("-fno-builtin-") + function);
   return flags;
 }

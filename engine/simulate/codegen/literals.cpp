@@ -19,32 +19,37 @@ std::string Literals::next() {
   return fmt::format("numbers[{}]", count_++);
 }
 
+bool Literals::varies() {
+  const std::size_t item = item_++;
+  return item < items_.size() && items_[item];
+}
+
 std::string Literals::number(double value) {
-  return varies_ ? next() : number_text(value);
+  return varies() ? next() : number_text(value);
 }
 
 std::string Literals::flag(bool value) {
-  if (varies_) return next() + " != 0.0";
+  if (varies()) return next() + " != 0.0";
   return value ? "true" : "false";
 }
 
 std::string Literals::enumerator(int value, const std::string& type) {
   return fmt::format("static_cast<{}>({})", type,
-                     varies_ ? fmt::format("static_cast<int>({})", next()) : std::to_string(value));
+                     varies() ? fmt::format("static_cast<int>({})", next()) : std::to_string(value));
 }
 
 std::string Literals::whole(std::int64_t value) {
-  return varies_ ? fmt::format("static_cast<std::int64_t>({})", next()) : std::to_string(value);
+  return varies() ? fmt::format("static_cast<std::int64_t>({})", next()) : std::to_string(value);
 }
 
 std::string Literals::natural(std::uint64_t value) {
-  if (!varies_) return std::to_string(value) + "u";
+  if (!varies()) return std::to_string(value) + "u";
   const std::string high = next(), low = next();
   return fmt::format("(static_cast<std::uint64_t>({}) << 32 | static_cast<std::uint64_t>({}))", high, low);
 }
 
 std::string Literals::numbers(const double* values, Index size) {
-  if (varies_) return fmt::format("numbers + static_cast<Index>({})", next());
+  if (varies()) return fmt::format("numbers + static_cast<Index>({})", next());
   std::string name = name_;
   for (int number = 2; !names_.insert(name).second; ++number) name = fmt::format("{}_{}", name_, number);
   tables_ += fmt::format("constexpr double {}[] = {{", name);

@@ -2,6 +2,7 @@
 
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/model/block/literal.hpp"
@@ -13,8 +14,12 @@ namespace stepwire {
 /// that lists may have other lengths from run to run.
 class Literals : public LiteralWriter {
  public:
-  /// From now on, are numbers read from `numbers`?
-  void vary(bool varies) { varies_ = varies; }
+  /// Of the numbers and lists that are written next, which are read from `numbers`? Those behind the last of
+  /// these are not.
+  void vary(std::vector<bool> items) {
+    items_ = std::move(items);
+    item_ = 0;
+  }
 
   std::string number(double value) override;
   std::string flag(bool value) override;
@@ -32,7 +37,11 @@ class Literals : public LiteralWriter {
   /// "numbers[i]"
   std::string next();
 
-  bool varies_ = false;
+  /// Is the item that is written now read from `numbers`?
+  bool varies();
+
+  std::vector<bool> items_;
+  std::size_t item_ = 0;
   std::size_t count_ = 0;  ///< of numbers that vary
   std::string tables_;
   std::string name_;

@@ -49,9 +49,8 @@ Statements::Statements(const Plan& plan, const PlaceNames& names, const std::vec
     const auto [known, is_new] = defaults.try_emplace(block.type().name);
     if (is_new) known->second = defaults_of(block.type());
     const bool varies = next != variable.end() && next->block == b;
-    for (std::size_t m = 0; m < block.type().members.size(); ++m) {
-      const MemberSpec& member = block.type().members[m];
-      literals.vary(varies && next->members[m]);
+    literals.vary(varies ? next->items : std::vector<bool>());
+    for (const MemberSpec& member : block.type().members) {
       literals.name_tables(names.block(b) + "_" + member.member);
       const std::string value = member.literal(block.block.get(), literals);
       members_[b].push_back({member.member, value, value == known->second[member.member]});

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/model/plan/change.hpp"
 #include "engine/model/plan/compiled_plan.hpp"
 #include "engine/model/signal/input.hpp"
 #include "engine/simulate/run/batch_watcher.hpp"
@@ -35,19 +36,21 @@ class Executor {
   Executor& operator=(const Executor&) = delete;
 
   /// From now on steps with compiled code, which must outlive this; call it between advance() and evaluate().
-  /// Code that does not read all that set() has changed is not used.
+  /// Code that has other numbers than this run is not used.
   void use(const CompiledPlan& code);
   bool compiled() const { return code_ != nullptr; }
+  /// Adds what code must read from a table for the values that are set now.
+  void widen(std::vector<VariableBlock>& variable) const;
 
   /// What set() came to.
   enum class Setting {
     done,
     structure_changed  ///< the values need another plan: sizes, rates or what is wired would be others
   };
-  /// Sets values, one for each name of a variation of the plan's diagram, between two ticks: what follows
-  /// from them is evaluated, configured and prepared as by a run that begins with these values. Where the
-  /// structure changes, or where a value is refused (throws Error), everything stays as it was. Code that
-  /// does not read one of the values is left, and the run goes on interpreted. Allocates.
+  /// Sets values, one for each name of a variation of the plan's diagram, between two ticks: what follows from
+  /// them is evaluated, configured and prepared as by a run that begins with these values. Where the structure
+  /// changes, or where a value is refused (throws Error), everything stays as it was. Code that has one
+  /// of the values as the plan has it is left, and the run goes on interpreted. Allocates.
   [[nodiscard]] Setting set(const Variation& variation, std::span<const Assignment> values);
   /// The same for one parameter ("rig.mass"), value of a block ("spring.gain") or initial value, as `--set`
   /// reads it.
@@ -99,6 +102,8 @@ class Executor {
 
   void apply(PlanChange& change);
   void replace(RebuiltBlock& rebuilt);
+  /// Lets the code read a block that was set anew, or leaves the code that cannot.
+  void read_numbers(std::size_t block);
   void write_constants();
   /// Computes what does not change in a run.
   void compute_once();
@@ -155,7 +160,6 @@ class Executor {
   std::optional<NumberTable> numbers_;        ///< that the code reads
   std::optional<ParameterState> parameters_;  ///< once one is set
   WrittenBlocks written_;                     ///< of which values were set
-  std::vector<VariableBlock> changed_;        ///< by set(), so far
   std::string structure_change_;
 };
 

@@ -1,42 +1,20 @@
 // Values that are set while a run goes on.
-#include <algorithm>
-
 #include "engine/simulate/run/executor.hpp"
 
 namespace stepwire {
 
-namespace {
-
-/// Does the code read what a variation may change?
-bool reads(const CompiledPlan& code, const std::vector<VariableBlock>& changing) {
-  return std::ranges::all_of(changing, [&](const VariableBlock& block) {
-    const auto known = std::ranges::find(code.variable, block.block, &VariableBlock::block);
-    if (known == code.variable.end()) return false;
-    for (std::size_t m = 0; m < block.members.size(); ++m)
-      if (block.members[m] && !known->members[m]) return false;
-    return true;
-  });
-}
-
-/// Adds members to those that are there.
-void merge(const std::vector<VariableBlock>& more, std::vector<VariableBlock>& all) {
-  for (const VariableBlock& block : more) {
-    const auto known = std::ranges::find(all, block.block, &VariableBlock::block);
-    if (known == all.end()) {
-      all.push_back(block);
-      continue;
-    }
-    for (std::size_t m = 0; m < block.members.size(); ++m)
-      if (block.members[m]) known->members[m] = true;
-  }
-}
-
-}  // namespace
-
 void Executor::use(const CompiledPlan& code) {
-  if (!reads(code, changed_)) return;
   numbers_.emplace(plan_, code.variable, [this](std::size_t block) { return memory(block); });
   code_ = &code;
+  for (const auto& [block, written] : written_) read_numbers(block);
+}
+
+void Executor::read_numbers(std::size_t block) {
+  if (code_ && !numbers_->read(block)) code_ = nullptr;
+}
+
+void Executor::widen(std::vector<VariableBlock>& variable) const {
+  stepwire::widen(variable, plan_, [this](std::size_t block) { return memory(block); });
 }
 
 const Value& Executor::parameter(std::size_t index) const {
@@ -97,8 +75,6 @@ Executor::Setting Executor::set(const Variation& variation, std::span<const Assi
     parameters_->undo();
     return Setting::structure_changed;
   }
-  merge(variable_blocks(plan_, variation), changed_);
-  if (code_ && !reads(*code_, changed_)) code_ = nullptr;
   return Setting::done;
 }
 
@@ -124,10 +100,7 @@ void Executor::replace(RebuiltBlock& rebuilt) {
   type.copy(block, rebuilt.made.get());
   bind_block(rebuilt.block);
   if (type.start) type.start(block);
-  if (code_)
-    for (std::size_t v = 0; v < code_->variable.size(); ++v)
-      if (code_->variable[v].block == rebuilt.block)
-        numbers_->read(v, [this](std::size_t index) { return memory(index); });
+  read_numbers(rebuilt.block);
   written_.insert_or_assign(rebuilt.block, std::move(rebuilt.written));
 }
 

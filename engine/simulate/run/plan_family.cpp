@@ -38,6 +38,7 @@ struct PlanFamily::Member {
         free(plan->diagram, names_to_set()) {
     for (std::size_t i = 0; i < values.size(); ++i)
       structure.push_back(all.names()[i].structural ? values[i].value : "");
+    variable = variable_blocks(*plan, free);
   }
 
   /// May a run of this member have these values?
@@ -59,7 +60,9 @@ struct PlanFamily::Member {
   /// Makes a try of its own, for find().
   bool takes(const std::vector<Setting>& values) {
     if (!probe) probe = std::make_unique<Executor>(*plan);
-    return set(values, *probe) == Executor::Setting::done;
+    if (set(values, *probe) != Executor::Setting::done) return false;
+    probe->widen(variable);
+    return true;
   }
 
   std::vector<std::string> names_to_set() const {
@@ -71,9 +74,10 @@ struct PlanFamily::Member {
 
   std::shared_ptr<const Plan> plan;
   std::vector<std::string> names;
-  Variation all;                       ///< of all names
-  Variation free;                      ///< of those that are set in a run of the plan
-  std::vector<std::string> structure;  ///< values of structural names; "" of others
+  Variation all;                        ///< of all names
+  Variation free;                       ///< of those that are set in a run of the plan
+  std::vector<std::string> structure;   ///< values of structural names; "" of others
+  std::vector<VariableBlock> variable;  ///< so far
   std::unique_ptr<Executor> probe;
 };
 
@@ -121,7 +125,11 @@ const std::vector<Target>& PlanFamily::targets(std::size_t member) const {
 }
 
 std::vector<VariableBlock> PlanFamily::variable(std::size_t member) const {
-  return variable_blocks(*members_[member]->plan, members_[member]->free);
+  const auto& plan = members_[member]->plan;
+  std::vector<VariableBlock> variable;
+  for (const auto& other : members_)
+    if (other->plan == plan) unite(variable, *plan, other->variable);
+  return variable;
 }
 
 void PlanFamily::begin(std::size_t member, const std::vector<Setting>& values, Executor& run) const {

@@ -26,7 +26,8 @@ class PlanFamily {
   const Plan& plan(std::size_t member) const;
   /// The values of blocks that a run of a member sets.
   const std::vector<Target>& targets(std::size_t member) const;
-  /// The members of blocks that differ between the runs of a member.
+  /// What differs between the runs of a member's plan, of those values that find() has seen. Members that set
+  /// other names in one plan share its code.
   std::vector<VariableBlock> variable(std::size_t member) const;
   /// Sets the values of a run, for which find() gave this member, and puts it at time 0. From any thread.
   void begin(std::size_t member, const std::vector<Setting>& values, Executor& run) const;

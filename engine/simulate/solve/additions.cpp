@@ -13,8 +13,9 @@ std::vector<std::vector<double>> rows_of(const Tableau& tableau) {
   return rows;
 }
 
+/// Does a sum begin before the last slope of its row is known?
 bool waits(const std::vector<double>& row) {
-  return std::count_if(row.begin(), row.end(), [](double weight) { return weight != 0.0; }) > 1;
+  return std::any_of(row.begin(), row.end() - 1, [](double weight) { return weight != 0.0; });
 }
 
 }  // namespace
@@ -27,8 +28,9 @@ std::vector<SolverStage> stages_of(const Tableau& tableau) {
     const int own = waits(row) ? places++ : Addition::start;
     int from = Addition::start;
     for (std::size_t stage = 0; stage < row.size(); ++stage) {
-      if (row[stage] == 0.0) continue;
-      const int to = stage + 1 == row.size() ? Addition::states : own;  // complete, and now wanted
+      const bool last = stage + 1 == row.size();  // complete, and now wanted, though this slope may not count
+      if (row[stage] == 0.0 && !last) continue;
+      const int to = last ? Addition::states : own;
       stages[stage].additions.push_back({from, to, row[stage]});
       from = to;
     }

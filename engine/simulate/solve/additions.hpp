@@ -20,8 +20,7 @@ struct SolverStage {
   double next = 1.0;  ///< time of the next stage, in steps
 };
 
-/// A Runge-Kutta method in which every stage uses the slope before it, as a list of stages. No slope has to
-/// be kept.
+/// A Runge-Kutta method as a list of stages. No slope has to be kept.
 std::vector<SolverStage> stages_of(const Tableau& tableau);
 
 /// How many places the additions name, the start among them.

@@ -116,7 +116,9 @@ TEST_CASE("lists of any length share a program where they vary") {
                      "  curve: {block: LookupTable, u: wave, points: $x, values: $y}\n");
   };
   const Plan one = plan_of(100), other = plan_of(300);
-  const auto variable = variable_blocks(one, Variation(one.diagram, {"x", "y"}));
+  auto variable = variable_blocks(one, Variation(one.diagram, {"x", "y"}));
+  CHECK(make_steps(one, variable).text != make_steps(other, variable).text);  // the length stands in the text
+  widen(variable, one, [&](std::size_t b) { return other.diagram.blocks[b].block.get(); });
   const auto size_of = [&](const Plan& plan) {
     return NumberTable(plan, variable, [&](std::size_t b) { return plan.diagram.blocks[b].block.get(); })
         .size();
@@ -124,6 +126,19 @@ TEST_CASE("lists of any length share a program where they vary") {
   CHECK(size_of(other) == size_of(one) + 400);
   CHECK(make_steps(one, variable).text == make_steps(other, variable).text);
   CHECK(make_steps(one, variable).text.find("constexpr double curve") == std::string::npos);
+}
+
+TEST_CASE("of a block's numbers only those that follow from what varies are read from the run") {
+  const Plan plan = plan_text(
+      "step: 1 ms\nsolver: rk4\nparameters: {beta: 3, high: 20}\nblocks:\n  wave: {block: Sine}\n"
+      "  damper: {block: RotaryMRDamper, velocity: wave, current: 0.5 A, beta: $beta, alpha: [$high, 5]}\n");
+  const auto text = [&](const std::string& name) {
+    return make_steps(plan, variable_blocks(plan, Variation(plan.diagram, {name}))).text;
+  };
+  CHECK_THAT(text("beta"), Contains("b.law = {2.7789, numbers[1], 1.596, 1.0};"));
+  CHECK_THAT(text("beta"), Contains("b.scaled_alpha = Numbers::view(table::damper_scaled_alpha, 2);"));
+  CHECK_THAT(text("high"),
+             Contains("b.scaled_alpha = Numbers::view(numbers + static_cast<Index>(numbers[1]), 2);"));
 }
 
 TEST_CASE("the same diagram gives the same text") {

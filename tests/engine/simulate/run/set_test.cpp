@@ -150,6 +150,39 @@ TEST_CASE("compiled code takes values as the interpreter does, and is left for t
   CHECK_FALSE(left.compiled());
 }
 
+TEST_CASE("code is left once a number changes that stands in it, and code that is widened for it serves") {
+  GeneratedCode source;
+  const Plan plan = plan_text(
+      "step: 1 ms\nparameters: {x: [0, 1, 2], y: [0, 3, 5]}\nblocks:\n  wave: {block: Sine, amplitude: 2}\n"
+      "  table: {block: LookupTable, u: wave, points: $x, values: $y}\nrecord: table\n");
+  const Variation lists(plan.diagram, {"x", "y"});
+  std::vector<VariableBlock> variable = variable_blocks(plan, lists);
+  const auto set_lists = [&](Executor& run, const std::string& x, const std::string& y) {
+    const std::vector<Assignment> both{{"x", value_of_text(x, ""), ""}, {"y", value_of_text(y, ""), ""}};
+    REQUIRE(run.set(lists, both) == Executor::Setting::done);
+  };
+  const auto code = source.compile(plan, variable, {});
+  Executor longer(plan);
+  set_lists(longer, "[0, 0.5, 1, 2]", "[0, 4, 3, 5]");
+  longer.widen(variable);
+  const auto wide = source.compile(plan, variable, {});
+  if (!code || !wide) {
+    WARN("there is no C++ compiler here; nothing was compared");
+    return;
+  }
+  Executor first(plan), second(plan);
+  first.use(*code);
+  second.use(*wide);
+  for (Executor* run : {&first, &second}) set_lists(*run, "[0, 1.5, 2]", "[0, 4, 3]");
+  CHECK((first.compiled() && second.compiled()));
+  for (Executor* run : {&first, &second}) set_lists(*run, "[0, 0.5, 1, 2]", "[0, 4, 3, 5]");
+  CHECK_FALSE(first.compiled());
+  CHECK(second.compiled());
+  const auto expected = next(longer, 60);
+  CHECK((next(first, 60) == expected));
+  CHECK((next(second, 60) == expected));
+}
+
 TEST_CASE("a refused value leaves everything as it was, and says what would be right") {
   const Plan plan = plan_with(spring);
   Executor run(plan), untouched(plan);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <functional>
 
+#include "engine/simulate/solve/explicit_solver.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
 using namespace stepwire;
@@ -26,13 +27,15 @@ class Problem : public System {
 
   /// The largest error at the end, after `steps` equal steps to `stop`.
   double error(const std::string& solver_name, int steps, double stop) {
-    const auto solver = make_solver(solver_name, count);
+    return error(*make_solver(solver_name, count), steps, stop);
+  }
+  double error(Solver& solver, int steps, double stop) {
     std::copy_n(solution_(0.0).begin(), count, x);
     const double step = stop / steps;
     for (int k = 0; k < steps; ++k) {
       time_ = k * step;
       evaluate();
-      solver->advance(*this, {k * step, (k + 1) * step, step});
+      solver.advance(*this, {k * step, (k + 1) * step, step});
     }
     const std::vector<double> exact = solution_(stop);
     double worst = 0.0;
@@ -74,6 +77,15 @@ double measured_order(Problem problem, const std::string& solver, int steps, dou
   return std::log2(problem.error(solver, steps, stop) / problem.error(solver, 2 * steps, stop));
 }
 
+double measured_order(Problem (*problem)(), const Tableau& tableau, int steps, double stop) {
+  const auto error = [&](int count) {
+    Problem own = problem();
+    ExplicitSolver solver(tableau, own.count);
+    return own.error(solver, count, stop);
+  };
+  return std::log2(error(steps) / error(2 * steps));
+}
+
 }  // namespace
 
 TEST_CASE("every solver converges with its order") {
@@ -104,4 +116,20 @@ TEST_CASE("no solver is of higher order than it says") {
     INFO(kind.name);
     CHECK(logistic().error(kind.name, 4, 2.0) > 1e-8);
   }
+}
+
+TEST_CASE("a method may leave out its last slope, and a stage the slope before it") {
+  // Fehlberg 1969, NASA TR R-315: the fourth-order method of his pair, which weighs the sixth slope by 0.
+  const Tableau fehlberg{{1.0 / 4, 3.0 / 8, 12.0 / 13, 1.0, 1.0 / 2},
+                         {{1.0 / 4},
+                          {3.0 / 32, 9.0 / 32},
+                          {1932.0 / 2197, -7200.0 / 2197, 7296.0 / 2197},
+                          {439.0 / 216, -8.0, 3680.0 / 513, -845.0 / 4104},
+                          {-8.0 / 27, 2.0, -3544.0 / 2565, 1859.0 / 4104, -11.0 / 40}},
+                         {25.0 / 216, 0.0, 1408.0 / 2565, 2197.0 / 4104, -1.0 / 5, 0.0}};
+  // Simpson's rule with an explicit middle and an explicit end, which both come from the first slope alone.
+  const Tableau simpson{{1.0 / 2, 1.0}, {{1.0 / 2}, {1.0, 0.0}}, {1.0 / 6, 2.0 / 3, 1.0 / 6}};
+  for (Problem (*problem)() : {logistic, with_time})
+    CHECK(measured_order(problem, simpson, 400, 1.0) == Approx(2.0).margin(0.15));
+  CHECK(measured_order(forced_oscillator, fehlberg, 40, 2.0) == Approx(4.0).margin(0.15));
 }
