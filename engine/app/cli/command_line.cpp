@@ -56,11 +56,13 @@ class CommandLine {
     add_loop();
     add_thesis();
     add_blocks();
+    add_format();
     add_schema();
   }
 
   ExitCode run(int argc, char** argv) {
-    if (argc > 1 && *argv[1] != '-' && !is_verb(argv[1])) return refuse_verb(argv[1]);
+    if (argc > 1 && *argv[1] != '-' && std::ranges::count(verbs(), std::string(argv[1])) == 0)
+      return refuse_verb(argv[1]);
     try {
       app_.parse(argc, argv);
       return action_();
@@ -84,11 +86,6 @@ class CommandLine {
     for (const CLI::App* verb : app_.get_subcommands([](const CLI::App*) { return true; }))
       names.push_back(verb->get_name());
     return names;
-  }
-
-  bool is_verb(const std::string& word) const {
-    const auto known = verbs();
-    return std::find(known.begin(), known.end(), word) != known.end();
   }
 
   ExitCode refuse_verb(const std::string& word) const {
@@ -240,6 +237,14 @@ class CommandLine {
     verb->callback([this] { action_ = [this] { return show_blocks(blocks_, registry_); }; });
   }
 
+  void add_format() {
+    CLI::App* verb = app_.add_subcommand("format", "list the sections of a diagram file, or explain one");
+    verb->footer("Example:\n  stepwire format claims\n  stepwire format --markdown > format.md");
+    verb->add_option("SECTION", format_.section, "a section, or a kind of plot: figure.lines");
+    verb->add_flag("--markdown", format_.markdown, "as Markdown");
+    verb->callback([this] { action_ = [this] { return show_format(format_); }; });
+  }
+
   void add_schema() {
     CLI::App* verb = app_.add_subcommand("schema", "print the JSON schema of diagram files, for editors");
     verb->footer(
@@ -269,6 +274,7 @@ class CommandLine {
   LoopCommand loop_;
   ThesisCommand thesis_;
   BlocksCommand blocks_;
+  FormatCommand format_;
   SettingWords settings_;
   std::string stop_;
   bool large_ = false;

@@ -71,6 +71,11 @@ struct BlocksCommand {
   bool markdown = false;
 };
 
+struct FormatCommand {
+  std::string section;  ///< empty: all of them
+  bool markdown = false;
+};
+
 /// `run`, `fit`, `study` and `check`.
 ExitCode run_files(const RunCommand& command, const Registry& registry);
 /// `flatten`: a diagram as one file without parts and parameters.
@@ -87,6 +92,8 @@ ExitCode generate_files(const GenerateCommand& command, const Registry& registry
 ExitCode run_loop(const LoopCommand& command, const Registry& registry);
 /// `blocks`.
 ExitCode show_blocks(const BlocksCommand& command, const Registry& registry);
+/// `format`.
+ExitCode show_format(const FormatCommand& command);
 /// `schema`.
 ExitCode show_schema(const Registry& registry);
 
