@@ -7,6 +7,7 @@
 
 #include "engine/analyse/query/formula.hpp"
 #include "engine/analyse/query/names.hpp"
+#include "engine/analyse/query/names_reading.hpp"
 #include "engine/base/yaml/document.hpp"
 #include "engine/simulate/record/recording.hpp"
 
@@ -70,6 +71,9 @@ struct Verdict {
   /// "holds", "does not hold", "does not hold (known)", "holds after all".
   std::string word() const;
 };
+
+/// The keys of a claim.
+const Key& claim_form();
 
 /// Reads the value under the key `claims` or `invariants`: a list of claims. Everything that is wrong goes to
 /// `faults`.

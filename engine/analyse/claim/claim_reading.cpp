@@ -10,255 +10,190 @@
 namespace stepwire {
 namespace {
 
-using Keys = std::vector<std::string>;
+using ClaimRow = KeyRow<Claim, NamesReading>;
 
-const Keys claim_keys{"that",   "where",    "final",    "max",     "min",       "mean",     "rms",
-                      "spread", "fraction", "count",    "at",      "rising",    "fit",      "equals",
-                      "within", "at_most",  "at_least", "between", "disagrees", "each_run", "offset"};
-const Keys comparison_keys{"equals", "at_most", "at_least", "between"};
-
-std::string section_of(Claim::Kind kind) {
-  return kind == Claim::Kind::invariant ? "invariants" : "claims";
+void add_value(const Node& node, Claim& claim, const NamesReading& read) {
+  auto value = read.formula(node);
+  if (!value) return;
+  const bool counts = claim.reduction == Reduction::fraction || claim.reduction == Reduction::count;
+  if (counts && value->dimension && *value->dimension != Dimension{})
+    return read.fault(node.mark,
+                      fmt::format("'{}' is in {} and no condition; write what has to hold, such as '{} > 0'",
+                                  node.text, si_name(*value->dimension), node.text));
+  claim.values.push_back(std::move(*value));
 }
 
-/// Reads one claim; faults are gathered, so that what it returns after a fault is of no use.
-class Reader {
- public:
-  Reader(const Node& node, Claim::Kind kind, const Names& names, Faults& faults)
-      : node_(node), names_(names), faults_(faults), section_(section_of(kind)), subject_(section_) {
-    claim_.kind = kind;
+void read_model_and_measured(const Node& node, Claim& claim, const NamesReading& read) {
+  if (!node.is_list() || node.items.size() != 2) return read.fault(node.mark, "fit takes [MODEL, MEASURED]");
+  for (const auto& item : node.items) add_value(item, claim, read);
+  if (claim.values.size() != 2) return;
+  const auto &model = claim.values[0].dimension, &measured = claim.values[1].dimension;
+  if (model && measured && *model != *measured)
+    read.fault(node.mark, fmt::format("'{}' is in {}, but '{}' is in {}", claim.values[0].text,
+                                      si_name(*model), claim.values[1].text, si_name(*measured)));
+}
+
+/// Reads a map of two, of which `time` is a number.
+void read_two(const Node& node, const Key& form, Claim& claim, const NamesReading& read) {
+  if (!read.check(node, form)) return;
+  for (const Key& key : form.of) {
+    const Node* value = node.find(key.name);
+    if (value && key.name == "time")
+      below(read, key.name).take(*value, key, claim.time);
+    else if (value)
+      add_value(*value, claim, below(read, key.name));
   }
+}
 
-  Claim read() {
-    claim_.place = {names_.file, node_.mark};
-    for (const auto& entry : node_.entries) {
-      if (std::find(claim_keys.begin(), claim_keys.end(), entry.key) != claim_keys.end()) continue;
-      add_unknown_key(entry, claim_keys, "a claim", names_, section_, faults_);
-      has_unknown_key_ = true;
-    }
-    if (const Node* that = node_.find("that"))
-      claim_.that = read_text(*that, names_, section_ + ".that", faults_);
-    else
-      fault(node_.mark, section_, "a claim says in 'that' what it states");
-    read_disagreement();
-    if (const Node* where = node_.find("where")) claim_.where = formula(*where, section_ + ".where");
-    read_reduction();
-    read_options();
-    read_comparison();
-    finish();
-    return std::move(claim_);
-  }
+ClaimRow reduction(Reduction kind, std::string name, std::string doc, Key form = form::expression()) {
+  return one_of("reduction", ClaimRow{std::move(name), std::move(doc), form,
+                                      [kind, form](Claim& claim, const Node& node, const NamesReading& read) {
+                                        claim.reduction = kind;
+                                        if (kind == Reduction::fit)
+                                          read_model_and_measured(node, claim, read);
+                                        else if (form.form == Key::Form::keys)
+                                          read_two(node, form, claim, read);
+                                        else
+                                          add_value(node, claim, read);
+                                      }});
+}
 
- private:
-  void fault(Mark mark, const std::string& subject, const std::string& message) {
-    faults_.add({{names_.file, mark}, subject, message, {}});
-  }
+std::optional<double> compared(const Node& node, Claim& claim, const NamesReading& read) {
+  auto number = read_number(node, read.names, read.subject, read.faults);
+  if (!number) return std::nullopt;
+  if (claim.reduction == Reduction::fit && number->unit == "%") return 100.0 * number->value;
+  check_dimension(*number, reduced_dimension(claim), "the claim's value", node, read.names, read.subject,
+                  read.faults);
+  if (claim.comparison.unit.empty()) claim.comparison.unit = number->unit;
+  return number->value;
+}
 
-  std::optional<Formula> formula(const Node& node, const std::string& subject) {
-    return read_formula(node, names_, subject, faults_);
-  }
+void read_between(const Node& node, Claim& claim, const NamesReading& read) {
+  const auto* ends = read.pair(node, like("[3.1 N, 3.3 N]", {}));
+  if (!ends) return;
+  const Node &first = ends->front(), &second = ends->back();
+  const auto low = compared(first, claim, read), high = compared(second, claim, read);
+  if (low && high && *low > *high)
+    read.fault(node.mark,
+               fmt::format("{} is above {}; the smaller number comes first", first.text, second.text));
+  claim.comparison.low = low.value_or(0.0);
+  claim.comparison.high = high.value_or(0.0);
+  claim.comparison.text = fmt::format("between {} and {}", first.text, second.text);
+}
 
-  void read_disagreement() {
-    const Node* why = node_.find("disagrees");
-    if (why == nullptr) return;
-    if (claim_.kind == Claim::Kind::invariant)
-      return fault(why->mark, section_ + ".disagrees",
-                   "an invariant always holds; what a source says stands under 'claims'");
-    claim_.disagrees = read_text(*why, names_, section_ + ".disagrees", faults_);
-  }
+ClaimRow comparison(Comparison::Kind kind, std::string name, std::string sign, std::string doc) {
+  return one_of("comparison", ClaimRow{std::move(name), std::move(doc), form::computed(),
+                                       [=](Claim& claim, const Node& node, const NamesReading& read) {
+                                         claim.comparison.kind = kind;
+                                         claim.comparison.low = compared(node, claim, read).value_or(0.0);
+                                         claim.comparison.text = sign + " " + node.text;
+                                       }});
+}
 
-  /// The one entry of the claim whose key is in `keys`; a fault where there is none or a second.
-  const Entry* only_one(const Keys& keys, const std::string& what) {
-    const Entry* found = nullptr;
-    for (const auto& entry : node_.entries) {
-      if (std::find(keys.begin(), keys.end(), entry.key) == keys.end()) continue;
-      if (found != nullptr)
-        fault(entry.mark, section_,
-              fmt::format("both '{}' and '{}'; a claim has one {}", found->key, entry.key, what));
-      else
-        found = &entry;
-    }
-    if (found == nullptr && !has_unknown_key_)  // which may be what is missing, misspelt
-      fault(node_.mark, section_, fmt::format("a claim needs one {}: {}", what, fmt::join(keys, ", ")));
-    return found;
-  }
+void read_within(Claim& claim, const Node& node, const NamesReading& read) {
+  Comparison& comparison = claim.comparison;
+  const auto number = read_number(node, read.names, read.subject, read.faults);
+  if (!number || comparison.kind != Comparison::Kind::equals) return;
+  const bool relative = number->unit == "%";
+  if (!relative)
+    check_dimension(*number, reduced_dimension(claim), "the claim's value", node, read.names, read.subject,
+                    read.faults);
+  comparison.within = relative ? number->value * std::abs(comparison.low) : number->value;
+  comparison.text += " within " + node.text;
+  if (relative && comparison.low == 0.0)
+    read.fault(node.mark,
+               fmt::format("{} of 0 is 0; give a tolerance with the unit of the value", node.text));
+  if (comparison.within < 0.0) read.fault(node.mark, "a tolerance is not negative");
+}
 
-  void read_reduction() {
-    const Entry* entry = only_one(reduction_names(), "reduction");
-    if (entry == nullptr) return;
-    subject_ = section_ + "." + entry->key;
-    claim_.reduction = reduction_named(entry->key);
-    switch (claim_.reduction) {
-      case Reduction::at:
-        read_at(entry->value);
-        break;
-      case Reduction::rising:
-        read_pair(entry->value, {"value", "over"}, "{value: ..., over: ...}");
-        break;
-      case Reduction::fit:
-        read_fit(entry->value);
-        break;
-      default:
-        add_value(&entry->value);
-    }
-  }
+void read_disagreement(Claim& claim, const Node& node, const NamesReading& read) {
+  if (claim.kind == Claim::Kind::invariant)
+    return read.fault(node.mark, "an invariant always holds; what a source says stands under 'claims'");
+  claim.disagrees = read.text(node);
+}
 
-  void read_options() {
-    claim_.each_run = claim_.reduction == Reduction::final || claim_.reduction == Reduction::at;
-    if (const Node* each = node_.find("each_run")) {
-      if (each->text != "true" && each->text != "false")
-        fault(each->mark, section_ + ".each_run", fmt::format("'{}' is neither true nor false", each->text));
-      claim_.each_run = claim_.each_run || each->text == "true";
-    }
-    const Node* offset = node_.find("offset");
-    if (offset == nullptr) return;
-    if (offset->text != "free" || claim_.reduction != Reduction::fit)
-      fault(offset->mark, section_ + ".offset",
-            "is 'offset: free', beside 'fit' only: the mean difference is not counted as an error");
-    claim_.free_offset = true;
-  }
+Key two(std::string example, Key first, Key second) {
+  return form::keys("it", std::move(example), {needed(std::move(first)), needed(std::move(second))});
+}
 
-  void add_value(const Node* node) {
-    auto value = formula(*node, subject_);
-    if (!value) return;
-    const bool counts = claim_.reduction == Reduction::fraction || claim_.reduction == Reduction::count;
-    if (counts && value->dimension && *value->dimension != Dimension{})
-      return fault(node->mark, subject_,
-                   fmt::format("'{}' is in {} and no condition; write what has to hold, such as '{} > 0'",
-                               node->text, si_name(*value->dimension), node->text));
-    claim_.values.push_back(std::move(*value));
-  }
+std::vector<ClaimRow> claim_rows() {
+  return {
+      needed(ClaimRow{"that", "the statement, for people", form::text(), &Claim::that}),
+      {"where", "only rows for which this is true count", form::expression(), &Claim::where},
+      reduction(Reduction::final, "final",
+                "its last value; over a sweep that of every run, of which the worst is shown"),
+      reduction(Reduction::max, "max", "its largest value"),
+      reduction(Reduction::min, "min", "its smallest value"),
+      reduction(Reduction::mean, "mean", "its mean over time"),
+      reduction(Reduction::rms, "rms", "its root mean square over time"),
+      reduction(Reduction::spread, "spread", "its largest value minus its smallest"),
+      reduction(Reduction::fraction, "fraction", "the share of rows where it is true, 0 to 1"),
+      reduction(Reduction::count, "count", "how often it becomes true"),
+      reduction(Reduction::at, "at", "its value at a time: {time: 2 s, value: x}",
+                two("{time: 2 s, value: ...}", key("time", "when", form::computed("s")),
+                    key("value", "what", form::expression()))),
+      reduction(Reduction::rising, "rising",
+                "rank correlation, 1 where it rises strictly: {value: x, over: y}",
+                two("{value: ..., over: ...}", key("value", "what rises", form::expression()),
+                    key("over", "with what", form::expression()))),
+      reduction(Reduction::fit, "fit",
+                "agreement of [MODEL, MEASURED] in percent: 100 (1 - |e| / |y - mean y|)",
+                form::pair(form::expression())),
+      comparison(Comparison::Kind::equals, "equals", "=", "the reduced value is this; see within"),
+      comparison(Comparison::Kind::at_most, "at_most", "<=", "the reduced value is this or less"),
+      comparison(Comparison::Kind::at_least, "at_least", ">=", "the reduced value is this or more"),
+      one_of("comparison", ClaimRow{"between", "the reduced value lies in this interval: [3.1 N, 3.3 N]",
+                                    form::pair(form::computed()),
+                                    [](Claim& claim, const Node& node, const NamesReading& read) {
+                                      claim.comparison.kind = Comparison::Kind::between;
+                                      read_between(node, claim, read);
+                                    }}),
+      beside({"equals"}, ClaimRow{"within", "tolerance of `equals`: 0.1 N, or relative: 1 %",
+                                  form::computed(), read_within}),
+      {"each_run", "true: judged for every run of a sweep, the worst is shown; always so for final and at",
+       form::truth(), &Claim::each_run},
+      beside({"fit"}, ClaimRow{"offset", "beside fit: the mean difference is no error", form::word({"free"}),
+                               [](Claim& claim, const Node& node, const NamesReading& read) {
+                                 claim.free_offset = read.word(node, form::word({"free"})).has_value();
+                               }}),
+      {"disagrees", "why a statement of the thesis is known not to hold", form::text(), read_disagreement}};
+}
 
-  void read_pair(const Node& node, const Keys& keys, const std::string& example) {
-    bool has_unknown_key = false;
-    for (const auto& entry : node.entries) {
-      if (std::find(keys.begin(), keys.end(), entry.key) != keys.end()) continue;
-      add_unknown_key(entry, keys, "it", names_, subject_, faults_);
-      has_unknown_key = true;
-    }
-    for (const auto& key : keys) {
-      const Node* value = node.find(key);
-      if (value == nullptr && has_unknown_key) return;
-      if (value == nullptr)
-        return fault(node.mark, subject_, fmt::format("'{}' is missing: {}", key, example));
-      if (key == "time")
-        read_time(*value);
-      else
-        add_value(value);
-    }
-  }
+const KeyTable<Claim, NamesReading>& claim_table() {
+  static const KeyTable<Claim, NamesReading> table("a claim", "{that: ..., final: ..., equals: ...}",
+                                                   claim_rows());
+  return table;
+}
 
-  void read_at(const Node& node) { read_pair(node, {"time", "value"}, "{time: 2 s, value: ...}"); }
-
-  void read_time(const Node& node) {
-    const auto time = read_number(node, names_, subject_, faults_);
-    if (!time) return;
-    check_dimension(*time, Dimension{{0, 0, 1}}, "time", node, names_, subject_, faults_);
-    claim_.time = time->value;
-    time_text_ = time->text;
-  }
-
-  void read_fit(const Node& node) {
-    if (!node.is_list() || node.items.size() != 2)
-      return fault(node.mark, subject_, "fit takes [MODEL, MEASURED]");
-    for (const auto& item : node.items) add_value(&item);
-    if (claim_.values.size() != 2) return;
-    const auto &model = claim_.values[0].dimension, &measured = claim_.values[1].dimension;
-    if (model && measured && *model != *measured)
-      fault(node.mark, subject_,
-            fmt::format("'{}' is in {}, but '{}' is in {}", claim_.values[0].text, si_name(*model),
-                        claim_.values[1].text, si_name(*measured)));
-  }
-
-  std::optional<double> number(const Node& node, const std::string& key) {
-    const std::string subject = section_ + "." + key;
-    auto read = read_number(node, names_, subject, faults_);
-    if (!read) return std::nullopt;
-    if (claim_.reduction == Reduction::fit && read->unit == "%") return 100.0 * read->value;
-    check_dimension(*read, reduced_dimension(claim_), "the claim's value", node, names_, subject, faults_);
-    if (claim_.comparison.unit.empty()) claim_.comparison.unit = read->unit;
-    return read->value;
-  }
-
-  void read_comparison() {
-    const Entry* entry = only_one(comparison_keys, "comparison");
-    if (entry == nullptr) return;
-    Comparison& comparison = claim_.comparison;
-    const auto index = std::find(comparison_keys.begin(), comparison_keys.end(), entry->key);
-    comparison.kind = static_cast<Comparison::Kind>(index - comparison_keys.begin());
-    if (comparison.kind == Comparison::Kind::between) return read_between(entry->value);
-    comparison.low = number(entry->value, entry->key).value_or(0.0);
-    static const Keys signs{"=", "<=", ">="};
-    comparison.text =
-        fmt::format("{} {}", signs[static_cast<std::size_t>(comparison.kind)], entry->value.text);
-    read_within();
-  }
-
-  void read_between(const Node& node) {
-    if (!node.is_list() || node.items.size() != 2)
-      return fault(node.mark, section_ + ".between", "between takes two numbers: [3.1 N, 3.3 N]");
-    const auto low = number(node.items[0], "between"), high = number(node.items[1], "between");
-    if (low && high && *low > *high)
-      fault(node.mark, section_ + ".between",
-            fmt::format("{} is above {}; the smaller number comes first", node.items[0].text,
-                        node.items[1].text));
-    claim_.comparison.low = low.value_or(0.0);
-    claim_.comparison.high = high.value_or(0.0);
-    claim_.comparison.text = fmt::format("between {} and {}", node.items[0].text, node.items[1].text);
-    read_within();
-  }
-
-  void read_within() {
-    const Node* node = node_.find("within");
-    if (node == nullptr) return;
-    Comparison& comparison = claim_.comparison;
-    if (comparison.kind != Comparison::Kind::equals)
-      return fault(node->mark, section_ + ".within", "'within' goes with 'equals' only");
-    const auto read = read_number(*node, names_, section_ + ".within", faults_);
-    if (!read) return;
-    const bool relative = read->unit == "%";
-    if (!relative)
-      check_dimension(*read, reduced_dimension(claim_), "the claim's value", *node, names_,
-                      section_ + ".within", faults_);
-    comparison.within = relative ? read->value * std::abs(comparison.low) : read->value;
-    comparison.text += " within " + node->text;
-    if (relative && comparison.low == 0.0)
-      fault(node->mark, section_ + ".within",
-            fmt::format("{} of 0 is 0; give a tolerance with the unit of the value", node->text));
-    if (comparison.within < 0.0) fault(node->mark, section_ + ".within", "a tolerance is not negative");
-  }
-
-  void finish() {
-    std::vector<const Formula*> all;
-    for (const auto& value : claim_.values) all.push_back(&value);
-    if (claim_.where) all.push_back(&*claim_.where);
-    claim_.recording = common_recording(all, names_, node_, subject_, faults_);
-    claim_.check = check_text(claim_, time_text_);
-  }
-
-  const Node& node_;
-  const Names& names_;
-  Faults& faults_;
-  Claim claim_;
-  std::string section_, subject_, time_text_;
-  bool has_unknown_key_ = false;
-};
+Claim read_claim(const Node& node, Claim::Kind kind, const NamesReading& read) {
+  Claim claim;
+  claim.kind = kind;
+  claim.place = {read.names.file, node.mark};
+  if (!claim_table().read(node, claim, read)) return claim;
+  claim.each_run = claim.each_run || claim.reduction == Reduction::final || claim.reduction == Reduction::at;
+  std::vector<const Formula*> all;
+  for (const auto& value : claim.values) all.push_back(&value);
+  if (claim.where) all.push_back(&*claim.where);
+  const std::string& reduced = reduction_names()[static_cast<std::size_t>(claim.reduction)];
+  claim.recording = common_recording(all, read.names, node, below(read, reduced).subject, read.faults);
+  const Node* at = node.find("at");
+  const Node* time = at ? at->find("time") : nullptr;
+  claim.check = check_text(claim, time ? time->text : "");
+  return claim;
+}
 
 }  // namespace
 
+const Key& claim_form() {
+  return claim_table().form;
+}
+
 std::vector<Claim> read_claims(const Node& node, Claim::Kind kind, const Names& names, Faults& faults) {
+  const NamesReading read(kind == Claim::Kind::invariant ? "invariants" : "claims", names, faults);
   std::vector<Claim> claims;
-  const std::string section = section_of(kind), example = "{that: ..., final: ..., equals: ...}";
-  if (!node.is_list()) {
-    faults.add({{names.file, node.mark}, section, fmt::format("{} are a list: - {}", section, example), {}});
-    return claims;
-  }
-  for (const auto& item : node.items) {
-    if (item.is_map())
-      claims.push_back(Reader(item, kind, names, faults).read());
-    else
-      faults.add({{names.file, item.mark}, section, fmt::format("a claim is a map: {}", example), {}});
-  }
+  if (!node.is_list())
+    read.fault(node.mark, fmt::format("{} are a list: - {}", read.subject, claim_form().example));
+  for (const auto& item : node.items) claims.push_back(read_claim(item, kind, read));
   return claims;
 }
 

@@ -53,14 +53,13 @@ double resolved(const Comparison& comparison, double value, double magnitude) {
 }  // namespace
 
 const std::vector<std::string>& reduction_names() {
-  static const std::vector<std::string> names{"final",    "max",   "min", "mean",   "rms", "spread",
-                                              "fraction", "count", "at",  "rising", "fit"};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> found;
+    for (const Key& key : claim_form().of)
+      if (key.choice == "reduction") found.push_back(key.name);
+    return found;
+  }();
   return names;
-}
-
-Reduction reduction_named(const std::string& name) {
-  const auto& names = reduction_names();
-  return static_cast<Reduction>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
 std::optional<Dimension> reduced_dimension(const Claim& claim) {

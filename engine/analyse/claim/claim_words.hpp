@@ -11,9 +11,6 @@ namespace stepwire {
 /// Keys of the reductions, in the order of `Reduction`.
 const std::vector<std::string>& reduction_names();
 
-/// The reduction of a key that is one.
-Reduction reduction_named(const std::string& name);
-
 /// Dimension of the reduced value, where it is known.
 std::optional<Dimension> reduced_dimension(const Claim& claim);
 

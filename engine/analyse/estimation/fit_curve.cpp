@@ -1,9 +1,8 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <utility>
 
-#include "engine/analyse/estimation/fit_request.hpp"
+#include "engine/analyse/estimation/fit_keys.hpp"
 #include "engine/analyse/query/number.hpp"
 #include "engine/analyse/query/series.hpp"
 
@@ -43,17 +42,12 @@ class CurveReader {
       : node_(node), names_(names), faults_(faults) {}
 
   std::optional<FitCurve> read(const std::vector<FitParameter>& parameters) {
-    if (!node_.is_map()) return refused(node_, "is written {y: c1*i + c0, over: {i: [0, 1]}, data: current}");
-    for (const Entry& entry : node_.entries)
-      if (std::find(keys_.begin(), keys_.end(), entry.key) == keys_.end())
-        add_unknown_key(entry, keys_, "a curve", names_, subject, faults_);
-    const Node* over = node_.find("over");
-    if (!over || !over->is_map() || over->entries.size() != 1)
-      return refused(over ? *over : node_, over_form);
+    if (!NamesReading(subject, names_, faults_).check(node_, fit_curve_form())) return std::nullopt;
+    const Node *over = node_.find("over"), *y = node_.find("y");
+    if (!over || !y) return std::nullopt;
+    if (!over->is_map() || over->entries.size() != 1) return refused(*over, over_form);
     const Entry& variable = over->entries.front();
     const auto range = read_range(variable.value);
-    const Node* y = node_.find("y");
-    if (!y) return refused(node_, "'y' is missing: an expression of fitted parameters and the variable");
     auto series = read_series(*y, names_in_curve(names_, parameters, variable.key), subject, faults_);
     if (!series || !range) return std::nullopt;
     std::vector<double> otherwise = starts_of(series->formula.columns, parameters);
@@ -92,10 +86,21 @@ class CurveReader {
   const Node& node_;
   const Names& names_;
   Faults& faults_;
-  const std::vector<std::string> keys_{"y", "over", "data", "x_label"};
 };
 
 }  // namespace
+
+const Key& fit_curve_form() {
+  Key over = form::names(form::pair(form::computed()), 1);
+  over.most = 1;
+  static const Key form = form::keys(
+      "a curve", "{y: c1*i + c0, over: {i: [0, 1]}, data: current}",
+      {needed(key("y", "expression of fitted parameters and of the variable", form::series())),
+       needed(key("over", "the variable and its range in bare numbers: {i: [0, 1]}", over)),
+       key("data", "where the records have the variable; this range is shaded", form::expression()),
+       key("x_label", "text at the axis of the variable")});
+  return form;
+}
 
 std::optional<FitCurve> read_fit_curve(const Node& node, const Names& names,
                                        const std::vector<FitParameter>& parameters, Faults& faults) {

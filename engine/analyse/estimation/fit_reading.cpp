@@ -1,297 +1,163 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
-#include "engine/analyse/estimation/fit_request.hpp"
+#include "engine/analyse/estimation/fit_keys.hpp"
 #include "engine/analyse/query/number.hpp"
-#include "engine/analyse/query/series.hpp"
 
 namespace stepwire {
-
 namespace {
 
-using Keys = std::vector<std::string>;
+using FitTable = KeyTable<FitRequest, FitReading>;
 
-const Keys fit_keys{"parameters", "compare", "hold_out",   "loss",   "width",  "starts",
-                    "follow",     "seed",    "iterations", "global", "curves", "records"};
-const Keys parameter_keys{"start", "bounds", "scale", "each_record"};
-const Keys comparison_keys{"model", "measured", "weight", "where", "offset", "against"};
-const Keys global_keys{"population", "generations"};
-
-class Reader {
- public:
-  Reader(const Node& node, const Names& names, const Diagram& diagram, Faults& faults)
-      : node_(node), names_(names), diagram_(diagram), faults_(faults) {}
-
-  FitRequest read() {
-    request_.place = {names_.file, node_.mark};
-    if (!is_map(node_, fit_keys, "fit", "the fit", "{parameters: {..}, compare: [..]}")) return request_;
-    read_parameters();
-    read_comparisons();
-    if (const Node* held = node_.find("hold_out")) read_hold_out(*held);
-    read_loss();
-    request_.starts = whole(node_, "starts", 1, 10'000, request_.starts, "fit.starts");
-    if (node_.find("follow"))
-      request_.follow = whole(node_, "follow", 1, 10'000, request_.starts, "fit.follow");
-    request_.seed = whole(node_, "seed", 0, 1'000'000'000, request_.seed, "fit.seed");
-    request_.iterations = whole(node_, "iterations", 1, 100'000, request_.iterations, "fit.iterations");
-    if (const Node* global = node_.find("global")) read_global(*global);
-    if (const Node* curves = node_.find("curves")) read_curves(*curves);
-    if (const Node* word = node_.find("records"))
-      request_.records = read_text(*word, names_, "fit.records", faults_);
-    return std::move(request_);
-  }
-
- private:
-  void fault(const Mark& mark, const std::string& subject, const std::string& message) {
-    faults_.add({{names_.file, mark}, subject, message, {}});
-  }
-
-  bool is_map(const Node& node, const Keys& keys, const std::string& subject, const std::string& owner,
-              const std::string& form) {
-    if (!node.is_map()) {
-      fault(node.mark, subject, "is written " + form);
-      return false;
-    }
-    for (const Entry& entry : node.entries)
-      if (std::find(keys.begin(), keys.end(), entry.key) == keys.end())
-        add_unknown_key(entry, keys, owner, names_, subject, faults_);
-    return true;
-  }
-
-  std::uint64_t whole(const Node& map, const char* key, double least, double most, std::uint64_t otherwise,
-                      const std::string& subject) {
-    const Node* node = map.find(key);
-    if (!node) return otherwise;
-    const auto value = parse_quantity(node->text);
-    if (value && !value->dimension && value->value == std::floor(value->value) && value->value >= least &&
-        value->value <= most)
-      return static_cast<std::uint64_t>(value->value);
-    fault(node->mark, subject, fmt::format("'{}' is no whole number from {} to {}", node->text, least, most));
-    return otherwise;
-  }
-
-  bool flag(const Node& map, const char* key, const std::string& subject) {
-    const Node* node = map.find(key);
-    if (!node) return false;
-    if (node->text != "true" && node->text != "false")
-      fault(node->mark, subject, fmt::format("'{}' is neither true nor false", node->text));
-    return node->text == "true";
-  }
-
-  void read_parameters() {
-    const Node* map = node_.find("parameters");
-    if (!map || !map->is_map() || map->entries.empty())
-      return fault(map ? map->mark : node_.mark, "fit.parameters",
-                   "names what is to be found: {rig.mass: {start: 2 kg, bounds: [1 kg, 5 kg]}}");
-    for (const Entry& entry : map->entries) read_parameter(entry);
-  }
-
-  const DiagramParameter* known(const std::string& name) const {
-    const auto& all = diagram_.parameters;
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
-    return found == all.end() ? nullptr : &*found;
-  }
-
-  bool is_swept(const std::string& name) const {
-    if (!diagram_.sweep) return false;
-    const auto& axes = diagram_.sweep->axes;
-    return std::any_of(axes.begin(), axes.end(), [&](const auto& axis) { return axis.parameter == name; });
-  }
-
-  void read_parameter(const Entry& entry) {
-    const std::string subject = "fit.parameters." + entry.key;
-    const DiagramParameter* of = known(entry.key);
-    if (!of) return fault(entry.mark, subject, unknown(entry.key));
-    const double* own = std::get_if<double>(&of->value.content);
-    if (!own)
-      return fault(entry.mark, subject,
-                   fmt::format("'{}' is no single number, which alone is fitted", of->text));
-    if (is_swept(entry.key))
-      return fault(entry.mark, subject, "is swept, so it is given; take it out of 'sweep' or out of 'fit'");
-    if (!is_map(entry.value, parameter_keys, subject, "it", "{start: 2 kg, bounds: [1 kg, 5 kg]}")) return;
-    FitParameter parameter{.name = entry.key, .start = *own, .dimension = of->dimension};
-    parameter.place = {names_.file, entry.mark};
-    const Node* start = entry.value.find("start");
-    if (start) parameter.start = number(*start, subject, parameter);
-    if (const Node* bounds = entry.value.find("bounds"))
-      read_bounds(*bounds, start ? start->text : of->text, subject, parameter);
-    parameter.each_record = flag(entry.value, "each_record", subject);
-    read_scale(entry.value.find("scale"), subject, parameter);
-    all_.push_back(parameter);
-    if (!of->set) request_.parameters.push_back(std::move(parameter));  // what the call sets is given
-  }
-
-  std::string unknown(const std::string& name) const {
-    Keys all;
-    for (const DiagramParameter& one : diagram_.parameters)
-      if (std::holds_alternative<double>(one.value.content)) all.push_back(one.name);
-    return fmt::format("there is no parameter '{}'{}", name, nearest_or_all(name, all, "there are"));
-  }
-
-  double number(const Node& node, const std::string& subject, FitParameter& parameter) {
-    const auto read = read_number(node, names_, subject, faults_);
-    if (!read) return 0.0;
-    check_dimension(*read, parameter.dimension, "the parameter", node, names_, subject, faults_);
-    if (!parameter.dimension) parameter.dimension = read->dimension;
-    if (parameter.unit.empty()) parameter.unit = read->unit;
-    return read->value;
-  }
-
-  void read_bounds(const Node& node, const std::string& start, const std::string& subject,
-                   FitParameter& parameter) {
-    if (!node.is_list() || node.items.size() != 2)
-      return fault(node.mark, subject, "bounds are a lower and an upper one: [1 kg, 5 kg]");
-    parameter.lower = number(node.items[0], subject, parameter);
-    parameter.upper = number(node.items[1], subject, parameter);
-    if (!(parameter.lower < parameter.upper))
-      return fault(node.mark, subject,
-                   fmt::format("the bounds are the wrong way round: {} is not below {}", node.items[0].text,
-                               node.items[1].text));
-    if (parameter.start < parameter.lower || parameter.start > parameter.upper)
-      fault(node.mark, subject,
-            fmt::format("the start, {}, is outside of the bounds [{}, {}]; it must lie within them", start,
-                        node.items[0].text, node.items[1].text));
-  }
-
-  void read_scale(const Node* node, const std::string& subject, FitParameter& parameter) {
-    if (node) {
-      parameter.scale = number(*node, subject, parameter);
-      if (!(parameter.scale > 0.0))
-        fault(node->mark, subject, fmt::format("the scale {} is not above 0", node->text));
-    } else if (parameter.start != 0.0) {
-      parameter.scale = std::abs(parameter.start);
-    } else if (parameter.bounded()) {
-      parameter.scale = 0.1 * (parameter.upper - parameter.lower);
-    }
-  }
-
-  void read_comparisons() {
-    const Node* list = node_.find("compare");
-    if (!list || !list->is_list() || list->items.empty())
-      return fault(list ? list->mark : node_.mark, "fit.compare",
-                   "is a list of what is compared: [{model: rig.x, measured: record.x}]");
-    for (const Node& item : list->items)
-      if (is_map(item, comparison_keys, "fit.compare", "it", "{model: rig.x, measured: record.x}"))
-        read_comparison(item);
-  }
-
-  std::optional<Formula> formula(const Node& map, const char* key) {
-    const Node* node = map.find(key);
-    return node ? read_formula(*node, names_, std::string("fit.compare.") + key, faults_) : std::nullopt;
-  }
-
-  void read_comparison(const Node& map) {
-    for (const char* key : {"model", "measured"})
-      if (!map.find(key))
-        fault(map.mark, "fit.compare", fmt::format("'{}' is missing: {{model: .., measured: ..}}", key));
-    auto measured = formula(map, "measured");
-    const Node* model_node = map.find("model");
-    auto model = model_node ? read_series(*model_node, names_, "fit.compare.model", faults_) : std::nullopt;
-    std::vector<Series> against = series(map, "against");
-    auto weight = formula(map, "weight"), where = formula(map, "where");
-    bool free_offset = false;
-    if (const Node* offset = map.find("offset")) {
-      if (offset->text != "free")
-        fault(offset->mark, "fit.compare.offset", "is 'offset: free': the mean difference is no error");
-      free_offset = true;
-    }
-    if (!model || !measured) return;
-    const auto& dimension = model->formula.dimension;
-    if (dimension && measured->dimension && *dimension != *measured->dimension)
-      fault(map.mark, "fit.compare",
-            fmt::format("'{}' is in {}, but '{}' is in {}", model->formula.text, si_name(*dimension),
-                        measured->text, si_name(*measured->dimension)));
-    std::vector<const Formula*> together{&model->formula, &*measured, weight ? &*weight : nullptr,
-                                         where ? &*where : nullptr};
-    for (const Series& one : against) together.push_back(&one.formula);
-    const std::size_t recording = common_recording(together, names_, map, "fit.compare", faults_);
-    request_.comparisons.push_back({std::move(*model),
-                                    std::move(*measured),
-                                    std::move(weight),
-                                    std::move(where),
-                                    free_offset,
-                                    recording,
-                                    {names_.file, map.mark},
-                                    std::move(against)});
-  }
-
-  /// One expression or a list of them.
-  std::vector<Series> series(const Node& map, const char* key) {
-    std::vector<Series> all;
-    const Node* node = map.find(key);
-    if (!node) return all;
-    const std::vector<Node> one{*node};
-    for (const Node& item : node->is_list() ? node->items : one)
-      if (auto read = read_series(item, names_, std::string("fit.compare.") + key, faults_))
-        all.push_back(std::move(*read));
-    return all;
-  }
-
-  void read_curves(const Node& list) {
-    if (!list.is_list())
-      return fault(list.mark, "fit.curves", "is a list: [{y: c1*i + c0, over: {i: [0, 1]}, data: current}]");
-    for (const Node& item : list.items)
-      if (auto curve = read_fit_curve(item, names_, all_, faults_))
-        request_.curves.push_back(std::move(*curve));
-  }
-
-  void read_hold_out(const Node& node) {
-    request_.hold_out = read_formula(node, names_, "fit.hold_out", faults_);
-    if (!request_.hold_out) return;
-    for (const std::string& column : request_.hold_out->columns)
-      if (!is_swept(column))
-        fault(node.mark, "fit.hold_out",
-              fmt::format("'{}' is no swept parameter, and only these tell whole records apart", column));
-  }
-
-  void read_loss() {
-    if (const Node* loss = node_.find("loss")) {
-      const Keys words{"none", "huber", "cauchy"};
-      const auto found = std::find(words.begin(), words.end(), loss->text);
-      if (found == words.end())
-        return fault(loss->mark, "fit.loss",
-                     fmt::format("there is no loss '{}'; take none, huber or cauchy", loss->text));
-      request_.loss = static_cast<FitLoss>(found - words.begin());
-    }
-    const Node* width = node_.find("width");
-    if (!width) return;
-    const auto read = read_number(*width, names_, "fit.width", faults_);
-    if (read && !(read->value > 0.0))
-      fault(width->mark, "fit.width", fmt::format("{} is not allowed; it must be above 0", width->text));
-    if (request_.loss == FitLoss::none) fault(width->mark, "fit.width", "goes with 'loss: huber' or cauchy");
-    if (read) request_.width = read->value;
-  }
-
-  void read_global(const Node& node) {
-    const std::string subject = "fit.global";
-    if (!is_map(node, global_keys, subject, "it", "{population: 40, generations: 60}")) return;
-    GlobalSearch global;
-    global.population = whole(node, "population", 4, 100'000, global.population, subject);
-    global.generations = whole(node, "generations", 1, 1'000'000, global.generations, subject);
-    request_.global = global;
-    for (const FitParameter& parameter : request_.parameters)
-      if (!parameter.bounded())
-        faults_.add({parameter.place,
-                     "fit.parameters." + parameter.name,
-                     "has no bounds, between which 'global' searches; give them",
-                     {}});
-  }
-
-  const Node& node_;
-  const Names& names_;
-  const Diagram& diagram_;
-  Faults& faults_;
-  FitRequest request_;
-  std::vector<FitParameter> all_;  ///< also what the call sets, which starts there
+/// A comparison whose expressions may not be there.
+struct ComparisonDraft {
+  std::optional<Series> model{};
+  std::optional<Formula> measured{}, weight{}, where{};
+  std::vector<Series> against{};
+  bool free_offset = false;
 };
+
+using ComparisonTable = KeyTable<ComparisonDraft, FitReading>;
+
+const ComparisonTable& comparison_table() {
+  static const ComparisonTable table(
+      "it", "{model: rig.x, measured: record.x}",
+      {needed(ComparisonTable::Row{"model", "what the diagram computes", form::series(),
+                                   &ComparisonDraft::model}),
+       needed(ComparisonTable::Row{"measured", "what it is held against", form::expression(),
+                                   &ComparisonDraft::measured}),
+       {"weight", "factor of the difference, 1 over what is expected of it: 1/(3 N)", form::expression(),
+        &ComparisonDraft::weight},
+       {"where", "only rows for which this is true are compared", form::expression(),
+        &ComparisonDraft::where},
+       {"offset", "the mean difference of each record is no error", form::word({"free"}),
+        [](ComparisonDraft& draft, const Node& node, const FitReading& read) {
+          draft.free_offset = read.word(node, form::word({"free"})).has_value();
+        }},
+       {"against", "what pictures show it over, beside the time", form::one_or_list(form::series()),
+        &ComparisonDraft::against}});
+  return table;
+}
+
+void read_comparison(FitRequest& request, const Node& map, const FitReading& read) {
+  ComparisonDraft draft;
+  if (!comparison_table().read(map, draft, read) || !draft.model || !draft.measured) return;
+  const auto& dimension = draft.model->formula.dimension;
+  if (dimension && draft.measured->dimension && *dimension != *draft.measured->dimension)
+    read.fault(map.mark,
+               fmt::format("'{}' is in {}, but '{}' is in {}", draft.model->formula.text, si_name(*dimension),
+                           draft.measured->text, si_name(*draft.measured->dimension)));
+  std::vector<const Formula*> together{&draft.model->formula, &*draft.measured,
+                                       draft.weight ? &*draft.weight : nullptr,
+                                       draft.where ? &*draft.where : nullptr};
+  for (const Series& one : draft.against) together.push_back(&one.formula);
+  const std::size_t recording = common_recording(together, read.names, map, read.subject, read.faults);
+  request.comparisons.push_back({std::move(*draft.model),
+                                 std::move(*draft.measured),
+                                 std::move(draft.weight),
+                                 std::move(draft.where),
+                                 draft.free_offset,
+                                 recording,
+                                 {read.names.file, map.mark},
+                                 std::move(draft.against)});
+}
+
+void read_comparisons(FitRequest& request, const Node& list, const FitReading& read) {
+  if (!list.is_list() || list.items.empty())
+    return read.fault(list.mark, "is a list of what is compared: [{model: rig.x, measured: record.x}]");
+  for (const Node& item : list.items) read_comparison(request, item, read);
+}
+
+void read_curves(FitRequest& request, const Node& list, const FitReading& read) {
+  if (!list.is_list())
+    return read.fault(list.mark, "is a list: [{y: c1*i + c0, over: {i: [0, 1]}, data: current}]");
+  for (const Node& item : list.items)
+    if (auto curve = read_fit_curve(item, read.names, read.parameters, read.faults))
+      request.curves.push_back(std::move(*curve));
+}
+
+void read_hold_out(FitRequest& request, const Node& node, const FitReading& read) {
+  request.hold_out = read.formula(node);
+  if (!request.hold_out) return;
+  for (const std::string& column : request.hold_out->columns)
+    if (!read.is_swept(column))
+      read.fault(node.mark,
+                 fmt::format("'{}' is no swept parameter, and only these tell whole records apart", column));
+}
+
+const KeyTable<GlobalSearch, FitReading>& global_table() {
+  static const KeyTable<GlobalSearch, FitReading> table(
+      "it", "{population: 40, generations: 60}",
+      {{"population", "how many points there are at a time", form::whole(4, 100'000),
+        &GlobalSearch::population},
+       {"generations", "how often they are replaced", form::whole(1, 1'000'000),
+        &GlobalSearch::generations}});
+  return table;
+}
+
+void read_global(FitRequest& request, const Node& node, const FitReading& read) {
+  if (!global_table().read(node, request.global.emplace(), read)) return;
+  for (const FitParameter& parameter : request.parameters)
+    if (!parameter.bounded())
+      read.faults.add({parameter.place,
+                       "fit.parameters." + parameter.name,
+                       "has no bounds, between which 'global' searches; give them",
+                       {}});
+}
+
+FitTable::Row parameters_row() {
+  return {"parameters", "what is to be found, by the names that --set takes",
+          like("{rig.mass: {start: 2 kg, bounds: [1 kg, 5 kg]}}", form::names(fit_parameter_form(), 1)),
+          read_fit_parameters};
+}
+
+FitTable::Row compare_row() {
+  return {"compare", "model and measurement, side by side",
+          like("[{model: rig.x, measured: record.x}]", form::list(comparison_table().form, 1)),
+          read_comparisons};
+}
+
+const FitTable& fit_table() {
+  static const FitTable table(
+      "the fit", "{parameters: {..}, compare: [..]}",
+      {needed(parameters_row()),
+       needed(compare_row()),
+       {"hold_out", "of swept parameters: records that are predicted, not fitted", form::expression(),
+        read_hold_out},
+       {"loss", "what large differences count: all, or less beyond the width",
+        form::word({"none", "huber", "cauchy"}), &FitRequest::loss},
+       beside({"loss"}, FitTable::Row{"width", "of the loss, in weighted differences",
+                                      form::above_zero(form::computed()), &FitRequest::width}),
+       {"starts", "searches; the first begins at the given start, the others within the bounds",
+        form::whole(1, 10'000), &FitRequest::starts},
+       {"follow", "how many of the searches go on after the first steps; a quarter without it",
+        form::whole(1, 10'000), &FitRequest::follow},
+       {"seed", "of what is random", form::whole(0, 1'000'000'000), &FitRequest::seed},
+       {"iterations", "steps of one search, at most", form::whole(1, 100'000), &FitRequest::iterations},
+       {"global", "differential evolution within the bounds ahead of the rest", global_table().form,
+        read_global},
+       {"curves", "what follows from the fitted parameters, drawn with its 95 % interval",
+        form::list(fit_curve_form()), read_curves},
+       {"records", "what pictures call the records: measured, simulated", form::text(),
+        &FitRequest::records}});
+  return table;
+}
 
 }  // namespace
 
+const Key& fit_form() {
+  return fit_table().form;
+}
+
 FitRequest read_fit(const Node& node, const Names& names, const Diagram& diagram, Faults& faults) {
-  return Reader(node, names, diagram, faults).read();
+  FitRequest request;
+  request.place = {names.file, node.mark};
+  std::vector<FitParameter> all;
+  const FitReading read(names, diagram, all, faults);
+  if (!fit_table().read(node, request, read)) return request;
+  const Node *width = node.find("width"), *loss = node.find("loss");
+  if (width && loss && request.loss == FitLoss::none)
+    below(read, "width").fault(width->mark, "goes with 'loss: huber' or cauchy");
+  return request;
 }
 
 }  // namespace stepwire

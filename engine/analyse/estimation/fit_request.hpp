@@ -10,6 +10,7 @@
 #include "engine/analyse/query/names.hpp"
 #include "engine/analyse/query/series.hpp"
 #include "engine/base/yaml/document.hpp"
+#include "engine/base/yaml/key.hpp"
 #include "engine/model/diagram/diagram.hpp"
 
 namespace stepwire {
@@ -92,6 +93,9 @@ struct FitRequest {
 /// to `faults`.
 std::optional<FitCurve> read_fit_curve(const Node& node, const Names& names,
                                        const std::vector<FitParameter>& parameters, Faults& faults);
+
+/// The keys of the section `fit`.
+const Key& fit_form();
 
 /// Reads the value under the key `fit`. Everything that is wrong goes to `faults`; what is returned then is
 /// of no use.

@@ -61,25 +61,7 @@ void check_dimension(const WantedNumber& number, const std::optional<Dimension>&
 
 void add_unknown_key(const Entry& entry, const std::vector<std::string>& known, const std::string& owner,
                      const Names& names, const std::string& subject, Faults& faults) {
-  std::string message = fmt::format("{} has no '{}'", owner, entry.key);
-  if (entry.key.find_first_of("()+*/<>=&|?$") != std::string::npos)
-    message +=
-        "; it looks like a piece of an expression: put an expression with a comma or a colon in quotes";
-  else if (entry.key.find(' ') != std::string::npos)
-    message += "; it looks like a piece of a sentence: put a text with a comma or a colon in quotes";
-  else
-    message += nearest_or_all(entry.key, known, "it has");
-  faults.add({{names.file, entry.mark}, subject, message, {}});
-}
-
-std::string nearest_or_all(const std::string& word, const std::vector<std::string>& names, std::string what) {
-  constexpr std::size_t most = 24;
-  const std::string nearest = did_you_mean(word, names);
-  if (!nearest.empty())
-    what.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(what.front())));
-  const auto end = names.begin() + static_cast<std::ptrdiff_t>(std::min(most, names.size()));
-  return fmt::format("{} {}: {}{}", nearest.empty() ? ";" : nearest, what,
-                     fmt::join(names.begin(), end, ", "), names.size() > most ? ", ..." : "");
+  faults.add({{names.file, entry.mark}, subject, unknown_key(entry.key, known, owner), {}});
 }
 
 std::string read_text(const Node& node, const Names& names, const std::string& subject, Faults& faults) {

@@ -32,10 +32,6 @@ void check_dimension(const WantedNumber& number, const std::optional<Dimension>&
 void add_unknown_key(const Entry& entry, const std::vector<std::string>& known, const std::string& owner,
                      const Names& names, const std::string& subject, Faults& faults);
 
-/// "; did you mean 'rig.x'? Recorded are: rig.x, rig.v" for what = "recorded are"; of many names the first
-/// ones.
-std::string nearest_or_all(const std::string& word, const std::vector<std::string>& names, std::string what);
-
 /// The text of a scalar, or a fault.
 std::string read_text(const Node& node, const Names& names, const std::string& subject, Faults& faults);
 

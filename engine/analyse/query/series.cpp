@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "engine/analyse/query/names_reading.hpp"
 #include "engine/analyse/query/number.hpp"
 #include "engine/base/text/characters.hpp"
 
@@ -87,15 +88,9 @@ std::string Series::axis_label() const {
 std::optional<Series> read_series(const Node& node, const Names& names, const std::string& subject,
                                   Faults& faults) {
   if (!node.is_map()) return read_signal(node, names, subject, faults);
-  for (const auto& entry : node.entries)
-    if (entry.key != "signal" && entry.key != "label")
-      add_unknown_key(entry, {"signal", "label"}, subject, names, subject, faults);
+  NamesReading(subject, names, faults).check(node, series_form());
   const Node* signal = node.find("signal");
-  if (signal == nullptr) {
-    faults.add(
-        {{names.file, node.mark}, subject, "'signal' is missing: {signal: rig.x in mm, label: ...}", {}});
-    return std::nullopt;
-  }
+  if (signal == nullptr) return std::nullopt;
   auto series = read_signal(*signal, names, subject, faults);
   const Node* label = node.find("label");
   if (series && label != nullptr) series->label = read_text(*label, names, subject, faults);

@@ -2,285 +2,288 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <numeric>
 
-#include "engine/analyse/query/number.hpp"
 #include "engine/analyse/study/section_keys.hpp"
-#include "engine/analyse/study/study_request.hpp"
+#include "engine/analyse/study/study_keys.hpp"
+#include "engine/base/yaml/section.hpp"
 
 namespace stepwire {
-
 namespace {
 
-using Keys = std::vector<std::string>;
-
-const Keys study_keys{"like",   "task",     "subjects", "seed",     "sets",  "conditions",
-                      "circle", "position", "way_back", "attempts", "trials"};
-const Keys feedback_names{"haptic", "visual", "guiding_path"};
+using Texts = std::vector<std::string>;
 
 constexpr std::size_t most_subjects = 1000;
 
-/// "haptic" of "task.haptic".
-std::string last_name(const std::string& name) {
-  return name.substr(name.rfind('.') + 1);
-}
+using StudyRow = KeyRow<StudyRequest, StudyReading>;
 
 /// 1 to count.
 std::vector<std::size_t> first_numbers(std::size_t count) {
   std::vector<std::size_t> numbers(count);
-  for (std::size_t i = 0; i < count; ++i) numbers[i] = i + 1;
+  std::iota(numbers.begin(), numbers.end(), 1);
   return numbers;
 }
 
-/// Reads the keys of one section; each has the file in which it stands.
-class Reader {
- public:
-  Reader(const Node& node, const Names& names, const Diagram& diagram, Loader& loader, Faults& faults)
-      : names_(names),
-        diagram_(diagram),
-        keys_("study", node, names.file, study_keys, loader, faults),
-        runs_(!keys_.find("trials")) {
-    request_.place = {names.file, node.mark};
+Key subjects_form() {
+  return form::either({key("", "how many people", form::whole(1, most_subjects)),
+                       key("", "which people", form::list(form::whole(1, most_subjects), 1))});
+}
+
+void read_subjects(StudyRequest& request, const Node& node, const StudyReading& read) {
+  const Key number = form::whole(1, most_subjects);
+  if (!node.is_list()) {
+    std::size_t count = 0;
+    read.take(node, number, count);
+    request.subjects = first_numbers(count);
+    return;
   }
-
-  StudyRequest read(const StudyWords& words) {
-    read_task();
-    read_subjects();
-    request_.seed = keys_.whole("seed", 0, 1'000'000'000, request_.seed);
-    request_.attempts = keys_.whole("attempts", 1, 1000, request_.attempts);
-    read_sets();
-    read_conditions();
-    read_position();
-    if (request_.task == "1") read_circle();
-    if (request_.task == "2") read_way_back();
-    if (const Key* trials = keys_.find("trials"))
-      request_.trials =
-          (std::filesystem::path(trials->file).parent_path() / trials->node->text).lexically_normal();
-    require_stop();
-    if (words.subjects) request_.subjects = first_numbers(*words.subjects);
-    if (words.seed) request_.seed = *words.seed;
-    if (!words.trials.empty()) request_.trials = words.trials;
-    return std::move(request_);
+  if (node.items.empty()) read.fault(node.mark, "the list is empty");
+  auto& all = request.subjects;
+  for (const Node& item : node.items) {
+    const auto subject = read.whole(item, number);
+    if (!subject) continue;
+    const auto one = static_cast<std::size_t>(*subject);
+    if (std::ranges::find(all, one) != all.end())
+      read.fault(item.mark,
+                 fmt::format("'{}' stands here twice; subjects are how many, or a list of different "
+                             "numbers",
+                             item.text));
+    all.push_back(one);
   }
+}
 
- private:
-  using Key = SectionKeys::Key;
-
-  void read_task() {
-    const Key* key = keys_.required("task", "1 (drawing a circle) or 2 (returning to the region)");
-    if (!key) return;
-    request_.task = key->node->text;
-    if (request_.task != "1" && request_.task != "2")
-      keys_.fault(*key, fmt::format("there is no task '{}'; 1 is drawing a circle, 2 returning to the region",
-                                    request_.task));
-    for (const auto& [name, task] : {std::pair{"circle", "1"}, std::pair{"way_back", "2"}})
-      if (const Key* other = keys_.find(name); other && request_.task != task)
-        keys_.fault(*other, other->mark, "",
-                    fmt::format("belongs to task {}, and this is task {}", task, request_.task));
+/// The name of a parameter that is one number.
+std::string parameter_name(const Mark& mark, const std::string& name, const StudyReading& read) {
+  Texts numbers;
+  for (const DiagramParameter& one : read.diagram.parameters) {
+    const bool number = std::holds_alternative<double>(one.value.content);
+    if (one.name == name && !number) read.fault(mark, fmt::format("'{}' is no single number", name));
+    if (one.name == name) return name;
+    if (number) numbers.push_back(one.name);
   }
+  read.fault(mark,
+             fmt::format("there is no parameter '{}'{}", name, nearest_or_all(name, numbers, "there are")));
+  return name;
+}
 
-  /// A key that trials need which are run; recorded ones do without.
-  const Key* wanted(const std::string& name, const std::string& form) {
-    return runs_ ? keys_.required(name, form) : keys_.find(name);
+/// Which parameter takes what.
+Key targets_form(const Texts& names) {
+  std::vector<Key> keys;
+  for (const std::string& name : names)
+    keys.push_back(needed(key(name, "name of a parameter", form::string())));
+  return form::keys("it", fmt::format("{{{0}: PARAMETER, ..}}", names.front()), std::move(keys));
+}
+
+/// The parameters that a map hands its named values to, in the order of the keys.
+Texts targets(const Node& map, const Key& form, const StudyReading& read) {
+  Texts result;
+  const bool is_map = read.check(map, form);
+  for (const Key& key : form.of) {
+    const Node* node = is_map ? map.find(key.name) : nullptr;
+    result.push_back(node ? parameter_name(node->mark, node->text, below(read, key.name)) : "");
   }
+  return result;
+}
 
-  void read_subjects() {
-    const Key* key = wanted("subjects", "10, or a list such as [3, 7]");
-    if (!key) return;
-    const std::string wrong = fmt::format(
-        "'{}' is no whole number from 1 to {}; subjects are how many, or a list of different numbers", "{}",
-        most_subjects);
-    if (!key->node->is_list()) {
-      const auto count = SectionKeys::whole(*key->node, 1, most_subjects);
-      if (!count) return keys_.fault(*key, fmt::format(fmt::runtime(wrong), key->node->text));
-      request_.subjects = first_numbers(*count);
-      return;
+StudyRow sets_row() {
+  const Key form = targets_form({"subject", "seed"});
+  return {"sets", "which parameters take the person and the noise of a trial", form,
+          [form](StudyRequest& request, const Node& node, const StudyReading& read) {
+            const Texts found = targets(node, form, read);
+            request.subject_parameter = found[0];
+            request.seed_parameter = found[1];
+          }};
+}
+
+const std::vector<std::pair<std::string, bool FeedbackCondition::*>>& feedbacks() {
+  static const std::vector<std::pair<std::string, bool FeedbackCondition::*>> all{
+      {"haptic", &FeedbackCondition::haptic},
+      {"visual", &FeedbackCondition::visual},
+      {"guiding_path", &FeedbackCondition::guiding_path}};
+  return all;
+}
+
+/// The feedback that a parameter such as task.haptic switches.
+bool FeedbackCondition::*feedback_of(const Entry& set, const StudyReading& read) {
+  const std::string last = set.key.substr(set.key.rfind('.') + 1);
+  Texts names;
+  for (const auto& [name, member] : feedbacks()) {
+    if (name == last) return member;
+    names.push_back(name);
+  }
+  read.fault(set.mark, fmt::format("'{}' is no feedback{}; conditions differ by nothing else", set.key,
+                                   nearest_or_all(last, names, "there are")));
+  return nullptr;
+}
+
+void read_condition(StudyRequest& request, const Entry& entry, const StudyReading& read) {
+  StudyCondition condition;
+  condition.feedback.name = entry.key;
+  if (!entry.value.is_map() && entry.value.kind != Node::Kind::empty)
+    return read.fault(entry.value.mark, "is a map of what is set: {haptic: 1}, or {}");
+  for (const Entry& set : entry.value.entries) {
+    bool FeedbackCondition::*const member = feedback_of(set, read);
+    if (!member) continue;
+    if (read.runs) parameter_name(set.mark, set.key, read);
+    if (set.value.text != "0" && set.value.text != "1")
+      read.fault(set.value.mark,
+                 fmt::format("{}: '{}' is neither 1 (on) nor 0 (off)", set.key, set.value.text));
+    condition.feedback.*member = set.value.text == "1";
+    condition.settings.push_back({set.key, set.value.text, read.file, set.mark});
+  }
+  request.conditions.push_back(std::move(condition));
+}
+
+void read_conditions(StudyRequest& request, const Node& node, const StudyReading& read) {
+  if (!node.is_map() || node.entries.empty())
+    return read.fault(
+        node.mark, "names the conditions and what each sets: {V: {visual: 1}, HV: {haptic: 1, visual: 1}}");
+  for (const Entry& entry : node.entries) read_condition(request, entry, below(read, entry.key));
+}
+
+/// A recorded signal of the plane; a fault and nullptr where it is none.
+const RecordedSignal* recorded(const Node& node, const StudyReading& read, std::size_t* recording = nullptr) {
+  Texts all;
+  for (std::size_t r = 0; r < read.diagram.records.size(); ++r)
+    for (const RecordedSignal& signal : read.diagram.records[r].signals) {
+      all.push_back(signal.name);
+      if (signal.name != node.text) continue;
+      if (recording) *recording = r;
+      if (read.names.find(signal.name + ".2") && !read.names.find(signal.name + ".3")) return &signal;
+      read.fault(node.mark, fmt::format("'{}' is no point of the plane, which has two elements", node.text));
+      return nullptr;
     }
-    for (const Node& item : key->node->items) {
-      const auto number = SectionKeys::whole(item, 1, most_subjects);
-      const auto& all = request_.subjects;
-      if (!number || std::find(all.begin(), all.end(), *number) != all.end())
-        keys_.fault(*key, item.mark, "", fmt::format(fmt::runtime(wrong), item.text));
-      else
-        request_.subjects.push_back(*number);
-    }
-    if (key->node->items.empty()) keys_.fault(*key, "the list is empty");
-  }
+  read.fault(node.mark, fmt::format("'{}' is not recorded{}", node.text,
+                                    nearest_or_all(node.text, all, "recorded are")));
+  return nullptr;
+}
 
-  const DiagramParameter* parameter(const std::string& name) const {
-    const auto& all = diagram_.parameters;
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
-    return found == all.end() ? nullptr : &*found;
-  }
+Key circle_form() {
+  return form::keys(
+      "it", "{of: CONDITION, sets: {x: PARAMETER, y: PARAMETER, radius: PARAMETER}}",
+      {needed(key("of", "the condition whose drawing the circle is fitted to", form::string())),
+       key("sets", "which parameters of the other trials take it", targets_form({"x", "y", "radius"}))});
+}
 
-  /// The name of a parameter that is one number.
-  std::string parameter_name(const Key& key, const std::string& below, const Mark& mark,
-                             const std::string& name) {
-    const DiagramParameter* found = parameter(name);
-    if (found && std::holds_alternative<double>(found->value.content)) return name;
-    Keys all;
-    for (const DiagramParameter& one : diagram_.parameters)
-      if (std::holds_alternative<double>(one.value.content)) all.push_back(one.name);
-    keys_.fault(
-        key, mark, below,
-        found ? fmt::format("'{}' is no single number", name)
-              : fmt::format("there is no parameter '{}'{}", name, nearest_or_all(name, all, "there are")));
-    return name;
-  }
+void read_circle(StudyRequest& request, const Node& node, const StudyReading& read) {
+  const Key form = circle_form();
+  if (request.task != "1" || !read.check(node, form)) return;
+  const Node *of = node.find("of"), *sets = node.find("sets");
+  if (!sets && read.runs) read.fault(node.mark, SectionReading::missing(*form.find("sets")));
+  if (!of) return;
+  const Texts all = request.condition_names();
+  if (std::ranges::find(all, of->text) == all.end())
+    below(read, "of")
+        .fault(of->mark, fmt::format("there is no condition '{}'{}", of->text,
+                                     nearest_or_all(of->text, all, "there are")));
+  const Texts found = sets ? targets(*sets, *form.find("sets"), below(read, "sets")) : Texts(3);
+  request.circle = CircleHandover{of->text, found[0], found[1], found[2]};
+}
 
-  /// The parameters that a map hands its named values to, one for each of `wanted`.
-  Keys targets(const Key& key, const Node& map, const std::string& below, const Keys& wanted) {
-    Keys result(wanted.size());
-    if (!map.is_map()) {
-      keys_.fault(key, map.mark, below,
-                  fmt::format("says which parameter takes what: {{{0}: {0}, ..}}", wanted[0]));
-      return result;
-    }
-    for (const Entry& entry : map.entries)
-      if (std::find(wanted.begin(), wanted.end(), entry.key) == wanted.end())
-        keys_.fault(key, entry.mark, below,
-                    fmt::format("there is no '{}' here{}", entry.key,
-                                nearest_or_all(entry.key, wanted, "there are")));
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-      const Node* node = map.find(wanted[i]);
-      const std::string inside = (below.empty() ? "" : below + ".") + wanted[i];
-      if (node)
-        result[i] = parameter_name(key, inside, node->mark, node->text);
-      else
-        keys_.fault(key, map.mark, below,
-                    fmt::format("'{}' is missing: {}: PARAMETER", wanted[i], wanted[i]));
-    }
-    return result;
-  }
+/// Finds where the end-effector is, which the way back follows from.
+void read_position(StudyRequest& request, const Node& node, const StudyReading& read) {
+  const RecordedSignal* signal = recorded(node, read, &request.recording);
+  if (!signal) return;
+  request.position = signal->name;
+  request.way_back = WayBackSignals{signal->signal, {}, {}};
+}
 
-  void read_sets() {
-    const Key* key = wanted("sets", "{subject: PARAMETER, seed: PARAMETER}");
-    if (!key) return;
-    const Keys found = targets(*key, *key->node, "", {"subject", "seed"});
-    request_.subject_parameter = found[0];
-    request_.seed_parameter = found[1];
-  }
+Key way_back_form() {
+  return form::either(
+      {key("", "the direction of the way back, zero inside the region", form::string()),
+       form::keys("it", "a recorded signal, or {direction: SIGNAL, position: SIGNAL that it follows from}",
+                  {needed(key("direction", "recorded signal, zero inside", form::string())),
+                   key("position", "recorded signal that it follows from; that of the study without it",
+                       form::string())})});
+}
 
-  void read_conditions() {
-    const Key* key = keys_.required("conditions", "{V: {visual: 1}, HV: {haptic: 1, visual: 1}}");
-    if (!key) return;
-    if (!key->node->is_map() || key->node->entries.empty())
-      return keys_.fault(
-          *key, "names the conditions and what each sets: {V: {visual: 1}, HV: {haptic: 1, visual: 1}}");
-    for (const Entry& entry : key->node->entries) read_condition(*key, entry);
-  }
+void read_way_back(StudyRequest& request, const Node& node, const StudyReading& read) {
+  if (request.task != "2") return;
+  if (node.is_map() && !read.check(node, way_back_form().of.back())) return;
+  const Node* direction = node.is_map() ? node.find("direction") : &node;
+  const Node* position = node.find("position");
+  const RecordedSignal* to = direction ? recorded(*direction, below(read, "direction")) : nullptr;
+  const RecordedSignal* from = position ? recorded(*position, below(read, "position")) : nullptr;
+  if (!to) return;
+  WayBackSignals way = request.way_back.value_or(WayBackSignals{});
+  request.way_back =
+      WayBackSignals{from ? from->signal : way.position, to->signal, {read.file, direction->mark}};
+}
 
-  void read_condition(const Key& key, const Entry& entry) {
-    StudyCondition condition;
-    condition.feedback.name = entry.key;
-    if (!entry.value.is_map() && entry.value.kind != Node::Kind::empty)
-      return keys_.fault(key, entry.value.mark, entry.key, "is a map of what is set: {haptic: 1}, or {}");
-    for (const Entry& set : entry.value.entries) {
-      const std::string feedback = last_name(set.key);
-      if (std::find(feedback_names.begin(), feedback_names.end(), feedback) == feedback_names.end()) {
-        keys_.fault(key, set.mark, entry.key,
-                    fmt::format("'{}' is no feedback{}; conditions differ by nothing else", set.key,
-                                nearest_or_all(feedback, feedback_names, "there are")));
-        continue;
-      }
-      if (runs_) parameter_name(key, entry.key, set.mark, set.key);
-      if (set.value.text != "0" && set.value.text != "1")
-        keys_.fault(key, set.value.mark, entry.key,
-                    fmt::format("{}: '{}' is neither 1 (on) nor 0 (off)", set.key, set.value.text));
-      const bool on = set.value.text == "1";
-      bool FeedbackCondition::*const member = feedback == "haptic"   ? &FeedbackCondition::haptic
-                                              : feedback == "visual" ? &FeedbackCondition::visual
-                                                                     : &FeedbackCondition::guiding_path;
-      condition.feedback.*member = on;
-      condition.settings.push_back({set.key, set.value.text, key.file, set.mark});
-    }
-    request_.conditions.push_back(std::move(condition));
-  }
+const std::vector<StudyRow>& study_rows() {
+  static const std::vector<StudyRow> rows{
+      {"like", "file whose section 'study' is taken for what is not given here", form::string()},
+      {"task", "what people do", form::words({{"1", "drawing a circle"}, {"2", "returning to the region"}}),
+       &StudyRequest::task},
+      {"subjects", "how many people, or a list of which",
+       like("10, or a list such as [3, 7]", subjects_form()), read_subjects},
+      {"seed", "who the people are, and all that is random", form::whole(0, 1'000'000'000),
+       &StudyRequest::seed},
+      sets_row(),
+      {"conditions", "what each condition switches on: haptic, visual, guiding_path",
+       like("{V: {visual: 1}, HV: {haptic: 1, visual: 1}}",
+            form::names(form::either({form::names(form::whole(0, 1)), form::of(Key::Form::nothing)}), 1)),
+       read_conditions},
+      {"circle", "task 1: the circle that is to be drawn", circle_form(), read_circle},
+      {"position", "recorded signal of two elements: where the end-effector is", form::string(),
+       read_position},
+      {"way_back", "task 2: recorded signal, the direction of the way back", way_back_form(), read_way_back},
+      {"attempts", "runs of one trial at most, until one ends by stop_when before stop", form::whole(1, 1000),
+       &StudyRequest::attempts},
+      {"trials", "CSV file of recorded trials in place of runs: subject, task, condition, time, x, y",
+       form::string(), [](StudyRequest& request, const Node& node, const StudyReading& read) {
+         request.trials = (std::filesystem::path(read.file).parent_path() / node.text).lexically_normal();
+       }}};
+  return rows;
+}
 
-  const RecordedSignal* recorded(const Key& key, const Node& node, const std::string& below,
-                                 std::size_t* recording = nullptr) {
-    Keys all;
-    for (std::size_t r = 0; r < diagram_.records.size(); ++r)
-      for (const RecordedSignal& signal : diagram_.records[r].signals) {
-        all.push_back(signal.name);
-        if (signal.name != node.text) continue;
-        if (recording) *recording = r;
-        if (names_.find(signal.name + ".2") && !names_.find(signal.name + ".3")) return &signal;
-        keys_.fault(key, node.mark, below,
-                    fmt::format("'{}' is no point of the plane, which has two elements", node.text));
-        return nullptr;
-      }
-    keys_.fault(
-        key, node.mark, below,
-        fmt::format("'{}' is not recorded{}", node.text, nearest_or_all(node.text, all, "recorded are")));
-    return nullptr;
-  }
+/// What must be there, here or in a file that the section is like; runs need more than recorded trials.
+Texts needed_keys(const StudyRequest& request, bool runs) {
+  Texts names{"task", "conditions", "position"};
+  if (runs) names.insert(names.end(), {"subjects", "sets"});
+  if (request.task == "1") names.push_back("circle");
+  if (request.task == "2") names.push_back("way_back");
+  return names;
+}
 
-  void read_position() {
-    const Key* key = keys_.required("position", "a recorded signal, the place of the end-effector");
-    if (!key) return;
-    if (const RecordedSignal* signal = recorded(*key, *key->node, "", &request_.recording)) {
-      request_.position = signal->name;
-      position_ = signal->signal;
-    }
-  }
-
-  void read_circle() {
-    const Key* key =
-        keys_.required("circle", "{of: NO, sets: {x: PARAMETER, y: PARAMETER, radius: PARAMETER}}");
-    if (!key) return;
-    const Node *of = key->node->find("of"), *sets = key->node->find("sets");
-    if (!of || (!sets && runs_))
-      return keys_.fault(*key,
-                         "is written {of: CONDITION, sets: {x: PARAMETER, y: PARAMETER, radius: PARAMETER}}");
-    const Keys all = request_.condition_names();
-    if (std::find(all.begin(), all.end(), of->text) == all.end())
-      keys_.fault(
-          *key, of->mark, "of",
-          fmt::format("there is no condition '{}'{}", of->text, nearest_or_all(of->text, all, "there are")));
-    const Keys found = sets ? targets(*key, *sets, "sets", {"x", "y", "radius"}) : Keys(3);
-    request_.circle = CircleHandover{of->text, found[0], found[1], found[2]};
-  }
-
-  void read_way_back() {
-    const Key* key =
-        keys_.required("way_back", "a recorded signal, the direction of the way back at a place");
-    if (!key) return;
-    const Node& node = *key->node;
-    const Node* direction = node.is_map() ? node.find("direction") : &node;
-    const Node* position = node.find("position");
-    if (!direction)
-      return keys_.fault(
-          *key, "is a recorded signal, or {direction: SIGNAL, position: SIGNAL that it follows from}");
-    const RecordedSignal* to = recorded(*key, *direction, "direction");
-    const RecordedSignal* from = position ? recorded(*key, *position, "position") : nullptr;
-    if (to)
-      request_.way_back =
-          WayBackSignals{from ? from->signal : position_, to->signal, {key->file, direction->mark}};
-  }
-
-  void require_stop() {
-    if (!diagram_.stop_when && runs_)
-      keys_.fault(
-          "a trial ends by 'stop_when'; one that goes on until 'stop' is repeated. This file has no "
-          "'stop_when'");
-    if (diagram_.records.empty()) keys_.fault("this file records nothing");
-  }
-
-  const Names& names_;
-  const Diagram& diagram_;
-  SectionKeys keys_;
-  bool runs_;  ///< trials are runs of the file, not recorded ones
-  SignalRef position_;
-  StudyRequest request_;
-};
+void check_whole(const StudyRequest& request, const SectionKeys& keys, const Mark& mark,
+                 const StudyReading& read) {
+  for (const std::string& name : needed_keys(request, read.runs))
+    if (!keys.find(name)) read.fault(mark, SectionReading::missing(*study_form().find(name)));
+  for (const auto& [name, task] : {std::pair{"circle", "1"}, std::pair{"way_back", "2"}})
+    if (const auto* other = keys.find(name); other && request.task != task)
+      below(read, name)
+          .fault(other->mark, fmt::format("belongs to task {}, and this is task {}", task, request.task));
+  if (!read.diagram.stop_when && read.runs)
+    read.fault(mark,
+               "a trial ends by 'stop_when'; one that goes on until 'stop' is repeated. This file has no "
+               "'stop_when'");
+  if (read.diagram.records.empty()) read.fault(mark, "this file records nothing");
+}
 
 }  // namespace
+
+const Key& study_form() {
+  static const Key form = keys_form("the study", "{task: 1, subjects: 10, ..}", study_rows());
+  return form;
+}
 
 StudyRequest read_study(const Node& node, const Names& names, const Diagram& diagram, Loader& loader,
                         const StudyWords& words, Faults& faults) {
   const std::size_t before = faults.size();
-  StudyRequest request = Reader(node, names, diagram, loader, faults).read(words);
+  StudyRequest request;
+  request.place = {names.file, node.mark};
+  const SectionKeys keys("study", node, names.file, study_form(), loader, faults);
+  const bool runs = !keys.find("trials");
+  for (const StudyRow& row : study_rows())
+    if (const auto* given = row.set ? keys.find(row.name) : nullptr)
+      row.set(request, *given->node,
+              below(StudyReading(given->file, names, diagram, runs, faults), row.name));
+  check_whole(request, keys, node.mark, StudyReading(names.file, names, diagram, runs, faults));
+  if (request.task != "2") request.way_back.reset();
+  if (words.subjects) request.subjects = first_numbers(*words.subjects);
+  if (words.seed) request.seed = *words.seed;
+  if (!words.trials.empty()) request.trials = words.trials;
   check_sweep(request, diagram, faults);
   if (!request.trials.empty() && faults.size() == before) read_recorded(request, faults);
   return request;

@@ -7,6 +7,7 @@
 
 #include "engine/analyse/query/names.hpp"
 #include "engine/analyse/study/path_errors.hpp"
+#include "engine/base/yaml/key.hpp"
 #include "engine/model/diagram/load.hpp"
 
 namespace stepwire {
@@ -59,6 +60,9 @@ struct StudyWords {
   std::optional<std::uint64_t> seed{};
   std::string trials{};  ///< a CSV file
 };
+
+/// The keys of the section `study`.
+const Key& study_form();
 
 /// Reads the value under the key `study`. `like` takes the section from another file, in which the keys given
 /// here replace those of the same name. Everything that is wrong goes to `faults`; what is returned then is

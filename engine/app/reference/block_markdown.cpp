@@ -5,37 +5,12 @@
 #include <algorithm>
 
 #include "engine/app/reference/families.hpp"
-#include "engine/app/reference/sheet.hpp"
+#include "engine/app/reference/sheet_text.hpp"
 #include "engine/app/reference/words.hpp"
 
 namespace stepwire {
 
 namespace {
-
-/// A bar would end the cell; in a formula it stands for an absolute value. A star would begin emphasis.
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (char c : text) {
-    if (c == '|' || c == '*') result += '\\';
-    result += c;
-  }
-  return result;
-}
-
-std::string row_text(const std::vector<std::string>& cells) {
-  return fmt::format("| {} |\n", fmt::join(cells, " | "));
-}
-
-std::string table_text(const SheetTable& table, const std::string& marks) {
-  std::string text = "\n" + marks + "# " + table.title + "\n\n" + row_text(table.header);
-  text += row_text(std::vector<std::string>(table.header.size(), "---"));
-  for (std::vector<std::string> row : table.rows) {
-    for (std::string& cell : row) cell = escaped(cell);
-    row.front() = "`" + row.front() + "`";
-    text += row_text(row);
-  }
-  return text;
-}
 
 /// The anchor that a heading gets on the usual hosts.
 std::string anchor(std::string name) {
@@ -52,7 +27,7 @@ std::string block_markdown(const BlockType& type, int level) {
   std::string page = fmt::format("{} {}\n\n{}\n\n", marks, sheet.name, escaped(sheet.doc));
   page += fmt::format("- **family**: {}\n", sheet.folder);
   for (const auto& [label, text] : sheet.facts) page += fmt::format("- **{}**: {}\n", label, escaped(text));
-  for (const SheetTable& table : sheet.tables) page += table_text(table, marks);
+  for (const SheetTable& table : sheet.tables) page += table_markdown(table, marks);
   if (!sheet.remark.empty()) page += "\n" + sheet.remark + "\n";
   return page + fmt::format("\n{}# Example\n\n```yaml\n{}\n```\n", marks, sheet.example);
 }

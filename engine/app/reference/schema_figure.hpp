@@ -4,10 +4,7 @@
 
 namespace stepwire {
 
-/// Adds "figure" (one picture), "panel" and one definition for each plot.
+/// Adds the definitions that figures use: series, plot, panel, panels, figure and one for each kind of plot.
 void add_figure_definitions(Json& definitions);
-
-/// Adds "claim".
-void add_claim_definition(Json& definitions);
 
 }  // namespace stepwire

@@ -28,10 +28,6 @@ Json bounded_number(const Range& range, const char* type = "number") {
   return number;
 }
 
-Json number_with(const Range& range, const char* type = "number") {
-  return any_of({bounded_number(range, type), schema_ref("quantity"), schema_ref("value_with_unit")});
-}
-
 Json element_with(const Range& range) {
   return any_of({bounded_number(range), schema_ref("quantity")});
 }
@@ -45,9 +41,9 @@ Json list_with(const Range& range, bool rows) {
 Json kind_schema(const ParameterSpec& spec) {
   switch (spec.kind) {
     case ParameterKind::number:
-      return number_with(spec.range);
+      return number_in(spec.range);
     case ParameterKind::integer:
-      return number_with(spec.range, "integer");
+      return number_in(spec.range, "integer");
     case ParameterKind::flag:
       return any_of({typed("boolean"), parameter_word()});
     case ParameterKind::word:
@@ -86,20 +82,16 @@ bool is_simple(const ParameterSpec& spec, const std::string& text) {
 
 }  // namespace
 
+Json number_in(const Range& range, const char* type) {
+  return any_of({bounded_number(range, type), schema_ref("quantity"), schema_ref("value_with_unit")});
+}
+
 Json schema_ref(const std::string& definition) {
   return Json::object().set("$ref", "#/$defs/" + definition);
 }
 
 Json typed(const std::string& type) {
   return Json::object().set("type", type);
-}
-
-Json expression_schema(const std::string& doc) {
-  return explained(schema_ref("expression"), doc);
-}
-
-Json whole_schema(int least, const std::string& doc) {
-  return explained(typed("integer").set("minimum", least), doc);
 }
 
 Json any_of(std::vector<Json> schemas) {
@@ -114,16 +106,8 @@ Json list_of(Json items) {
   return typed("array").set("items", std::move(items));
 }
 
-Json map_of(const Json& values) {
-  return Json::object().set("type", "object").set("minProperties", 1).set("additionalProperties", values);
-}
-
 Json one_or_list_of(const Json& item) {
   return any_of({item, list_of(item).set("minItems", 1)});
-}
-
-Json pair_of(Json items) {
-  return list_of(std::move(items)).set("minItems", 2).set("maxItems", 2);
 }
 
 Json closed_map(Json properties, const std::vector<std::string>& required) {
@@ -168,9 +152,9 @@ void add_value_definitions(Json& definitions) {
                      .set("value", any_of({typed("number"), schema_ref("quantity"), typed("array")}))
                      .set("unit", explained(schema_ref("text"), "unit of all numbers: N/mm")),
                  {"value"}));
-  definitions.set("number", number_with({}));
+  definitions.set("number", number_in({}));
   definitions.set("time",
-                  explained(number_with(above_zero), "a time above 0, in s unless a unit is given: 1 ms"));
+                  explained(number_in(above_zero), "a time above 0, in s unless a unit is given: 1 ms"));
   definitions.set("numbers", list_with({}, false));
   definitions.set(
       "source",

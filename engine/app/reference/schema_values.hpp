@@ -14,12 +14,6 @@ Json schema_ref(const std::string& definition);
 /// A value of this type of JSON: "string", "integer", "boolean", ...
 Json typed(const std::string& type);
 
-/// An expression, with what it is for.
-Json expression_schema(const std::string& doc);
-
-/// A whole number that is not below `least`, with what it is for.
-Json whole_schema(int least, const std::string& doc);
-
 /// A schema that one of several must fit.
 Json any_of(std::vector<Json> schemas);
 
@@ -28,14 +22,8 @@ Json one_word_of(const std::vector<std::string>& words);
 
 /// A list of what fits `items`.
 Json list_of(Json items);
-/// A map of any names, at least one, to such values.
-Json map_of(const Json& values);
-
 /// What fits `item`, or a list of it.
 Json one_or_list_of(const Json& item);
-
-/// A list of two.
-Json pair_of(Json items);
 
 /// A map of these keys and no others.
 Json closed_map(Json properties, const std::vector<std::string>& required = {});
@@ -45,6 +33,9 @@ Json explained(Json schema, const std::string& doc);
 
 /// A constant word with its explanation: an editor offers it with the text beside it.
 Json constant(const std::string& word, const std::string& doc);
+
+/// A number within a range, with a unit or a bare one in SI.
+Json number_in(const Range& range, const char* type = "number");
 
 /// What a file may give to a parameter.
 Json parameter_schema(const BlockType& type, const ParameterSpec& spec);

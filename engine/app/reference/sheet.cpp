@@ -74,7 +74,15 @@ SheetTable notices_of(const BlockType& type) {
   return table;
 }
 
-/// A column in which nothing stands tells nothing.
+bool has_unit_variable(const SheetTable& table) {
+  for (const Row& row : table.rows)
+    for (std::size_t i = 0; i + 1 < row.size(); ++i)
+      if (row[i].find('\'') != std::string::npos) return true;
+  return false;
+}
+
+}  // namespace
+
 void drop_empty_columns(SheetTable& table) {
   for (std::size_t column = table.header.size() - 1; column > 0; --column) {
     const bool empty = std::all_of(table.rows.begin(), table.rows.end(),
@@ -85,15 +93,6 @@ void drop_empty_columns(SheetTable& table) {
     for (Row& row : table.rows) row.erase(row.begin() + at);
   }
 }
-
-bool has_unit_variable(const SheetTable& table) {
-  for (const Row& row : table.rows)
-    for (std::size_t i = 0; i + 1 < row.size(); ++i)
-      if (row[i].find('\'') != std::string::npos) return true;
-  return false;
-}
-
-}  // namespace
 
 BlockSheet sheet_of(const BlockType& type) {
   BlockSheet sheet{type.name, type.folder, type.doc, {}, {}, "", block_example(type)};

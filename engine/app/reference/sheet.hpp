@@ -24,6 +24,9 @@ struct BlockSheet {
   std::string example;
 };
 
+/// Takes out columns in which nothing stands.
+void drop_empty_columns(SheetTable& table);
+
 /// Gathers all that a declaration says.
 BlockSheet sheet_of(const BlockType& type);
 

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -76,6 +78,27 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
                          const std::string& sentence) {
   const std::string nearest = did_you_mean(word, names);
   return (nearest.empty() ? "." : nearest) + " " + sentence;
+}
+
+std::string nearest_or_all(const std::string& word, const std::vector<std::string>& names, std::string what) {
+  constexpr std::size_t most = 24;
+  const std::string nearest = did_you_mean(word, names);
+  if (!nearest.empty())
+    what.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(what.front())));
+  const auto end = names.begin() + static_cast<std::ptrdiff_t>(std::min(most, names.size()));
+  return fmt::format("{} {}: {}{}", nearest.empty() ? ";" : nearest, what,
+                     fmt::join(names.begin(), end, ", "), names.size() > most ? ", ..." : "");
+}
+
+std::string unknown_key(const std::string& key, const std::vector<std::string>& known,
+                        const std::string& owner) {
+  const std::string message = fmt::format("{} has no '{}'", owner, key);
+  if (key.find_first_of("()+*/<>=&|?$") != std::string::npos)
+    return message +
+           "; it looks like a piece of an expression: put an expression with a comma or a colon in quotes";
+  if (key.find(' ') != std::string::npos)
+    return message + "; it looks like a piece of a sentence: put a text with a comma or a colon in quotes";
+  return message + nearest_or_all(key, known, "it has");
 }
 
 }  // namespace stepwire

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,8 @@ struct Node {
   bool is_map() const { return kind == Kind::map; }
   bool is_list() const { return kind == Kind::list; }
   bool is_scalar() const { return kind == Kind::scalar; }
+  /// The items of a list, or the one value.
+  std::span<const Node> as_list() const;
 };
 
 /// A key of a map with its own place.
@@ -36,6 +39,10 @@ struct Entry {
   Mark mark;
   Node value;
 };
+
+inline std::span<const Node> Node::as_list() const {
+  return is_list() ? std::span<const Node>(items) : std::span<const Node>(this, 1);
+}
 
 /// What a document may cost to read.
 struct DocumentLimits {

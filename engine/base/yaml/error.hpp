@@ -56,4 +56,12 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& names,
                          const std::string& sentence);
 
+/// "; did you mean 'rig.x'? Recorded are: rig.x, rig.v" for what = "recorded are"; of many names the first
+/// ones.
+std::string nearest_or_all(const std::string& word, const std::vector<std::string>& names, std::string what);
+/// What is wrong with a key that `owner` does not have: "a claim has no 'finl'; did you mean 'final'? It has:
+/// ..", or that it looks like a piece of a broken expression.
+std::string unknown_key(const std::string& key, const std::vector<std::string>& known,
+                        const std::string& owner);
+
 }  // namespace stepwire

@@ -154,7 +154,7 @@ std::optional<WrittenValue> ValueReader::read_words(const ParameterSpec& spec, c
   }
   if (spec.kind == ParameterKind::texts) {
     Value::List list;
-    for (const Node& item : node.is_list() ? node.items : std::vector<Node>{node}) {
+    for (const Node& item : node.as_list()) {
       const auto text = item.is_scalar() ? fill_in(item, subject) : refuse(item, subject, "must be a word");
       if (!text) return std::nullopt;
       list.push_back({*text, item.mark.line, item.mark.column});

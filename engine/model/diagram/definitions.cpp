@@ -5,15 +5,13 @@
 #include <algorithm>
 #include <set>
 
+#include "engine/model/diagram/head_keys.hpp"
 #include "engine/model/diagram/keys.hpp"
 #include "engine/model/diagram/report.hpp"
 
 namespace stepwire {
 
 namespace {
-
-const std::vector<std::string> definition_keys = {"value", "unit",  "doc",      "assumed",
-                                                  "above", "below", "at_least", "at_most"};
 
 constexpr std::size_t longest_chain = 1000;  // of parameters that each use one further down
 
@@ -96,10 +94,8 @@ class Definitions {
   std::optional<WrittenValue> evaluate(const Entry& entry) {
     const std::string full = scope_.prefix + entry.key;
     if (entry.value.is_map()) {
-      const bool other_key = refuse_unknown_keys(entry.value, definition_keys, full, scope_, report_);
+      HeadReading(full, scope_, report_).check(entry.value, parameter_form().of.back());
       if (!entry.value.find("value")) {
-        if (!other_key)
-          report_.add(scope_.at(entry.value.mark), full, "'value' is missing, as {value: 2 kg}");
         settings_.offer(full);
         return std::nullopt;
       }
@@ -159,10 +155,11 @@ class Definitions {
   void list(const std::string& full, const Entry& entry, const WrittenValue& written, bool set) {
     const Node* doc = entry.value.find("doc");
     const Node* assumed = entry.value.find("assumed");
-    report_.diagram().parameters.push_back(
-        {full, written.text, written.value, written.dimension,
-         doc ? read_text(*doc, full + ".doc", scope_, report_) : "",
-         assumed && read_flag(*assumed, full + ".assumed", scope_, report_), set});
+    const HeadReading read(full, scope_, report_);
+    DiagramParameter& listed = report_.diagram().parameters.emplace_back(
+        DiagramParameter{full, written.text, written.value, written.dimension, "", false, set});
+    if (doc) below(read, "doc").take(*doc, {}, listed.doc);
+    if (assumed) below(read, "assumed").take(*assumed, form::truth(), listed.assumed);
   }
 
   Scope& scope_;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "engine/model/diagram/head.hpp"
+#include "engine/model/diagram/head_keys.hpp"
 #include "engine/model/diagram/keys.hpp"
 
 namespace stepwire {
@@ -64,22 +65,15 @@ void read_entry(const Node& node, const Scope& scope, const Resolver& resolver, 
   auto& requests = report.diagram().records;
   if (!node.is_map())
     return read_signal(node, scope, resolver, request_for({}, scope.at(node.mark), requests), report);
-  const bool other_key = refuse_unknown_keys(node, {"every", "signals"}, "record", scope, report);
-  const Node* signals = node.find("signals");
-  if (!signals && other_key) return;
-  if (!signals)
-    return report.add(scope.at(node.mark), "record",
-                      "'signals' is missing, as {every: 1 ms, signals: [rig.x]}");
+  const Key& form = record_form().of.back();
+  const HeadReading read("record", scope, report);
+  read.check(node, form);
+  const Node *signals = node.find("signals"), *period = node.find("every");
+  if (!signals) return;
   std::optional<double> every;
-  const Node* period = node.find("every");
-  const ValueReader reader(scope.parameters, report, scope.index);
-  if (period) every = reader.read_number(*period, parse_unit("s")->dimension, "record.every");
-  if (every && *every <= 0) report.add(scope.at(period->mark), "record.every", "must be above 0");
+  if (period) below(read, "every").take(*period, *form.find("every"), every);
   RecordRequest& request = request_for(every, scope.at(period ? period->mark : node.mark), requests);
-  if (signals->is_list())
-    for (const Node& item : signals->items) read_signal(item, scope, resolver, request, report);
-  else
-    read_signal(*signals, scope, resolver, request, report);
+  for (const Node& item : signals->as_list()) read_signal(item, scope, resolver, request, report);
 }
 
 /// Keeps a signal once in a recording, however often it is named; two signals cannot have one name.
@@ -123,10 +117,7 @@ Eigen::Index take_element(std::string& name) {
 void read_record(const Scope& scope, const Resolver& resolver, Report& report) {
   const Node* record = scope.document->root.find("record");
   if (!record) return;
-  if (record->is_list())
-    for (const Node& item : record->items) read_entry(item, scope, resolver, report);
-  else
-    read_entry(*record, scope, resolver, report);
+  for (const Node& item : record->as_list()) read_entry(item, scope, resolver, report);
   for (RecordRequest& request : report.diagram().records) drop_repeated(request, report);
   refuse_swept_names(report);
 }

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "engine/model/diagram/head.hpp"
-#include "engine/model/diagram/keys.hpp"
+#include "engine/model/diagram/head_keys.hpp"
 
 namespace stepwire {
 
@@ -41,18 +41,18 @@ std::optional<std::pair<double, std::string>> number_and_unit(const Node& node) 
 std::vector<std::string> read_range(const Node& map, const std::string& name, const Scope& scope,
                                     Report& report) {
   const std::string subject = "sweep." + name;
-  const char* const form = "is written [.., ..] or {from: .., to: .., count: ..}";
-  if (refuse_unknown_keys(map, {"from", "to", "count"}, subject, scope, report)) return {};
+  if (!map.is_map()) {
+    report.add(scope.at(map.mark), subject, "is written [.., ..] or {from: .., to: .., count: ..}");
+    return {};
+  }
+  const std::size_t before = report.faults().size();
+  HeadReading(subject, scope, report).check(map, range_form());
+  if (report.faults().size() > before) return {};
   const ValueReader reader(scope.parameters, report, scope.index);
   std::vector<double> numbers;
   std::vector<std::optional<Dimension>> dimensions;
   for (const char* key : {"from", "to", "count"}) {
     const Node* node = map.find(key);
-    if (!node) {
-      report.add(scope.at(map.mark), subject,
-                 map.is_map() ? fmt::format("'{}' is missing; it {}", key, form) : form);
-      return {};
-    }
     const auto written = reader.read(*node, subject);
     if (!written) return {};
     const double* number = std::get_if<double>(&written->value.content);
@@ -124,7 +124,7 @@ void read_sweep(const Scope& scope, Report& report) {
                       "must be a map of parameter: {from, to, count} or {values: [..]}");
   Sweep sweep;
   if (const Node* together = node->find("together"))
-    sweep.together = read_flag(*together, "sweep.together", scope, report);
+    HeadReading("sweep.together", scope, report).take(*together, form::truth(), sweep.together);
   for (const Entry& entry : node->entries) {
     if (entry.key != "together") read_axis(entry, sweep, scope, report);
     if (run_count(sweep) > most_runs)

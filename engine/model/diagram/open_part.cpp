@@ -6,7 +6,7 @@
 
 #include "engine/model/diagram/external_input.hpp"
 #include "engine/model/diagram/head.hpp"
-#include "engine/model/diagram/keys.hpp"
+#include "engine/model/diagram/head_keys.hpp"
 #include "engine/model/diagram/open.hpp"
 #include "engine/model/diagram/resolve.hpp"
 
@@ -61,7 +61,7 @@ std::optional<Dimension> Opener::declared_unit(const Scope& scope, const Entry& 
 
 void Opener::declare_input(Scope& scope, const Entry& port) {
   if (port.value.is_map())
-    refuse_unknown_keys(port.value, {"unit", "doc", "default"}, scope.prefix + port.key, scope, report_);
+    HeadReading(scope.prefix + port.key, scope, report_).check(port.value, input_form().of.back());
   Scope::Port& declared = scope.inputs[port.key];
   declared.dimension = declared_unit(scope, port);
   declared.fallback = port.value.is_map() ? port.value.find("default") : nullptr;
@@ -71,8 +71,7 @@ void Opener::declare_input(Scope& scope, const Entry& port) {
 
 void Opener::declare_output(Scope& scope, const Entry& port) {
   if (port.value.is_map())
-    refuse_unknown_keys(port.value, {"signal", "unit", "doc", "safe"}, scope.prefix + port.key, scope,
-                        report_);
+    HeadReading(scope.prefix + port.key, scope, report_).check_unknown(port.value, output_form().of.back());
   const Node* signal = port.value.is_map() ? port.value.find("signal") : &port.value;
   if (!signal || !signal->is_scalar()) {
     report_.add(scope.at(port.value.mark), scope.prefix + port.key,

@@ -9,12 +9,13 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/analyse/query/formula.hpp"
 #include "engine/analyse/query/names.hpp"
+#include "engine/analyse/query/names_reading.hpp"
 #include "engine/analyse/query/series.hpp"
 #include "engine/base/yaml/document.hpp"
 #include "engine/model/block/outline.hpp"
 #include "engine/simulate/record/recording.hpp"
-#include "engine/view/plot/figure_key.hpp"
 #include "engine/view/plot/plot_spec.hpp"
 
 namespace stepwire {
@@ -107,9 +108,12 @@ struct Figure {
 /// Reads the value under the key `figure`: one entry or a list. Everything that is wrong goes to `faults`.
 std::vector<Figure> read_figures(const Node& node, const Names& names, Faults& faults);
 
-/// All plots: lines, xy, loop, ... with their explanations.
-std::vector<FigureKey> plot_names();
-/// Keys that the named plot takes; for an empty name the keys of every panel and figure.
-std::vector<FigureKey> figure_keys(const std::string& plot);
+/// The keys of each kind of plot, by its name: alone in its picture, or as one of several panels, which a
+/// plot that is a picture for itself cannot be.
+std::vector<Key> plot_forms(bool alone);
+/// The keys of a picture of several panels.
+const Key& picture_form();
+/// What a figure of any kind may have: its plot, the keys of panels and those of pictures.
+const Key& figure_form();
 
 }  // namespace stepwire

@@ -14,28 +14,29 @@ Names plane_of(const Names& names) {
 }
 
 /// The recording that has what a formula and the panel's `where` name.
-std::size_t recording_of(const Formula& formula, const Panel& panel, const Node& node, const Names& names,
-                         const std::string& subject, Faults& faults) {
-  return common_recording({panel.where ? &*panel.where : nullptr, &formula}, names, node, subject, faults);
+std::size_t recording_of(const Formula& formula, const Panel& panel, const Node& node,
+                         const NamesReading& read) {
+  return common_recording({panel.where ? &*panel.where : nullptr, &formula}, read.names, node, read.subject,
+                          read.faults);
 }
 
 }  // namespace
 
-void read_boundaries(const Node& node, Panel& panel, const Names& names, Faults& faults) {
-  const std::string subject = "figure.boundary";
-  const Names plane = plane_of(names);
-  for (const Node& item : items_of(node)) {
-    auto formula = read_formula(item, plane, subject, faults);
+void read_boundaries(const Node& node, Panel& panel, const NamesReading& read) {
+  const Names names = plane_of(read.names);
+  const NamesReading plane(read.subject, names, read.faults);
+  for (const Node& item : node.as_list()) {
+    auto formula = plane.formula(item);
     if (!formula) continue;
-    formula->recording = recording_of(*formula, panel, item, plane, subject, faults);
+    formula->recording = recording_of(*formula, panel, item, plane);
     panel.boundaries.push_back(std::move(*formula));
   }
 }
 
-void read_note(const Node& node, Panel& panel, const Names& names, Faults& faults) {
-  auto series = read_series(node, names, "figure.note", faults);
+void read_note(const Node& node, Panel& panel, const NamesReading& read) {
+  auto series = read.series(node);
   if (!series) return;
-  series->formula.recording = recording_of(series->formula, panel, node, names, "figure.note", faults);
+  series->formula.recording = recording_of(series->formula, panel, node, read);
   panel.series["note"] = {std::move(*series)};
 }
 

@@ -15,20 +15,18 @@ std::vector<Curve> overlay_rows(const std::optional<Formula>& where, const Recor
 
 /// Reads a coordinate of what is drawn over a panel: an expression, in the unit of the panel's axis.
 std::optional<Series> read_coordinate(const Node& node, const std::string& axis, const Panel& panel,
-                                      const Names& names, const std::string& subject, Faults& faults);
-
-/// Adds a fault for each key of a map that is no row.
-void check_keys(const Node& node, const std::vector<FigureKey>& rows, const std::string& owner,
-                const Names& names, const std::string& subject, Faults& faults);
+                                      const NamesReading& read);
 
 /// The keys of a motion and of a rose.
-const std::vector<FigureKey>& motion_keys();
-const std::vector<FigureKey>& rose_keys();
+const Key& motion_form();
+const Key& rose_form();
+/// Words for the colours in which a motion is drawn, with these.
+const std::vector<Key::Word>& motion_colors();
 
 /// Reads `motion`, a map of its keys or a list of such.
-void read_motions(const Node& node, Panel& panel, const Names& names, Faults& faults);
+void read_motions(const Node& node, Panel& panel, const NamesReading& read);
 
 /// Reads `rose`, a map of its keys or a list of such.
-void read_roses(const Node& node, Panel& panel, const Names& names, Faults& faults);
+void read_roses(const Node& node, Panel& panel, const NamesReading& read);
 
 }  // namespace stepwire

@@ -14,9 +14,9 @@ namespace {
 using Keys = std::vector<std::string>;
 
 /// The row of this name, or nullptr.
-template <class Target>
-const KeyOf<Target>* find_key(const std::vector<KeyOf<Target>>& keys, const std::string& name) {
-  const auto found = std::ranges::find(keys, name, &KeyOf<Target>::name);
+template <class AnyRow>
+const AnyRow* find_key(const std::vector<AnyRow>& keys, const std::string& name) {
+  const auto found = std::ranges::find(keys, name, &AnyRow::name);
   return found == keys.end() ? nullptr : &*found;
 }
 
@@ -31,6 +31,7 @@ class PanelReader {
     if (panel_.kind->read) return read_picture();
     for (const auto& entry : node_.entries)
       if (panel_.kind->channel(entry.key)) read_channel(entry);
+    reading("").check_unknown(node_, plot_form(*panel_.kind, alone_));
     // Options are read in the units of the channels, so they come second.
     for (const auto& entry : node_.entries)
       if (!panel_.kind->channel(entry.key)) read_option(entry);
@@ -48,6 +49,11 @@ class PanelReader {
  private:
   void fault(Mark mark, const std::string& subject, const std::string& message) {
     faults_.add({{names_.file, mark}, subject, message, {}});
+  }
+
+  NamesReading reading(const std::string& key) const {
+    const NamesReading read("figure", names_, faults_);
+    return key.empty() ? read : below(read, key);
   }
 
   bool find_kind() {
@@ -75,12 +81,7 @@ class PanelReader {
                 panel_.kind->name));
       return std::nullopt;
     }
-    Keys known{"plot", "title", "caption", "own"};
-    for (const FigureKey& option : panel_.kind->options) known.push_back(option.name);
-    for (const auto& entry : node_.entries)
-      if (std::find(known.begin(), known.end(), entry.key) == known.end())
-        add_unknown_key(entry, known, fmt::format("a plot '{}'", panel_.kind->name), names_, "figure",
-                        faults_);
+    reading("").check_unknown(node_, plot_form(*panel_.kind, true));
     panel_.content = panel_.kind->read(node_, names_, faults_);
     Faults told;  // by the plot already
     if (const Node* where = node_.find("where"))
@@ -96,7 +97,7 @@ class PanelReader {
                    fmt::format("'{}' takes one expression, not a list", entry.key));
     if (entry.value.is_list() && entry.value.items.empty())
       return fault(entry.value.mark, subject, "the list is empty");
-    for (const Node& item : items_of(entry.value))
+    for (const Node& item : entry.value.as_list())
       if (auto series = read_series(item, names_, subject, faults_))
         panel_.series[entry.key].push_back(std::move(*series));
   }
@@ -111,26 +112,14 @@ class PanelReader {
   void read_option(const Entry& entry) {
     if (entry.key == "plot" || (alone_ && find_key(picture_keys(), entry.key))) return;
     const PanelKey* row = find_row(entry.key);
-    if (!row) return unknown(entry);
-    if (row->stage == KeyStage::options) row->set(panel_, entry.value, {names_, faults_});
+    if (row && row->stage == KeyStage::options) row->set(panel_, entry.value, reading(row->name));
   }
 
   void read_later(KeyStage stage) {
     for (const PanelKey& row : panel_keys())
       if (const Node* value = node_.find(row.name);
           value && row.stage == stage && panel_.kind->takes(row.needs))
-        row.set(panel_, *value, {names_, faults_});
-  }
-
-  void unknown(const Entry& entry) {
-    Keys keys{"plot"};
-    for (const auto& key : figure_keys(panel_.kind->name)) keys.push_back(key.name);
-    for (const PanelKey& key : panel_keys())
-      if (panel_.kind->takes(key.needs)) keys.push_back(key.name);
-    if (alone_)
-      for (const FigureKey& key : picture_keys())
-        if (!find_key(panel_keys(), key.name)) keys.push_back(key.name);
-    add_unknown_key(entry, keys, fmt::format("a plot '{}'", panel_.kind->name), names_, "figure", faults_);
+        row.set(panel_, *value, reading(row.name));
   }
 
   /// Each y is drawn with the other channels, so these must have been recorded together.

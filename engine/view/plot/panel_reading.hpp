@@ -7,10 +7,12 @@
 
 namespace stepwire {
 
+struct PanelKey;
+
 /// Keys that every panel takes whose plot has what they need.
-const std::vector<KeyOf<Panel>>& panel_keys();
+const std::vector<PanelKey>& panel_keys();
 /// Keys of a whole picture.
-const std::vector<KeyOf<Figure>>& picture_keys();
+const std::vector<KeyRow<Figure, NamesReading>>& picture_keys();
 
 /// Reads one panel; keys of the whole picture are passed over where `alone`, else they are refused.
 std::optional<Panel> read_panel(const Node& node, const Names& names, bool alone, Faults& faults);
@@ -22,11 +24,11 @@ std::optional<double> read_axis_number(const Node& node, const Panel& panel, con
 /// Reads what follows a panel's `boundary`, formulas of its plane, or its `note`: beside the coordinates they
 /// name what was recorded, as it is in the first row that the panel's `where` selects. Each has the index of
 /// its recording.
-void read_boundaries(const Node& node, Panel& panel, const Names& names, Faults& faults);
-void read_note(const Node& node, Panel& panel, const Names& names, Faults& faults);
+void read_boundaries(const Node& node, Panel& panel, const NamesReading& read);
+void read_note(const Node& node, Panel& panel, const NamesReading& read);
 
 /// Reads the value of `region`: names of blocks with an outline.
-void read_regions(const Node& node, Panel& panel, const KeyReading& read);
+void read_regions(const Node& node, Panel& panel, const NamesReading& read);
 
 /// Checks that all along an axis have one unit, that there is an x for each y, and texts of the legend for
 /// curves only; references get the unit of their axis.
@@ -34,9 +36,9 @@ void check_axes(Panel& panel, const Node& node, const Names& names, Faults& faul
 
 /// Reads the value of `marks`: {NAME: [X, Y], ...}, or a list of points, which are named 1, 2, 3. A mark
 /// beyond the ranges that the file gives is a fault; so the panel has its ranges by now.
-void read_marks(const Node& node, Panel& panel, const Names& names, Faults& faults);
+void read_marks(const Node& node, Panel& panel, const NamesReading& read);
 
 /// Reads the value of `texts`: {TEXT: [X, Y], ...}, which lie within the ranges, too.
-void read_texts(const Node& node, Panel& panel, const Names& names, Faults& faults);
+void read_texts(const Node& node, Panel& panel, const NamesReading& read);
 
 }  // namespace stepwire

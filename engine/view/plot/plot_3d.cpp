@@ -101,7 +101,7 @@ PlotKind space_plot() {
         "conditions, each of which selects runs of a sweep, such as elevation == 0 deg: in place of curves a "
         "coloured surface is spanned between those that follow each other",
         false, true}},
-      {word_key("style", "lines (default) or points", {"lines", "points"}, &Panel::points_only),
+      {{"style", "lines or points", form::word({"lines", "points"}), &Panel::points_only},
        number_key("elevation", "angle between the view and the upward axis in degrees (62)",
                   &Panel::elevation),
        number_key("azimuth", "turn of the view about the upward axis in degrees (35)", &Panel::azimuth)},

@@ -178,18 +178,17 @@ void draw_boxes(const Panel& panel, std::span<const Recording> recordings, PlotB
 }  // namespace
 
 PlotKind box_plot() {
-  return {
-      "box",
-      "box plots: median, mean (asterisk), quartiles after Hazen, whiskers over the full range",
-      {{"y", "the values; one expression or a list of them", true, true},
-       {"by", "one box for each value of this"},
-       {"beside", "boxes for each value of this stand side by side, each in its colour"}},
-      {word_key("whiskers",
-                "range (over all values), or tukey: to the last value within 1.5 interquartile ranges of the "
-                "box; those beyond are drawn",
-                {"range", "tukey"}, &Panel::tukey_whiskers)},
-      false,
-      draw_boxes};
+  return {"box",
+          "box plots: median, mean (asterisk), quartiles after Hazen, whiskers over the full range",
+          {{"y", "the values; one expression or a list of them", true, true},
+           {"by", "one box for each value of this"},
+           {"beside", "boxes for each value of this stand side by side, each in its colour"}},
+          {{"whiskers",
+            "range (over all values), or tukey: to the last value within 1.5 interquartile ranges of the "
+            "box; those beyond are drawn",
+            form::word({"range", "tukey"}), &Panel::tukey_whiskers}},
+          false,
+          draw_boxes};
 }
 
 }  // namespace stepwire

@@ -94,19 +94,19 @@ void draw_field(const Panel& panel, std::span<const Recording> recordings, PlotB
 }  // namespace
 
 PlotKind field_plot() {
-  return {"field",
-          "arrows over the plane, as long and as coloured as they are strong",
-          {{"x", "along the horizontal axis", true},
-           {"y", "along the vertical axis", true},
-           {"u", "horizontal part of the arrow", true},
-           {"v", "vertical part of the arrow", true},
-           {"color", "shown as colour instead of the length"}},
-          {number_key("cells", "arrows along an axis at most (24)", &Panel::cells),
-           number_key("scale", "length of the longest arrow in cells (1)", &Panel::scale),
-           word_key("pivot", "what of an arrow lies at its point (middle)", {"tail", "middle", "tip"},
-                    &Panel::pivot)},
-          true,
-          draw_field};
+  return {
+      "field",
+      "arrows over the plane, as long and as coloured as they are strong",
+      {{"x", "along the horizontal axis", true},
+       {"y", "along the vertical axis", true},
+       {"u", "horizontal part of the arrow", true},
+       {"v", "vertical part of the arrow", true},
+       {"color", "shown as colour instead of the length"}},
+      {number_key("cells", "arrows along an axis at most (24)", &Panel::cells),
+       number_key("scale", "length of the longest arrow in cells (1)", &Panel::scale),
+       {"pivot", "what of an arrow lies at its point", form::word({"tail", "middle", "tip"}), &Panel::pivot}},
+      true,
+      draw_field};
 }
 
 }  // namespace stepwire

@@ -10,7 +10,26 @@
 namespace stepwire {
 
 class PlotBuilder;
-using PanelKey = KeyOf<Panel>;
+/// What a key needs of its plot.
+enum class KeyNeeds {
+  nothing,
+  plane,  ///< axes in a plane
+  both    ///< axes in a plane, and something along both
+};
+
+/// When a key is read.
+enum class KeyStage {
+  options,  ///< with the units of the axes
+  points,   ///< behind the ranges, within which it lies
+  rows      ///< behind the recordings of the panel, whose rows it reads
+};
+
+/// A key of panels. One without a reader is read by its kind of plot.
+struct PanelKey : KeyRow<Panel, NamesReading> {
+  using KeyRow::KeyRow;
+  KeyNeeds needs = KeyNeeds::nothing;
+  KeyStage stage = KeyStage::options;
+};
 
 /// A key of a plot whose value is an expression over recorded columns.
 struct Channel {
@@ -44,6 +63,9 @@ struct PlotKind {
   /// Has the plot what a key of panels needs?
   bool takes(KeyNeeds needs) const;
 };
+
+/// The keys of a kind, alone in its picture or as one of several panels.
+Key plot_form(const PlotKind& kind, bool alone);
 
 /// All kinds, in the order of the reference.
 const std::vector<PlotKind>& plot_kinds();

@@ -12,24 +12,21 @@ const Channel high{"high", "upper edge of the band"};
 const Channel reference{"reference", "for each y a value to hold it against, drawn dashed in its colour",
                         false, true};
 const Channel each_across{"x", "along the horizontal axis: one expression, or one for each y", true, true};
-const PanelKey style{{"style",
-                      "how the curves are drawn, in the order of the legend: line, dashes or dots",
-                      ValueType::word,
-                      true,
-                      {"line", "dashes", "dots"}},
-                     [](Panel& panel, const Node& node, const KeyReading& read) {
-                       for (const Node& item : items_of(node))
-                         if (const auto index = read.word(item, style))
+const PanelKey style{"style", "how the curves are drawn, in the order of the legend: line, dashes or dots",
+                     form::one_or_list(form::word({"line", "dashes", "dots"})),
+                     [](Panel& panel, const Node& node, const NamesReading& read) {
+                       for (const Node& item : node.as_list())
+                         if (const auto index = read.word(item, style.of.front()))
                            panel.styles.push_back(static_cast<CurveStyle>(*index));
                      }};
 
 PanelKey shade_key() {
   PanelKey key = numbers_key("shade", "ends of a range of x that is shaded, or of several: [0 s, 2 s]",
                              &Panel::shade, "x");
-  key.set = [read_numbers = key.set](Panel& panel, const Node& node, const KeyReading& read) {
+  key.set = [read_numbers = key.set](Panel& panel, const Node& node, const NamesReading& read) {
     read_numbers(panel, node, read);
     if (panel.shade.size() % 2 != 0)
-      read.fault(node.mark, "shade", "needs two numbers for each range, its beginning and its end");
+      read.fault(node.mark, "needs two numbers for each range, its beginning and its end");
   };
   return key;
 }

@@ -103,16 +103,16 @@ PlotKind rig_plot() {
   kind.name = "rig";
   kind.doc = "a mechanism to scale, at one instant of the run";
   kind.options = {
-      {{"points",
-        "map of name: place; a place is a recorded vector, a row of a block's parameter "
-        "(rig.linkage.anchors.1), or [x, y]",
-        ValueType::tree}},
-      {{"elements", elements_doc(), ValueType::tree}},
-      {{"axes", "names of the axes that are drawn, [x, z] of a view from the side", ValueType::text, true}},
-      {{"up", "the axis that points upwards in space (y)", ValueType::word, false, {"y", "z"}}},
-      {{"schematic", "without axes and scale", ValueType::truth}},
-      {{"where", "the first row for which this is true is drawn; without it the first of all",
-        ValueType::tree}}};
+      {"points",
+       "map of name: place; a place is a recorded vector, a row of a block's parameter "
+       "(rig.linkage.anchors.1), or [x, y]",
+       form::tree()},
+      {"elements", elements_doc(), form::tree()},
+      {"axes", "names of the axes that are drawn, [x, z] of a view from the side",
+       form::one_or_list(form::text())},
+      {"up", "the axis that points upwards in space (y)", form::word({"y", "z"})},
+      {"schematic", "without axes and scale", form::truth()},
+      {"where", "the first row for which this is true is drawn; without it the first of all", form::tree()}};
   kind.plane = false;
   kind.read = read_mechanism;
   return kind;

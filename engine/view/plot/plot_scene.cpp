@@ -45,7 +45,7 @@ class InstantsReader {
   }
 
   void read_times(const Node& node, ChosenInstants& instants) {
-    for (const Node& item : items_of(node)) {
+    for (const Node& item : node.as_list()) {
       const auto time = read_number(item, names_, "figure.at", faults_);
       if (!time) continue;
       check_dimension(*time, Dimension{{0.0, 0.0, 1.0}}, "an instant", item, names_, "figure.at", faults_);
@@ -57,7 +57,7 @@ class InstantsReader {
   }
 
   void read_words(const Node& node, ChosenInstants& instants) {
-    for (const Node& item : items_of(node))
+    for (const Node& item : node.as_list())
       instants.words.push_back(read_text(item, names_, "figure.words", faults_));
     const std::size_t count = std::max<std::size_t>(1, instants.times.size());
     if (instants.words.size() != count)
@@ -118,11 +118,11 @@ PlotKind scene_plot() {
   kind.name = "scene";
   kind.doc = "instants of the section `scene` side by side, as whoever is at the device sees them";
   kind.options = {
-      {{"at", "times of the instants: 2 s, or a list", ValueType::number, true}},
-      {{"words", "texts below the instants, in their order", ValueType::text, true}},
-      {{"where",
-        "of several runs that with the first row for which this is true; without `at` that row is drawn",
-        ValueType::tree}}};
+      {"at", "times of the instants: 2 s, or a list", form::one_or_list(form::number())},
+      {"words", "texts below the instants, in their order", form::one_or_list(form::text())},
+      {"where",
+       "of several runs that with the first row for which this is true; without `at` that row is drawn",
+       form::tree()}};
   kind.plane = false;
   kind.read = read_instants;
   return kind;

@@ -53,17 +53,16 @@ PlotKind table_plot() {
   kind.name = "table";
   kind.doc = "a table of expressions, or one that a study makes, with its notes";
   kind.options = {
-      {{"of",
-        "which table: errors by condition, or by condition and subject; the analyses of variance; or means "
-        "and significance beside the thesis'",
-        ValueType::word,
-        false,
-        {"errors", "subjects", "anova", "anova_with_subject", "repeated_measures", "means", "significance"}}},
-      {{"headings", "texts, the first above the names of the rows", ValueType::text, true}},
-      {{"rows", "map of name: an expression for each further column, or a list: {NAME: [rig.x in mm]}",
-        ValueType::tree}},
-      {{"where", "cells have the values of the first row for which this is true; without it of the first",
-        ValueType::tree}}};
+      {"of",
+       "which table: errors by condition, or by condition and subject; the analyses of variance; or means "
+       "and significance beside the thesis'",
+       form::word({"errors", "subjects", "anova", "anova_with_subject", "repeated_measures", "means",
+                   "significance"})},
+      {"headings", "texts, the first above the names of the rows", form::one_or_list(form::text())},
+      {"rows", "map of name: an expression for each further column, or a list: {NAME: [rig.x in mm]}",
+       form::tree()},
+      {"where", "cells have the values of the first row for which this is true; without it of the first",
+       form::tree()}};
   kind.plane = false;
   kind.read = read_table_plot;
   return kind;

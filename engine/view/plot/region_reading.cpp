@@ -7,7 +7,7 @@
 namespace stepwire {
 namespace {
 
-const Outline* find_outline(const Node& node, const KeyReading& read) {
+const Outline* find_outline(const Node& node, const NamesReading& read) {
   std::vector<std::string> names;
   for (const NamedOutline& named : read.names.outlines) {
     if (node.is_scalar() && named.name == node.text) return &named.outline;
@@ -15,22 +15,20 @@ const Outline* find_outline(const Node& node, const KeyReading& read) {
   }
   const std::string choice =
       names.empty() ? "; this file has none" : nearest_or_all(node.text, names, "there are");
-  read.fault(node.mark, "region",
-             fmt::format("'{}' is no block with a boundary, as a Region is{}", node.text, choice));
+  read.fault(node.mark, fmt::format("'{}' is no block with a boundary, as a Region is{}", node.text, choice));
   return nullptr;
 }
 
 }  // namespace
 
-void read_regions(const Node& node, Panel& panel, const KeyReading& read) {
-  for (const Node& item : items_of(node)) {
+void read_regions(const Node& node, Panel& panel, const NamesReading& read) {
+  for (const Node& item : node.as_list()) {
     const Outline* outline = find_outline(item, read);
     if (!outline) continue;
     if (outline->space == panel.kind->plane)
-      read.fault(item.mark, "region",
-                 fmt::format("'{}' lies in {}, and a plot '{}' shows {}", item.text,
-                             outline->space ? "space" : "the plane", panel.kind->name,
-                             outline->space ? "the plane" : "space"));
+      read.fault(item.mark, fmt::format("'{}' lies in {}, and a plot '{}' shows {}", item.text,
+                                        outline->space ? "space" : "the plane", panel.kind->name,
+                                        outline->space ? "the plane" : "space"));
     panel.regions.push_back(*outline);
   }
 }

@@ -126,10 +126,9 @@ class RigReader {
   }
 
   void read_ends(const Node& node, const RigKind& kind, RigElement& element) {
-    const std::vector<Node> one{node};
     // Several things in the list of a kind that takes one point are its coordinates.
     const bool is_point = kind.most_points == 1 && node.items.size() > 1;
-    for (const Node& item : node.is_list() && !is_point ? node.items : one) {
+    for (const Node& item : is_point ? std::span(&node, 1) : node.as_list()) {
       const auto named = item.is_scalar() ? points_.find(item.text) : points_.end();
       if (named != points_.end())
         element.points.push_back(named->second);

@@ -1,83 +1,45 @@
-#include <fmt/format.h>
-
 #include "engine/analyse/query/number.hpp"
 #include "engine/view/plot/overlay.hpp"
 
 namespace stepwire {
 namespace {
 
-const std::string rose_subject = "figure.rose";
+void read_place(const Node& node, const Panel& panel, const NamesReading& read, Rose& rose) {
+  const auto number = [&](const Node& value, const std::string& axis, const std::string& key) {
+    return read_axis_number(value, panel, axis, read.names, read.subject + "." + key, read.faults);
+  };
+  const Node& radius = *node.find("radius");
+  rose.radius = number(radius, "x", "radius").value_or(1.0);
+  if (!(rose.radius > 0.0)) below(read, "radius").fault(radius.mark, "the radius of a rose is above 0");
+  const Node* at = node.find("at");
+  const auto* place = at ? below(read, "at").pair(*at, *rose_form().find("at")) : nullptr;
+  if (!place) return;
+  const auto x = number((*place)[0], "x", "at"), y = number((*place)[1], "y", "at");
+  if (x && y) rose.at = {*x, *y};
+}
 
-/// Reads the keys of one rose; faults are gathered.
-class RoseReader {
- public:
-  RoseReader(const Node& node, const Panel& panel, const Names& names, Faults& faults)
-      : node_(node), panel_(panel), names_(names), faults_(faults) {}
-
-  std::optional<Rose> read() {
-    check_keys(node_, rose_keys(), "a rose", names_, rose_subject, faults_);
-    for (const FigureKey& key : rose_keys())
-      if (key.required && !node_.find(key.name))
-        return refuse(node_,
-                      fmt::format("'{}' is missing: {{x: at.1, y: at.2, angle: phi, value: force in N, "
-                                  "radius: 4 mm}}",
-                                  key.name));
-    auto x = coordinate("x"), y = coordinate("y");
-    auto angle = read_formula(*node_.find("angle"), names_, subject("angle"), faults_);
-    auto value = read_series(*node_.find("value"), names_, subject("value"), faults_);
-    if (!x || !y || !angle || !value) return std::nullopt;
-    Rose rose{std::move(*x), std::move(*y), {*angle, Unit{}, "", angle->text}, std::move(*value)};
-    read_place(rose);
-    if (const Node* where = node_.find("where"))
-      rose.where = read_formula(*where, names_, subject("where"), faults_);
-    if (const Node* name = node_.find("name")) rose.name = read_text(*name, names_, subject("name"), faults_);
-    rose.recording = common_recording({&rose.x.formula, &rose.y.formula, &rose.angle.formula,
-                                       &rose.value.formula, rose.where ? &*rose.where : nullptr},
-                                      names_, node_, rose_subject, faults_);
-    return rose;
-  }
-
- private:
-  static std::string subject(const std::string& key) { return rose_subject + "." + key; }
-
-  std::optional<Rose> refuse(const Node& node, const std::string& message) {
-    faults_.add({{names_.file, node.mark}, rose_subject, message, {}});
-    return std::nullopt;
-  }
-
-  std::optional<Series> coordinate(const std::string& axis) {
-    return read_coordinate(*node_.find(axis), axis, panel_, names_, subject(axis), faults_);
-  }
-
-  std::optional<double> number(const Node& node, const std::string& axis, const std::string& key) {
-    return read_axis_number(node, panel_, axis, names_, subject(key), faults_);
-  }
-
-  void read_place(Rose& rose) {
-    const Node& radius = *node_.find("radius");
-    rose.radius = number(radius, "x", "radius").value_or(1.0);
-    if (!(rose.radius > 0.0)) refuse(radius, "the radius of a rose is above 0");
-    const Node* at = node_.find("at");
-    if (!at) return;
-    if (!at->is_list() || at->items.size() != 2) {
-      refuse(*at, "a rose stands at two numbers, its x and its y: [0 mm, 20 mm]");
-      return;
-    }
-    const auto x = number(at->items[0], "x", "at"), y = number(at->items[1], "y", "at");
-    if (x && y) rose.at = {*x, *y};
-  }
-
-  const Node& node_;
-  const Panel& panel_;
-  const Names& names_;
-  Faults& faults_;
-};
+void read_rose(const Node& node, Panel& panel, const NamesReading& read) {
+  const std::size_t before = read.faults.size();
+  if (!read.check(node, rose_form()) || read.faults.size() > before) return;
+  auto x = read_coordinate(*node.find("x"), "x", panel, below(read, "x"));
+  auto y = read_coordinate(*node.find("y"), "y", panel, below(read, "y"));
+  auto angle = below(read, "angle").formula(*node.find("angle"));
+  auto value = below(read, "value").series(*node.find("value"));
+  if (!x || !y || !angle || !value) return;
+  Rose rose{std::move(*x), std::move(*y), {*angle, Unit{}, "", angle->text}, std::move(*value)};
+  read_place(node, panel, read, rose);
+  if (const Node* where = node.find("where")) rose.where = below(read, "where").formula(*where);
+  if (const Node* name = node.find("name")) rose.name = below(read, "name").text(*name);
+  rose.recording = common_recording({&rose.x.formula, &rose.y.formula, &rose.angle.formula,
+                                     &rose.value.formula, rose.where ? &*rose.where : nullptr},
+                                    read.names, node, read.subject, read.faults);
+  panel.roses.push_back(std::move(rose));
+}
 
 }  // namespace
 
-void read_roses(const Node& node, Panel& panel, const Names& names, Faults& faults) {
-  for (const Node& item : items_of(node))
-    if (auto rose = RoseReader(item, panel, names, faults).read()) panel.roses.push_back(std::move(*rose));
+void read_roses(const Node& node, Panel& panel, const NamesReading& read) {
+  for (const Node& item : node.as_list()) read_rose(item, panel, read);
 }
 
 }  // namespace stepwire

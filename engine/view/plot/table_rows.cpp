@@ -51,8 +51,7 @@ class TableRowsReader {
   }
 
   void read_line(const Entry& entry) {
-    const std::vector<Node> one{entry.value};
-    const std::vector<Node>& items = entry.value.is_list() ? entry.value.items : one;
+    const auto items = entry.value.as_list();
     if (!table_.columns.empty() && items.size() + 1 != table_.columns.size())
       return fault(entry.value.mark, "rows",
                    fmt::format("'{}' has {} values, but there are {} headings behind that of the names",

@@ -8,32 +8,21 @@
 
 #include "engine/analyse/query/formula.hpp"
 #include "engine/analyse/query/names.hpp"
+#include "engine/analyse/query/names_reading.hpp"
 #include "engine/base/yaml/document.hpp"
 
 namespace stepwire {
 
-/// A kind of object, and the keys that it takes beside those of all objects.
+/// A kind of object.
 struct SceneKind {
   std::string name;
   std::string doc;  ///< of the value under its name
   std::size_t least_points = 1, most_points = 1;
   std::string color;  ///< where the file gives none
-  std::vector<std::string> keys;
 };
 
 /// All kinds of objects.
 const std::vector<SceneKind>& scene_kinds();
-
-/// A key with its explanation, for reference pages and the schema.
-struct SceneKey {
-  std::string name;
-  std::string doc;
-};
-
-/// Keys of objects: color and when, which all take, and those that some kinds take.
-const std::vector<SceneKey>& scene_object_keys();
-/// Keys of the animation.
-const std::vector<SceneKey>& scene_animation_keys();
 
 /// A colour by its name, such as blue.
 struct SceneColor {
@@ -92,6 +81,9 @@ struct Scene {
   std::size_t recording = 0;  ///< which one has the signals
   Mark mark;
 };
+
+/// The keys of the section `scene`.
+const Key& scene_form();
 
 /// Reads the section `scene`. Everything that is wrong goes to `faults`.
 Scene read_scene(const Node& node, const Names& names, Faults& faults);

@@ -5,233 +5,232 @@
 #include <algorithm>
 #include <cctype>
 
-#include "engine/analyse/query/number.hpp"
 #include "engine/analyse/query/place_reading.hpp"
 
 namespace stepwire {
 namespace {
 
-using Keys = std::vector<std::string>;
+/// What an object is read with: the formulas of its scene, too.
+struct ObjectReading : NamesReading {
+  std::vector<Formula>& formulas;
 
-const SceneKind* kind_of(const Node& node) {
-  for (const SceneKind& kind : scene_kinds())
-    if (node.find(kind.name)) return &kind;
-  return nullptr;
-}
+  ObjectReading(const NamesReading& read, std::vector<Formula>& formulas)
+      : NamesReading(read), formulas(formulas) {}
+
+  std::optional<FormulaIndex> add(std::optional<Formula> formula) const {
+    if (!formula) return std::nullopt;
+    formulas.push_back(std::move(*formula));
+    return formulas.size() - 1;
+  }
+};
+
+using ObjectTable = KeyTable<SceneObject, ObjectReading>;
+using ObjectRow = ObjectTable::Row;
 
 bool is_hexadecimal(const std::string& text) {
   return text.size() == 7 && text[0] == '#' &&
          std::all_of(text.begin() + 1, text.end(), [](unsigned char c) { return std::isxdigit(c) != 0; });
 }
 
-SceneColor named_color(const std::string& name) {
-  return *std::ranges::find(scene_colors(), name, &SceneColor::name);
+std::optional<std::array<FormulaIndex, 2>> read_plane_point(const Node& node, const ObjectReading& read) {
+  const std::size_t before = read.faults.size();
+  std::vector<Formula> place = read_place(node, read.names, read.subject, read.faults);
+  if (place.size() == 2) return std::array{*read.add(std::move(place[0])), *read.add(std::move(place[1]))};
+  if (read.faults.size() == before)
+    read.fault(node.mark,
+               fmt::format("a point of a scene has two coordinates, [x, y], and this has {}", place.size()));
+  return std::nullopt;
 }
 
-/// Reads one object; faults are gathered.
-class ObjectReader {
- public:
-  ObjectReader(const Entry& entry, const Names& names, std::vector<Formula>& formulas, Faults& faults)
-      : node_(entry.value),
-        subject_("scene." + entry.key),
-        names_(names),
-        formulas_(formulas),
-        faults_(faults) {
-    object_.name = entry.key;
-  }
+void read_point(SceneObject& object, const Node& node, const ObjectReading& read) {
+  if (const auto point = read_plane_point(node, read)) object.points.push_back(*point);
+}
 
-  std::optional<SceneObject> read() {
-    if (!node_.is_map()) {
-      fault(node_, "", "an object is a map: {ball: rig.position, color: blue}");
-      return std::nullopt;
-    }
-    object_.kind = kind_of(node_);
-    if (!object_.kind) {
-      unknown_kind();
-      return std::nullopt;
-    }
-    read_what_it_is(*node_.find(object_.kind->name));
-    for (const Entry& entry : node_.entries)
-      if (entry.key != object_.kind->name) read_key(entry);
-    if (object_.colors.empty() || object_.colors.back().when)
-      object_.colors.push_back({named_color(object_.kind->color), {}});
-    check_needed();
-    return std::move(object_);
+const Outline* find_outline(const Node& node, const ObjectReading& read) {
+  std::vector<std::string> known;
+  for (const NamedOutline& named : read.names.outlines) {
+    known.push_back(named.name);
+    if (node.is_scalar() && named.name == node.text) return &named.outline;
   }
+  read.fault(node.mark, fmt::format("'{}' is no block with a boundary, as a Region is{}", node.text,
+                                    known.empty() ? "; this file has none"
+                                                  : nearest_or_all(node.text, known, "there are")));
+  return nullptr;
+}
 
- private:
-  void fault(const Node& node, const std::string& key, std::string message) {
-    faults_.add(
-        {{names_.file, node.mark}, subject_ + (key.empty() ? "" : "." + key), std::move(message), {}});
+void read_walls(SceneObject& object, const Node& node, const ObjectReading& read) {
+  const Outline* outline = find_outline(node, read);
+  if (!outline) return;
+  if (outline->space)
+    return read.fault(node.mark, fmt::format("'{}' lies in space, and a scene in the plane", node.text));
+  for (const Outline::Line& line : outline->lines) {
+    SceneWall& wall = object.walls.emplace_back(SceneWall{{}, !line.endless});
+    for (const Outline::Point& point : line.points) wall.points.push_back({point[0], point[1]});
   }
+}
 
-  void unknown_kind() {
-    Keys kinds;
-    for (const SceneKind& kind : scene_kinds()) kinds.push_back(kind.name);
-    for (const Entry& entry : node_.entries) {
-      if (std::ranges::find(scene_object_keys(), entry.key, &SceneKey::name) != scene_object_keys().end())
-        continue;
-      return faults_.add(
-          {{names_.file, entry.mark},
-           subject_,
-           fmt::format("there is no object '{}'{}", entry.key, nearest_or_all(entry.key, kinds, "there are")),
-           {}});
-    }
-    fault(node_, "", fmt::format("an object says what it is: {}", fmt::join(kinds, ", ")));
+void read_points(SceneObject& object, const Node& node, const ObjectReading& read) {
+  const SceneKind& kind = *object.kind;
+  if (!node.is_list() || node.items.size() < kind.least_points || node.items.size() > kind.most_points)
+    return read.fault(node.mark, fmt::format("'{}' is {}: [[0, 0], rig.position]", kind.name, kind.doc));
+  for (const Node& item : node.items) read_point(object, item, read);
+}
+
+/// [x, y], or the name of a recorded vector.
+Key point_form() {
+  return form::either({form::text(), form::pair(form::expression())});
+}
+
+/// What stands under the name of a kind.
+Key value_of(const SceneKind& kind) {
+  if (kind.most_points == 0) return form::text();
+  return kind.most_points == 1 ? point_form()
+                               : form::list(point_form(), static_cast<double>(kind.least_points),
+                                            static_cast<double>(kind.most_points));
+}
+
+ObjectRow kind_row(const SceneKind& kind) {
+  return one_of("kind", ObjectRow{kind.name, kind.doc, value_of(kind),
+                                  [&kind](SceneObject& object, const Node& node, const ObjectReading& read) {
+                                    object.kind = &kind;
+                                    if (kind.name == "walls") return read_walls(object, node, read);
+                                    if (kind.name == "text") return read.take(node, {}, object.text);
+                                    if (kind.most_points == 1) return read_point(object, node, read);
+                                    read_points(object, node, read);
+                                  }});
+}
+
+ObjectRow length_row(std::string name, std::string doc, std::optional<FormulaIndex> SceneObject::*member) {
+  return {std::move(name), std::move(doc), form::expression(),
+          [=](SceneObject& object, const Node& node, const ObjectReading& read) {
+            object.*member = read.add(read_length(node, read.names, read.subject, read.faults));
+          }};
+}
+
+void read_colors(SceneObject& object, const Node& node, const ObjectReading& read) {
+  const auto add = [&](const std::string& text, Mark mark, const std::vector<std::string>& other) {
+    const auto one = read_scene_color(text, mark, other, read);
+    if (one) object.colors.push_back({*one, {}});
+    return one.has_value();
+  };
+  if (node.is_scalar()) return static_cast<void>(add(node.text, node.mark, {}));
+  if (!node.is_map())
+    return read.fault(node.mark, "is a colour, or colours by condition: {red: map.distance > 0, else: blue}");
+  for (const Entry& entry : node.entries) {
+    if (entry.key == "else") continue;
+    const bool known = add(entry.key, entry.mark, {"else"});
+    const auto when = read.add(read.formula(entry.value));
+    if (known) object.colors.back().when = when;
   }
+  if (const Node* last = node.find("else")) add(last->text, last->mark, {});
+}
 
-  void read_what_it_is(const Node& node) {
-    if (object_.kind->name == "walls") return read_walls(node);
-    if (object_.kind->name == "text") {
-      object_.text = read_text(node, names_, subject_ + ".text", faults_);
-      return;
-    }
-    const SceneKind& kind = *object_.kind;
-    if (kind.most_points == 1) return read_point(node, kind.name);
-    if (!node.is_list() || node.items.size() < kind.least_points || node.items.size() > kind.most_points)
-      return fault(node, kind.name, fmt::format("'{}' is {}: [[0, 0], rig.position]", kind.name, kind.doc));
-    for (const Node& item : node.items) read_point(item, kind.name);
-  }
+std::vector<ObjectRow> object_rows() {
+  std::vector<ObjectRow> rows;
+  for (const SceneKind& kind : scene_kinds()) rows.push_back(kind_row(kind));
+  const std::vector<ObjectRow> keys{
+      {"color",
+       "a colour, or colours by condition, of which the first that holds counts: {red: map.distance > 0, "
+       "else: blue}",
+       form::either({scene_color_form(), form::names(form::expression())}), read_colors},
+      {"when", "the object is shown while this expression is true", form::expression(),
+       [](SceneObject& object, const Node& node, const ObjectReading& read) {
+         object.when = read.add(read.formula(node));
+       }},
+      beside({"ball", "circle", "point"},
+             length_row("radius", "of a ball, circle or point", &SceneObject::radius)),
+      beside({"rod", "walls", "circle", "line"},
+             length_row("width", "of the line, or of the rod", &SceneObject::width)),
+      beside({"walls"}, ObjectRow{"crossed",
+                                  "colour of the wall that is crossed: that at the nearest boundary point, "
+                                  "while the distance is above 0",
+                                  scene_color_form(),
+                                  [](SceneObject& object, const Node& node, const ObjectReading& read) {
+                                    object.crossed = read_scene_color(node.text, node.mark, {}, read);
+                                  }}),
+      beside({"walls"},
+             length_row("distance",
+                        "from the boundary; without it the output distance of the block itself, which is "
+                        "recorded",
+                        &SceneObject::distance)),
+      beside({"walls"},
+             ObjectRow{"nearest",
+                       "point of the boundary; without it the block's output nearest, which is recorded",
+                       point_form(),
+                       [](SceneObject& object, const Node& node, const ObjectReading& read) {
+                         object.nearest = read_plane_point(node, read);
+                       }}),
+      beside({"text"}, ObjectRow{"at", "where the middle of the text is: [x, y]", point_form(), read_point}),
+      beside({"text"}, length_row("size", "height of the letters", &SceneObject::size))};
+  rows.insert(rows.end(), keys.begin(), keys.end());
+  return rows;
+}
 
-  void read_point(const Node& node, const std::string& key) {
-    if (const auto point = read_plane_point(node, key)) object_.points.push_back(*point);
-  }
+const ObjectTable& object_table() {
+  static const ObjectTable table("an object", "{ball: rig.position, color: blue}", object_rows());
+  return table;
+}
 
-  std::optional<std::array<FormulaIndex, 2>> read_plane_point(const Node& node, const std::string& key) {
-    const std::size_t before = faults_.size();
-    std::vector<Formula> place = read_place(node, names_, subject_ + "." + key, faults_);
-    if (place.size() == 2) return std::array{add(std::move(place[0])), add(std::move(place[1]))};
-    if (faults_.size() == before)
-      fault(node, key,
-            fmt::format("a point of a scene has two coordinates, [x, y], and this has {}", place.size()));
-    return std::nullopt;
-  }
+/// What a Region says of itself, unless the file says otherwise.
+void complete_walls(SceneObject& object, const Node& node, const ObjectReading& read) {
+  const ObjectReading crossed = below(read, "crossed");
+  Node own = *node.find("walls");
+  const std::string block = own.text;
+  own.text = block + ".distance";
+  if (!node.find("distance"))
+    object.distance = read.add(read_length(own, read.names, crossed.subject, read.faults));
+  own.text = block + ".nearest";
+  if (!node.find("nearest") && object.walls.size() > 1) object.nearest = read_plane_point(own, crossed);
+}
 
-  FormulaIndex add(Formula formula) {
-    formulas_.push_back(std::move(formula));
-    return formulas_.size() - 1;
-  }
-
-  std::optional<FormulaIndex> read_number(const Node& node, const std::string& key) {
-    auto formula = read_length(node, names_, subject_ + "." + key, faults_);
-    return formula ? std::optional(add(std::move(*formula))) : std::nullopt;
-  }
-
-  std::optional<FormulaIndex> read_condition(const Node& node, const std::string& key) {
-    auto formula = read_formula(node, names_, subject_ + "." + key, faults_);
-    return formula ? std::optional(add(std::move(*formula))) : std::nullopt;
-  }
-
-  void read_walls(const Node& node) {
-    Keys known;
-    const Outline* outline = nullptr;
-    for (const NamedOutline& named : names_.outlines) {
-      known.push_back(named.name);
-      if (node.is_scalar() && named.name == node.text) outline = &named.outline;
-    }
-    if (!outline)
-      return fault(node, "walls",
-                   fmt::format("'{}' is no block with a boundary, as a Region is{}", node.text,
-                               known.empty() ? "; this file has none"
-                                             : nearest_or_all(node.text, known, "there are")));
-    if (outline->space)
-      return fault(node, "walls", fmt::format("'{}' lies in space, and a scene in the plane", node.text));
-    for (const Outline::Line& line : outline->lines) {
-      SceneWall& wall = object_.walls.emplace_back(SceneWall{{}, !line.endless});
-      for (const Outline::Point& point : line.points) wall.points.push_back({point[0], point[1]});
-    }
-  }
-
-  void read_key(const Entry& entry) {
-    const std::string& key = entry.key;
-    Keys known{object_.kind->name, "color", "when"};
-    known.insert(known.end(), object_.kind->keys.begin(), object_.kind->keys.end());
-    if (std::ranges::find(known, key) == known.end())
-      return add_unknown_key(entry, known, fmt::format("an object '{}'", object_.kind->name), names_,
-                             subject_, faults_);
-    const Node& value = entry.value;
-    if (key == "color") read_colors(value);
-    if (key == "when") object_.when = read_condition(value, key);
-    if (key == "radius") object_.radius = read_number(value, key);
-    if (key == "width") object_.width = read_number(value, key);
-    if (key == "size") object_.size = read_number(value, key);
-    if (key == "at") read_point(value, key);
-    if (key == "crossed") object_.crossed = color(value.text, value.mark, {}, key);
-    if (key == "distance") object_.distance = read_number(value, key);
-    if (key == "nearest") object_.nearest = read_plane_point(value, key);
-  }
-
-  std::optional<SceneColor> color(const std::string& text, Mark mark, const Keys& other,
-                                  const std::string& key) {
-    return read_scene_color(text, mark, other, names_, subject_ + "." + key, faults_);
-  }
-
-  void read_colors(const Node& node) {
-    if (node.is_scalar()) {
-      if (const auto one = color(node.text, node.mark, {}, "color")) object_.colors.push_back({*one, {}});
-      return;
-    }
-    if (!node.is_map())
-      return fault(node, "color",
-                   "is a colour, or colours by condition: {red: map.distance > 0, else: blue}");
-    for (const Entry& entry : node.entries) {
-      if (entry.key == "else") continue;
-      const auto one = color(entry.key, entry.mark, {"else"}, "color");
-      const auto when = read_condition(entry.value, "color");
-      if (one && when) object_.colors.push_back({*one, when});
-    }
-    if (const Node* otherwise = node.find("else"))
-      if (const auto one = color(otherwise->text, otherwise->mark, {}, "color"))
-        object_.colors.push_back({*one, {}});
-  }
-
-  void check_needed() {
-    const std::string& kind = object_.kind->name;
-    if (kind == "circle" && !node_.find("radius"))
-      fault(node_, "", "a circle needs a radius: {circle: [$x, $y], radius: 20 mm}");
-    if (kind == "text" && !node_.find("at"))
-      fault(node_, "", "a text needs a place: {text: \"Follow the line\", at: [0 mm, 20 mm]}");
-    if (!object_.crossed || object_.walls.empty()) return;
-    // What a Region says of itself, unless the file says otherwise.
-    Node own = *node_.find("walls");
-    const std::string block = own.text;
-    own.text = block + ".distance";
-    if (!node_.find("distance")) object_.distance = read_number(own, "crossed");
-    own.text = block + ".nearest";
-    if (!node_.find("nearest") && object_.walls.size() > 1)
-      object_.nearest = read_plane_point(own, "crossed");
-  }
-
-  const Node& node_;
-  std::string subject_;
-  const Names& names_;
-  std::vector<Formula>& formulas_;
-  Faults& faults_;
-  SceneObject object_;
-};
+void check_needed(const SceneObject& object, const Node& node, const ObjectReading& read) {
+  if (object.kind->name == "circle" && !node.find("radius"))
+    read.fault(node.mark, "a circle needs a radius: {circle: [$x, $y], radius: 20 mm}");
+  if (object.kind->name == "text" && !node.find("at"))
+    read.fault(node.mark, "a text needs a place: {text: \"Follow the line\", at: [0 mm, 20 mm]}");
+}
 
 }  // namespace
 
-std::optional<SceneObject> read_scene_object(const Entry& entry, const Names& names,
-                                             std::vector<Formula>& formulas, Faults& faults) {
-  return ObjectReader(entry, names, formulas, faults).read();
+const Key& scene_object_form() {
+  return object_table().form;
+}
+
+const Key& scene_color_form() {
+  static const Key form = [] {
+    std::vector<Key::Word> names;
+    for (const SceneColor& named : scene_colors()) names.push_back({named.name, named.value});
+    Key hexadecimal = form::string();
+    hexadecimal.pattern = "^#[0-9A-Fa-f]{6}$";
+    return form::either({form::words(std::move(names)), std::move(hexadecimal)});
+  }();
+  return form;
+}
+
+std::optional<SceneObject> read_scene_object(const Entry& entry, std::vector<Formula>& formulas,
+                                             const NamesReading& names) {
+  const ObjectReading read(names, formulas);
+  SceneObject object;
+  object.name = entry.key;
+  if (!object_table().read(entry.value, object, read) || !object.kind) return std::nullopt;
+  if (object.colors.empty() || object.colors.back().when)
+    object.colors.push_back({*std::ranges::find(scene_colors(), object.kind->color, &SceneColor::name), {}});
+  check_needed(object, entry.value, read);
+  if (object.crossed && !object.walls.empty()) complete_walls(object, entry.value, read);
+  return object;
 }
 
 std::optional<SceneColor> read_scene_color(const std::string& text, Mark mark,
-                                           const std::vector<std::string>& other, const Names& names,
-                                           const std::string& subject, Faults& faults) {
+                                           const std::vector<std::string>& other, const NamesReading& read) {
   if (is_hexadecimal(text)) return SceneColor{"", text};
-  Keys known;
+  std::vector<std::string> known;
   for (const SceneColor& color : scene_colors()) {
     if (color.name == text) return color;
     known.push_back(color.name);
   }
   known.insert(known.end(), other.begin(), other.end());
-  faults.add({{names.file, mark},
-              subject,
-              fmt::format("there is no colour '{}'{}, or a colour as \"#rrggbb\"", text,
-                          nearest_or_all(text, known, "there are")),
-              {}});
+  read.fault(mark, fmt::format("there is no colour '{}'{}, or a colour as \"#rrggbb\"", text,
+                               nearest_or_all(text, known, "there are")));
   return std::nullopt;
 }
 

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "engine/analyse/query/number.hpp"
 #include "engine/analyse/query/place_reading.hpp"
 #include "engine/view/drawing/draw.hpp"
@@ -12,153 +10,110 @@
 namespace stepwire {
 namespace {
 
-using Keys = std::vector<std::string>;
+using SceneTable = KeyTable<Scene, NamesReading>;
+using AnimationTable = KeyTable<SceneAnimation, NamesReading>;
 
-constexpr Dimension time_dimension{{0.0, 0.0, 1.0}};
+const SceneTable& view_table() {
+  const Key range = needed(like("[-5 mm, 5 mm]", form::pair(form::computed("m"))));
+  static const SceneTable table(
+      "a view", "{x: [-5 mm, 5 mm], y: [-5 mm, 5 mm]}",
+      {{"x", "to the right: [-20 mm, 20 mm]", range, &Scene::x}, {"y", "upward", range, &Scene::y}});
+  return table;
+}
 
-/// Reads the section; faults are gathered.
-class SceneReader {
- public:
-  SceneReader(const Node& node, const Names& names, Faults& faults)
-      : node_(node), names_(names), faults_(faults) {}
+AnimationTable::Row time_row(std::string name, std::string doc,
+                             std::optional<double> SceneAnimation::*member) {
+  const Key form = form::computed("s");
+  return {std::move(name), std::move(doc), form,
+          [=](SceneAnimation& animation, const Node& node, const NamesReading& read) {
+            const auto time = read.number(node, form);
+            const double stop = read.names.diagram ? read.names.diagram->diagram().stop : 0.0;
+            if (time && (*time < 0.0 || (stop > 0.0 && *time > stop)))
+              read.fault(node.mark,
+                         fmt::format("{} is not within the run, which lasts {} s", node.text, stop));
+            animation.*member = time;
+          }};
+}
 
-  Scene read() {
-    scene_.mark = node_.mark;
-    if (!node_.is_map()) {
-      fault(node_, "scene", "a scene is a map: {view: {x: [-5 mm, 5 mm], y: [-5 mm, 5 mm]}, objects: {..}}");
-      return std::move(scene_);
-    }
-    const Keys known{"view", "objects", "background", "animation"};
-    for (const Entry& entry : node_.entries)
-      if (std::ranges::find(known, entry.key) == known.end())
-        add_unknown_key(entry, known, "a scene", names_, "scene", faults_);
-    read_view();
-    read_objects();
-    if (const Node* background = node_.find("background")) read_background(*background);
-    if (const Node* animation = node_.find("animation")) read_animation(*animation);
-    find_recording();
-    check_states();
-    return std::move(scene_);
+const AnimationTable& animation_table() {
+  static const AnimationTable table(
+      "an animation", "{from: 1 s, to: 6 s}",
+      {time_row("from", "time in the run at which it begins", &SceneAnimation::from),
+       time_row("to", "time in the run at which it ends", &SceneAnimation::to),
+       {"speed", "seconds of the run in one second of the animation", form::above_zero(form::computed()),
+        &SceneAnimation::speed},
+       {"where", "of several runs, that with the first row for which this is true; without it the first",
+        form::expression(), &SceneAnimation::where}});
+  return table;
+}
+
+void read_objects(Scene& scene, const Node& node, const NamesReading& read) {
+  if (!node.is_map() || node.entries.empty())
+    return read.fault(node.mark, "'objects' are a map of name: object, such as {hand: {ball: rig.position}}");
+  for (const Entry& entry : node.entries) {
+    const NamesReading object_read("scene." + entry.key, read.names, read.faults);
+    if (auto object = read_scene_object(entry, scene.formulas, object_read))
+      scene.objects.push_back(std::move(*object));
   }
+}
 
- private:
-  void fault(const Node& node, const std::string& subject, std::string message) {
-    faults_.add({{names_.file, node.mark}, subject, std::move(message), {}});
-  }
+void read_animation(Scene& scene, const Node& node, const NamesReading& read) {
+  SceneAnimation& animation = scene.animation;
+  if (!animation_table().read(node, animation, read)) return;
+  if (animation.from && animation.to && !(*animation.from < *animation.to))
+    below(read, "to").fault(node.find("to")->mark, "the end of an animation is behind its beginning");
+}
 
-  std::optional<double> number(const Node& node, const std::string& subject, const Dimension& dimension,
-                               const std::string& what) {
-    const auto number = read_number(node, names_, subject, faults_);
-    if (!number) return std::nullopt;
-    check_dimension(*number, dimension, what, node, names_, subject, faults_);
-    return number->value;
-  }
+void read_background(Scene& scene, const Node& node, const NamesReading& read) {
+  scene.background = node.text;
+  if (node.is_scalar() && (node.text == "dark" || node.text == "light")) return;
+  if (const auto color = read_scene_color(node.text, node.mark, {"dark", "light"}, read))
+    scene.background = color->value;
+}
 
-  void read_view() {
-    const Node* view = node_.find("view");
-    if (!view || !view->is_map())
-      return fault(view ? *view : node_, "scene.view",
-                   "'view' says what is seen of the plane: {x: [-5 mm, 5 mm], y: [-5 mm, 5 mm]}");
-    for (const Entry& entry : view->entries)
-      if (entry.key != "x" && entry.key != "y")
-        add_unknown_key(entry, {"x", "y"}, "a view", names_, "scene.view", faults_);
-    read_range(*view, "x", scene_.x);
-    read_range(*view, "y", scene_.y);
-  }
+const SceneTable& scene_table() {
+  static const SceneTable table(
+      "a scene", "{view: {x: [-5 mm, 5 mm], y: [-5 mm, 5 mm]}, objects: {..}}",
+      {needed(SceneTable::Row{"view", "what is seen of the plane", view_table().form,
+                              [](Scene& scene, const Node& node, const NamesReading& read) {
+                                view_table().read(node, scene, read);
+                              }}),
+       needed(SceneTable::Row{"objects",
+                              "by name, in the order in which they are drawn: {hand: {ball: rig.position}}",
+                              form::names(scene_object_form(), 1), read_objects}),
+       otherwise("dark", SceneTable::Row{"background", "dark, light, or a colour",
+                                         form::either({form::word({"dark", "light"}), scene_color_form()}),
+                                         read_background}),
+       {"animation", "what of the run scene.svg shows; without it the whole run", animation_table().form,
+        read_animation}});
+  return table;
+}
 
-  void read_range(const Node& view, const std::string& axis, std::array<double, 2>& range) {
-    const std::string subject = "scene.view." + axis;
-    const Node* node = view.find(axis);
-    if (!node || !node->is_list() || node->items.size() != 2)
-      return fault(node ? *node : view, subject, fmt::format("'{}' is two lengths: [-5 mm, 5 mm]", axis));
-    const auto low = number(node->items[0], subject, length_dimension, "a length");
-    const auto high = number(node->items[1], subject, length_dimension, "a length");
-    if (!low || !high) return;
-    if (!(*low < *high)) fault(*node, subject, "the first number of a range is below the second");
-    range = {*low, *high};
-  }
-
-  void read_objects() {
-    const Node* objects = node_.find("objects");
-    if (!objects || !objects->is_map() || objects->entries.empty())
-      return fault(objects ? *objects : node_, "scene.objects",
-                   "'objects' are a map of name: object, such as {hand: {ball: rig.position}}");
-    for (const Entry& entry : objects->entries)
-      if (auto object = read_scene_object(entry, names_, scene_.formulas, faults_))
-        scene_.objects.push_back(std::move(*object));
-  }
-
-  void read_background(const Node& node) {
-    scene_.background = node.text;
-    if (node.is_scalar() && (node.text == "dark" || node.text == "light")) return;
-    if (const auto color =
-            read_scene_color(node.text, node.mark, {"dark", "light"}, names_, "scene.background", faults_))
-      scene_.background = color->value;
-  }
-
-  void read_animation(const Node& node) {
-    SceneAnimation& animation = scene_.animation;
-    if (!node.is_map()) return fault(node, "scene.animation", "an animation is a map: {from: 1 s, to: 6 s}");
-    Keys known;
-    for (const SceneKey& key : scene_animation_keys()) known.push_back(key.name);
-    for (const Entry& entry : node.entries) {
-      const std::string subject = "scene.animation." + entry.key;
-      if (entry.key == "from")
-        animation.from = time(entry.value, subject);
-      else if (entry.key == "to")
-        animation.to = time(entry.value, subject);
-      else if (entry.key == "speed")
-        animation.speed = speed(entry.value, subject);
-      else if (entry.key == "where")
-        animation.where = read_formula(entry.value, names_, subject, faults_);
-      else
-        add_unknown_key(entry, known, "an animation", names_, "scene.animation", faults_);
-    }
-    if (animation.from && animation.to && !(*animation.from < *animation.to))
-      fault(*node.find("to"), "scene.animation.to", "the end of an animation is behind its beginning");
-  }
-
-  std::optional<double> time(const Node& node, const std::string& subject) {
-    const auto value = number(node, subject, time_dimension, "a time");
-    const double stop = names_.diagram ? names_.diagram->diagram().stop : 0.0;
-    if (value && (*value < 0.0 || (stop > 0.0 && *value > stop)))
-      fault(node, subject, fmt::format("{} is not within the run, which lasts {} s", node.text, stop));
-    return value;
-  }
-
-  double speed(const Node& node, const std::string& subject) {
-    const auto value = number(node, subject, {}, "a speed of time");
-    if (!value || *value > 0.0) return value.value_or(1.0);
-    fault(node, subject, fmt::format("{} is not allowed; it must be above 0", node.text));
-    return 1.0;
-  }
-
-  void find_recording() {
-    std::vector<const Formula*> formulas;
-    for (const Formula& formula : scene_.formulas) formulas.push_back(&formula);
-    if (scene_.animation.where) formulas.push_back(&*scene_.animation.where);
-    scene_.recording = common_recording(formulas, names_, node_, "scene", faults_);
-  }
-
-  /// A name stands for one thing.
-  void check_states() {
-    for (const RecordedName& state : scene_state_names(scene_))
-      if (names_.find(state.name))
-        fault(node_, "scene",
-              fmt::format("'{}' is recorded already, and would be what the scene shows; rename its object",
-                          state.name));
-  }
-
-  const Node& node_;
-  const Names& names_;
-  Faults& faults_;
-  Scene scene_;
-};
+std::size_t recording_of(const Scene& scene, const Node& node, const NamesReading& read) {
+  std::vector<const Formula*> formulas;
+  for (const Formula& formula : scene.formulas) formulas.push_back(&formula);
+  if (scene.animation.where) formulas.push_back(&*scene.animation.where);
+  return common_recording(formulas, read.names, node, read.subject, read.faults);
+}
 
 }  // namespace
 
+const Key& scene_form() {
+  return scene_table().form;
+}
+
 Scene read_scene(const Node& node, const Names& names, Faults& faults) {
-  return SceneReader(node, names, faults).read();
+  const NamesReading read("scene", names, faults);
+  Scene scene;
+  scene.mark = node.mark;
+  if (!scene_table().read(node, scene, read)) return scene;
+  scene.recording = recording_of(scene, node, read);
+  for (const RecordedName& state : scene_state_names(scene))  // a name stands for one thing
+    if (names.find(state.name))
+      read.fault(node.mark,
+                 fmt::format("'{}' is recorded already, and would be what the scene shows; rename its object",
+                             state.name));
+  return scene;
 }
 
 }  // namespace stepwire

@@ -62,7 +62,7 @@ TEST_CASE("a number of the wrong kind is refused") {
   CHECK(faults_of("{that: a, fraction: rig.x > 0, at_most: 2 N}") ==
         "d.yaml:1:43: claims.at_most: 2 N is in N, but the claim's value has no unit\n");
   CHECK(faults_of("{that: a, at: {time: 3 mm, value: rig.x}, at_most: 2 mm}") ==
-        "d.yaml:1:24: claims.at: 3 mm is in m, but time is in s\n");
+        "d.yaml:1:24: claims.at.time: 3 mm is in m, but a time is in s\n");
   CHECK(faults_of("{that: a, fit: [rig.x, push.force], at_least: 80}") ==
         "d.yaml:1:18: claims.fit: 'rig.x' is in m, but 'push.force' is in N\n");
   CHECK(faults_of("{that: a, max: rig.x, at_most: time}") ==
@@ -75,7 +75,7 @@ TEST_CASE("a claim has one reduction, one comparison and a text") {
   CHECK(faults_of("{that: a, max: time}") ==
         "d.yaml:1:3: claims: a claim needs one comparison: equals, at_most, at_least, between\n");
   CHECK(faults_of("{max: time, at_most: 1}") ==
-        "d.yaml:1:3: claims: a claim says in 'that' what it states\n");
+        "d.yaml:1:3: claims: 'that' is missing (the statement, for people): {that: ..., final: ..., equals: ...}\n");
   CHECK(faults_of("{that: a, max: time, at_most: 1, within: 2}") ==
         "d.yaml:1:44: claims.within: 'within' goes with 'equals' only\n");
   CHECK(faults_of("{that: a, max: time, between: [2, 1]}") ==

@@ -46,7 +46,8 @@ TEST_CASE("what is compared must be recorded") {
   CHECK_THAT(error_of_fit("  parameters: {slope: {start: 1}}\n"
                           "  compare: [{model: model}]\n"),
              Contains("'measured' is missing"));
-  CHECK_THAT(error_of_fit("  parameters: {slope: {start: 1}}\n"), Contains("is a list of what is compared"));
+  CHECK_THAT(error_of_fit("  parameters: {slope: {start: 1}}\n"),
+             Contains("'compare' is missing (model and measurement, side by side)"));
 }
 
 TEST_CASE("a condition that selects no row, and too few rows, are refused") {
@@ -65,8 +66,9 @@ TEST_CASE("a row that is no number is told with its time") {
 }
 
 TEST_CASE("words that nobody knows are refused with those that are known") {
-  CHECK_THAT(error_of_fit("  parameters: {slope: {start: 1}}\n" + compare + "  loss: hubert\n"),
-             Contains("there is no loss 'hubert'; take none, huber or cauchy"));
+  CHECK_THAT(
+      error_of_fit("  parameters: {slope: {start: 1}}\n" + compare + "  loss: hubert\n"),
+      Contains("fit.loss: 'hubert' is not allowed; did you mean 'huber'? It is one of: none, huber, cauchy"));
   CHECK_THAT(error_of_fit("  parameters: {slope: {begin: 1}}\n" + compare), Contains("it has no 'begin'"));
   CHECK_THAT(error_of_fit("  parameters: {slope: {start: 1}}\n" + compare + "  start: 8\n"),
              Contains("the fit has no 'start'; did you mean 'starts'?"));

@@ -63,7 +63,7 @@ TEST_CASE("a file above 8 MB is refused by its size unless --large is given") {
 TEST_CASE("double and unknown keys are refused with their places") {
   refused(with("step: 2 ms\nblocks: {a: {block: Clock}}\n"),
           "a.yaml:5:1: 'step' is given twice; the first is at 3:1");
-  refused(with("blocks: {a: {block: Clock}}\ncolour: red\n"), "a.yaml:6:1: there is no key 'colour'");
+  refused(with("blocks: {a: {block: Clock}}\ncolour: red\n"), "a.yaml:6:1: a diagram has no 'colour'");
 }
 
 TEST_CASE("numbers that are none are refused") {

@@ -49,6 +49,7 @@ TEST_CASE("what is wrong in the call ends with 2 and one line on standard error"
           "--engine: must be auto, compiled or interpreted, not 'fast'");
   refused({"loop", "lag.yaml", "--rate", "0"}, "--rate 0: must be from 1 Hz to 1 MHz");
   refused({"blocks", "Foo"}, "there is no block 'Foo'. 'stepwire blocks' lists them");
+  refused({"format", "calims"}, "there is no section 'calims'; did you mean 'claims'?");
   refused({"run"}, "FILE");
   refused({"run", "lag.yaml", "--fast"}, "--fast");
   refused({"run", "lag.yaml", "--stop"}, "--stop");
@@ -134,7 +135,7 @@ TEST_CASE("check finds what run would find before its first step") {
 
 TEST_CASE("the help of each verb shows an example") {
   const Scratch folder;
-  for (const std::string verb : {"run", "check", "thesis", "blocks", "schema"}) {
+  for (const std::string verb : {"run", "check", "thesis", "blocks", "format", "schema"}) {
     const Done done = run_program(folder, {verb, "--help"});
     CHECK(done.code == 0);
     CHECK(done.err.empty());

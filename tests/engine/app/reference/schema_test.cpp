@@ -73,10 +73,10 @@ TEST_CASE("every block is offered with its explanation and has all its keys") {
 }
 
 TEST_CASE("every plot is offered and has all its keys") {
-  for (const FigureKey& plot : plot_names()) {
+  for (const Key& plot : plot_forms(true)) {
     INFO(plot.name);
     const json& properties = schema().at("$defs").at("plot." + plot.name).at("properties");
-    for (const FigureKey& key : figure_keys(plot.name)) CHECK(properties.contains(key.name));
+    for (const Key& key : plot.of) CHECK(properties.contains(key.name));
     CHECK(properties.contains("caption"));
     const std::set<std::string> pictures{"diagram", "rig", "scene", "table"};  // that are no panels of others
     const bool alone = pictures.contains(plot.name);

@@ -14,7 +14,7 @@ namespace {
 
 /// What is wrong with a file, as data.
 json faults_of(const Scratch& folder, const std::string& file) {
-  static const Registry registry = all_blocks();
+  static const Registry registry = blocks();
   try {
     Session(registry).load(folder.path(file));
   } catch (const Error& error) {

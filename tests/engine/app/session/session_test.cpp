@@ -14,7 +14,7 @@ using namespace stepwire;
 namespace {
 
 const Registry& library() {
-  static const Registry registry = all_blocks();
+  static const Registry registry = blocks();
   return registry;
 }
 

@@ -66,10 +66,9 @@ TEST_CASE("double keys, unknown head keys and an empty file are refused where th
         std::vector<std::string>{"test.yaml:2:26: 'u' is given twice; the first is at 2:20"});
   const auto unknown = faults_of("sovler: rk4\nblocks:\n  a: {block: Gain, u: 1}\n");
   REQUIRE(unknown.size() == 1);
-  CHECK_THAT(
-      unknown[0],
-      Catch::StartsWith(
-          "test.yaml:1:1: there is no key 'sovler' here; did you mean 'solver'? Known are: stepwire, "));
+  CHECK_THAT(unknown[0],
+             Catch::StartsWith(
+                 "test.yaml:1:1: a diagram has no 'sovler'; did you mean 'solver'? It has: stepwire, "));
   const DiagramFolder folder;
   folder.write("empty.yaml", "");
   const auto empty = folder.faults("empty.yaml");
@@ -81,8 +80,9 @@ TEST_CASE("times of the head must be there, above 0, and times") {
   const DiagramFolder folder;
   folder.write("a.yaml", "stepwire: 1\nstep: -1 ms\nblocks:\n  a: {block: Gain, u: 1}\n");
   CHECK(folder.faults("a.yaml") ==
-        std::vector<std::string>{"a.yaml:1:1: 'stop' is missing; e.g. stop: 5 s",
-                                 "a.yaml:2:7: step: -1 ms is not allowed; it must be above 0"});
+        std::vector<std::string>{
+            "a.yaml:1:1: 'stop' is missing (end of the run, a whole multiple of the step: 5 s)",
+            "a.yaml:2:7: step: -1 ms is not allowed; it must be above 0"});
   CHECK(faults_of("step: 1 mm\nblocks:\n  a: {block: Gain, u: 1}\n") ==
         std::vector<std::string>{"test.yaml:1:7: step: '1 mm' is in m; it must be in s"});
 }
@@ -111,7 +111,7 @@ TEST_CASE("what is for people is a text, and a name names one thing") {
   CHECK(fault("title: [a]\n" + block) == "test.yaml:1:8: title: a text is wanted here");
   CHECK(fault("solver: {a: b}\n" + block) == "test.yaml:1:9: solver: a text is wanted here");
   CHECK(fault("thesis: 15\n" + block) ==
-        "test.yaml:1:9: thesis: must be a map such as {figure: 15, section: 2.5.1}");
+        "test.yaml:1:9: thesis: the thesis is a map: {figure: 15, section: 2.5.1}");
   CHECK(fault("blocks: {c: {block: [Constant]}}\n") == "test.yaml:1:21: c: 'block:' names one type, as Gain");
   CHECK(fault("blocks:\n  c:\n  next: {block: Constant, value: 1}\n") ==
         "test.yaml:2:3: c: must be a map such as {block: Gain, gain: 2, u: source}");

@@ -137,7 +137,8 @@ TEST_CASE("a parameter that nothing uses is refused, unless a figure, a claim or
 }
 
 TEST_CASE("what is said about a parameter is text, a flag and a value, and its name no constant") {
-  CHECK(fault_of("{a: {doc: length}}") == "test.yaml:1:17: a: 'value' is missing, as {value: 2 kg}");
+  CHECK(fault_of("{a: {doc: length}}") == "test.yaml:1:17: a: 'value' is missing (the default: a number with unit, a list, a word, = "
+        "expression): {value: 2 kg, doc: of the body}");
   CHECK(fault_of("{a: {value: 1, doc: [x]}}", "$a") == "test.yaml:1:33: a.doc: a text is wanted here");
   CHECK(fault_of("{a: {value: 1, assumed: maybe}}", "$a") ==
         "test.yaml:1:37: a.assumed: 'maybe' is neither true nor false");

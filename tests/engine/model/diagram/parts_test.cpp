@@ -77,7 +77,7 @@ TEST_CASE("a part's own head is checked where it is used") {
   const auto refused = folder.faults("main.yaml");
   REQUIRE(refused.size() == 2);
   CHECK_THAT(refused[0],
-             Catch::StartsWith("part.yaml:2:1: there is no key 'output' here; did you mean 'outputs'?"));
+             Catch::StartsWith("part.yaml:2:1: a diagram has no 'output'; did you mean 'outputs'?"));
   CHECK_THAT(refused[1], Catch::StartsWith("part.yaml:3:9: p.inputs: must be a map of the ports' names"));
 }
 

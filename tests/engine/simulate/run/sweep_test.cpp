@@ -140,8 +140,8 @@ TEST_CASE("what is wrong with one value of a sweep is told at that value") {
   CHECK(refused("{a: {from: 1 N, to: 2 s, count: 2}}") ==
         "sweep.yaml:6:28: sweep.a: 'to' is in s; it must be in N");
   CHECK(refused("{a: {from: 1 N, to: 2 N}}") ==
-        "sweep.yaml:6:12: sweep.a: 'count' is missing; it is written [.., ..] or {from: .., to: .., count: "
-        "..}");
+        "sweep.yaml:6:12: sweep.a: 'count' is missing (how many values, both ends included): {from: 1 N, to: "
+        "9 N, count: 5}");
   CHECK(refused("{a: [1, 2], together: yes}") ==
         "sweep.yaml:6:30: sweep.together: 'yes' is neither true nor false");
   CHECK(refused("{a: [1, 2]}\nrecord: {signals: {a: y}}") ==

@@ -18,7 +18,7 @@ TEST_CASE(
 
 TEST_CASE("another style is refused with those that there are") {
   CHECK_THAT(figures_of("{plot: xy, x: rig.x, y: rig.x, style: [wavy]}").faults,
-             Contains("figure.style: 'wavy' is not allowed; it is one of line, dashes, dots"));
+             Contains("figure.style: 'wavy' is not allowed; it is one of: line, dashes, dots"));
 }
 
 TEST_CASE("each y of a plane has its own x where there are as many, else all have the one") {

@@ -117,17 +117,17 @@ TEST_CASE("claims may name what lies over a panel") {
 
 TEST_CASE("motions and roses that cannot be drawn are refused where they stand") {
   CHECK_THAT(figures_of("{" + plane + ", motion: {x: rig.x}}").faults,
-             Contains("figure.motion: a motion is a map with x and y"));
+             Contains("figure.motion: 'y' is missing (up): {x: hand.1, y: hand.2}"));
   CHECK_THAT(figures_of("{" + plane + ", motion: {x: push.force, y: rig.v}}").faults,
              Contains("figure.motion.x: 'push.force' is in N, but 'rig.x' in m; both are drawn along x"));
   CHECK_THAT(figures_of("{" + plane + ", motion: {x: rig.x, y: rig.v, color: pink}}").faults,
-             Contains("'pink' is no colour of a motion"));
+             Contains("figure.motion.color: 'pink' is not allowed; it is one of: red, blue, green, black"));
   CHECK_THAT(figures_of("{" + plane + ", motion: {x: rig.x, y: slow, arrows: 3}}").faults,
              Contains("arrows") && Contains("recorded"));
   CHECK_THAT(figures_of("{" + plane + ", rose: {x: rig.x, y: rig.v}}").faults,
              Contains("figure.rose: 'angle' is missing"));
   CHECK_THAT(figures_of("{" + plane + ", rose: {" + rose + ", at: 3 mm}}").faults,
-             Contains("a rose stands at two numbers"));
+             Contains("figure.rose.at: takes two values: [0 mm, 20 mm]"));
   CHECK_THAT(figures_of("{plot: histogram, x: rig.x, motion: {x: rig.x, y: rig.v}}").faults,
              Contains("has no 'motion'"));
 }

@@ -45,7 +45,7 @@ TEST_CASE("the boundary of a region is a line, or dashed where the file says so"
     CHECK(mark<LineMark>(drawn(panel, wide, wide), 2).line.dash.empty() != dashed);
   }
   CHECK_THAT(figures_of("{" + plane + ", region: map, region_line: dots}").faults,
-             Contains("'dots' is not allowed; it is one of line, dashes"));
+             Contains("'dots' is not allowed; it is one of: line, dashes"));
 }
 
 TEST_CASE("a hole is run through against the sense of what is around it, so that it stays free") {

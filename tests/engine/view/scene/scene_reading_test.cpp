@@ -24,22 +24,23 @@ TEST_CASE("a scene has its objects in the order of the file, with lengths in met
 TEST_CASE("a scene without a view or without objects says what is missing") {
   CHECK_THAT(
       read_scene_of("{objects: {a: {ball: pen}}}").faults,
-      Contains("d.yaml:1:1: scene.view: 'view' says what is seen of the plane: {x: [-5 mm, 5 mm], y:"));
+      Contains(
+          "d.yaml:1:1: scene: 'view' is missing (what is seen of the plane); view: {x: [-5 mm, 5 mm], y:"));
   CHECK_THAT(read_scene_of("{view: {x: [2 mm, 1 mm], y: [1 N, 2 N], z: 1}}").faults,
              Contains("d.yaml:1:12: scene.view.x: the first number of a range is below the second") &&
                  Contains("d.yaml:1:30: scene.view.y: 1 N is in N, but a length is in m") &&
-                 Contains("a view has no 'z'") &&
-                 Contains("scene.objects: 'objects' are a map of name: object"));
+                 Contains("a view has no 'z'") && Contains("scene: 'objects' is missing (by name"));
   CHECK_THAT(read_scene_of("[a]").faults, Contains("scene: a scene is a map"));
 }
 
 TEST_CASE(
     "an object that is none, a key that it has not, and a colour that is none are told with the nearest") {
   CHECK_THAT(scene_faults("a: {bal: pen}"),
-             Contains("scene.a: there is no object 'bal'; did you mean 'ball'?"));
+             Contains("scene.a: an object has no 'bal'; did you mean 'ball'?"));
   CHECK_THAT(scene_faults("a: {color: red}"),
-             Contains("scene.a: an object says what it is: ball, rod, walls"));
-  CHECK_THAT(scene_faults("a: {ball: pen, width: 1 mm}"), Contains("an object 'ball' has no 'width'"));
+             Contains("scene.a: an object needs one kind: ball, rod, walls"));
+  CHECK_THAT(scene_faults("a: {ball: pen, width: 1 mm}"),
+             Contains("scene.a.width: 'width' goes with 'rod', 'walls', 'circle', 'line' only"));
   CHECK_THAT(scene_faults("a: {ball: pen, colour: red}"), Contains("did you mean 'color'?"));
   CHECK_THAT(
       scene_faults("a: {ball: pen, color: bleu}"),

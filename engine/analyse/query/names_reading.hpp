@@ -1,0 +1,43 @@
+#pragma once
+
+#include "engine/analyse/query/formula.hpp"
+#include "engine/base/yaml/section.hpp"
+
+namespace stepwire {
+
+struct Series;
+
+/// What sections about recorded signals are read with: figures, claims, scenes, fits.
+struct NamesReading : SectionReading {
+  const Names& names;
+  Faults& faults;
+
+  NamesReading(std::string subject, const Names& names, Faults& faults)
+      : SectionReading(std::move(subject),
+                       [file = names.file, &faults](const Mark& mark, const std::string& about,
+                                                    const std::string& message) {
+                         faults.add({{file, mark}, about, message, {}});
+                       }),
+        names(names),
+        faults(faults) {}
+
+  using SectionReading::take;
+  void take(const Node& node, const Key& key, std::optional<Formula>& formula) const;
+  void take(const Node& node, const Key& key, std::optional<Series>& series) const;
+  /// One expression in a unit, or a list of them.
+  void take(const Node& node, const Key& key, std::vector<Series>& series) const;
+  /// Two numbers in the unit of the key, the smaller one first.
+  void take(const Node& node, const Key& key, std::array<double, 2>& range) const;
+
+  std::optional<Formula> formula(const Node& node) const;
+  std::optional<Series> series(const Node& node) const;
+
+ protected:
+  /// A number with the unit of the key, an expression of numbers and `$name`.
+  std::optional<double> read_number(const Node& node, const Key& key) const override;
+};
+
+/// What stands where a series does: an expression, or a map of it and its label.
+const Key& series_form();
+
+}  // namespace stepwire

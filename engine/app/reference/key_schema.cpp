@@ -1,0 +1,162 @@
+#include "engine/app/reference/key_schema.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+
+#include "engine/app/reference/schema_values.hpp"
+
+namespace stepwire {
+
+namespace {
+
+/// A word as YAML has it: 1 is a number.
+Json scalar(const std::string& text) {
+  if (text == "true" || text == "false") return Json(text == "true");
+  double number = 0.0;
+  const char* const end = text.data() + text.size();
+  if (std::from_chars(text.data(), end, number).ptr != end || text.empty()) return Json(text);
+  return number == std::floor(number) ? Json(static_cast<int>(number)) : Json(number);
+}
+
+Json whole_schema(const Key& key) {
+  Json schema = typed("integer").set("minimum", static_cast<long>(key.least));
+  if (std::isfinite(key.most)) schema.set("maximum", static_cast<long>(key.most));
+  return schema;
+}
+
+Json number_schema(const Key& key) {
+  const bool bounded = std::isfinite(key.least) || std::isfinite(key.most);
+  if (!bounded) return schema_ref("number");
+  if (key.unit == "s" && key.above && key.least == 0.0) return schema_ref("time");
+  Range range;
+  if (std::isfinite(key.least)) (key.above ? range.above : range.at_least) = key.least;
+  if (std::isfinite(key.most)) range.at_most = key.most;
+  return number_in(range);
+}
+
+Json word_schema(const Key& key) {
+  Json words = Json::list();
+  const bool explained_words =
+      std::ranges::any_of(key.words, [](const Key::Word& word) { return !word.doc.empty(); });
+  for (const Key::Word& word : key.words)
+    words.push(explained_words ? explained(Json::object().set("const", scalar(word.word)), word.doc)
+                               : scalar(word.word));
+  return Json::object().set(explained_words ? "anyOf" : "enum", std::move(words));
+}
+
+Json list_schema(const Key& key) {
+  Json schema = list_of(key_schema(key.of.front()));
+  if (key.least > 0) schema.set("minItems", static_cast<long>(key.least));
+  if (std::isfinite(key.most)) schema.set("maxItems", static_cast<long>(key.most));
+  return schema;
+}
+
+Json names_schema(const Key& key) {
+  Json schema = typed("object");
+  if (!key.pattern.empty()) schema.set("propertyNames", Json::object().set("pattern", key.pattern));
+  if (key.least > 0) schema.set("minProperties", static_cast<long>(key.least));
+  if (std::isfinite(key.most)) schema.set("maxProperties", static_cast<long>(key.most));
+  return schema.set("additionalProperties", key_schema(key.of.front()));
+}
+
+Json required(const std::string& name) {
+  return Json::object().set("required", Json::list({Json(name)}));
+}
+
+/// Exactly one key of each choice.
+Json choices_of(const Key& map) {
+  std::map<std::string, Json> choices;
+  for (const Key& key : map.of)
+    if (!key.choice.empty()) choices[key.choice].push(required(key.name));
+  Json all = Json::list();
+  for (auto& [name, keys] : choices) all.push(Json::object().set("oneOf", std::move(keys)));
+  return choices.empty() ? Json() : all;
+}
+
+/// Keys that stand beside one other.
+Json companions_of(const Key& map) {
+  Json all;
+  for (const Key& key : map.of)
+    if (key.beside.size() == 1) all.set(key.name, Json::list({Json(key.beside.front())}));
+  return all;
+}
+
+Json map_schema(const Key& map) {
+  Json properties = Json::object();
+  std::vector<std::string> needed;
+  for (const Key& key : map.of) {
+    properties.set(key.name, key_schema(key));
+    if (key.required) needed.push_back(key.name);
+  }
+  Json schema = typed("object").set("properties", std::move(properties));
+  if (!needed.empty()) schema.set("required", Json::list_of(needed));
+  schema.set("additionalProperties", map.rest.empty() ? Json(false) : key_schema(map.rest.front()));
+  if (Json choices = choices_of(map); choices.text() != "null") schema.set("allOf", std::move(choices));
+  if (Json pairs = companions_of(map); pairs.text() != "null")
+    schema.set("dependentRequired", std::move(pairs));
+  return schema;
+}
+
+Json either_schema(const Key& key) {
+  std::vector<Json> forms;
+  for (const Key& form : key.of) forms.push_back(key_schema(form));
+  return any_of(std::move(forms));
+}
+
+Json form_schema(const Key& key) {
+  using Form = Key::Form;
+  switch (key.form) {
+    case Form::text:
+      return schema_ref("text");
+    case Form::string:
+      return key.pattern.empty() ? typed("string") : typed("string").set("pattern", key.pattern);
+    case Form::truth:
+      return typed("boolean");
+    case Form::word:
+      return word_schema(key);
+    case Form::whole:
+      return whole_schema(key);
+    case Form::number:
+      return number_schema(key);
+    case Form::computed:
+    case Form::expression:
+      return schema_ref("expression");
+    case Form::series:
+      return schema_ref("series");
+    case Form::source:
+      return schema_ref("source");
+    case Form::value:
+      return Json::object().set("type", Json::list({"number", "string", "boolean", "array"}));
+    case Form::nothing:
+      return typed("null");
+    case Form::list:
+      return list_schema(key);
+    case Form::names:
+      return names_schema(key);
+    case Form::keys:
+      return map_schema(key);
+    case Form::either:
+      return either_schema(key);
+    case Form::section:
+      return schema_ref(key.refers);
+    case Form::tree:
+      break;
+  }
+  return Json::object();
+}
+
+}  // namespace
+
+Json key_schema(const Key& key) {
+  Json schema = form_schema(key);
+  if (!key.doc.empty()) schema.set("description", key.doc);
+  const bool plain = key.form == Key::Form::truth || key.form == Key::Form::word ||
+                     key.form == Key::Form::whole || key.form == Key::Form::text ||
+                     (key.form == Key::Form::number && key.unit.empty());
+  if (plain && !key.otherwise.empty()) schema.set("default", scalar(key.otherwise));
+  return schema;
+}
+
+}  // namespace stepwire

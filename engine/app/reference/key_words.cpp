@@ -1,0 +1,134 @@
+#include "engine/app/reference/key_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stepwire {
+
+namespace {
+
+using Form = Key::Form;
+
+std::string either_text(const Key& key) {
+  std::vector<std::string> forms;
+  for (const Key& form : key.of)
+    if (const std::string text = form_text(form); std::ranges::find(forms, text) == forms.end())
+      forms.push_back(text);
+  return fmt::format("{}", fmt::join(forms, ", or "));
+}
+
+std::string list_text(const Key& key) {
+  const std::string item = form_text(key.of.front());
+  return key.least == 2 && key.most == 2 ? "two of " + item : "list of " + item;
+}
+
+std::string default_of(const Key& key) {
+  if (key.required) return "required";
+  return key.choice.empty() ? key.otherwise : fmt::format("one {}", key.choice);
+}
+
+std::string meaning_of(const Key& key) {
+  if (key.beside.empty()) return key.doc;
+  return fmt::format("{}; beside {}", key.doc, fmt::join(key.beside, " or "));
+}
+
+void add_tables(const Key& form, const std::string& path, std::vector<SheetTable>& tables);
+
+/// Tables of what is inside of a form.
+void add_inner(const Key& form, const std::string& path, std::vector<SheetTable>& tables) {
+  const std::string inner = form.form == Form::names ? path + ".NAME" : path;
+  for (const Key& one : form.of) add_tables(one, inner, tables);
+}
+
+SheetTable keys_of(const Key& map, const std::string& path) {
+  SheetTable table{
+      path.empty() ? "Keys" : "Keys of " + path, {"key", "value", "unit", "range", "default", "meaning"}, {}};
+  std::vector<Key> keys = map.of;
+  keys.insert(keys.end(), map.rest.begin(), map.rest.end());
+  for (const Key& key : keys)
+    table.rows.push_back(
+        {key.name, form_text(key), key.unit, range_text(key), default_of(key), meaning_of(key)});
+  return table;
+}
+
+SheetTable words_of(const Key& key, const std::string& path) {
+  SheetTable table{"Words of " + path, {"word", "meaning"}, {}};
+  for (const Key::Word& word : key.words) table.rows.push_back({word.word, word.doc});
+  return table;
+}
+
+void add_tables(const Key& form, const std::string& path, std::vector<SheetTable>& tables) {
+  if (form.form == Form::word && !form.words.empty() && !form.words.front().doc.empty())
+    tables.push_back(words_of(form, path));
+  if (form.form != Form::keys) return add_inner(form, path, tables);
+  tables.push_back(keys_of(form, path));
+  drop_empty_columns(tables.back());
+  std::vector<Key> keys = form.of;
+  keys.insert(keys.end(), form.rest.begin(), form.rest.end());
+  for (const Key& key : keys) add_tables(key, path.empty() ? key.name : path + "." + key.name, tables);
+}
+
+}  // namespace
+
+std::string range_text(const Key& key) {
+  const bool number = key.form == Form::whole || key.form == Form::number || key.form == Form::computed;
+  if (!number) return "";
+  const bool low = std::isfinite(key.least), high = std::isfinite(key.most);
+  if (low && high && key.least == key.most) return fmt::format("{:g}", key.least);
+  if (low && high) return fmt::format("{:.17g} to {:.17g}", key.least, key.most);
+  if (high) return fmt::format("{:g} or less", key.most);
+  if (low) return fmt::format(fmt::runtime(key.above ? "above {:g}" : "{:g} or more"), key.least);
+  return "";
+}
+
+std::string form_text(const Key& key) {
+  switch (key.form) {
+    case Form::text:
+      return "text";
+    case Form::string:
+      return key.pattern.empty() ? "name or path" : "\"#rrggbb\"";
+    case Form::truth:
+      return "true or false";
+    case Form::word:
+      return fmt::format("{}", fmt::join(stepwire::words_of(key), " | "));
+    case Form::whole:
+      return "whole number";
+    case Form::number:
+      return "number";
+    case Form::computed:
+      return "number or expression";
+    case Form::expression:
+      return "expression";
+    case Form::series:
+      return "expression in UNIT";
+    case Form::source:
+      return "signal or number";
+    case Form::value:
+      return "value";
+    case Form::nothing:
+      return "nothing";
+    case Form::list:
+      return list_text(key);
+    case Form::names:
+      return fmt::format("{{NAME: {}, ..}}", form_text(key.of.front()));
+    case Form::keys:
+      return "map";
+    case Form::either:
+      return either_text(key);
+    case Form::section:
+      return "see " + key.refers;
+    case Form::tree:
+      break;
+  }
+  return "any";
+}
+
+std::vector<SheetTable> key_tables(const Key& form) {
+  std::vector<SheetTable> tables;
+  add_tables(form, "", tables);
+  return tables;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/app/reference/sheet.hpp"
+#include "engine/base/yaml/key.hpp"
+
+namespace stepwire {
+
+/// What stands behind a key, in words: "number", "list of texts", "one of none, huber, cauchy".
+std::string form_text(const Key& key);
+/// "above 0", "1 to 100"; empty where there is no limit.
+std::string range_text(const Key& key);
+
+/// The keys of a form, and those of the maps inside of it, each as a table.
+std::vector<SheetTable> key_tables(const Key& form);
+
+}  // namespace stepwire

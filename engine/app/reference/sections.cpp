@@ -1,0 +1,69 @@
+#include "engine/app/reference/sections.hpp"
+
+#include <algorithm>
+
+#include "engine/analyse/claim/claim.hpp"
+#include "engine/analyse/estimation/fit_request.hpp"
+#include "engine/analyse/study/study_request.hpp"
+#include "engine/app/reference/section_examples.hpp"
+#include "engine/model/diagram/head_keys.hpp"
+#include "engine/simulate/solve/solver.hpp"
+#include "engine/view/plot/figure.hpp"
+#include "engine/view/scene/scene.hpp"
+
+namespace stepwire {
+
+namespace {
+
+/// The head, with the solvers that there are.
+Key whole_head() {
+  Key head = head_form();
+  for (Key& row : head.of) {
+    if (row.name != "solver") continue;
+    std::vector<Key::Word> solvers;
+    for (const SolverKind& kind : solver_kinds()) solvers.push_back({kind.name, kind.doc});
+    row = key(row.name, row.doc, form::words(std::move(solvers)));
+  }
+  return head;
+}
+
+std::string doc_of(const std::string& name) {
+  return head_form().find(name)->doc;
+}
+
+std::vector<Section> all_sections() {
+  std::vector<Section> all{
+      {"head", "", "what stands at the top of a diagram file", whole_head(), example_of("head")}};
+  const auto add = [&](const std::string& name, const std::string& definition, const Key& form) {
+    all.push_back({name, definition, doc_of(name), form, example_of(name)});
+  };
+  add("parameters", "parameter", parameter_form());
+  add("inputs", "input", input_form());
+  add("outputs", "output", output_form());
+  add("record", "record", record_form());
+  add("sweep", "sweep", sweep_form());
+  add("figure", "", figure_form());
+  add("scene", "scene", scene_form());
+  add("claims", "claim", claim_form());
+  add("fit", "fit", fit_form());
+  add("study", "study", study_form());
+  for (const Key& plot : plot_forms(true))
+    all.push_back({"figure." + plot.name, "", plot.doc, plot, example_of("figure." + plot.name)});
+  return all;
+}
+
+}  // namespace
+
+const std::vector<Section>& format_sections() {
+  static const std::vector<Section> sections = all_sections();
+  return sections;
+}
+
+const Section* find_section(const std::string& name) {
+  const auto found = std::ranges::find_if(format_sections(), [&](const Section& section) {
+    return section.name == name || (!name.empty() && section.definition == name);
+  });
+  return found == format_sections().end() ? nullptr : &*found;
+}
+
+}  // namespace stepwire

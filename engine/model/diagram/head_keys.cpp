@@ -1,0 +1,206 @@
+#include "engine/model/diagram/head_keys.hpp"
+
+#include <fmt/format.h>
+
+namespace stepwire {
+namespace {
+
+using HeadRow = KeyRow<Diagram, HeadReading>;
+using ThesisTable = KeyTable<ThesisReference, HeadReading>;
+
+const char* const name_pattern = "^[A-Za-z_][A-Za-z0-9_]*$";
+const char* const dotted_pattern = "^[A-Za-z_][A-Za-z0-9_]*([.][A-Za-z_][A-Za-z0-9_]*)*$";
+
+constexpr double highest_number = 999'999;  // of a figure
+
+Key time_form() {
+  return form::above_zero(form::number("s"));
+}
+
+HeadRow time_row(std::string name, std::string doc, double Diagram::*seconds, Origin Diagram::*origin) {
+  const Key form = time_form();
+  return {std::move(name), std::move(doc), form,
+          [=](Diagram& diagram, const Node& node, const HeadReading& read) {
+            diagram.*origin = read.origin;
+            read.take(node, form, diagram.*seconds);
+          }};
+}
+
+void read_departures(ThesisReference& thesis, const Node& node, const HeadReading& read) {
+  if (!node.is_list()) return read.fault(node.mark, "is a list of sentences: [the limit is 0.35 A, not 1 A]");
+  for (const Node& item : node.items) read.take(item, {}, thesis.departures.emplace_back());
+}
+
+const ThesisTable& thesis_table() {
+  static const ThesisTable table(
+      "the thesis", "{figure: 15, section: 2.5.1}",
+      {{"figure", "number of the figure", form::whole(0, highest_number), &ThesisReference::figure},
+       {"table", "number of the table", form::whole(0, highest_number), &ThesisReference::table},
+       {"section", "section in which it stands", form::text(), &ThesisReference::section},
+       {"caption", "caption of the figure, as the thesis prints it", form::text(), &ThesisReference::caption},
+       {"says", "what its text says of the figure, word for word", form::text(), &ThesisReference::says},
+       {"departures", "what is done otherwise here, a sentence each", form::list(form::text()),
+        read_departures}});
+  return table;
+}
+
+std::vector<HeadRow> run_rows() {
+  return {
+      time_row("step", "time between ticks: 1 ms", &Diagram::step, &Diagram::step_origin),
+      time_row("stop", "end of the run, a whole multiple of the step: 5 s", &Diagram::stop,
+               &Diagram::stop_origin),
+      {"solver", "how continuous states go from tick to tick; none where there are none", form::text(),
+       [](Diagram& diagram, const Node& node, const HeadReading& read) {
+         read.take(node, {}, diagram.solver);
+         diagram.solver_origin = read.origin;
+       }},
+      {"tolerance", "error of a step, in sizes of its state, beyond which rosenbrock and sdirk end the run",
+       form::above_zero(form::number()), &Diagram::tolerance},
+      {"stop_when", "ends the run early where this is true: rig.x > 5 mm, rig.position.1 > 5 mm",
+       form::expression()},
+      {"record", "signals that figures and claims read", form::one_or_list(form::section("record"))},
+      {"sweep", "runs the file, or its whole study, once per value: parameter: {from, to, count} or [values]",
+       form::section("sweep")},
+      {"figure", "pictures of what was recorded", form::one_or_list(form::section("figure"))},
+      {"scene",
+       "objects that follow signals, as somebody at the device sees them: an animation, and `plot: scene`",
+       form::section("scene")},
+      {"claims", "statements that the run is held to", form::list(form::section("claim"))},
+      {"invariants", "limits, energy and safety: what holds throughout any run; counted apart from claims",
+       form::list(form::section("claim"))},
+      {"fit", "finds parameters so that the model agrees with records: the runs of the sweep, or the one run",
+       form::section("fit")},
+      {"study",
+       "runs the file once for each person and condition, and scores and analyses these trials; beside a "
+       "sweep, all of that at each of its points",
+       form::section("study")}};
+}
+
+}  // namespace
+
+HeadReading::HeadReading(std::string subject, const Scope& scope, Report& report, const Origin& origin)
+    : SectionReading(std::move(subject),
+                     [&report, index = origin.scope](const Mark& mark, const std::string& about,
+                                                     const std::string& message) {
+                       report.add({index, mark}, about, message);
+                     }),
+      scope(scope),
+      report(report),
+      origin(origin) {}
+
+void HeadReading::take(const Node& node, const Key&, std::string& member) const {
+  if (!node.is_scalar()) fault(node.mark, "a text is wanted here");
+  member = node.text;
+}
+
+std::optional<double> HeadReading::read_number(const Node& node, const Key& key) const {
+  const Dimension dimension = key.unit.empty() ? Dimension{} : parse_unit(key.unit)->dimension;
+  return ValueReader(scope.parameters, report, origin.scope).read_number(node, dimension, subject);
+}
+
+const std::vector<HeadRow>& head_rows() {
+  static const std::vector<HeadRow> rows = [] {
+    std::vector<HeadRow> all{
+        needed(HeadRow{"stepwire", "format of this file; always 1", form::whole(1, 1)}),
+        {"title", "one line on what is shown", form::text(), &Diagram::title},
+        {"caption", "a few sentences for the gallery page", form::text(), &Diagram::caption},
+        {"thesis", "what of the thesis this file shows", thesis_table().form,
+         [](Diagram& diagram, const Node& node, const HeadReading& read) {
+           thesis_table().read(node, diagram.thesis, read);
+         }},
+        {"parameters", "numbers and words with a name, used as $name; --set changes them",
+         form::names(form::section("parameter"), 0, name_pattern)},
+        {"inputs", "ports: what the file that uses this one as a part wires to it, or a program writes",
+         form::names(form::section("input"), 0, name_pattern)},
+        {"outputs", "ports: signals that the file that uses this one as a part sees, or a program reads",
+         form::names(form::section("output"), 0, name_pattern)},
+        {"units", "units that signals have, where their blocks do not say: {pull: N}",
+         form::names(form::text())},
+        needed(HeadRow{"blocks", "the blocks by name; an input is a key of its block",
+                       form::names(form::section("block"), 1, dotted_pattern)})};
+    for (HeadRow& row : run_rows()) all.push_back(std::move(row));
+    return all;
+  }();
+  return rows;
+}
+
+const Key& head_form() {
+  static const Key form =
+      keys_form("a diagram", "{stepwire: 1, step: 1 ms, stop: 1 s, blocks: {..}}", head_rows());
+  return form;
+}
+
+const Key& parameter_form() {
+  static const Key form = [] {
+    std::vector<Key> keys{
+        needed(key("value", "the default: a number with unit, a list, a word, = expression", form::tree())),
+        key("unit", "unit of the value, where it stands apart: N/mm"), key("doc", "what it is"),
+        otherwise("false", key("assumed", "true: our guess, not from a source", form::truth()))};
+    for (const char* bound : {"above", "below", "at_least", "at_most"})
+      keys.push_back(key(bound, "a bound that --set and users of a part are held to", form::number()));
+    return form::either(
+        {form::of(Key::Form::value), form::keys("a parameter", "{value: 2 kg, doc: of the body}", keys)});
+  }();
+  return form;
+}
+
+const Key& input_form() {
+  static const Key form = form::either(
+      {form::of(Key::Form::nothing),
+       form::keys(
+           "an input", "{unit: N, default: 0 N}",
+           {key("unit", "unit of what must be wired here"), key("doc", "what it is"),
+            key("default", "feeds the port where the user gives nothing", form::of(Key::Form::source))})});
+  return form;
+}
+
+const Key& output_form() {
+  static const Key form = form::either(
+      {form::text(), form::keys("an output", "{signal: lag.y, unit: N}",
+                                {needed(key("signal", "a block or its output: carriage.position")),
+                                 key("unit", "unit that it must have"), key("doc", "what it is"),
+                                 key("safe", "what the output holds once a real-time loop has stopped: 0 A",
+                                     form::of(Key::Form::source))})});
+  return form;
+}
+
+const Key& record_form() {
+  const Key signal = key("", "a signal (rig.x), a state of a block (lag.x), or all");
+  static const Key form = form::either(
+      {signal,
+       form::keys("an entry of record", "{every: 1 ms, signals: [rig.x]}",
+                  {otherwise("each step", key("every", "time between rows", time_form())),
+                   needed(like("[rig.x]",
+                               key("signals", "what is recorded",
+                                   form::one_or_list(form::either(
+                                       {signal, key("", "signals under names of your own: {position: rig.x}",
+                                                    form::names(signal, 0, dotted_pattern))})))))})});
+  return form;
+}
+
+const Key& range_form() {
+  static const Key form = form::keys(
+      "a range", "{from: 1 N, to: 9 N, count: 5}",
+      {needed(key("from", "the first value", form::number())), needed(key("to", "the last", form::number())),
+       needed(key("count", "how many values, both ends included", form::whole(2)))});
+  return form;
+}
+
+const Key& sweep_form() {
+  static const Key form = [] {
+    const Key values = form::list(form::text(), 1);
+    Key sweep = form::keys(
+        "a sweep", "{ratio: [0.1, 0.2], drive: {from: 1 Hz, to: 2 Hz, count: 5}}",
+        {otherwise("false", key("together", "true: the parameters are paired, else they make a grid",
+                                form::truth()))});
+    sweep.rest = {key("NAME", "the values of a parameter, step or solver",
+                      form::either({values,
+                                    form::keys("an axis", "{values: [1, 2]}",
+                                               {needed(key("values", "in this order", values))}),
+                                    range_form()}))};
+    return sweep;
+  }();
+  return form;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "engine/base/yaml/section.hpp"
+#include "engine/model/diagram/parameters.hpp"
+#include "engine/model/diagram/report.hpp"
+#include "engine/model/diagram/scope.hpp"
+
+namespace stepwire {
+
+/// What the head of a file is read with: faults have the places of its scope, or of the setting that stands
+/// in place of a value.
+struct HeadReading : SectionReading {
+  const Scope& scope;
+  Report& report;
+  Origin origin;
+
+  HeadReading(std::string subject, const Scope& scope, Report& report)
+      : HeadReading(std::move(subject), scope, report, scope.at({})) {}
+  /// Of a value that stands at `origin`.
+  HeadReading(std::string subject, const Scope& scope, Report& report, const Origin& origin);
+
+  using SectionReading::take;
+  void take(const Node& node, const Key& key, std::string& text) const;
+
+ protected:
+  /// A number in the unit of the key, `$name` or `= expression`.
+  std::optional<double> read_number(const Node& node, const Key& key) const override;
+};
+
+/// The rows of the head that set something in the diagram; the form has all its keys.
+const std::vector<KeyRow<Diagram, HeadReading>>& head_rows();
+const Key& head_form();
+
+/// What stands behind names under `parameters`, `inputs` and `outputs`, in `record` and in `sweep`.
+const Key& parameter_form();
+const Key& input_form();
+const Key& output_form();
+const Key& record_form();
+const Key& sweep_form();
+/// A range of swept values.
+const Key& range_form();
+
+}  // namespace stepwire
