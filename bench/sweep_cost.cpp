@@ -88,7 +88,7 @@ double sweep_memory() {
 }
 
 std::vector<Result> measure_sweep() {
-  const Registry registry = all_blocks();
+  const Registry registry = blocks();
   GeneratedCode code;
   Loader loader(registry);
   const Job job = make_job(loader, file);
@@ -139,7 +139,7 @@ void step_alone(const Plan& plan, const CompiledPlan& code, std::size_t runs) {
 }  // namespace
 
 std::vector<Result> measure_w1_sweep() {
-  const Registry registry = all_blocks();
+  const Registry registry = blocks();
   GeneratedCode source;
   Loader loader(registry);
   const ScratchFolder folder;
