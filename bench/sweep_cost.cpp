@@ -51,7 +51,7 @@ double median(std::vector<double> values) {
 
 RunOptions options_for(GeneratedCode& code, unsigned threads) {
   RunOptions options;
-  options.engine = Engine::compiled;
+  options.engine = ExecutionMode::compiled;
   options.code = &code;
   options.threads = threads;
   return options;

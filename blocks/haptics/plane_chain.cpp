@@ -16,7 +16,7 @@ std::string shown(Vector2 point) {
 
 namespace {
 
-constexpr std::size_t most_pieces = 20000;
+constexpr std::size_t max_pieces = 20000;
 
 /// Puts arcs through three points of a curve each, as many as it takes.
 class ArcFit {
@@ -38,9 +38,9 @@ class ArcFit {
       if (std::abs(last - first) < narrow_) refuse_jump(first, last);
       return append(piece, last);
     }
-    if (chain_.pieces.size() > most_pieces)
+    if (chain_.pieces.size() > max_pieces)
       throw ShapeError(
-          fmt::format("it takes more than {} arcs to follow it; give a smoother one", most_pieces));
+          fmt::format("it takes more than {} arcs to follow it; give a smoother one", max_pieces));
     add(first, middle(first, last));
     add(middle(first, last), last);
   }

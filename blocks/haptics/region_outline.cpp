@@ -45,8 +45,8 @@ void outline_plane(const PlaneShape& shape, Outline& outline) {
     }
     line.points = thinned(line.points, 1e-3 * size);
     // Where two corners of a boundary meet in one, rounding leaves a loop that nobody sees.
-    constexpr std::size_t least_corners = 3;
-    if (line.endless || line.points.size() >= least_corners) outline.lines.push_back(std::move(line));
+    constexpr std::size_t min_corners = 3;
+    if (line.endless || line.points.size() >= min_corners) outline.lines.push_back(std::move(line));
   }
 }
 

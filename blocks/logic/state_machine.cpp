@@ -49,8 +49,8 @@ void StateMachine::declare(Declare<StateMachine>& is) {
 
 void StateMachine::configure(Configure& is) {
   const auto inputs = static_cast<std::size_t>(is.count<&StateMachine::u>());
-  if (inputs > most_inputs)
-    is.refuse<&StateMachine::states>(fmt::format("{} inputs are more than {}", inputs, most_inputs));
+  if (inputs > max_inputs)
+    is.refuse<&StateMachine::states>(fmt::format("{} inputs are more than {}", inputs, max_inputs));
   const Value tree = states.value();
   const StageReader reader(tree, inputs, [&](const std::string& message, const Value& where) {
     is.refuse<&StateMachine::states>(message, where);

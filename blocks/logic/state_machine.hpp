@@ -9,7 +9,7 @@ namespace stepwire {
 
 /// A finite state machine: states with output values, and transitions where their guards hold.
 struct StateMachine {
-  static constexpr Index most_inputs = 64;
+  static constexpr Index max_inputs = 64;
 
   Tree states;
   Text initial;
@@ -43,7 +43,7 @@ struct StateMachine {
  private:
   /// The state after this tick's transition, if there is one.
   double next() {
-    double known[most_inputs + 2];
+    double known[max_inputs + 2];
     for (Index i = 0; i < u.count(); ++i) known[i] = u.first(i);
     known[u.count()] = ticks * period;
     known[u.count() + 1] = active;

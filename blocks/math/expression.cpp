@@ -62,10 +62,10 @@ Function read_formula(const ExpressionBlock& block, Index inputs, const Configur
 
 void ExpressionBlock::configure(Configure& is) {
   const Index inputs = is.count<&ExpressionBlock::u>();
-  if (inputs > most_inputs)
+  if (inputs > max_inputs)
     is.refuse<&ExpressionBlock::expression>(
         fmt::format("{} inputs are more than {}; combine some of them in an Expression of their own", inputs,
-                    most_inputs));
+                    max_inputs));
   if (!variables.empty() && static_cast<Index>(variables.size()) != inputs)
     is.refuse<&ExpressionBlock::variables>(
         fmt::format("there are {} names for {} inputs; each needs one", variables.size(), inputs));

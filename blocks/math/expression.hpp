@@ -11,7 +11,7 @@ namespace stepwire {
 
 /// A formula over its inputs, element by element: y = expression(u1, u2, ...).
 struct ExpressionBlock {
-  static constexpr Index most_inputs = 64;
+  static constexpr Index max_inputs = 64;
 
   Text expression = Text::literal<"u1">();
   std::vector<std::string> variables{};
@@ -20,7 +20,7 @@ struct ExpressionBlock {
   Function formula{};  ///< of one element of each input
 
   void outputs() {
-    double values[most_inputs];
+    double values[max_inputs];
     for (Index k = 0; k < y.size(); ++k) {
       for (Index i = 0; i < u.count(); ++i) values[i] = u[i][k];
       y[k] = formula(values);

@@ -10,7 +10,7 @@ namespace stepwire {
 
 namespace {
 
-constexpr double most_rows = 1e8;
+constexpr double max_rows = 1e8;
 
 std::vector<double> straight(const std::vector<double>& time, const std::vector<double>& y,
                              const std::vector<double>& at) {
@@ -52,10 +52,10 @@ void resample(Record& record, const StepOptions& given) {
   const bool straight_lines = !given.has("method") || given.word("method", {"linear", "band_limited"}) == 0;
   const double length = record.time.back() - record.time.front();
   const double intervals = std::floor(length / interval * (1.0 + 1e-12) + 1e-9);
-  if (!(intervals >= 1.0 && intervals < most_rows))
+  if (!(intervals >= 1.0 && intervals < max_rows))
     given.refuse("resample",
                  fmt::format("{} is {} rows of {}, which lasts {} s; it must be 2 to {}",
-                             given.text("resample"), intervals + 1.0, record.file, length, most_rows));
+                             given.text("resample"), intervals + 1.0, record.file, length, max_rows));
   if (!straight_lines) given.require_even(record);
   std::vector<double> at;
   for (std::size_t row = 0; row <= static_cast<std::size_t>(intervals); ++row)

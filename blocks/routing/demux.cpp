@@ -12,18 +12,18 @@ namespace stepwire {
 
 namespace {
 
-constexpr Index most_pieces = 8;
+constexpr Index max_pieces = 8;
 
 }  // namespace
 
 void Demux::configure(Configure& is) {
-  if (sizes.size() == 0 || sizes.size() > most_pieces)
+  if (sizes.size() == 0 || sizes.size() > max_pieces)
     is.refuse<&Demux::sizes>(
-        fmt::format("names {} pieces; from 1 to {} are possible", sizes.size(), most_pieces));
+        fmt::format("names {} pieces; from 1 to {} are possible", sizes.size(), max_pieces));
   for (const double size : sizes)
     if (size != std::floor(size))
       is.refuse<&Demux::sizes>(fmt::format("{} is no whole number of elements", size));
-  for (Index piece = 0; piece < most_pieces; ++piece)
+  for (Index piece = 0; piece < max_pieces; ++piece)
     is.size(std::string(1, static_cast<char>('a' + piece)),
             piece < sizes.size() ? static_cast<Index>(sizes[piece]) : 0);
   is.size("n", static_cast<Index>(std::accumulate(sizes.begin(), sizes.end(), 0.0)));

@@ -14,7 +14,7 @@ namespace stepwire {
 namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
-constexpr double most_lines = 100'000, most_harmonics = 1e15;
+constexpr double max_lines = 100'000, max_harmonics = 1e15;
 
 double sum_of_squares(const Numbers& numbers) {
   double sum = 0.0;
@@ -52,7 +52,7 @@ void Multisine::lay_lines(const Configure& is) {
         fmt::format("{} Hz is below the lowest frequency, {} Hz", highest, lowest));
   const double near = 1e-9, first = std::ceil(lowest * period - near),
                last = std::floor(highest * period + near);
-  if (!(last <= most_harmonics) || last - first > most_lines)
+  if (!(last <= max_harmonics) || last - first > max_lines)
     is.refuse<&Multisine::period>(
         "makes more than 100000 lines, or lines beyond the 1e15th harmonic; shorten it");
   std::vector<double> found;

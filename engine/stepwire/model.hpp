@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/io/environment_error.hpp"
 #include "engine/base/io/resources.hpp"
-#include "engine/base/io/surroundings.hpp"
 #include "engine/base/yaml/error.hpp"
 
 namespace stepwire {
@@ -20,7 +20,7 @@ inline const bool package_is_noted = (note_package(STEPWIRE_PACKAGE), true);
 }
 #endif
 
-/// Names and texts of values, as `--set` has them: {{"mass", "8 kg"}}.
+/// SymbolTable and texts of values, as `--set` has them: {{"mass", "8 kg"}}.
 using NamedTexts = std::vector<std::pair<std::string, std::string>>;
 
 /// A signal of one model: an output or a state of a block, or a port of a part.
@@ -84,7 +84,7 @@ class Model {
 };
 
 /// Loads a diagram file whose blocks are of this registry. Throws Error with all that is wrong, each with
-/// file, line and column; SurroundingsError where the system refuses.
+/// file, line and column; EnvironmentError where the system refuses.
 Model load(const std::string& path, Registry blocks, const NamedTexts& settings = {});
 
 }  // namespace stepwire

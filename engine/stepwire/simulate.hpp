@@ -11,7 +11,7 @@
 #include <stepwire/observer.hpp>
 
 #include "engine/simulate/record/recording.hpp"
-#include "engine/simulate/run/engine.hpp"
+#include "engine/simulate/run/execution_mode.hpp"
 #include "engine/simulate/run/run_fault.hpp"
 
 namespace stepwire {
@@ -19,7 +19,7 @@ namespace stepwire {
 struct SimulateOptions {
   std::vector<Observer*> observers{};  ///< of every run; must outlive the call
   std::stop_token stop{};              ///< ends the runs, which keep what they have
-  Engine engine = Engine::automatic;
+  ExecutionMode engine = ExecutionMode::automatic;
   unsigned threads = 0;                    ///< for sweeps; 0: all cores
   std::function<void(double)> progress{};  ///< called with the fraction done, now and then, from any thread
 };

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "engine/simulate/codegen/generated_code.hpp"
-#include "engine/simulate/run/stopper.hpp"
+#include "engine/simulate/run/stop_condition.hpp"
 #include "engine/stepwire/content.hpp"
 #include "engine/stepwire/moment.hpp"
 
@@ -54,7 +54,7 @@ struct Simulation::State {
         inputs(model.inputs()),
         shown(plan().layout.size) {
     const Variation tuned(plan().diagram, options.tuned);
-    if (options.engine == Engine::interpreted) return;
+    if (options.engine == ExecutionMode::interpreted) return;
     GeneratedCode source;
     code = source.compile(plan(), variable_blocks(plan(), tuned), {});
     problem = source.take_problem();
@@ -95,7 +95,7 @@ struct Simulation::State {
   std::optional<CompiledPlan> code;
   std::string problem;
   Executor run;
-  Stopper stopper;
+  StopConditionEvaluator stopper;
   WaitingInputs inputs;
   bool at_tick = false;  ///< are outputs computed, and updates not yet?
   bool ended = false;

@@ -9,13 +9,13 @@
 #include <stepwire/model.hpp>
 #include <stepwire/snapshot.hpp>
 
-#include "engine/simulate/run/engine.hpp"
+#include "engine/simulate/run/execution_mode.hpp"
 
 namespace stepwire {
 
 struct SimulationOptions {
-  Engine engine = Engine::interpreted;  ///< automatic is as compiled here
-  /// Names that set() will set; compiled code goes on to be used after these alone.
+  ExecutionMode engine = ExecutionMode::interpreted;  ///< automatic is as compiled here
+  /// SymbolTable that set() will set; compiled code goes on to be used after these alone.
   std::vector<std::string> tuned{};
 };
 

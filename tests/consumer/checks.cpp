@@ -185,7 +185,7 @@ void check_sweep() {
 void check_compiled() {
   const sw::Model model = cart();
   sw::Simulation interpreted(model),
-      compiled(model, {.engine = sw::Engine::compiled, .tuned = {"spring.gain"}});
+      compiled(model, {.engine = sw::ExecutionMode::compiled, .tuned = {"spring.gain"}});
   CHECK(compiled.compiled() && compiled.compile_problem().empty());
   const sw::InputId push = model.input("push");
   for (int k = 0; !interpreted.finished(); ++k) {
@@ -200,6 +200,6 @@ void check_compiled() {
     }
   }
   CHECK(compiled.finished() && compiled.compiled());
-  const sw::Result result = sw::simulate(model, {.engine = sw::Engine::compiled});
+  const sw::Result result = sw::simulate(model, {.engine = sw::ExecutionMode::compiled});
   CHECK(result.ticks == 1000 && result.compiled_ticks == result.ticks && result.compile_problem.empty());
 }

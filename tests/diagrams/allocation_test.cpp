@@ -8,13 +8,13 @@ using namespace stepwire;
 
 namespace {
 
-constexpr std::int64_t fewest_steps = 10'000;
+constexpr std::int64_t min_steps = 10'000;
 
 /// Requests for memory by the steps of one run; adds its steps to `steps`.
 long requests_of_run(Executor& simulation, std::int64_t& steps) {
   simulation.reset();
   const long before = allocations();
-  while (!simulation.finished() && simulation.healthy() && steps < fewest_steps) {
+  while (!simulation.finished() && simulation.healthy() && steps < min_steps) {
     simulation.evaluate();
     simulation.advance();
     ++steps;
@@ -38,8 +38,8 @@ TEST_CASE("no diagram asks for memory in ten thousand steps") {
     Executor simulation(plan);
     std::int64_t steps = 0;
     long requests = 0;
-    while (steps < fewest_steps) requests += requests_of_run(simulation, steps);
-    CHECK(steps == fewest_steps);
+    while (steps < min_steps) requests += requests_of_run(simulation, steps);
+    CHECK(steps == min_steps);
     CHECK(requests == 0);
   });
 }

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "blocks/register.hpp"
-#include "engine/base/io/surroundings.hpp"
+#include "engine/base/io/environment_error.hpp"
 
 namespace stepwire {
 
@@ -46,7 +46,7 @@ void for_every_job(const std::function<void(Job job)>& check) {
     try {
       Loader loader(registry);
       check(make_job(loader, file));
-    } catch (const SurroundingsError& error) {
+    } catch (const EnvironmentError& error) {
       WARN("skipped: " << error.what());
     }
   }

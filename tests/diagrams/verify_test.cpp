@@ -13,14 +13,14 @@ using namespace stepwire;
 
 namespace {
 
-constexpr std::size_t most_runs = 3;
-constexpr std::int64_t most_steps = 100;
+constexpr std::size_t max_runs = 3;
+constexpr std::int64_t max_steps = 100;
 
 /// Ends runs early.
 class Hurry : public RunObserver {
  public:
   Flow before_tick(const ObservedRun& run) override {
-    return run.simulation.tick() > most_steps ? Flow::stop : Flow::go_on;
+    return run.simulation.tick() > max_steps ? Flow::stop : Flow::go_on;
   }
 };
 
@@ -30,7 +30,7 @@ TEST_CASE("what every diagram leaves in its folder can be verified there") {
   for_every_job([](Job job) {
     const Scratch folder;
     const std::string out = folder.path("out");
-    if (job.points.size() > most_runs) job.points.resize(most_runs);
+    if (job.points.size() > max_runs) job.points.resize(max_runs);
     write_replay(out, job);
     LoadedModel model;
     model.file = job.plan.diagram.file;

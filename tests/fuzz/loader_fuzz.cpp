@@ -6,7 +6,7 @@
 
 #include "blocks/register.hpp"
 #include "engine/app/session/loaded_model.hpp"
-#include "engine/base/io/surroundings.hpp"
+#include "engine/base/io/environment_error.hpp"
 
 namespace {
 
@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 // A folder that is not there, so that nothing but the parts below is found beside the text.
 const std::string folder = "/nonexistent/stepwire-fuzz/";
-constexpr std::size_t most_runs = 8, most_numbers = 1 << 20;
+constexpr std::size_t max_runs = 8, max_numbers = 1 << 20;
 
 std::vector<Document> read_parts() {
   std::vector<Document> parts;
@@ -31,12 +31,12 @@ std::vector<Document> read_parts() {
 bool is_large(const Diagram& diagram) {
   std::size_t runs = 1;
   if (diagram.sweep)
-    for (const Sweep::Axis& axis : diagram.sweep->axes) runs *= std::min(axis.values.size(), most_runs + 1);
-  return runs > most_runs;
+    for (const Sweep::Axis& axis : diagram.sweep->axes) runs *= std::min(axis.values.size(), max_runs + 1);
+  return runs > max_runs;
 }
 
 void step(const Plan& plan) {
-  if (plan.layout.size > most_numbers) return;
+  if (plan.layout.size > max_numbers) return;
   Executor simulation(plan);
   for (int tick = 0; tick < 3; ++tick) {
     simulation.evaluate();
@@ -66,7 +66,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (is_large(loader.load(file))) return 0;
     step(load_model(loader, file, {}).job.plan);
   } catch (const Error&) {
-  } catch (const SurroundingsError&) {
+  } catch (const EnvironmentError&) {
   }
   return 0;
 }

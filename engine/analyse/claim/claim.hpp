@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "engine/analyse/query/formula.hpp"
-#include "engine/analyse/query/names.hpp"
 #include "engine/analyse/query/names_reading.hpp"
+#include "engine/analyse/query/symbol_table.hpp"
 #include "engine/base/yaml/document.hpp"
 #include "engine/simulate/record/recording.hpp"
 
@@ -77,7 +77,7 @@ const Key& claim_form();
 
 /// Reads the value under the key `claims` or `invariants`: a list of claims. Everything that is wrong goes to
 /// `faults`.
-std::vector<Claim> read_claims(const Node& node, Claim::Kind kind, const Names& names, Faults& faults);
+std::vector<Claim> read_claims(const Node& node, Claim::Kind kind, const SymbolTable& names, Faults& faults);
 
 /// Judges a claim on what was recorded.
 Verdict judge(const Claim& claim, std::span<const Recording> recordings);

@@ -188,7 +188,7 @@ const Key& claim_form() {
   return claim_table().form;
 }
 
-std::vector<Claim> read_claims(const Node& node, Claim::Kind kind, const Names& names, Faults& faults) {
+std::vector<Claim> read_claims(const Node& node, Claim::Kind kind, const SymbolTable& names, Faults& faults) {
   const NamesReading read(kind == Claim::Kind::invariant ? "invariants" : "claims", names, faults);
   std::vector<Claim> claims;
   if (!node.is_list())

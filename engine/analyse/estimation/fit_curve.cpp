@@ -14,13 +14,13 @@ const char* const subject = "fit.curves";
 const char* const over_form = "'over' names the variable and its range in bare numbers: {i: [0, 1]}";
 
 /// What its expression may name: the fitted parameters that all records share, and the variable.
-Names names_in_curve(const Names& names, const std::vector<FitParameter>& parameters,
-                     const std::string& variable) {
-  Names known{names.file,
-              {{variable, Dimension{}, {}}},
-              names.parameters,
-              {},
-              "is neither the variable nor a fitted parameter that all records share"};
+SymbolTable names_in_curve(const SymbolTable& names, const std::vector<FitParameter>& parameters,
+                           const std::string& variable) {
+  SymbolTable known{names.file,
+                    {{variable, Dimension{}, {}}},
+                    names.parameters,
+                    {},
+                    "is neither the variable nor a fitted parameter that all records share"};
   for (const FitParameter& parameter : parameters)
     if (!parameter.each_record) known.columns.push_back({parameter.name, parameter.dimension, {}});
   return known;
@@ -38,7 +38,7 @@ std::vector<double> starts_of(const std::vector<std::string>& columns,
 
 class CurveReader {
  public:
-  CurveReader(const Node& node, const Names& names, Faults& faults)
+  CurveReader(const Node& node, const SymbolTable& names, Faults& faults)
       : node_(node), names_(names), faults_(faults) {}
 
   std::optional<FitCurve> read(const std::vector<FitParameter>& parameters) {
@@ -84,7 +84,7 @@ class CurveReader {
   }
 
   const Node& node_;
-  const Names& names_;
+  const SymbolTable& names_;
   Faults& faults_;
 };
 
@@ -102,7 +102,7 @@ const Key& fit_curve_form() {
   return form;
 }
 
-std::optional<FitCurve> read_fit_curve(const Node& node, const Names& names,
+std::optional<FitCurve> read_fit_curve(const Node& node, const SymbolTable& names,
                                        const std::vector<FitParameter>& parameters, Faults& faults) {
   return CurveReader(node, names, faults).read(parameters);
 }

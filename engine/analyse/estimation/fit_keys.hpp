@@ -11,7 +11,7 @@ struct FitReading : NamesReading {
   const Diagram& diagram;
   std::vector<FitParameter>& parameters;  ///< all of the file, also those that the call sets
 
-  FitReading(const Names& names, const Diagram& diagram, std::vector<FitParameter>& parameters,
+  FitReading(const SymbolTable& names, const Diagram& diagram, std::vector<FitParameter>& parameters,
              Faults& faults)
       : NamesReading("fit", names, faults), diagram(diagram), parameters(parameters) {}
 

@@ -148,7 +148,7 @@ const Key& fit_form() {
   return fit_table().form;
 }
 
-FitRequest read_fit(const Node& node, const Names& names, const Diagram& diagram, Faults& faults) {
+FitRequest read_fit(const Node& node, const SymbolTable& names, const Diagram& diagram, Faults& faults) {
   FitRequest request;
   request.place = {names.file, node.mark};
   std::vector<FitParameter> all;

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "engine/analyse/query/formula.hpp"
-#include "engine/analyse/query/names.hpp"
 #include "engine/analyse/query/series.hpp"
+#include "engine/analyse/query/symbol_table.hpp"
 #include "engine/base/yaml/document.hpp"
 #include "engine/base/yaml/key.hpp"
 #include "engine/model/diagram/diagram.hpp"
@@ -91,7 +91,7 @@ struct FitRequest {
 
 /// Reads one entry of `fit.curves` for a section with these parameters; nothing where it is wrong, which goes
 /// to `faults`.
-std::optional<FitCurve> read_fit_curve(const Node& node, const Names& names,
+std::optional<FitCurve> read_fit_curve(const Node& node, const SymbolTable& names,
                                        const std::vector<FitParameter>& parameters, Faults& faults);
 
 /// The keys of the section `fit`.
@@ -99,6 +99,6 @@ const Key& fit_form();
 
 /// Reads the value under the key `fit`. Everything that is wrong goes to `faults`; what is returned then is
 /// of no use.
-FitRequest read_fit(const Node& node, const Names& names, const Diagram& diagram, Faults& faults);
+FitRequest read_fit(const Node& node, const SymbolTable& names, const Diagram& diagram, Faults& faults);
 
 }  // namespace stepwire

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "engine/simulate/record/recorder.hpp"
-#include "engine/simulate/run/stopper.hpp"
+#include "engine/simulate/run/stop_condition.hpp"
 
 namespace stepwire {
 
@@ -51,25 +51,25 @@ std::vector<std::string> columns_of(const FitRequest& request) {
 /// Keeps what a part reads of a run of the whole.
 class TapeWriter : public RunObserver {
  public:
-  TapeWriter(const MovedPart& part, std::vector<double>& tape) : part_(part), tape_(tape) {}
+  TapeWriter(const SensitiveSubdiagram& part, std::vector<double>& tape) : part_(part), tape_(tape) {}
   void evaluated(const ObservedRun& run) override { part_.append(run.simulation.values(), tape_); }
 
  private:
-  const MovedPart& part_;
+  const SensitiveSubdiagram& part_;
   std::vector<double>& tape_;
 };
 
 /// Plays it back into a run of the part.
 class TapePlayer : public RunObserver {
  public:
-  TapePlayer(const MovedPart& part, const std::vector<double>& tape) : part_(part), tape_(tape) {}
+  TapePlayer(const SensitiveSubdiagram& part, const std::vector<double>& tape) : part_(part), tape_(tape) {}
   Flow before_tick(const ObservedRun& run) override {
     part_.play(tape_, run.simulation);
     return Flow::go_on;
   }
 
  private:
-  const MovedPart& part_;
+  const SensitiveSubdiagram& part_;
   const std::vector<double>& tape_;
 };
 
@@ -122,7 +122,8 @@ void ModelRuns::find_part() {
   const Values start = start_of(request_.parameters);
   for (std::size_t record = 0; record < records(); ++record) {
     const Plan whole = plan(record, start);
-    if (record == 0) part_ = MovedPart::find(whole, Variation(whole.diagram, names()), columns_of(request_));
+    if (record == 0)
+      part_ = SensitiveSubdiagram::find(whole, Variation(whole.diagram, names()), columns_of(request_));
     if (!part_) return;
     if (!play_in(record, whole)) return part_.reset();
   }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/analyse/estimation/fit_request.hpp"
-#include "engine/analyse/estimation/moved_part.hpp"
+#include "engine/analyse/estimation/sensitive_subdiagram.hpp"
 #include "engine/model/diagram/load.hpp"
 #include "engine/simulate/run/drive.hpp"
 #include "engine/simulate/run/run.hpp"
@@ -85,7 +85,7 @@ class ModelRuns {
   std::vector<std::vector<Column>> swept_;
   std::vector<std::unique_ptr<Record>> records_;
   bool compiled_ = false;
-  std::optional<MovedPart> part_;
+  std::optional<SensitiveSubdiagram> part_;
   std::vector<std::vector<double>> tapes_;     ///< [record]: what the part reads, tick by tick
   std::vector<std::vector<Recording>> still_;  ///< [record]: what is compared and does not move
   mutable std::mutex loading_;

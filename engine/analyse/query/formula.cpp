@@ -39,14 +39,14 @@ struct Substituted {
   }
 };
 
-std::string unknown_parameter(const std::string& name, const Names& names) {
+std::string unknown_parameter(const std::string& name, const SymbolTable& names) {
   std::vector<std::string> all;
   for (const auto& parameter : names.parameters) all.push_back(parameter.name);
   if (all.empty()) return fmt::format("there is no parameter '{}'; this diagram has none", name);
   return fmt::format("there is no parameter '{}'{}", name, nearest_or_all(name, all, "there are"));
 }
 
-std::string unknown_column(const std::string& name, const Names& names) {
+std::string unknown_column(const std::string& name, const SymbolTable& names) {
   std::vector<std::string> all;
   for (const auto& column : names.columns) all.push_back(column.name);
   const bool is_shown = name.starts_with("figure.") || name.starts_with("scene.");
@@ -63,7 +63,7 @@ std::string unknown_column(const std::string& name, const Names& names) {
 }
 
 /// A parameter as a number, with its unit where that can stand in an expression.
-std::string number_text(const KnownParameter& parameter, const Names& names) {
+std::string number_text(const KnownParameter& parameter, const SymbolTable& names) {
   std::string number = fmt::format("{}", parameter.value);
   if (!parameter.dimension || *parameter.dimension == Dimension{}) return number;
   std::string unit = si_name(*parameter.dimension);
@@ -73,7 +73,7 @@ std::string number_text(const KnownParameter& parameter, const Names& names) {
 }
 
 /// The column of words before a comparison, whose sign ends at `end`; null where it is none.
-const RecordedName* compared_column(std::string_view text, std::size_t end, const Names& names) {
+const RecordedName* compared_column(std::string_view text, std::size_t end, const SymbolTable& names) {
   const auto last_of = [&](std::size_t behind) {
     while (behind > 0 && text[behind - 1] == ' ') --behind;
     return behind;
@@ -88,7 +88,8 @@ const RecordedName* compared_column(std::string_view text, std::size_t end, cons
 }
 
 /// Replaces the quoted word that starts at `begin` by its number; returns the position behind it.
-std::size_t append_word(std::string_view text, std::size_t begin, const Names& names, Substituted& result) {
+std::size_t append_word(std::string_view text, std::size_t begin, const SymbolTable& names,
+                        Substituted& result) {
   const std::size_t end = text.find(text[begin], begin + 1);
   if (end == std::string_view::npos) throw ExpressionError("the word that begins here has no end", begin);
   const RecordedName* column = compared_column(text, begin, names);
@@ -107,12 +108,13 @@ std::size_t append_word(std::string_view text, std::size_t begin, const Names& n
   return end + 1;
 }
 
-Substituted substitute(std::string_view text, const Names& names);
+Substituted substitute(std::string_view text, const SymbolTable& names);
 
 /// Replaces the name of something drawn, or of a number of a block, that starts at `begin` by its expression;
 /// returns the position behind it, or `begin` where there is none. What is recorded under that name comes
 /// first.
-std::size_t append_drawn(std::string_view text, std::size_t begin, const Names& names, Substituted& result) {
+std::size_t append_drawn(std::string_view text, std::size_t begin, const SymbolTable& names,
+                         Substituted& result) {
   if (names.drawn.empty() || (begin > 0 && (is_word(text[begin - 1]) || text[begin - 1] == '.')))
     return begin;
   const std::string name = name_at(text, begin);
@@ -122,7 +124,7 @@ std::size_t append_drawn(std::string_view text, std::size_t begin, const Names& 
   return begin + name.size();
 }
 
-Substituted substitute(std::string_view text, const Names& names) {
+Substituted substitute(std::string_view text, const SymbolTable& names) {
   Substituted result;
   for (std::size_t i = 0; i < text.size();) {
     if (const std::size_t behind = append_drawn(text, i, names, result); behind > i) {
@@ -158,7 +160,7 @@ std::size_t place_of(const std::string& name, std::string_view text) {
   return at;
 }
 
-Expression parse(std::string_view text, const Names& names) {
+Expression parse(std::string_view text, const SymbolTable& names) {
   const Substituted substituted = substitute(text, names);
   try {
     // A signal called "e" that is not recorded is no constant either.
@@ -182,7 +184,7 @@ Expression parse(std::string_view text, const Names& names) {
 
 /// Throws ExpressionError where units do not fit each other, with the place in the text as it was written.
 std::optional<Dimension> find_dimension(const Expression& expression, std::string_view text,
-                                        const Names& names) {
+                                        const SymbolTable& names) {
   std::vector<Measure> measures;
   for (const auto& name : expression.variables()) {
     const auto& dimension = names.find(name)->dimension;
@@ -202,7 +204,7 @@ std::string trimmed(std::string_view text) {
 }
 
 /// The recording of all names, or nothing with the names that are recorded apart in `apart`.
-std::optional<std::size_t> recording_of(const std::vector<std::string>& variables, const Names& names,
+std::optional<std::size_t> recording_of(const std::vector<std::string>& variables, const SymbolTable& names,
                                         std::vector<std::string>& apart) {
   std::optional<std::size_t> recording;
   std::string first;
@@ -224,13 +226,13 @@ std::string apart_message(const std::vector<std::string>& apart) {
 
 }  // namespace
 
-Place place_in(const Node& node, std::size_t offset, const Names& names) {
+Place place_in(const Node& node, std::size_t offset, const SymbolTable& names) {
   Place place{names.file, node.mark};
   place.mark.column += static_cast<int>(offset) + (node.quoted ? 1 : 0);
   return place;
 }
 
-std::optional<Formula> read_formula(const Node& node, const Names& names, const std::string& subject,
+std::optional<Formula> read_formula(const Node& node, const SymbolTable& names, const std::string& subject,
                                     Faults& faults) {
   if (!node.is_scalar()) {
     faults.add({{names.file, node.mark}, subject, "an expression is wanted here, such as 'abs(rig.x)'", {}});
@@ -240,7 +242,7 @@ std::optional<Formula> read_formula(const Node& node, const Names& names, const 
 }
 
 std::optional<Formula> read_formula(const Node& node, std::string_view text, std::size_t offset,
-                                    const Names& names, const std::string& subject, Faults& faults) {
+                                    const SymbolTable& names, const std::string& subject, Faults& faults) {
   try {
     Expression expression = parse(text, names);
     const auto& variables = expression.variables();
@@ -263,8 +265,8 @@ std::optional<Formula> read_formula(const Node& node, std::string_view text, std
   }
 }
 
-std::size_t common_recording(const std::vector<const Formula*>& formulas, const Names& names, const Node& at,
-                             const std::string& subject, Faults& faults) {
+std::size_t common_recording(const std::vector<const Formula*>& formulas, const SymbolTable& names,
+                             const Node& at, const std::string& subject, Faults& faults) {
   std::vector<std::string> variables, apart;
   for (const Formula* formula : formulas) {
     if (formula == nullptr) continue;

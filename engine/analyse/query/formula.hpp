@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/analyse/query/names.hpp"
+#include "engine/analyse/query/symbol_table.hpp"
 #include "engine/base/expression/expression.hpp"
 #include "engine/base/unit/unit.hpp"
 #include "engine/base/yaml/document.hpp"
@@ -31,22 +31,22 @@ struct Formula {
 /// Reads an expression; `$name` is the number of a parameter, and a word in quotes behind `NAME ==` or
 /// `NAME !=` that which stands for it in a column of words. What is wrong goes to `faults` with the place
 /// inside the scalar, and nothing is returned.
-std::optional<Formula> read_formula(const Node& node, const Names& names, const std::string& subject,
+std::optional<Formula> read_formula(const Node& node, const SymbolTable& names, const std::string& subject,
                                     Faults& faults);
 
 /// The same for the text that starts `offset` characters into a scalar.
 std::optional<Formula> read_formula(const Node& node, std::string_view text, std::size_t offset,
-                                    const Names& names, const std::string& subject, Faults& faults);
+                                    const SymbolTable& names, const std::string& subject, Faults& faults);
 
 /// The one recording that all of these formulas read, or a fault that says which names are recorded apart.
 /// Null formulas are passed over; 0 where any recording does.
-std::size_t common_recording(const std::vector<const Formula*>& formulas, const Names& names, const Node& at,
-                             const std::string& subject, Faults& faults);
+std::size_t common_recording(const std::vector<const Formula*>& formulas, const SymbolTable& names,
+                             const Node& at, const std::string& subject, Faults& faults);
 
 /// Its value in each row. Throws std::invalid_argument if a column is not there.
 std::vector<double> evaluate(const Formula& formula, const Recording& recording);
 
 /// Place of the character `offset` of a scalar's text.
-Place place_in(const Node& node, std::size_t offset, const Names& names);
+Place place_in(const Node& node, std::size_t offset, const SymbolTable& names);
 
 }  // namespace stepwire

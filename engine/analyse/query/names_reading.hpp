@@ -9,10 +9,10 @@ struct Series;
 
 /// What sections about recorded signals are read with: figures, claims, scenes, fits.
 struct NamesReading : SectionReading {
-  const Names& names;
+  const SymbolTable& names;
   Faults& faults;
 
-  NamesReading(std::string subject, const Names& names, Faults& faults)
+  NamesReading(std::string subject, const SymbolTable& names, Faults& faults)
       : SectionReading(std::move(subject),
                        [file = names.file, &faults](const Mark& mark, const std::string& about,
                                                     const std::string& message) {

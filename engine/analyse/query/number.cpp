@@ -26,8 +26,8 @@ std::string unit_phrase(const Dimension& dimension) {
 
 }  // namespace
 
-std::optional<WantedNumber> read_number(const Node& node, const Names& names, const std::string& subject,
-                                        Faults& faults) {
+std::optional<WantedNumber> read_number(const Node& node, const SymbolTable& names,
+                                        const std::string& subject, Faults& faults) {
   if (node.is_scalar()) {
     if (const auto quantity = parse_quantity(node.text))
       return WantedNumber{quantity->value, quantity->dimension, unit_after_number(node.text), node.text};
@@ -49,7 +49,7 @@ std::optional<WantedNumber> read_number(const Node& node, const Names& names, co
 }
 
 void check_dimension(const WantedNumber& number, const std::optional<Dimension>& dimension,
-                     const std::string& what, const Node& node, const Names& names,
+                     const std::string& what, const Node& node, const SymbolTable& names,
                      const std::string& subject, Faults& faults) {
   if (!number.dimension || !dimension || *number.dimension == *dimension) return;
   faults.add({{names.file, node.mark},
@@ -60,11 +60,12 @@ void check_dimension(const WantedNumber& number, const std::optional<Dimension>&
 }
 
 void add_unknown_key(const Entry& entry, const std::vector<std::string>& known, const std::string& owner,
-                     const Names& names, const std::string& subject, Faults& faults) {
+                     const SymbolTable& names, const std::string& subject, Faults& faults) {
   faults.add({{names.file, entry.mark}, subject, unknown_key(entry.key, known, owner), {}});
 }
 
-std::string read_text(const Node& node, const Names& names, const std::string& subject, Faults& faults) {
+std::string read_text(const Node& node, const SymbolTable& names, const std::string& subject,
+                      Faults& faults) {
   if (node.is_scalar() && !node.text.empty()) return node.text;
   faults.add({{names.file, node.mark}, subject, "a text is wanted here", {}});
   return {};

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/analyse/query/names.hpp"
+#include "engine/analyse/query/symbol_table.hpp"
 #include "engine/base/unit/unit.hpp"
 #include "engine/base/yaml/document.hpp"
 
@@ -20,20 +20,20 @@ struct WantedNumber {
 
 /// Reads a number with an optional unit, or an expression of numbers and parameters. Faults are placed inside
 /// it.
-std::optional<WantedNumber> read_number(const Node& node, const Names& names, const std::string& subject,
-                                        Faults& faults);
+std::optional<WantedNumber> read_number(const Node& node, const SymbolTable& names,
+                                        const std::string& subject, Faults& faults);
 
 /// Adds a fault where the number has a unit of another kind than the `what` that it is held against.
 void check_dimension(const WantedNumber& number, const std::optional<Dimension>& dimension,
-                     const std::string& what, const Node& node, const Names& names,
+                     const std::string& what, const Node& node, const SymbolTable& names,
                      const std::string& subject, Faults& faults);
 
 /// A fault for a key that nobody knows; a key that looks like the rest of a broken expression is told so.
 void add_unknown_key(const Entry& entry, const std::vector<std::string>& known, const std::string& owner,
-                     const Names& names, const std::string& subject, Faults& faults);
+                     const SymbolTable& names, const std::string& subject, Faults& faults);
 
 /// The text of a scalar, or a fault.
-std::string read_text(const Node& node, const Names& names, const std::string& subject, Faults& faults);
+std::string read_text(const Node& node, const SymbolTable& names, const std::string& subject, Faults& faults);
 
 /// The number that is written with so many significant digits; what is no finite number is itself.
 double rounded(double value, int digits);

@@ -10,7 +10,7 @@
 namespace stepwire {
 namespace {
 
-std::optional<Formula> read_length_of(const Node& node, const std::string& text, const Names& names,
+std::optional<Formula> read_length_of(const Node& node, const std::string& text, const SymbolTable& names,
                                       const std::string& subject, Faults& faults) {
   auto formula = read_formula(node, text, 0, names, subject, faults);
   if (!formula || !formula->dimension || *formula->dimension == length_dimension ||
@@ -23,10 +23,10 @@ std::optional<Formula> read_length_of(const Node& node, const std::string& text,
   return std::nullopt;
 }
 
-std::vector<Formula> read_coordinates(const Node& node, const Names& names, const std::string& subject,
+std::vector<Formula> read_coordinates(const Node& node, const SymbolTable& names, const std::string& subject,
                                       Faults& faults) {
   std::vector<Formula> place;
-  if (node.items.empty() || node.items.size() > most_coordinates)
+  if (node.items.empty() || node.items.size() > max_coordinates)
     faults.add({{names.file, node.mark}, subject, "a point has one to three coordinates: [x, y]", {}});
   else
     for (const Node& item : node.items)
@@ -34,8 +34,8 @@ std::vector<Formula> read_coordinates(const Node& node, const Names& names, cons
   return place.size() == node.items.size() ? place : std::vector<Formula>{};
 }
 
-/// Names of what was recorded as several columns: v for v.1, v.2.
-std::vector<std::string> vectors_of(const Names& names) {
+/// SymbolTable of what was recorded as several columns: v for v.1, v.2.
+std::vector<std::string> vectors_of(const SymbolTable& names) {
   std::vector<std::string> vectors;
   for (const RecordedName& column : names.columns)
     if (column.name.ends_with(".1")) vectors.push_back(column.name.substr(0, column.name.size() - 2));
@@ -43,7 +43,7 @@ std::vector<std::string> vectors_of(const Names& names) {
 }
 
 /// A word that is no column, no signal and no number.
-bool is_unknown_name(const std::string& text, const Names& names) {
+bool is_unknown_name(const std::string& text, const SymbolTable& names) {
   const auto of_name = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '.'; };
   return !text.empty() && std::isdigit(static_cast<unsigned char>(text.front())) == 0 &&
          std::ranges::all_of(text, of_name) && !names.find(text) && !names.lacks(text);
@@ -51,17 +51,17 @@ bool is_unknown_name(const std::string& text, const Names& names) {
 
 }  // namespace
 
-std::optional<Formula> read_length(const Node& node, const Names& names, const std::string& subject,
+std::optional<Formula> read_length(const Node& node, const SymbolTable& names, const std::string& subject,
                                    Faults& faults) {
   if (!node.is_scalar()) return read_formula(node, names, subject, faults);
   return read_length_of(node, node.text, names, subject, faults);
 }
 
-std::vector<Formula> read_place(const Node& node, const Names& names, const std::string& subject,
+std::vector<Formula> read_place(const Node& node, const SymbolTable& names, const std::string& subject,
                                 Faults& faults) {
   if (node.is_list()) return read_coordinates(node, names, subject, faults);
   std::vector<Formula> place;
-  for (std::size_t i = 1; i <= most_coordinates; ++i) {
+  for (std::size_t i = 1; i <= max_coordinates; ++i) {
     const std::string element = fmt::format("{}.{}", node.text, i);
     if (names.find(element) == nullptr) break;
     if (auto formula = read_length_of(node, element, names, subject, faults))

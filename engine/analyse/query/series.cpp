@@ -14,7 +14,7 @@ namespace {
 
 /// Reads the unit behind " in " and checks that the formula can be drawn in it.
 bool read_unit(const Node& node, std::string_view text, std::size_t offset, Series& series,
-               const Names& names, const std::string& subject, Faults& faults) {
+               const SymbolTable& names, const std::string& subject, Faults& faults) {
   const auto unit = parse_unit(text);
   const auto& dimension = series.formula.dimension;
   std::string message;
@@ -48,7 +48,7 @@ std::string words_of(const Formula& formula) {
   return words;
 }
 
-std::optional<Series> read_signal(const Node& node, const Names& names, const std::string& subject,
+std::optional<Series> read_signal(const Node& node, const SymbolTable& names, const std::string& subject,
                                   Faults& faults) {
   const std::size_t in = node.is_scalar() ? node.text.rfind(" in ") : std::string::npos;
   auto formula = in == std::string::npos ? read_formula(node, names, subject, faults)
@@ -85,7 +85,7 @@ std::string Series::axis_label() const {
   return unit_text.empty() ? label : fmt::format("{} [{}]", label, printed_unit(unit_text));
 }
 
-std::optional<Series> read_series(const Node& node, const Names& names, const std::string& subject,
+std::optional<Series> read_series(const Node& node, const SymbolTable& names, const std::string& subject,
                                   Faults& faults) {
   if (!node.is_map()) return read_signal(node, names, subject, faults);
   NamesReading(subject, names, faults).check(node, series_form());

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "engine/analyse/query/formula.hpp"
-#include "engine/analyse/query/names.hpp"
+#include "engine/analyse/query/symbol_table.hpp"
 #include "engine/base/yaml/document.hpp"
 
 namespace stepwire {
@@ -25,7 +25,7 @@ struct Series {
 };
 
 /// Reads "EXPR", "EXPR in UNIT" or {signal: ..., label: ...}.
-std::optional<Series> read_series(const Node& node, const Names& names, const std::string& subject,
+std::optional<Series> read_series(const Node& node, const SymbolTable& names, const std::string& subject,
                                   Faults& faults);
 
 }  // namespace stepwire

@@ -89,10 +89,10 @@ Circle moved(const Circle& circle, const Eigen::Vector3d& step) {
 }
 
 Circle geometric(const PlanePoints& points) {
-  constexpr int most_steps = 1000;
+  constexpr int max_steps = 1000;
   Circle circle = taubin(points);
   double error = squared_deviations(points, circle), damping = 1e-4;
-  for (int i = 0; i < most_steps; ++i) {
+  for (int i = 0; i < max_steps; ++i) {
     Normal normal = normal_equations(points, circle);
     normal.matrix.diagonal() *= 1.0 + damping;
     const Eigen::Vector3d step = normal.matrix.ldlt().solve(normal.right);
@@ -105,7 +105,7 @@ Circle geometric(const PlanePoints& points) {
     if (!better && damping > 1e10) return circle;  // no step helps any more: rounding is reached
     if (circle.radius > largest_radius) throw StatisticsError(on_a_line);
   }
-  throw StatisticsError(fmt::format("the circle does not settle in {} steps", most_steps));
+  throw StatisticsError(fmt::format("the circle does not settle in {} steps", max_steps));
 }
 
 void check(const PlanePoints& points) {

@@ -159,7 +159,7 @@ std::vector<std::string> outcome_columns(const StudyRequest& request) {
   return columns;
 }
 
-void add_study_names(const StudyRequest& request, Names& names) {
+void add_study_names(const StudyRequest& request, SymbolTable& names) {
   std::size_t records = 0;
   for (const RecordedName& name : names.columns)
     if (name.recording) records = std::max(records, *name.recording + 1);

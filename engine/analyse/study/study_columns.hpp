@@ -15,7 +15,7 @@ namespace stepwire {
 /// - of the experiment mean.CONDITION, p.FACTOR (feedbacks alone) and p_subject.FACTOR (with the subject as a
 ///   factor), deviation.CONDITION, and of the thesis thesis.CONDITION, in the one behind that.
 /// Throws Error where a recorded signal has one of these names.
-void add_study_names(const StudyRequest& request, Names& names);
+void add_study_names(const StudyRequest& request, SymbolTable& names);
 
 /// mean.CONDITION, p.FACTOR and p_subject.FACTOR.
 std::vector<std::string> outcome_columns(const StudyRequest& request);

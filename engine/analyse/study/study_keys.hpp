@@ -8,11 +8,11 @@ namespace stepwire {
 /// What a key of the section is read with: it may stand in another file, which the section is like.
 struct StudyReading : SectionReading {
   std::string file;
-  const Names& names;
+  const SymbolTable& names;
   const Diagram& diagram;
   bool runs;  ///< trials are runs of the file, not recorded ones
 
-  StudyReading(std::string file, const Names& names, const Diagram& diagram, bool runs, Faults& faults)
+  StudyReading(std::string file, const SymbolTable& names, const Diagram& diagram, bool runs, Faults& faults)
       : SectionReading(
             "study",
             [file, &faults](const Mark& mark, const std::string& subject, const std::string& message) {

@@ -13,7 +13,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-constexpr std::size_t most_subjects = 1000;
+constexpr std::size_t max_subjects = 1000;
 
 using StudyRow = KeyRow<StudyRequest, StudyReading>;
 
@@ -25,12 +25,12 @@ std::vector<std::size_t> first_numbers(std::size_t count) {
 }
 
 Key subjects_form() {
-  return form::either({key("", "how many people", form::whole(1, most_subjects)),
-                       key("", "which people", form::list(form::whole(1, most_subjects), 1))});
+  return form::either({key("", "how many people", form::whole(1, max_subjects)),
+                       key("", "which people", form::list(form::whole(1, max_subjects), 1))});
 }
 
 void read_subjects(StudyRequest& request, const Node& node, const StudyReading& read) {
-  const Key number = form::whole(1, most_subjects);
+  const Key number = form::whole(1, max_subjects);
   if (!node.is_list()) {
     std::size_t count = 0;
     read.take(node, number, count);
@@ -268,7 +268,7 @@ const Key& study_form() {
   return form;
 }
 
-StudyRequest read_study(const Node& node, const Names& names, const Diagram& diagram, Loader& loader,
+StudyRequest read_study(const Node& node, const SymbolTable& names, const Diagram& diagram, Loader& loader,
                         const StudyWords& words, Faults& faults) {
   const std::size_t before = faults.size();
   StudyRequest request;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/analyse/query/names.hpp"
+#include "engine/analyse/query/symbol_table.hpp"
 #include "engine/analyse/study/path_errors.hpp"
 #include "engine/base/yaml/key.hpp"
 #include "engine/model/diagram/load.hpp"
@@ -48,7 +48,7 @@ struct StudyRequest {
   std::vector<Trial> recorded;  ///< in it, by subject, conditions in the order of the request
   Place place;
 
-  /// Names of the subjects in order: those of the recorded trials, or the numbers.
+  /// SymbolTable of the subjects in order: those of the recorded trials, or the numbers.
   std::vector<std::string> subject_names() const;
   std::vector<std::string> condition_names() const;
   std::vector<FeedbackCondition> feedbacks() const;
@@ -66,15 +66,15 @@ const Key& study_form();
 
 /// Reads the value under the key `study`. `like` takes the section from another file, in which the keys given
 /// here replace those of the same name. Everything that is wrong goes to `faults`; what is returned then is
-/// of no use. Throws TableError and SurroundingsError for a file of trials that cannot be read.
-StudyRequest read_study(const Node& node, const Names& names, const Diagram& diagram, Loader& loader,
+/// of no use. Throws TableError and EnvironmentError for a file of trials that cannot be read.
+StudyRequest read_study(const Node& node, const SymbolTable& names, const Diagram& diagram, Loader& loader,
                         const StudyWords& words, Faults& faults);
 
 /// What the study sets for each trial cannot be swept as well, and recorded trials have no swept values.
 void check_sweep(const StudyRequest& request, const Diagram& diagram, Faults& faults);
 
 /// Reads the file of recorded trials: those of the request's task, sorted. Trials of conditions that the
-/// study does not have go to `faults`. Throws TableError and SurroundingsError.
+/// study does not have go to `faults`. Throws TableError and EnvironmentError.
 void read_recorded(StudyRequest& request, Faults& faults);
 
 }  // namespace stepwire

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/analyse/query/names.hpp"
+#include "engine/analyse/query/symbol_table.hpp"
 #include "engine/analyse/study/experiment.hpp"
 
 namespace stepwire {

@@ -64,9 +64,9 @@ TrialRuns::TrialRuns(TrialSource source, const StudyRequest& request, const Job&
       request_(request),
       job_(job),
       family_(std::make_shared<PlanFamily>(source_.loader, source_.file, source_.settings, job.plan)) {
-  if (source_.engine == Engine::interpreted) return;
+  if (source_.engine == ExecutionMode::interpreted) return;
   const std::vector<std::size_t> members = find_conditions();
-  if (source_.engine == Engine::automatic) compile_ahead(members);
+  if (source_.engine == ExecutionMode::automatic) compile_ahead(members);
 }
 
 /// One member or more for each condition, so that code that is compiled for the first trials serves all.
@@ -154,12 +154,12 @@ void TrialRuns::note_end(const Executor& run, TrialRun& trial) const {
 }
 
 void TrialRuns::run_all(std::vector<TrialRun*>& trials, const std::function<void()>& told) {
-  std::vector<Changeover::Member> members;
+  std::vector<TieredExecution::Member> members;
   for (std::size_t m = 0; m < family_->size(); ++m)
     members.push_back({&family_->plan(m), family_->variable(m)});
   double ticks = 0.0;
   for (const TrialRun* trial : trials) ticks += static_cast<double>(family_->plan(trial->point.member).steps);
-  Changeover changeover(source_.engine, source_.code, std::move(members), ticks);
+  TieredExecution changeover(source_.engine, source_.code, std::move(members), ticks);
   IdleRuns idle(*family_);
   in_parallel(trials.size(), source_.threads, [&](std::size_t i) {
     TrialRun& trial = *trials[i];
@@ -176,7 +176,7 @@ std::size_t TrialRuns::number_of(const TrialRun& trial) const {
   return person * request_.conditions.size() + trial.condition;
 }
 
-void TrialRuns::run_one(TrialRun& trial, IdleRuns& idle, Changeover& changeover) {
+void TrialRuns::run_one(TrialRun& trial, IdleRuns& idle, TieredExecution& changeover) {
   const std::size_t member = trial.point.member;
   auto run = idle.take(member);
   family_->begin(member, trial.point.own, *run);

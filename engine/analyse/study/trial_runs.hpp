@@ -19,10 +19,11 @@ namespace stepwire {
 struct TrialSource {
   Loader& loader;
   std::string file;
-  std::vector<Setting> settings;        ///< of the call
-  Engine engine = Engine::interpreted;  ///< automatic: what is compiled beside the first runs serves the rest
-  CodeSource* code = nullptr;           ///< of what is not interpreted
-  unsigned threads = 0;                 ///< 0: all cores
+  std::vector<Setting> settings;  ///< of the call
+  ExecutionMode engine =
+      ExecutionMode::interpreted;  ///< automatic: what is compiled beside the first runs serves the rest
+  CodeSource* code = nullptr;      ///< of what is not interpreted
+  unsigned threads = 0;            ///< 0: all cores
   const std::atomic<bool>* interrupt = nullptr;  ///< once true, nothing more is begun
   std::vector<RunObserver*> observers{};         ///< of every attempt of every trial, by the trial's number
 };
@@ -81,7 +82,7 @@ class TrialRuns {
   Circles circles_to_come(const TrialRun& trial) const;
   void run_all(std::vector<TrialRun*>& trials, const std::function<void()>& told);
   std::size_t number_of(const TrialRun& trial) const;
-  void run_one(TrialRun& trial, IdleRuns& idle, Changeover& changeover);
+  void run_one(TrialRun& trial, IdleRuns& idle, TieredExecution& changeover);
   void note_end(const Executor& run, TrialRun& trial) const;
 
   TrialSource source_;

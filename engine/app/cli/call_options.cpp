@@ -9,14 +9,15 @@ namespace stepwire {
 
 namespace {
 
-const std::map<std::string, Engine> engines = {
-    {"interpreted", Engine::interpreted}, {"compiled", Engine::compiled}, {"auto", Engine::automatic}};
+const std::map<std::string, ExecutionMode> engines = {{"interpreted", ExecutionMode::interpreted},
+                                                      {"compiled", ExecutionMode::compiled},
+                                                      {"auto", ExecutionMode::automatic}};
 
 const CLI::Validator is_named([](const std::string& it) { return it.empty() ? "names no folder" : ""; }, "");
 
 }  // namespace
 
-void add_engine_option(CLI::App& verb, Engine& engine, const std::string& what) {
+void add_engine_option(CLI::App& verb, ExecutionMode& engine, const std::string& what) {
   const auto number_of = [](std::string& word) -> std::string {
     const auto known = engines.find(word);
     if (known == engines.end()) return fmt::format("must be auto, compiled or interpreted, not '{}'", word);

@@ -14,12 +14,12 @@
 namespace stepwire {
 
 void print_faults(const RunResult& result) {
-  constexpr std::size_t most_shown = 10;
+  constexpr std::size_t max_shown = 10;
   const auto& faults = result.faults;
-  for (std::size_t i = 0; i < std::min(faults.size(), most_shown); ++i)
+  for (std::size_t i = 0; i < std::min(faults.size(), max_shown); ++i)
     complain("{}\n", faults[i].fault.text());
-  if (faults.size() > most_shown)
-    complain("and {} more runs of the sweep ended early\n", faults.size() - most_shown);
+  if (faults.size() > max_shown)
+    complain("and {} more runs of the sweep ended early\n", faults.size() - max_shown);
 }
 
 ExitCode guarded(const std::function<ExitCode()>& action, Json* faults) {
@@ -44,7 +44,7 @@ ExitCode guarded(const std::function<ExitCode()>& action, Json* faults) {
     return refused(
         "there is not enough memory for this run; record fewer signals or give 'record' an 'every'",
         ExitCode::surroundings);
-  } catch (const std::exception& error) {  // SurroundingsError, system_error of files and threads, and others
+  } catch (const std::exception& error) {  // EnvironmentError, system_error of files and threads, and others
     return refused(error.what(), ExitCode::surroundings);
   }
 }

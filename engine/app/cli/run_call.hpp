@@ -13,7 +13,7 @@ namespace stepwire {
 struct RunCall {
   ModelCall models;
   std::string out;  ///< folder; empty: nothing is written
-  Engine engine = Engine::automatic;
+  ExecutionMode engine = ExecutionMode::automatic;
   bool profile = false;          ///< measure what each block costs
   std::string requires_section;  ///< a file without this section is refused; empty: any file will do
   FitCall fit;

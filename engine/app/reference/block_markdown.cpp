@@ -22,12 +22,12 @@ std::string anchor(std::string name) {
 }  // namespace
 
 std::string block_markdown(const BlockType& type, int level) {
-  const BlockSheet sheet = sheet_of(type);
+  const BlockReference sheet = reference_of(type);
   const std::string marks(static_cast<std::size_t>(level), '#');
   std::string page = fmt::format("{} {}\n\n{}\n\n", marks, sheet.name, escaped(sheet.doc));
   page += fmt::format("- **family**: {}\n", sheet.folder);
   for (const auto& [label, text] : sheet.facts) page += fmt::format("- **{}**: {}\n", label, escaped(text));
-  for (const SheetTable& table : sheet.tables) page += table_markdown(table, marks);
+  for (const ReferenceTable& table : sheet.tables) page += table_markdown(table, marks);
   if (!sheet.remark.empty()) page += "\n" + sheet.remark + "\n";
   return page + fmt::format("\n{}# Example\n\n```yaml\n{}\n```\n", marks, sheet.example);
 }

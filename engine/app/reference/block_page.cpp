@@ -11,11 +11,11 @@
 namespace stepwire {
 
 std::string block_page(const BlockType& type) {
-  const BlockSheet sheet = sheet_of(type);
+  const BlockReference sheet = reference_of(type);
   std::string page = fmt::format("{} ({})\n  {}\n\n", sheet.name, sheet.folder, wrapped(sheet.doc, 2));
   for (const auto& [label, text] : sheet.facts)
     page += fmt::format("  {:<11}  {}\n", label, wrapped(text, 15));
-  for (const SheetTable& table : sheet.tables) page += table_text(table);
+  for (const ReferenceTable& table : sheet.tables) page += table_text(table);
   if (!sheet.remark.empty()) page += "\n  " + wrapped(sheet.remark, 2) + "\n";
   return page + "\nExample\n" + indented(sheet.example) + "\n";
 }

@@ -13,7 +13,7 @@ namespace {
 using ExampleKeys = std::vector<std::pair<std::string, std::string>>;
 
 constexpr std::size_t widest_line = 96;
-constexpr std::size_t most_defaults = 2;
+constexpr std::size_t max_defaults = 2;
 
 std::string source_text(const InputSpec& input) {
   if (input.list) return "[first, second]";
@@ -54,7 +54,7 @@ bool is_telling(const ParameterSpec& spec, const std::string& text) {
 void add_defaults(const BlockType& type, ExampleKeys& keys) {
   std::size_t count = 0;
   for (const ParameterSpec& parameter : type.parameters) {
-    if (count == most_defaults) continue;
+    if (count == max_defaults) continue;
     const std::string text = default_text(type, parameter);
     if (!is_telling(parameter, text)) continue;
     keys.emplace_back(parameter.name, text);

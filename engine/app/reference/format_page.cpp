@@ -22,7 +22,7 @@ std::string format_page(const Section& section) {
   std::string page = fmt::format("{}\n  {}\n", section.name, wrapped(section.doc, 2));
   if (const std::string value = value_line(section); !value.empty())
     page += fmt::format("\n  value  {}\n", wrapped(value, 9));
-  for (const SheetTable& table : key_tables(section.form)) page += table_text(table);
+  for (const ReferenceTable& table : key_tables(section.form)) page += table_text(table);
   return page + "\nExample\n" + indented(section.example) + "\n";
 }
 
@@ -31,7 +31,7 @@ std::string format_markdown(const Section& section, int level) {
   std::string page = fmt::format("{} {}\n\n{}\n", marks, section.name, escaped(section.doc));
   if (const std::string value = value_line(section); !value.empty())
     page += fmt::format("\n- **value**: {}\n", escaped(value));
-  for (const SheetTable& table : key_tables(section.form)) page += table_markdown(table, marks);
+  for (const ReferenceTable& table : key_tables(section.form)) page += table_markdown(table, marks);
   return page + fmt::format("\n{}# Example\n\n```yaml\n{}\n```\n", marks, section.example);
 }
 

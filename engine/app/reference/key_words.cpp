@@ -34,16 +34,16 @@ std::string meaning_of(const Key& key) {
   return fmt::format("{}; beside {}", key.doc, fmt::join(key.beside, " or "));
 }
 
-void add_tables(const Key& form, const std::string& path, std::vector<SheetTable>& tables);
+void add_tables(const Key& form, const std::string& path, std::vector<ReferenceTable>& tables);
 
 /// Tables of what is inside of a form.
-void add_inner(const Key& form, const std::string& path, std::vector<SheetTable>& tables) {
+void add_inner(const Key& form, const std::string& path, std::vector<ReferenceTable>& tables) {
   const std::string inner = form.form == Form::names ? path + ".NAME" : path;
   for (const Key& one : form.of) add_tables(one, inner, tables);
 }
 
-SheetTable keys_of(const Key& map, const std::string& path) {
-  SheetTable table{
+ReferenceTable keys_of(const Key& map, const std::string& path) {
+  ReferenceTable table{
       path.empty() ? "Keys" : "Keys of " + path, {"key", "value", "unit", "range", "default", "meaning"}, {}};
   std::vector<Key> keys = map.of;
   keys.insert(keys.end(), map.rest.begin(), map.rest.end());
@@ -53,13 +53,13 @@ SheetTable keys_of(const Key& map, const std::string& path) {
   return table;
 }
 
-SheetTable words_of(const Key& key, const std::string& path) {
-  SheetTable table{"Words of " + path, {"word", "meaning"}, {}};
+ReferenceTable words_of(const Key& key, const std::string& path) {
+  ReferenceTable table{"Words of " + path, {"word", "meaning"}, {}};
   for (const Key::Word& word : key.words) table.rows.push_back({word.word, word.doc});
   return table;
 }
 
-void add_tables(const Key& form, const std::string& path, std::vector<SheetTable>& tables) {
+void add_tables(const Key& form, const std::string& path, std::vector<ReferenceTable>& tables) {
   if (form.form == Form::word && !form.words.empty() && !form.words.front().doc.empty())
     tables.push_back(words_of(form, path));
   if (form.form != Form::keys) return add_inner(form, path, tables);
@@ -125,8 +125,8 @@ std::string form_text(const Key& key) {
   return "any";
 }
 
-std::vector<SheetTable> key_tables(const Key& form) {
-  std::vector<SheetTable> tables;
+std::vector<ReferenceTable> key_tables(const Key& form) {
+  std::vector<ReferenceTable> tables;
   add_tables(form, "", tables);
   return tables;
 }

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/app/reference/sheet.hpp"
+#include "engine/app/reference/block_reference.hpp"
 #include "engine/base/yaml/key.hpp"
 
 namespace stepwire {
@@ -14,6 +14,6 @@ std::string form_text(const Key& key);
 std::string range_text(const Key& key);
 
 /// The keys of a form, and those of the maps inside of it, each as a table.
-std::vector<SheetTable> key_tables(const Key& form);
+std::vector<ReferenceTable> key_tables(const Key& form);
 
 }  // namespace stepwire

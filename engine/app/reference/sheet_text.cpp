@@ -13,7 +13,7 @@ constexpr std::size_t narrowest_text = 40;
 
 using Cells = std::vector<std::string>;
 
-std::vector<std::size_t> widths_of(const SheetTable& table) {
+std::vector<std::size_t> widths_of(const ReferenceTable& table) {
   std::vector<std::size_t> widths;
   for (std::size_t i = 0; i + 1 < table.header.size(); ++i) {
     std::size_t widest = width(table.header[i]);
@@ -75,7 +75,7 @@ std::string shortened(const std::string& text, std::size_t to) {
   return text.substr(0, end) + " ...";
 }
 
-std::string table_text(const SheetTable& table) {
+std::string table_text(const ReferenceTable& table) {
   const std::vector<std::size_t> widths = widths_of(table);
   std::size_t used = 2;
   for (std::size_t column : widths) used += column + 2;
@@ -95,7 +95,7 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-std::string table_markdown(const SheetTable& table, const std::string& marks) {
+std::string table_markdown(const ReferenceTable& table, const std::string& marks) {
   std::string text = "\n" + marks + "# " + table.title + "\n\n" + row_text(table.header);
   text += row_text(std::vector<std::string>(table.header.size(), "---"));
   for (std::vector<std::string> row : table.rows) {

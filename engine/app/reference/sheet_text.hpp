@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "engine/app/reference/sheet.hpp"
+#include "engine/app/reference/block_reference.hpp"
 
 namespace stepwire {
 
@@ -19,10 +19,10 @@ std::string indented(const std::string& text);
 /// No wider than `to`, between words.
 std::string shortened(const std::string& text, std::size_t to);
 /// A table with its title, for a terminal.
-std::string table_text(const SheetTable& table);
+std::string table_text(const ReferenceTable& table);
 
 /// The same for Markdown, with a heading of so many marks.
-std::string table_markdown(const SheetTable& table, const std::string& marks);
+std::string table_markdown(const ReferenceTable& table, const std::string& marks);
 /// A text that means no markup.
 std::string escaped(const std::string& text);
 

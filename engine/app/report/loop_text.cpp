@@ -11,7 +11,7 @@ namespace stepwire {
 
 namespace {
 
-constexpr std::size_t most_groups_shown = 8;
+constexpr std::size_t max_groups_shown = 8;
 
 std::string or_none(const std::string& text) {
   return text.empty() ? "none" : text;
@@ -58,7 +58,7 @@ std::string baseline_text(const CyclictestHistogram& baseline) {
 std::string groups_text(const std::vector<GroupCost>& costs) {
   std::vector<std::string> texts;
   for (const GroupCost& cost : costs)
-    if (cost.samples > 0 && texts.size() < most_groups_shown)
+    if (cost.samples > 0 && texts.size() < max_groups_shown)
       texts.push_back(fmt::format("{} ({}) {:.0f} ns", cost.type, cost.blocks, cost.mean));
   if (texts.empty()) return "";
   return fmt::format("  of a tick, sampled (one stretch of calls at each wake-up): {}{}\n",

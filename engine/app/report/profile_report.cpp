@@ -12,7 +12,7 @@ namespace stepwire {
 
 namespace {
 
-constexpr std::size_t most_shown = 20;
+constexpr std::size_t max_shown = 20;
 constexpr const char* left_name = "what is left";
 
 double steady_seconds() {
@@ -81,7 +81,7 @@ Profile profile_of(const LoadedModel& model, const std::atomic<bool>* interrupt)
 }
 
 std::string profile_text(const LoadedModel& model, const Profile& profile) {
-  const std::size_t shown = std::min(profile.blocks.size(), most_shown);
+  const std::size_t shown = std::min(profile.blocks.size(), max_shown);
   std::size_t width = 14;
   for (std::size_t i = 0; i < shown; ++i) width = std::max(width, profile.blocks[i].name.size());
   const double per_tick =
@@ -150,7 +150,7 @@ FigureSpec profile_figure(const LoadedModel& model, const Profile& profile) {
     chart.kinds.push_back({phase_names[phase], curve_color(phase)});
   chart.kinds.push_back({"the run", "#9a9a9a"});
   for (const BlockCost& block : profile.blocks)
-    if (!block.part && block.self() > 0.0 && chart.bars.size() < most_shown)
+    if (!block.part && block.self() > 0.0 && chart.bars.size() < max_shown)
       chart.bars.push_back(bar_of(profile, block));
   for (const RunCost& other : rest_of(profile)) {
     Bar bar{other.name, std::vector<double>(phase_count, 0.0), true};

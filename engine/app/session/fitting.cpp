@@ -25,8 +25,8 @@ FitResult fit_model(const Registry& registry, const LoadedModel& model, const Fi
   if (call.follow) request.follow = call.follow;
   if (call.seed) request.seed = *call.seed;
   GeneratedCode code;
-  const bool compiles =
-      call.engine == Engine::compiled || (call.engine == Engine::automatic && worth_compiling(model));
+  const bool compiles = call.engine == ExecutionMode::compiled ||
+                        (call.engine == ExecutionMode::automatic && worth_compiling(model));
   Loader loader(registry, model.options.limits);
   ModelSource source{loader, model.file, model.options.settings, compiles ? &code : nullptr,
                      monitor.interrupt};

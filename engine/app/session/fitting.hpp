@@ -17,7 +17,7 @@ struct FitCall {
   std::optional<std::size_t> starts, follow;
   std::optional<std::uint64_t> seed;
   unsigned threads = 0;  ///< 0: all cores
-  Engine engine = Engine::automatic;
+  ExecutionMode engine = ExecutionMode::automatic;
 };
 
 /// Will the fit's runs take longer than a compilation?
@@ -41,7 +41,7 @@ struct FitPicture {
 std::vector<FitPicture> fit_pictures(const FitRequest& request, const FitResult& result);
 
 /// Writes fit.json, parameters.yaml and the pictures into a folder and returns the pictures' names. Throws
-/// SurroundingsError.
+/// EnvironmentError.
 std::vector<std::string> write_fit(const std::string& folder, const LoadedModel& model,
                                    const FitResult& result);
 

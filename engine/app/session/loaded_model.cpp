@@ -20,7 +20,7 @@ namespace stepwire {
 
 namespace {
 
-void add_swept_names(const Job& job, Names& names) {
+void add_swept_names(const Job& job, SymbolTable& names) {
   if (job.points.empty()) return;
   for (const Sweep::Axis& axis : job.plan.diagram.sweep->axes) {
     RecordedName name{axis.parameter, std::nullopt, std::nullopt};
@@ -34,7 +34,7 @@ void add_swept_names(const Job& job, Names& names) {
   }
 }
 
-void add_signals(const Diagram& diagram, Names& names) {
+void add_signals(const Diagram& diagram, SymbolTable& names) {
   for (const DiagramBlock& block : diagram.blocks) {
     const auto& outputs = block.type().outputs;
     if (outputs.size() == 1) names.signals.push_back(block.name);
@@ -42,7 +42,7 @@ void add_signals(const Diagram& diagram, Names& names) {
   }
 }
 
-void add_outlines(const Diagram& diagram, Names& names) {
+void add_outlines(const Diagram& diagram, SymbolTable& names) {
   for (const DiagramBlock& block : diagram.blocks) {
     if (!block.type().outline) continue;
     names.outlines.push_back({block.name, {}});
@@ -64,7 +64,7 @@ using Signals = std::unordered_set<std::string_view>;
 
 /// Adds a number of a block where its name is free.
 void add_number(const std::string& name, const ParameterSpec& spec, double value, const Signals& signals,
-                Names& names) {
+                SymbolTable& names) {
   const bool is_free = !names.find(name) && !signals.contains(name);
   if (!std::isfinite(value) || !is_free) return;
   if (std::string text = number_text(spec, value); !text.empty())
@@ -73,7 +73,7 @@ void add_number(const std::string& name, const ParameterSpec& spec, double value
 
 /// Numbers that blocks were given, by their file, a preset or as defaults: "rig.damper.beta"; of a list
 /// "rig.damper.alpha.2".
-void add_numbers_of_blocks(const Diagram& diagram, Names& names) {
+void add_numbers_of_blocks(const Diagram& diagram, SymbolTable& names) {
   const Signals signals(names.signals.begin(), names.signals.end());
   for (const DiagramBlock& block : diagram.blocks)
     for (const ParameterSpec& spec : block.type().parameters) {
@@ -89,9 +89,9 @@ void add_numbers_of_blocks(const Diagram& diagram, Names& names) {
 }
 
 /// What figures and claims of a file may name.
-Names names_of(const Job& job) {
+SymbolTable names_of(const Job& job) {
   const Diagram& diagram = job.plan.diagram;
-  Names names{diagram.file, {}, {}};
+  SymbolTable names{diagram.file, {}, {}};
   names.columns.push_back({"time", parse_unit("s")->dimension, std::nullopt});
   add_swept_names(job, names);
   for (std::size_t r = 0; r < diagram.records.size(); ++r) {
@@ -109,7 +109,8 @@ Names names_of(const Job& job) {
 }
 
 /// Reads what the file asks of a study, and adds the names that it makes.
-void add_study(Loader& loader, const LoadOptions& options, LoadedModel& model, Names& names, Faults& faults) {
+void add_study(Loader& loader, const LoadOptions& options, LoadedModel& model, SymbolTable& names,
+               Faults& faults) {
   const Node* section = loader.document(model.file).root.find("study");
   if (!section) return;
   const Diagram& diagram = model.job.plan.diagram;
@@ -122,7 +123,7 @@ void add_study(Loader& loader, const LoadOptions& options, LoadedModel& model, N
 }
 
 /// Reads the scene ahead of figures and claims, which may name what it shows.
-std::shared_ptr<const Scene> read_scene_of(const Diagram& diagram, Names& names, Faults& faults) {
+std::shared_ptr<const Scene> read_scene_of(const Diagram& diagram, SymbolTable& names, Faults& faults) {
   if (diagram.scene.kind == Node::Kind::empty) return nullptr;
   const std::size_t before = faults.size();
   auto scene = std::make_shared<const Scene>(read_scene(diagram.scene, names, faults));
@@ -132,7 +133,7 @@ std::shared_ptr<const Scene> read_scene_of(const Diagram& diagram, Names& names,
 }
 
 /// Claims and invariants may name what the figures draw and the scene shows.
-void read_all_claims(const Diagram& diagram, LoadedModel& model, Names& names, Faults& faults) {
+void read_all_claims(const Diagram& diagram, LoadedModel& model, SymbolTable& names, Faults& faults) {
   std::ranges::move(drawn_quantities(model.figures), std::back_inserter(names.drawn));
   if (model.scene) std::ranges::move(shown_quantities(*model.scene), std::back_inserter(names.drawn));
   const auto read = [&](const Node& section, Claim::Kind kind) {
@@ -160,7 +161,7 @@ LoadedModel load_model(Loader& loader, const std::string& file, const LoadOption
   model.file = file;
   model.options = options;
   model.job = make_job(loader, file, options.settings, options.stop, options.of_points);
-  Names names = names_of(model.job);
+  SymbolTable names = names_of(model.job);
   Faults faults;
   const Diagram& diagram = model.job.plan.diagram;
   const DiagramView view(diagram, loader);

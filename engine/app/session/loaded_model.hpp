@@ -38,7 +38,7 @@ struct LoadedModel {
   std::vector<NamedTable> tables{};      ///< that the study will make, for figures
 };
 
-/// Loads, plans, and reads figures and claims. Throws Error with everything that is wrong, SurroundingsError.
+/// Loads, plans, and reads figures and claims. Throws Error with everything that is wrong, EnvironmentError.
 LoadedModel load_model(Loader& loader, const std::string& file, const LoadOptions& options);
 LoadedModel load_model(const Registry& registry, const std::string& file, const LoadOptions& options);
 

@@ -20,7 +20,7 @@ namespace stepwire {
 namespace {
 
 constexpr double seconds_in_ring = 4.0;  // that the writer may be late
-constexpr double fewest_numbers = 1 << 16, most_numbers = 1 << 23;
+constexpr double min_numbers = 1 << 16, max_numbers = 1 << 23;
 constexpr double slice = 1.0;  // [s] of each in turn with a baseline
 
 /// A loop runs the file once with its own values, so its sweep, figures and claims are left alone.
@@ -38,7 +38,7 @@ std::size_t ring_size(const Plan& plan, const LoopSettings& settings) {
   const auto ticks = static_cast<double>(ticks_per_period(plan.diagram, settings.rate));
   const double wanted = seconds_in_ring * settings.rate * ticks * of_tick;
   return static_cast<std::size_t>(
-      std::max(std::clamp(wanted, fewest_numbers, most_numbers), 16.0 * ticks * of_tick));
+      std::max(std::clamp(wanted, min_numbers, max_numbers), 16.0 * ticks * of_tick));
 }
 
 /// The way of rows from the loop into the files of a folder.
@@ -61,8 +61,8 @@ class RowsToFolder {
 
 /// Compiled code, where that is asked for and can be; with `auto`, too, since a loop has no time for it
 /// later.
-std::optional<CompiledPlan> code_for(const Plan& plan, Engine engine, const Monitor& monitor) {
-  if (engine == Engine::interpreted) return std::nullopt;
+std::optional<CompiledPlan> code_for(const Plan& plan, ExecutionMode engine, const Monitor& monitor) {
+  if (engine == ExecutionMode::interpreted) return std::nullopt;
   GeneratedCode source;
   std::optional<CompiledPlan> code = source.compile(plan, {}, {});
   monitor.note_interpreted(source.take_problem());

@@ -16,12 +16,12 @@ struct LoopCall {
   LoopWords words;
   std::string out;  ///< folder; empty: nothing is recorded
   bool baseline = false;
-  Engine engine = Engine::interpreted;
+  ExecutionMode engine = ExecutionMode::interpreted;
 };
 
 /// Runs a file in real time with its own values; judges no claims. Its rows, loop.json and loop.svg are
 /// written to the folder, if there is one. `report` gets the outcome, which ends with the call. Throws Error,
-/// SurroundingsError.
+/// EnvironmentError.
 void run_loop(const LoopCall& call, const Registry& registry, const Monitor& monitor,
               const std::function<void(const LoopOutcome&)>& report);
 

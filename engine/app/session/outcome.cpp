@@ -43,7 +43,7 @@ Outcome run_model(const LoadedModel& model, const RunOptions& options) {
   return outcome;
 }
 
-Outcome run_model(const LoadedModel& model, Engine engine, CodeSource& code, const Monitor& monitor) {
+Outcome run_model(const LoadedModel& model, ExecutionMode engine, CodeSource& code, const Monitor& monitor) {
   RunOptions options;
   options.engine = engine;
   options.code = &code;

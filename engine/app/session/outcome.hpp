@@ -27,6 +27,6 @@ void judge_claims(const LoadedModel& model, Outcome& outcome);
 /// Runs and judges. Claims about a run that ended early are not judged and do not hold.
 Outcome run_model(const LoadedModel& model, const RunOptions& options);
 /// The same, watched; `code` compiles what the engine does not interpret.
-Outcome run_model(const LoadedModel& model, Engine engine, CodeSource& code, const Monitor& monitor);
+Outcome run_model(const LoadedModel& model, ExecutionMode engine, CodeSource& code, const Monitor& monitor);
 
 }  // namespace stepwire

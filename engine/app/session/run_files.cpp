@@ -31,7 +31,7 @@ void write_recordings(const std::string& folder, const RunResult& result) {
   }
 }
 
-constexpr std::size_t most_listed = 10'000;  // values of an axis; sweep.csv has all
+constexpr std::size_t max_listed = 10'000;  // values of an axis; sweep.csv has all
 
 /// What was varied, in the order in which a MAT file numbers words from 0.
 Json sweep_json(const Job& job) {
@@ -39,7 +39,7 @@ Json sweep_json(const Job& job) {
   Json axes = Json::list();
   for (const Sweep::Axis& axis : job.plan.diagram.sweep->axes) {
     Json values = Json::list();
-    if (axis.values.size() <= most_listed)
+    if (axis.values.size() <= max_listed)
       for (const std::string& value : axis.values) values.push(unquoted(value));
     axes.push(Json::object()
                   .set("parameter", axis.parameter)

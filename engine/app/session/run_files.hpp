@@ -10,7 +10,7 @@ namespace stepwire {
 
 /// Writes all that a run leaves behind into a folder: signals.csv, signals.mat, pictures with their specs
 /// (figure.svg, figure.json), claims.json, run.json. Each file appears whole or not at all. Returns the names
-/// of the pictures. Throws SurroundingsError.
+/// of the pictures. Throws EnvironmentError.
 std::vector<std::string> write_outputs(const std::string& folder, const LoadedModel& model,
                                        const Outcome& outcome);
 

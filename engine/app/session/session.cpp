@@ -6,7 +6,7 @@ LoadedModel Session::load(const std::string& file, const LoadOptions& options) c
   return load_model(registry_, file, options);
 }
 
-Outcome Session::run(const LoadedModel& model, Engine engine) {
+Outcome Session::run(const LoadedModel& model, ExecutionMode engine) {
   Outcome outcome = run_model(model, engine, code_, monitor_);
   monitor_.note_interpreted(code_.take_problem());
   return outcome;

@@ -13,7 +13,7 @@
 namespace stepwire {
 
 /// What the doors to the engine do with diagram files: each call returns data, throws Error for what is wrong
-/// in a file and SurroundingsError for what is wrong around it, and shows what takes long to the monitor.
+/// in a file and EnvironmentError for what is wrong around it, and shows what takes long to the monitor.
 /// Nothing here prints, ends the process or knows a terminal. What calls can share (compiled code, studies)
 /// is kept between them. One thread at a time, but for study().
 class Session {
@@ -30,7 +30,7 @@ class Session {
   /// before the first step is found here.
   LoadedModel load(const std::string& file, const LoadOptions& options = {}) const;
   /// Runs a model, or all points of its sweep, and judges its claims.
-  Outcome run(const LoadedModel& model, Engine engine = Engine::automatic);
+  Outcome run(const LoadedModel& model, ExecutionMode engine = ExecutionMode::automatic);
   /// Finds the parameters that the model's section `fit` names.
   FitResult fit(const LoadedModel& model, const FitCall& call = {});
   /// The model with what a fit found.

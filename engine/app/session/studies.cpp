@@ -46,8 +46,8 @@ Sweep axes_of(const LoadedModel& model) {
 
 }  // namespace
 
-Engine engine_of(const LoadedModel& model, const StudyCall& call, std::size_t experiments) {
-  if (call.engine != Engine::automatic) return call.engine;
+ExecutionMode engine_of(const LoadedModel& model, const StudyCall& call, std::size_t experiments) {
+  if (call.engine != ExecutionMode::automatic) return call.engine;
   // What an interpreted block takes per tick, and the part of `stop` that a trial lasts.
   constexpr double per_block = 2e-8, part = 0.25;
   // [s]: from when a compilation is worth a core of its own, and from when it is worth waiting for.
@@ -58,10 +58,12 @@ Engine engine_of(const LoadedModel& model, const StudyCall& call, std::size_t ex
   const double ticks = static_cast<double>(plan.steps) * part * trials;
   const double cores = std::max(1u, std::thread::hardware_concurrency());
   const double seconds = per_block * static_cast<double>(plan.diagram.blocks.size()) * ticks / cores;
-  return seconds > ahead ? Engine::compiled : seconds > beside ? Engine::automatic : Engine::interpreted;
+  return seconds > ahead    ? ExecutionMode::compiled
+         : seconds > beside ? ExecutionMode::automatic
+                            : ExecutionMode::interpreted;
 }
 
-TrialSource trial_source(Loader& loader, const LoadedModel& model, Engine engine, CodeSource& code,
+TrialSource trial_source(Loader& loader, const LoadedModel& model, ExecutionMode engine, CodeSource& code,
                          const Monitor& monitor) {
   TrialSource source{loader, model.file, model.options.settings, engine, &code, 0, monitor.interrupt};
   if (const auto& stop = model.options.stop) source.settings.push_back({"stop", *stop, "--stop " + *stop});

@@ -15,7 +15,7 @@ namespace stepwire {
 
 /// How a call wants its studies to be made.
 struct StudyCall {
-  Engine engine = Engine::automatic;
+  ExecutionMode engine = ExecutionMode::automatic;
   unsigned threads = 0;  ///< 0: all cores
 };
 
@@ -40,7 +40,7 @@ class Studies {
 Outcome study_outcome(LoadedModel& model, const Experiments& experiments);
 
 /// Writes what verify() needs, trials.csv (of a sweep one for each point: trials-2.csv, ...), errors.csv,
-/// study.json, tables.txt into a folder. Throws SurroundingsError.
+/// study.json, tables.txt into a folder. Throws EnvironmentError.
 void write_study(const std::string& folder, const LoadedModel& model, const Experiments& experiments,
                  const Outcome& outcome);
 
@@ -57,10 +57,10 @@ std::string study_key(const LoadedModel& model, bool with_seed = true);
 
 /// How the trials of so many experiments are computed: as the call says, else by how long they would take
 /// interpreted. The longest wait for a compilation, shorter ones have it beside them, others have none.
-Engine engine_of(const LoadedModel& model, const StudyCall& call, std::size_t experiments);
+ExecutionMode engine_of(const LoadedModel& model, const StudyCall& call, std::size_t experiments);
 
 /// The runs of a model as trials; `code` is for what is compiled.
-TrialSource trial_source(Loader& loader, const LoadedModel& model, Engine engine, CodeSource& code,
+TrialSource trial_source(Loader& loader, const LoadedModel& model, ExecutionMode engine, CodeSource& code,
                          const Monitor& monitor);
 
 }  // namespace stepwire

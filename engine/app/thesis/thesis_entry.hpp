@@ -17,7 +17,7 @@ std::vector<GallerySource> sources_of(const LoadedModel& model, const std::strin
 GallerySource source_of(const std::string& file, const std::string& root);
 
 /// The pictures that a run left in its folder under `out`, with their sizes and words, and a script that has
-/// their texts. Throws SurroundingsError.
+/// their texts. Throws EnvironmentError.
 void add_pictures(const LoadedModel& model, const std::vector<std::string>& files, const std::string& out,
                   GalleryEntry& entry);
 

@@ -39,7 +39,7 @@ std::vector<fs::path> figure_files(const ThesisCall& call) {
   for (const auto& entry : fs::directory_iterator(call.diagrams, error))
     if (entry.path().extension() == ".yaml" && wanted(entry.path().stem().string(), call.only))
       files.push_back(entry.path());
-  if (error) throw SurroundingsError(fmt::format("{}: {}", call.diagrams, error.message()));
+  if (error) throw EnvironmentError(fmt::format("{}: {}", call.diagrams, error.message()));
   std::sort(files.begin(), files.end());
   if (files.empty())
     throw Error(Fault{{call.diagrams, {}},

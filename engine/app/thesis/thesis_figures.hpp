@@ -27,7 +27,7 @@ struct ThesisFigure {
 
 /// Makes the figures, several at a time; `made` gets each once it is done, from any thread but one at a time.
 /// Then writes the pages, unless interrupted with chapters as PDF, and returns the entries in the order of
-/// the thesis; the first page is `out`/index.html. Throws SurroundingsError; Error where no file begins as
+/// the thesis; the first page is `out`/index.html. Throws EnvironmentError; Error where no file begins as
 /// `only` says.
 std::vector<GalleryEntry> make_thesis(const ThesisCall& call, const Registry& registry,
                                       const Monitor& monitor,

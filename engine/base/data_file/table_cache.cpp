@@ -60,12 +60,12 @@ std::shared_ptr<const RecordTable> TableCache::find(const std::string& path, con
 
 void TableCache::keep(Entry entry) {
   const std::size_t count = numbers_in(*entry.table);
-  if (count > most_numbers_) return;
+  if (count > max_numbers_) return;
   const std::lock_guard lock(mutex_);
   const auto same =
       std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.path == entry.path; });
   if (same != entries_.end()) drop(same);  // another thread was faster
-  while (numbers_ + count > most_numbers_) drop(std::prev(entries_.end()));
+  while (numbers_ + count > max_numbers_) drop(std::prev(entries_.end()));
   numbers_ += count;
   entries_.push_front(std::move(entry));
 }

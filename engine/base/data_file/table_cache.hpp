@@ -13,10 +13,10 @@ namespace stepwire {
 
 /// Tables as they were read from files, so that a record which many runs play is parsed once. Safe from
 /// several threads. Those that were asked for longest ago go where all together would hold more than
-/// `most_numbers`.
+/// `max_numbers`.
 class TableCache {
  public:
-  explicit TableCache(std::size_t most_numbers) : most_numbers_(most_numbers) {}
+  explicit TableCache(std::size_t max_numbers) : max_numbers_(max_numbers) {}
 
   /// The table in a .csv or .mat file, as read_data_file() reads it and with its errors. What was read
   /// before is given as long as the file has the same size and time of change; a file that changed within the
@@ -44,7 +44,7 @@ class TableCache {
   void keep(Entry entry);
   void drop(std::list<Entry>::iterator entry);
 
-  std::size_t most_numbers_, numbers_ = 0;
+  std::size_t max_numbers_, numbers_ = 0;
   std::mutex mutex_;
   std::list<Entry> entries_;  ///< the one that was asked for last is first
 };

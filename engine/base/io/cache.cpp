@@ -196,7 +196,7 @@ void Cache::drop_old() const {
   }
   std::sort(files.begin(), files.end());
   for (const auto& [time, path] : files) {
-    if (bytes <= most_bytes_) return;
+    if (bytes <= max_bytes_) return;
     bytes -= std::min(bytes, fs::file_size(path, none));
     fs::remove(path, none);
   }

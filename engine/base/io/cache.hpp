@@ -16,8 +16,8 @@ std::string cache_folder();
 /// least recently used ones go when there are too many.
 class Cache {
  public:
-  explicit Cache(std::string folder = cache_folder(), std::uintmax_t most_bytes = 256u << 20u)
-      : folder_(std::move(folder)), most_bytes_(most_bytes) {}
+  explicit Cache(std::string folder = cache_folder(), std::uintmax_t max_bytes = 256u << 20u)
+      : folder_(std::move(folder)), max_bytes_(max_bytes) {}
 
   /// What was kept under a name; nothing where there is none, or none that can be trusted.
   std::optional<std::string> find(const std::string& name) const;
@@ -29,7 +29,7 @@ class Cache {
   void drop_old() const;
 
   std::string folder_;
-  std::uintmax_t most_bytes_;
+  std::uintmax_t max_bytes_;
 };
 
 /// The first reason for which a cache of this process kept or gave nothing; empty once told.

@@ -75,7 +75,7 @@ std::string temporary_beside(const std::string& path) {
 }
 
 void refuse_file(const std::string& path, int reason) {
-  throw SurroundingsError(fmt::format("{}: {}", path, std::generic_category().message(reason)));
+  throw EnvironmentError(fmt::format("{}: {}", path, std::generic_category().message(reason)));
 }
 
 std::string read_file(const std::string& path) {
@@ -83,7 +83,7 @@ std::string read_file(const std::string& path) {
   const fs::file_status status = fs::status(path, none);
   if (fs::is_directory(status)) refuse_file(path, EISDIR);
   // A pipe would keep us waiting, and a device need not end.
-  if (fs::is_other(status)) throw SurroundingsError(fmt::format("{}: this is no regular file", path));
+  if (fs::is_other(status)) throw EnvironmentError(fmt::format("{}: this is no regular file", path));
   const File file(std::fopen(path.c_str(), "rb"));
   if (!file) refuse_file(path, errno);
   std::string content;

@@ -92,7 +92,7 @@ void OwnedFolder::lock(const std::string& shown) {
   if (list_ < 0) refuse_file(shown + "/" + list_name, errno);
   if (::flock(list_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;  // not all file systems lock
   ::close(list_);
-  throw SurroundingsError(
+  throw EnvironmentError(
       fmt::format("{}: another run is writing into this folder; give --out another one, or wait", shown));
 }
 
@@ -128,10 +128,10 @@ void OwnedFolder::clear(const Files& listed, const Spared& spared) {
 /// What the run before left is gone by now, so what is there and is not of this run belongs to somebody else.
 void OwnedFolder::refuse_foreign(const std::string& name, const std::string& shown) const {
   if (!leads_inside(path_, name))
-    throw SurroundingsError(fmt::format("{}: a link leads out of the folder of the results", shown));
+    throw EnvironmentError(fmt::format("{}: a link leads out of the folder of the results", shown));
   std::error_code none;
   if (names_.contains(name) || !fs::exists(fs::symlink_status(fs::path(path_) / name, none))) return;
-  throw SurroundingsError(fmt::format(
+  throw EnvironmentError(fmt::format(
       "{}: there is one already that no run wrote; give --out another folder, or move it away", shown));
 }
 

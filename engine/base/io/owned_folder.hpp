@@ -16,7 +16,7 @@ class OwnedFolder {
   /// Files that stay although a run wrote them: their paths as this run knows them.
   using Spared = std::function<Files()>;
 
-  /// Makes the folder, and those above it. Throws SurroundingsError where another run has it, or the system
+  /// Makes the folder, and those above it. Throws EnvironmentError where another run has it, or the system
   /// refuses.
   explicit OwnedFolder(const std::string& path, const Spared& spared = {});
   ~OwnedFolder();
@@ -37,7 +37,7 @@ class OwnedFolder {
 };
 
 /// Notes a file that is about to be written, where it lies in a folder that a run owns. Throws
-/// SurroundingsError where a file that no run wrote is in its place there, or a link leads out of the folder.
+/// EnvironmentError where a file that no run wrote is in its place there, or a link leads out of the folder.
 void note_written(const std::string& path);
 
 }  // namespace stepwire

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/base/io/surroundings.hpp"
+#include "engine/base/io/environment_error.hpp"
 
 namespace stepwire {
 
@@ -57,7 +57,7 @@ std::string resource(const std::string& name) {
   if (std::string found = find_resource(name); !found.empty()) return found;
   std::string places;
   for (const fs::path& place : candidates()) places += (places.empty() ? "" : ", ") + (place / name).string();
-  throw SurroundingsError(
+  throw EnvironmentError(
       fmt::format("the folder '{}' that comes with stepwire is not there: {}; STEPWIRE_HOME names the folder "
                   "{} of an installation",
                   name, places, share));

@@ -11,7 +11,7 @@ namespace stepwire {
 /// it), else that of the installed package which a program was built with, else the one beside the running
 /// program: in its own folder, or in one of the two above.
 
-/// The path of one of these folders, without links. Throws SurroundingsError with the places where it is not.
+/// The path of one of these folders, without links. Throws EnvironmentError with the places where it is not.
 std::string resource(const std::string& name);
 /// The same; empty where there is none.
 std::string find_resource(const std::string& name);

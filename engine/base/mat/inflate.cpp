@@ -24,7 +24,7 @@ class Inflation {
     std::size_t filled = 0;
     while (filled < size && !ended_) {
       feed();
-      const std::size_t room = std::min(size - filled, most_at_once);
+      const std::size_t room = std::min(size - filled, max_at_once);
       stream_.next_out = reinterpret_cast<Bytef*>(space + filled);
       stream_.avail_out = static_cast<uInt>(room);
       const int state = ::inflate(&stream_, Z_NO_FLUSH);
@@ -41,11 +41,11 @@ class Inflation {
   bool ended() const { return ended_; }
 
  private:
-  static constexpr std::size_t most_at_once = 1 << 30;
+  static constexpr std::size_t max_at_once = 1 << 30;
 
   void feed() {
     if (stream_.avail_in > 0) return;
-    const std::size_t count = std::min(packed_.size(), most_at_once);
+    const std::size_t count = std::min(packed_.size(), max_at_once);
     stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed_.data()));  // zlib only reads it
     stream_.avail_in = static_cast<uInt>(count);
     packed_.remove_prefix(count);

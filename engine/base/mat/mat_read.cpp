@@ -12,7 +12,7 @@
 namespace stepwire {
 namespace {
 
-constexpr std::size_t most_columns = 20'000;
+constexpr std::size_t max_columns = 20'000;
 
 /// Version and byte order as the header of levels 5 and 7.3 has them; 0 for none.
 struct Header {
@@ -42,9 +42,9 @@ void append_columns(Table& table, MatVariable& variable) {
   const std::vector<double>& all = variable.values;
   if (longest == all.size()) return table.columns.push_back({variable.name, "", std::move(variable.values)});
   const std::size_t rows = variable.size.front();
-  if (all.size() / rows + table.columns.size() > most_columns)
+  if (all.size() / rows + table.columns.size() > max_columns)
     throw TableError(fmt::format("'{}' has {} columns; at most {} are read", variable.name, all.size() / rows,
-                                 most_columns));
+                                 max_columns));
   for (std::size_t first = 0; first < all.size(); first += rows) {
     const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
     table.columns.push_back({fmt::format("{}({})", variable.name, first / rows + 1),

@@ -12,7 +12,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "engine/base/io/surroundings.hpp"
+#include "engine/base/io/environment_error.hpp"
 #include "engine/base/subprocess/child.hpp"
 #include "engine/base/subprocess/scratch_folder.hpp"
 
@@ -24,7 +24,7 @@ using Clock = std::chrono::steady_clock;
 using End = ProcessResult::End;
 
 constexpr int milliseconds_between_looks = 20;
-constexpr std::size_t most_errors = 1u << 16u;
+constexpr std::size_t max_errors = 1u << 16u;
 
 /// Writes some of a text that a program reads; closes its side at the end, or when the program has gone.
 void send_some(Descriptor& to, std::string_view& rest) {
@@ -61,7 +61,7 @@ class Conversation {
     while (true) {
       if (call_.stop.stop_requested() || processes_stop()) return End::stopped;
       if (Clock::now() > end_) return End::overdue;
-      if (result_.output.size() > call_.most_output) return End::too_much;
+      if (result_.output.size() > call_.max_output) return End::too_much;
       if (child_.ended()) return finish();
       exchange();
     }
@@ -79,17 +79,17 @@ class Conversation {
     if (::poll(waits.data(), waits.size(), silent ? 1 : milliseconds_between_looks) <= 0) return;
     if (child_.input.open() && waits[0].revents != 0) send_some(child_.input, rest_);
     if (child_.output.open() && waits[1].revents != 0)
-      receive(child_.output, result_.output, call_.most_output + 1);
-    if (child_.errors.open() && waits[2].revents != 0) receive(child_.errors, result_.errors, most_errors);
+      receive(child_.output, result_.output, call_.max_output + 1);
+    if (child_.errors.open() && waits[2].revents != 0) receive(child_.errors, result_.errors, max_errors);
   }
 
   /// The program has ended; what it began may still hold its streams, and is not waited for.
   End finish() {
-    while (child_.output.open() && receive(child_.output, result_.output, call_.most_output + 1)) {
+    while (child_.output.open() && receive(child_.output, result_.output, call_.max_output + 1)) {
     }
-    while (child_.errors.open() && receive(child_.errors, result_.errors, most_errors)) {
+    while (child_.errors.open() && receive(child_.errors, result_.errors, max_errors)) {
     }
-    return result_.output.size() > call_.most_output ? End::too_much : End::exited;
+    return result_.output.size() > call_.max_output ? End::too_much : End::exited;
   }
 
   Child& child_;
@@ -182,7 +182,7 @@ ProcessResult run_process(const ProcessCall& call) {
 ProcessResult run_helper(const std::string& name, const ProcessCall& call) {
   ProcessResult result = run_process(call);
   if (result.end == End::stopped) throw ProcessStopped(name + " was stopped");
-  if (!result.succeeded()) throw SurroundingsError(result.problem(name));
+  if (!result.succeeded()) throw EnvironmentError(result.problem(name));
   return result;
 }
 

@@ -11,11 +11,11 @@ namespace stepwire {
 
 /// A program to be run, and what bounds it.
 struct ProcessCall {
-  std::vector<std::string> command;     ///< the program, looked for on the PATH, and its arguments
-  std::string input{};                  ///< what it reads from its standard input
-  std::stop_token stop{};               ///< ends it
-  std::chrono::milliseconds limit{0};   ///< after which it is ended; 0: usual_limit()
-  std::size_t most_output = 1u << 30u;  ///< [bytes] beyond which it is ended
+  std::vector<std::string> command;    ///< the program, looked for on the PATH, and its arguments
+  std::string input{};                 ///< what it reads from its standard input
+  std::stop_token stop{};              ///< ends it
+  std::chrono::milliseconds limit{0};  ///< after which it is ended; 0: usual_limit()
+  std::size_t max_output = 1u << 30u;  ///< [bytes] beyond which it is ended
 };
 
 /// What became of a program.
@@ -52,7 +52,7 @@ std::atomic<bool>& processes_stop();
 /// it ends, by itself or not, the processes that it began end as well, and its files go.
 ProcessResult run_process(const ProcessCall& call);
 
-/// The same, which has to succeed: throws ProcessStopped where it is stopped, and SurroundingsError with the
+/// The same, which has to succeed: throws ProcessStopped where it is stopped, and EnvironmentError with the
 /// problem otherwise. `name` is what users call it.
 ProcessResult run_helper(const std::string& name, const ProcessCall& call);
 

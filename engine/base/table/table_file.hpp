@@ -21,7 +21,7 @@ using ColumnWords = std::map<std::string, std::vector<std::string>>;
 
 /// A CSV file with a header line: comma, semicolon or tab; the unit of a column from "name [unit]" or none.
 /// Quoted fields, CRLF, a byte-order mark and an empty last line are accepted. Throws TableError with file
-/// and row for rows of another length, what is no number, double names, no rows; SurroundingsError where the
+/// and row for rows of another length, what is no number, double names, no rows; EnvironmentError where the
 /// file cannot be read.
 Table read_csv(const std::string& path);
 

@@ -16,7 +16,7 @@ namespace stepwire {
 namespace {
 
 constexpr std::size_t longest_word = 64;
-constexpr std::size_t most_words = 10'000;  // a bound on the cache, whatever texts come
+constexpr std::size_t max_words = 10'000;  // a bound on the cache, whatever texts come
 
 /// Words that udunits2 knows but that would turn a slip of the pen into a number nobody meant: the elementary
 /// charge, atomic mass, are, barn, roentgen, and pi, which is a constant and no unit.
@@ -99,7 +99,7 @@ class Words {
     const std::lock_guard lock(mutex_);
     if (const auto known = known_.find(word); known != known_.end()) return known->second;
     if (!system_) system_ = read_system();
-    if (known_.size() >= most_words) known_.clear();
+    if (known_.size() >= max_words) known_.clear();
     return known_[word] = read(word);
   }
 

@@ -11,8 +11,8 @@ namespace {
 
 using Exponents = std::array<double, 7>;
 
-/// Names in use for mechanics and its electrics; the first that fits is taken. No J: in diagrams of forces
-/// and torques the same dimension is nearly always a torque.
+/// SymbolTable in use for mechanics and its electrics; the first that fits is taken. No J: in diagrams of
+/// forces and torques the same dimension is nearly always a torque.
 constexpr std::pair<std::string_view, Exponents> usual[] = {
     {"N", {1, 1, -2}},           {"N m", {2, 1, -2}},
     {"N/m", {0, 1, -2}},         {"N s/m", {0, 1, -1}},

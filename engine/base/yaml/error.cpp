@@ -11,7 +11,7 @@
 namespace stepwire {
 namespace {
 
-constexpr std::size_t most_faults = 100;
+constexpr std::size_t max_faults = 100;
 constexpr std::size_t longest_line = 4000;  // [bytes]
 
 std::string text_of(const Place& place) {
@@ -85,10 +85,10 @@ Error::Error(std::vector<Fault> faults) : faults_(in_order(std::move(faults))) {
 
 void Faults::add(Fault fault) {
   faults_.push_back(std::move(fault));
-  if (faults_.size() < most_faults) return;
+  if (faults_.size() < max_faults) return;
   faults_.push_back({.place = {},
                      .subject = "",
-                     .message = fmt::format("there may be more than these {} faults", most_faults),
+                     .message = fmt::format("there may be more than these {} faults", max_faults),
                      .used_by = {}});
   throw Error(faults_);
 }

@@ -6,7 +6,7 @@ namespace stepwire {
 namespace {
 
 // A list in brackets of about this many numbers can be read; its tokens then take less than 100 MB.
-constexpr std::size_t most_signs = 250'000;
+constexpr std::size_t max_signs = 250'000;
 
 bool makes_token(char c) {
   return c == ',' || c == '[' || c == '{' || c == ']' || c == '}' || c == ':' || c == '?' || c == '-' ||
@@ -23,7 +23,7 @@ TextSource::TextSource(std::string_view text) {
 std::streamsize TextSource::xsgetn(char* to, std::streamsize count) {
   const std::streamsize taken = std::streambuf::xsgetn(to, count);
   signs_ += static_cast<std::size_t>(std::count_if(to, to + taken, makes_token));
-  if (signs_ > most_signs) throw TooFarAhead{};
+  if (signs_ > max_signs) throw TooFarAhead{};
   return taken;
 }
 

@@ -10,16 +10,16 @@
 #include <string>
 #include <utility>
 
-#include "engine/base/yaml/growing_tree.hpp"
-#include "engine/base/yaml/spots.hpp"
+#include "engine/base/yaml/text_position.hpp"
 #include "engine/base/yaml/text_source.hpp"
+#include "engine/base/yaml/tree_builder.hpp"
 #include "engine/base/yaml/yaml_message.hpp"
 
 namespace stepwire {
 namespace {
 
 // A mark of the library in our words; where it has none, the file starts.
-Spot spot_of(const YAML::Mark& mark) {
+TextPosition spot_of(const YAML::Mark& mark) {
   if (mark.is_null()) return {};
   return {static_cast<std::size_t>(mark.pos), mark.line, mark.column};
 }
@@ -28,7 +28,8 @@ Spot spot_of(const YAML::Mark& mark) {
 // since it goes no level deeper without opening a list or a map.
 class Events : public YAML::EventHandler {
  public:
-  Events(GrowingTree& tree, TextSource& source, Spots& spots) : tree_(tree), source_(source), spots_(spots) {}
+  Events(TreeBuilder& tree, TextSource& source, LineIndex& spots)
+      : tree_(tree), source_(source), spots_(spots) {}
 
   /// Where the last value was found.
   Mark last() { return place(last_); }
@@ -94,9 +95,9 @@ class Events : public YAML::EventHandler {
     if (written) tree_.fault(place(mark), "tags (!) are not used here; quote text that starts with !");
   }
 
-  GrowingTree& tree_;
+  TreeBuilder& tree_;
   TextSource& source_;
-  Spots& spots_;
+  LineIndex& spots_;
   YAML::Mark last_;
   std::string_view last_text_;
   int documents_ = 0;
@@ -104,7 +105,7 @@ class Events : public YAML::EventHandler {
 
 // A parser's word is about where a bracket or quote should end, a person looks for its start; and a tab looks
 // like blanks.
-[[noreturn]] void explain(GrowingTree& tree, Spots& spots, Mark last, const YAML::Exception& wrong) {
+[[noreturn]] void explain(TreeBuilder& tree, LineIndex& spots, Mark last, const YAML::Exception& wrong) {
   const auto text = [](Mark mark) { return std::to_string(mark.line) + ":" + std::to_string(mark.column); };
   const Mark place = spots.mark(spot_of(wrong.mark));
   if (const auto tab = spots.tab_in_indentation(spot_of(wrong.mark)))
@@ -121,9 +122,9 @@ class Events : public YAML::EventHandler {
 }  // namespace
 
 Node read_yaml(std::string_view text, const std::string& file, const DocumentLimits& limits) {
-  GrowingTree tree(file, limits);
+  TreeBuilder tree(file, limits);
   TextSource source(text);
-  Spots spots(text);
+  LineIndex spots(text);
   Events events(tree, source, spots);
   try {
     std::istream stream(&source);

@@ -24,7 +24,7 @@ class ParameterRefused : public std::runtime_error {
 
 /// What a block says of itself in configure(): two blocks that say the same fit into the same plan.
 struct Configuration {
-  std::map<std::string, Eigen::Index> sizes, least_sizes;
+  std::map<std::string, Eigen::Index> sizes, min_sizes;
   std::map<std::string, std::string> units;
   std::map<std::pair<std::string, std::string>, bool> feedthrough;
   std::vector<std::pair<std::string, std::string>> required;  ///< inputs, and why
@@ -61,7 +61,7 @@ class Configure {
   void size(const std::string& symbol, Eigen::Index elements) { answers_.sizes[symbol] = elements; }
   /// Refuses a size, which comes from a wire, below this: there is no element `elements` to work on.
   void size_at_least(const std::string& symbol, Eigen::Index elements) {
-    answers_.least_sizes[symbol] = elements;
+    answers_.min_sizes[symbol] = elements;
   }
   /// Says what a unit variable of the declaration is in this instance, e.g. ("'u", "mm") from a file's
   /// header.

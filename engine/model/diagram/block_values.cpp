@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "engine/base/io/surroundings.hpp"
+#include "engine/base/io/environment_error.hpp"
 #include "engine/model/diagram/parameters.hpp"
 #include "engine/model/diagram/report.hpp"
 
@@ -217,7 +217,7 @@ std::string ValueReader::resolve_file(const std::string& text, const Node& node,
     if (fs::is_directory(folder, none)) return (fs::path(folder) / path.lexically_relative("data")).string();
     const std::string why = folder.empty() ? "set STEPWIRE_DATA to that folder"
                                            : fmt::format("STEPWIRE_DATA is '{}', which is no folder", folder);
-    throw SurroundingsError(
+    throw EnvironmentError(
         report_.fault(at(node.mark), subject, fmt::format("'{}' is in the data folder; {}", text, why))
             .text());
   }

@@ -10,7 +10,7 @@ namespace stepwire {
 
 namespace {
 
-constexpr double most_steps = 9e15;  // whole numbers beyond are not exact in a double
+constexpr double max_steps = 9e15;  // whole numbers beyond are not exact in a double
 
 void read_version(const Scope& scope, Report& report) {
   const Node& root = scope.document->root;
@@ -52,9 +52,9 @@ void check_head_keys(const Scope& scope, Report& report) {
 void read_head(const Scope& scope, Settings& settings, Report& report) {
   const Diagram& diagram = report.diagram();
   for (const auto& row : head_rows()) read_row(row, scope, settings, report);
-  if (diagram.step > 0.0 && diagram.stop / diagram.step > most_steps)
+  if (diagram.step > 0.0 && diagram.stop / diagram.step > max_steps)
     report.add(diagram.stop_origin, "stop",
-               fmt::format("{} s are more than {} steps of {} s", diagram.stop, most_steps, diagram.step));
+               fmt::format("{} s are more than {} steps of {} s", diagram.stop, max_steps, diagram.step));
 }
 
 void read_head_of_file(const Scope& scope, Report& report) {

@@ -13,7 +13,7 @@ namespace stepwire {
 
 namespace {
 
-constexpr std::size_t most_runs = 100'000;  // of a sweep; each is planned before the first one starts
+constexpr std::size_t max_runs = 100'000;  // of a sweep; each is planned before the first one starts
 
 std::string setting_text(const Node& node) {
   return node.quoted ? fmt::format("\"{}\"", node.text) : node.text;
@@ -69,9 +69,9 @@ std::vector<std::string> read_range(const Node& map, const std::string& name, co
     return {};
   }
   const double count = numbers[2];
-  if (count < 2 || count != std::floor(count) || count > most_runs) {
+  if (count < 2 || count != std::floor(count) || count > max_runs) {
     report.add(scope.at(map.find("count")->mark), subject,
-               fmt::format("'count' must be a whole number from 2 to {}", most_runs));
+               fmt::format("'count' must be a whole number from 2 to {}", max_runs));
     return {};
   }
   const auto& dimension = dimensions[0] ? dimensions[0] : dimensions[1];
@@ -127,10 +127,10 @@ void read_sweep(const Scope& scope, Report& report) {
     HeadReading("sweep.together", scope, report).take(*together, form::truth(), sweep.together);
   for (const Entry& entry : node->entries) {
     if (entry.key != "together") read_axis(entry, sweep, scope, report);
-    if (run_count(sweep) > most_runs)
+    if (run_count(sweep) > max_runs)
       return report.add(
           scope.at(node->mark), "sweep",
-          fmt::format("makes {} runs or more; at most {} are made", run_count(sweep), most_runs));
+          fmt::format("makes {} runs or more; at most {} are made", run_count(sweep), max_runs));
   }
   for (const Sweep::Axis& axis : sweep.axes)
     if (sweep.together && axis.values.size() != sweep.axes.front().values.size())

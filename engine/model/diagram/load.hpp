@@ -21,7 +21,7 @@ struct Setting {
   Mark mark{};                                          ///< where in that file
 };
 
-/// Turns diagram files into checked diagrams. Files are read once, however often they are used.
+/// Worklist diagram files into checked diagrams. Files are read once, however often they are used.
 class Loader {
  public:
   /// The registry must outlive the diagrams, too, whose blocks know their types by it.
@@ -29,7 +29,7 @@ class Loader {
       : registry_(registry), limits_(limits) {}
   explicit Loader(Registry&&, DocumentLimits = {}) = delete;
 
-  /// Reads and checks a file. Throws Error with everything that is wrong; SurroundingsError where a block
+  /// Reads and checks a file. Throws Error with everything that is wrong; EnvironmentError where a block
   /// needs the data folder (STEPWIRE_DATA) and it is not there.
   Diagram load(const std::string& path, const std::vector<Setting>& settings = {});
   /// The same for one run of the file's sweep: without what only the file as a whole needs (sweep, figures,

@@ -15,7 +15,7 @@ namespace stepwire {
 namespace {
 
 constexpr std::size_t deepest_nesting = 32;
-constexpr std::size_t most_parts = 100'000;  // parts that use parts twice grow without end
+constexpr std::size_t max_parts = 100'000;  // parts that use parts twice grow without end
 
 std::string part_path(const std::string& user, const std::string& path) {
   return (std::filesystem::path(user).parent_path() / path).lexically_normal().string();
@@ -111,8 +111,8 @@ bool Opener::refuse_nesting(Scope& scope, const Entry& entry, const Node& path, 
   } else if (open_files_.size() >= deepest_nesting) {
     fail(scope, entry, path.mark, fmt::format("parts are nested more than {} deep here", deepest_nesting));
     report_.faults().throw_if_any();  // parts that use parts twice would say so without end
-  } else if (report_.diagram().scopes.size() > most_parts) {
-    fail(scope, entry, path.mark, fmt::format("the diagram has more than {} parts here", most_parts));
+  } else if (report_.diagram().scopes.size() > max_parts) {
+    fail(scope, entry, path.mark, fmt::format("the diagram has more than {} parts here", max_parts));
     report_.faults().throw_if_any();  // each of the rest would say the same
   } else if (std::error_code none; std::filesystem::is_other(std::filesystem::status(file, none))) {
     fail(scope, entry, path.mark,

@@ -11,7 +11,7 @@ namespace stepwire {
 namespace {
 
 // More ports than this cannot lie one behind the other: parts are nested at most 32 deep.
-constexpr int most_hops = 256;
+constexpr int max_hops = 256;
 
 std::vector<std::string> output_names(const BlockType& type) {
   std::vector<std::string> names;
@@ -91,7 +91,7 @@ std::optional<Source> Resolver::element(const Node& node, const Scope& scope, Qu
 }
 
 std::optional<Source> Resolver::reference(const std::string& text, const Scope& scope, Query query) const {
-  if (++query.hops > most_hops)
+  if (++query.hops > max_hops)
     return refuse(query,
                   fmt::format("'{}' is wired to itself through ports only, with no block in between", text));
   if (scope.inputs.contains(text)) return port(scope, text, std::move(query));

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/base/io/surroundings.hpp"
+#include "engine/base/io/environment_error.hpp"
 #include "engine/model/plan/draft.hpp"
 
 namespace stepwire {
@@ -45,8 +45,8 @@ Configuration configure(const Plan& plan, std::size_t index, void* block, Faults
     known.type().configure(block, is);
   } catch (const ParameterRefused& refused) {
     faults.add(fault_of(plan, index, refused));
-  } catch (const SurroundingsError& error) {
-    throw SurroundingsError(plan.diagram.fault(known.origin, known.name, error.what()).text());
+  } catch (const EnvironmentError& error) {
+    throw EnvironmentError(plan.diagram.fault(known.origin, known.name, error.what()).text());
   }
   return is.answers();
 }

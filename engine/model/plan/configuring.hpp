@@ -6,7 +6,7 @@ namespace stepwire {
 
 /// Lets a block of a plan check its parameters and answer what its declaration leaves open; `block` is the
 /// one of this index, or another with the same connections. A parameter that it refuses is a fault. Throws
-/// SurroundingsError where a file of the data folder is missing.
+/// EnvironmentError where a file of the data folder is missing.
 Configuration configure(const Plan& plan, std::size_t index, void* block, Faults& faults);
 
 /// Repeats the one number of a parameter for every element.

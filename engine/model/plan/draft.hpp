@@ -53,6 +53,6 @@ void plan_layout(Draft& draft, const std::vector<int>& order);
 /// Refuses conditions over signals of several elements, and safe values that do not fit their outputs.
 void check_what_is_kept(Draft& draft);
 /// The tables of calls.
-void plan_batches(Draft& draft, const std::vector<int>& order);
+void make_schedule(Draft& draft, const std::vector<int>& order);
 
 }  // namespace stepwire

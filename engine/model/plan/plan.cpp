@@ -46,7 +46,7 @@ Plan make_plan(Diagram diagram) {
   plan_layout(draft, order);
   check_what_is_kept(draft);
   draft.report.faults().throw_if_any();
-  plan_batches(draft, order);
+  make_schedule(draft, order);
   return plan;
 }
 

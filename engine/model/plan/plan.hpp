@@ -20,7 +20,7 @@ struct Rate {
 };
 
 /// Blocks of one type that lie one behind the other and run at the same ticks: one call of a kernel.
-struct Batch {
+struct KernelCall {
   Kernel run;
   std::size_t first, end;  ///< offsets of the first block and behind the last in the memory of blocks [bytes]
   std::size_t count;
@@ -79,12 +79,13 @@ struct Plan {
   Layout layout;
   std::vector<double> constants;
 
-  std::vector<Batch> once;     ///< outputs that never change, computed at the start
-  std::vector<Batch> timed;    ///< outputs that follow from the time alone, whenever that has changed
-  std::vector<Batch> outputs;  ///< at every tick
-  std::vector<Batch> stage;    ///< outputs on which derivatives depend, at the solver's stages between ticks
-  std::vector<Batch> derivatives;
-  std::vector<Batch> updates;
+  std::vector<KernelCall> once;     ///< outputs that never change, computed at the start
+  std::vector<KernelCall> timed;    ///< outputs that follow from the time alone, whenever that has changed
+  std::vector<KernelCall> outputs;  ///< at every tick
+  std::vector<KernelCall>
+      stage;  ///< outputs on which derivatives depend, at the solver's stages between ticks
+  std::vector<KernelCall> derivatives;
+  std::vector<KernelCall> updates;
   bool updates_continuous = false;  ///< may an update change a continuous state?
 
   SignalSlot slot(const SignalRef& signal) const;

@@ -3,14 +3,14 @@
 #include <cmath>
 #include <numeric>
 
-#include "engine/base/io/surroundings.hpp"
+#include "engine/base/io/environment_error.hpp"
 #include "engine/model/plan/draft.hpp"
 
 namespace stepwire {
 
 namespace {
 
-constexpr double most_ticks = 9e15;  // whole numbers beyond are not exact in a double
+constexpr double max_ticks = 9e15;  // whole numbers beyond are not exact in a double
 
 void require_whole(Draft& draft, double time, const Origin& origin, const std::string& subject,
                    std::int64_t& ticks) {
@@ -124,7 +124,7 @@ void require_solver(Draft& draft) {
 std::optional<std::int64_t> whole_ticks(double time, double step) {
   const double ratio = time / step;
   const double ticks = std::round(ratio);
-  if (!(ratio < most_ticks) || ticks < 1.0 || std::abs(ratio - ticks) > 1e-9 * ratio) return std::nullopt;
+  if (!(ratio < max_ticks) || ticks < 1.0 || std::abs(ratio - ticks) > 1e-9 * ratio) return std::nullopt;
   return static_cast<std::int64_t>(ticks);
 }
 

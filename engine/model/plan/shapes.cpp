@@ -4,7 +4,7 @@
 #include <set>
 
 #include "engine/model/plan/configuring.hpp"
-#include "engine/model/plan/settle_lists.hpp"
+#include "engine/model/plan/infer_list_widths.hpp"
 
 namespace stepwire {
 
@@ -13,7 +13,7 @@ namespace {
 /// a b, but no more than what is refused anyway.
 Eigen::Index bounded_product(Eigen::Index a, Eigen::Index b) {
   const double product = static_cast<double>(a) * static_cast<double>(b);
-  return product > static_cast<double>(most_numbers) ? most_numbers + 1 : a * b;
+  return product > static_cast<double>(max_numbers) ? max_numbers + 1 : a * b;
 }
 
 /// Finds the size of every port and state: from declarations and parameters, along wires, then from lists.
@@ -24,7 +24,7 @@ class Shapes {
   void run() {
     for (std::size_t i = 0; i < draft_.blocks.size(); ++i) declare(i);
     for (std::size_t i = 0; i < draft_.blocks.size(); ++i) connect(i);
-    refused_ = settle_lists(draft_, sizes_);
+    refused_ = infer_list_widths(draft_, sizes_);
     for (std::size_t i = 0; i < draft_.blocks.size(); ++i) {
       check_elements(i);
       refuse_small(i);
@@ -127,7 +127,7 @@ class Shapes {
 
   void refuse_small(std::size_t index) {
     const DiagramBlock& block = draft_.diagram().blocks[index];
-    for (const auto& [name, least] : draft_.blocks[index].says.least_sizes) {
+    for (const auto& [name, least] : draft_.blocks[index].says.min_sizes) {
       const Eigen::Index size = sizes_.value(sizes_.symbol(index, name)).value_or(1);
       if (size < least)
         draft_.report.add(block.origin, block.name,
@@ -159,16 +159,16 @@ class Shapes {
 
   /// Refuses the block with which it becomes too much.
   bool fits(const DiagramBlock& block, const Draft::Block& made) {
-    if (total_ > most_numbers) return false;
+    if (total_ > max_numbers) return false;
     Eigen::Index own = 0;
     for (const auto* sizes : {&made.output_sizes, &made.state_sizes, &made.input_sizes})
-      for (Eigen::Index size : *sizes) own += std::clamp<Eigen::Index>(size, 0, most_numbers + 1);
+      for (Eigen::Index size : *sizes) own += std::clamp<Eigen::Index>(size, 0, max_numbers + 1);
     total_ += own;
-    if (total_ <= most_numbers) return true;
+    if (total_ <= max_numbers) return true;
     draft_.report.add(
         block.origin, block.name,
         fmt::format("needs {}{} numbers for its ports and states; all blocks together may have {}",
-                    own > most_numbers ? "more than " : "", std::min(own, most_numbers), most_numbers));
+                    own > max_numbers ? "more than " : "", std::min(own, max_numbers), max_numbers));
     return false;
   }
 

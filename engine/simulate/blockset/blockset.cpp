@@ -106,7 +106,7 @@ void* load(const std::string& folder, const std::string& bytes) {
 /// The compiled blocks of a folder, from the cache or made.
 void* library_of(const std::string& folder) {
   const Compiler compiler;
-  if (!compiler.found()) throw SurroundingsError(folder + ": " + compiler.problem());
+  if (!compiler.found()) throw EnvironmentError(folder + ": " + compiler.problem());
   const std::vector<std::string> sources = sources_in(folder);
   const IncludedHeaders headers = with_included(sources);
   const std::vector<std::string> flags = flags_of(folder, headers);
@@ -124,7 +124,7 @@ void* library_of(const std::string& folder) {
 void load_blockset(const std::string& path, Registry& registry) {
   std::error_code problem;
   const std::string folder = fs::canonical(path, problem).string();
-  if (problem || !fs::is_directory(folder)) throw SurroundingsError(path + ": is no folder with blocks");
+  if (problem || !fs::is_directory(folder)) throw EnvironmentError(path + ": is no folder with blocks");
   if (folder.find_first_of("\"\\\n\r") != folder.npos)
     refuse(folder, "has a character that no #include can name");
   void* library = library_of(folder);

@@ -10,7 +10,7 @@ namespace stepwire {
 /// `void register_blocks(stepwire::Registry&)`, are compiled into one shared library, which is kept in the
 /// cache for as long as they, our headers and the compiler are the same, and which stays loaded. The program
 /// has to export its symbols. Throws Error with what the compiler says, or where a block has the name of one
-/// that is there; SurroundingsError where there is no folder, no compiler or none of our headers.
+/// that is there; EnvironmentError where there is no folder, no compiler or none of our headers.
 void load_blockset(const std::string& folder, Registry& registry);
 
 /// Such folders, as $STEPWIRE_BLOCKS lists them, with ':' between.

@@ -8,8 +8,8 @@
 #include <regex>
 #include <set>
 
+#include "engine/base/io/environment_error.hpp"
 #include "engine/base/io/resources.hpp"
-#include "engine/base/io/surroundings.hpp"
 #include "engine/model/diagram/external_input.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
@@ -84,7 +84,7 @@ bool is_of_others(const std::string& header) {
 std::string header_text(const std::string& header) {
   const std::string path = path_of(header);
   std::ifstream file(path);
-  if (!file) throw SurroundingsError(path + ": is not there; code is made with the headers of the blocks");
+  if (!file) throw EnvironmentError(path + ": is not there; code is made with the headers of the blocks");
   return {std::istreambuf_iterator<char>(file), {}};
 }
 

@@ -20,7 +20,7 @@ struct IncludedHeaders {
 
 IncludedHeaders with_included(const std::vector<std::string>& headers);
 
-/// The text of a header. Throws SurroundingsError where it is not there.
+/// The text of a header. Throws EnvironmentError where it is not there.
 std::string header_text(const std::string& header);
 
 /// That of what expressions call.

@@ -15,7 +15,7 @@ namespace stepwire {
 
 namespace {
 
-constexpr std::size_t most_inlined = 150;  // calls in a stage; beyond, registers are too few anyway
+constexpr std::size_t max_inlined = 150;  // calls in a stage; beyond, registers are too few anyway
 
 const std::string state_arguments = "w, numbers, tick";
 const std::string state_parameters =
@@ -33,7 +33,7 @@ class Maker {
         places_(places),
         names_(plan),
         statements_(plan, names_, variable, literals_),
-        small_(calls(plan.stage) + calls(plan.derivatives) <= most_inlined &&
+        small_(calls(plan.stage) + calls(plan.derivatives) <= max_inlined &&
                !find_implicit(plan.diagram.solver)),
         functions_(small_) {}
 
@@ -76,9 +76,9 @@ class Maker {
   GeneratedProgram program() const;
 
  private:
-  static std::size_t calls(const std::vector<Batch>& batches) {
+  static std::size_t calls(const std::vector<KernelCall>& batches) {
     std::size_t count = 0;
-    for (const Batch& batch : batches) count += batch.count;
+    for (const KernelCall& batch : batches) count += batch.count;
     return count;
   }
 
@@ -129,7 +129,7 @@ class Maker {
   /// A small program is written out: then all its numbers can be in registers.
   Places at_tick() const {
     Places places;
-    if (small_) places.fewest_in_loop = most_inlined + 1;
+    if (small_) places.min_in_loop = max_inlined + 1;
     return places;
   }
 
@@ -141,7 +141,7 @@ class Maker {
     places.is_fresh.assign(plan_.layout.dots + plan_.layout.state_count, false);
     places.is_fresh[Layout::time] = true;
     for (std::size_t i = plan_.layout.states; i < plan_.layout.dots; ++i) places.is_fresh[i] = true;
-    for (const Batch& batch : plan_.stage)
+    for (const KernelCall& batch : plan_.stage)
       for (const PlannedBlock& block : plan_.blocks)
         if (block.memory >= batch.first && in(batch, block))
           for (const SignalSlot& slot : block.outputs)
@@ -149,7 +149,7 @@ class Maker {
     return places;
   }
 
-  bool in(const Batch& batch, const PlannedBlock& block) const {
+  bool in(const KernelCall& batch, const PlannedBlock& block) const {
     const auto index = static_cast<std::size_t>(&block - plan_.blocks.data());
     const Kernels& kernels = plan_.diagram.blocks[index].type().run_outputs;
     return block.memory < batch.end && kernels.contains(batch.run);

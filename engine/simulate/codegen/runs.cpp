@@ -131,7 +131,7 @@ std::size_t even_row(const SetUps& set_ups, std::size_t from) {
   return end - from;
 }
 
-/// Turns the blocks of one batch into code: even rows into loops, what is between them into loops with a
+/// Worklist the blocks of one batch into code: even rows into loops, what is between them into loops with a
 /// table or into calls.
 class BatchCode {
  public:
@@ -145,12 +145,12 @@ class BatchCode {
         period_(period) {}
 
   void append_to(std::vector<Code>& code) {
-    if (blocks_.size() < places_.fewest_in_loop) return add(0, blocks_.size(), code);
+    if (blocks_.size() < places_.min_in_loop) return add(0, blocks_.size(), code);
     for (std::size_t block : blocks_) set_ups_.push_back(statements_.set_up(block, places_, true));
     std::size_t left = 0;
     for (std::size_t at = 0; at < blocks_.size();) {
       const std::size_t row = even_row(set_ups_, at);
-      if (row >= places_.fewest_in_loop) {
+      if (row >= places_.min_in_loop) {
         add(left, at, code);
         add(at, at + row, code);
         left = at + row;
@@ -166,7 +166,7 @@ class BatchCode {
       return std::vector(all.begin() + static_cast<std::ptrdiff_t>(first),
                          all.begin() + static_cast<std::ptrdiff_t>(last));
     };
-    if (last - first >= places_.fewest_in_loop) {
+    if (last - first >= places_.min_in_loop) {
       Loop loop(plan_, part(blocks_), part(set_ups_));
       if (loop.possible()) return code.push_back({loop.text(phase_), period_});
     }
@@ -185,12 +185,12 @@ class BatchCode {
 
 }  // namespace
 
-std::vector<Code> calls_of(const Plan& plan, const Statements& statements, const std::vector<Batch>& batches,
-                           Phase phase, const Places& places) {
+std::vector<Code> calls_of(const Plan& plan, const Statements& statements,
+                           const std::vector<KernelCall>& batches, Phase phase, const Places& places) {
   std::map<std::size_t, std::size_t> at_memory;
   for (std::size_t b = 0; b < plan.blocks.size(); ++b) at_memory[plan.blocks[b].memory] = b;
   std::vector<Code> code;
-  for (const Batch& batch : batches) {
+  for (const KernelCall& batch : batches) {
     std::vector<std::size_t> blocks;
     const std::size_t bytes = plan.diagram.blocks[at_memory.at(batch.first)].type().bytes;
     for (std::size_t i = 0; i < batch.count; ++i) blocks.push_back(at_memory.at(batch.first + i * bytes));

@@ -15,8 +15,8 @@ struct Code {
 
 /// The calls of a table of a plan, in its order. Blocks of one type that lie one behind the other are called
 /// in a loop where they are many and differ in nothing but numbers and places.
-std::vector<Code> calls_of(const Plan& plan, const Statements& statements, const std::vector<Batch>& batches,
-                           Phase phase, const Places& places);
+std::vector<Code> calls_of(const Plan& plan, const Statements& statements,
+                           const std::vector<KernelCall>& batches, Phase phase, const Places& places);
 
 /// The same for start(), of all blocks that have it, in the order in which they lie in memory.
 std::vector<Code> starts_of(const Plan& plan, const Statements& statements, const Places& places);

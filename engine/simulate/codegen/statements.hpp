@@ -16,7 +16,7 @@ struct Places {
   std::string fresh = "w";
   std::vector<bool> is_fresh;  ///< by offset; empty: nothing is
   std::string dot = "w + dots";
-  std::size_t fewest_in_loop = 6;  ///< fewer calls stand one by one
+  std::size_t min_in_loop = 6;  ///< fewer calls stand one by one
 };
 
 /// A function of a block that a plan calls.

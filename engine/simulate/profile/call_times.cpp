@@ -17,7 +17,7 @@ std::map<std::size_t, std::size_t> blocks_by_memory(const Plan& plan) {
   return blocks;
 }
 
-Batch only(const Batch& batch, std::size_t index, std::size_t bytes) {
+KernelCall only(const KernelCall& batch, std::size_t index, std::size_t bytes) {
   const std::size_t first = batch.first + index * bytes;
   return {batch.run, first, first + bytes, 1, batch.period};
 }
@@ -28,9 +28,9 @@ double ratio(double part, double whole) {
 
 }  // namespace
 
-CallTimes::CallTimes(const Plan& plan, const std::vector<Batch>& batches) : plan_(plan) {
+CallTimes::CallTimes(const Plan& plan, const std::vector<KernelCall>& batches) : plan_(plan) {
   const auto blocks = blocks_by_memory(plan);
-  for (const Batch& batch : batches) {
+  for (const KernelCall& batch : batches) {
     Call call{batch, {blocks.at(batch.first)}};
     const std::size_t bytes = plan.diagram.blocks[call.blocks.front()].type().bytes;
     for (std::size_t i = 1; i < batch.count; ++i) call.blocks.push_back(blocks.at(batch.first + i * bytes));
@@ -50,7 +50,7 @@ void CallTimes::sample(Executor& simulation, const Stopwatch& stopwatch) {
     if (call.blocks.size() == 1) continue;
     const std::size_t bytes = plan_.diagram.blocks[call.blocks.front()].type().bytes;
     for (std::size_t i = 0; i < call.blocks.size(); ++i) {
-      const Batch one = only(call.batch, i, bytes);
+      const KernelCall one = only(call.batch, i, bytes);
       call.alone[i] += stopwatch.repeated(aim_of_call, [&] { simulation.call(one); });
     }
   }

@@ -10,7 +10,7 @@ namespace stepwire {
 /// Times the calls of one table of a plan, sample by sample.
 class CallTimes {
  public:
-  CallTimes(const Plan& plan, const std::vector<Batch>& batches);
+  CallTimes(const Plan& plan, const std::vector<KernelCall>& batches);
 
   /// Times each call at the present moment of a simulation. Updates change it; the others do not.
   void sample(Executor& simulation, const Stopwatch& stopwatch);
@@ -22,7 +22,7 @@ class CallTimes {
 
  private:
   struct Call {
-    Batch batch;
+    KernelCall batch;
     std::vector<std::size_t> blocks;  ///< indices in the plan
     double seconds = 0.0;             ///< of all samples together, repeated alone
     std::vector<double> alone{};      ///< of each block, likewise

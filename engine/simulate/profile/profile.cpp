@@ -5,13 +5,13 @@
 
 #include "engine/simulate/profile/call_times.hpp"
 #include "engine/simulate/record/recorder.hpp"
-#include "engine/simulate/run/stopper.hpp"
+#include "engine/simulate/run/stop_condition.hpp"
 
 namespace stepwire {
 
 namespace {
 
-constexpr std::int64_t most_segments = 64;
+constexpr std::int64_t max_segments = 64;
 constexpr int tries = 3;
 constexpr double aim = 2e-6;  // [s], 100 times what the clock costs
 
@@ -68,7 +68,7 @@ class Profiler {
   }
 
   Profile run() {
-    const std::int64_t length = std::max<std::int64_t>(1, (plan_.steps + most_segments) / most_segments);
+    const std::int64_t length = std::max<std::int64_t>(1, (plan_.steps + max_segments) / max_segments);
     while (!ended_ && !(options_.interrupt && *options_.interrupt)) {
       const Workspace start = simulation_.workspace();
       sample(start);
@@ -190,7 +190,7 @@ class Profiler {
   Stopwatch stopwatch_;
   Executor simulation_;
   RunRecording rows_;
-  Stopper stopper_;
+  StopConditionEvaluator stopper_;
   std::unique_ptr<Solver> solver_;
   NoEquations equations_;
   std::array<CallTimes, phase_count> tables_;

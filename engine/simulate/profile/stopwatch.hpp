@@ -40,7 +40,7 @@ class Stopwatch {
   double repeated(double aim, const Action& action) const {
     const auto nothing = [] {};
     const double single = shortest(1, nothing, action);
-    const int count = static_cast<int>(std::clamp(aim / std::max(single, 1e-9), 1.0, most_repeats));
+    const int count = static_cast<int>(std::clamp(aim / std::max(single, 1e-9), 1.0, max_repeats));
     const double together = shortest(2, nothing, [&] {
       for (int i = 0; i < count; ++i) action();
     });
@@ -48,7 +48,7 @@ class Stopwatch {
   }
 
  private:
-  static constexpr double most_repeats = 100.0;
+  static constexpr double max_repeats = 100.0;
 
   ClockReader read_;
   double cost_ = 0.0;  ///< [s]

@@ -7,14 +7,14 @@
 #include <cstdio>
 #include <sstream>
 
-#include "engine/base/io/surroundings.hpp"
+#include "engine/base/io/environment_error.hpp"
 #include "engine/base/subprocess/process.hpp"
 
 namespace stepwire {
 
 namespace {
 
-constexpr int most_us = 20'000;  // that its histogram tells apart
+constexpr int max_us = 20'000;  // that its histogram tells apart
 
 /// Beyond the time that it measures.
 constexpr std::chrono::seconds patience{30};
@@ -53,12 +53,12 @@ Cyclictest::Cyclictest(double rate, const ThreadPolicy& policy, std::optional<in
              fmt::format("-p{}", policy.fifo.value_or(0)),
              fmt::format("--policy={}", policy.fifo ? "fifo" : "other"),
              fmt::format("-i{}", std::llround(1e6 / rate)),
-             fmt::format("-h{}", most_us)},
+             fmt::format("-h{}", max_us)},
       period_(1.0 / rate) {
   if (cpu) words_.push_back(fmt::format("-a{}", *cpu));
   command_ = fmt::format("{}", fmt::join(words_, " "));
   if (find_program(words_.front()).empty())
-    throw SurroundingsError("cyclictest is not installed; on Debian it is in the package rt-tests");
+    throw EnvironmentError("cyclictest is not installed; on Debian it is in the package rt-tests");
 }
 
 void Cyclictest::run(std::int64_t wake_ups) {
@@ -72,7 +72,7 @@ void Cyclictest::run(std::int64_t wake_ups) {
   std::istringstream lines(result.output);
   for (std::string line; std::getline(lines, line);) histogram_.add_line(line);
   if (!result.succeeded() || histogram_.count() == before)
-    throw SurroundingsError(
+    throw EnvironmentError(
         fmt::format("cyclictest fails ({}); to see why: {} -l1", result.problem("it"), command_));
 }
 

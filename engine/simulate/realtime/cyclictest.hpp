@@ -31,10 +31,10 @@ class CyclictestHistogram {
 /// Runs cyclictest at the rate and policy of a loop, so that both can be set side by side.
 class Cyclictest {
  public:
-  /// Throws SurroundingsError where the program is not installed.
+  /// Throws EnvironmentError where the program is not installed.
   Cyclictest(double rate, const ThreadPolicy& policy, std::optional<int> cpu);
 
-  /// So many wake-ups, added to what was measured before. Throws SurroundingsError where it fails.
+  /// So many wake-ups, added to what was measured before. Throws EnvironmentError where it fails.
   void run(std::int64_t wake_ups);
   const CyclictestHistogram& histogram() const { return histogram_; }
   /// The command, but for the number of wake-ups.

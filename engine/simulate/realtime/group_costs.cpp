@@ -30,7 +30,7 @@ GroupCosts::GroupCosts(const Plan& plan, LoopClock& clock)
                       [&](const DiagramBlock& block) { return block.type().name == group.type; }));
 }
 
-void GroupCosts::cut(const Plan& plan, const std::vector<Batch>& phase) {
+void GroupCosts::cut(const Plan& plan, const std::vector<KernelCall>& phase) {
   for (std::size_t i = 0; i < phase.size(); ++i) {
     const std::string& type = type_at(plan, phase[i].first).name;
     const bool goes_on = i > 0 && groups_[stretches_.back().group].type == type;

@@ -22,7 +22,7 @@ struct GroupCost {
 /// taken by looks at the clock. Which one is chosen by a fixed pseudo-random sequence, since turns in order
 /// would meet blocks of slower rates always or never. An empty stretch is among them: what looking costs by
 /// itself is taken off the others.
-class GroupCosts : private BatchWatcher {
+class GroupCosts : private ScheduleProbe {
  public:
   GroupCosts(const Plan& plan, LoopClock& clock);
 
@@ -35,13 +35,13 @@ class GroupCosts : private BatchWatcher {
 
  private:
   struct Stretch {
-    const std::vector<Batch>* phase;
+    const std::vector<KernelCall>* phase;
     std::size_t first, end;
     std::size_t group;
     std::int64_t samples = 0, looks = 0, spent = 0;  ///< ticks; times that it ran in them; [ns]
   };
   double cost_of_look() const;
-  void cut(const Plan& plan, const std::vector<Batch>& phase);
+  void cut(const Plan& plan, const std::vector<KernelCall>& phase);
   void enter() override;
   void leave() override;
 

@@ -6,7 +6,7 @@ namespace stepwire {
 
 namespace {
 
-constexpr std::int64_t least_lead = 10'000'000;  // [ns]
+constexpr std::int64_t min_lead = 10'000'000;  // [ns]
 constexpr int warm_up_ticks = 100;
 
 Eigen::Index size_of_input(const Plan& plan, const DiagramInput& input) {
@@ -69,7 +69,7 @@ void Loop::prepare_outputs() {
 void Loop::serve(std::int64_t count) {
   const std::int64_t end = std::min(options_.deadlines, deadlines_.index() + count);
   const auto period = static_cast<std::int64_t>(1e9 / options_.rate);
-  deadlines_.start_at(clock_.now() + std::max(period, least_lead));
+  deadlines_.start_at(clock_.now() + std::max(period, min_lead));
   if (!began_) {
     began_ = deadlines_.at(0);
     watched_.begin();

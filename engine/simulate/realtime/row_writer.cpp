@@ -4,15 +4,15 @@
 #include <charconv>
 #include <chrono>
 
-#include "engine/base/io/growing_file.hpp"
+#include "engine/base/io/atomic_file_writer.hpp"
 #include "engine/base/table/table_file.hpp"
 
 namespace stepwire {
 
 namespace {
 
-constexpr std::size_t most_at_once = 1 << 14;  // numbers from the ring
-constexpr std::size_t full_piece = 1 << 16;    // bytes
+constexpr std::size_t max_at_once = 1 << 14;  // numbers from the ring
+constexpr std::size_t full_piece = 1 << 16;   // bytes
 // Seldom and much: every time that it works it may hold what the loop thread needs to wake.
 constexpr std::chrono::milliseconds nap{250};
 
@@ -30,7 +30,7 @@ class RowWriter::Sink {
     append_csv_head(text_, columns);
     for (std::size_t i = 0; i < columns.size(); ++i)
       if (columns[i].name == "tick") tick_ = i;
-    if (!file.append(text_)) throw SurroundingsError(file.trouble());
+    if (!file.append(text_)) throw EnvironmentError(file.trouble());
     text_.clear();
   }
 
@@ -51,7 +51,7 @@ class RowWriter::Sink {
     text_.clear();
   }
 
-  GrowingFile file;
+  AtomicFileWriter file;
   std::int64_t written = 0, lost = 0;  ///< rows
 
  private:
@@ -67,7 +67,7 @@ RowWriter::RowWriter(RowRing& ring, const std::string& folder, const std::vector
     sinks_.push_back(std::make_unique<Sink>(folder + "/" + file.name, file.columns));
     widest = std::max(widest, file.columns.size() + 1);
   }
-  numbers_.resize(most_at_once + widest);
+  numbers_.resize(max_at_once + widest);
   thread_ = std::thread([this] { work(); });
 }
 

@@ -16,14 +16,14 @@ namespace stepwire {
 /// finish(); without it nothing of them is left.
 class RowWriter {
  public:
-  /// Throws SurroundingsError where a file cannot be made.
+  /// Throws EnvironmentError where a file cannot be made.
   RowWriter(RowRing& ring, const std::string& folder, const std::vector<LoopFile>& files);
   ~RowWriter();
   RowWriter(const RowWriter&) = delete;
   RowWriter& operator=(const RowWriter&) = delete;
 
   /// Writes what is left in the ring, into which nobody puts any more, and names the files. Throws
-  /// SurroundingsError where that fails.
+  /// EnvironmentError where that fails.
   void finish();
 
   /// After finish(): rows that are in the files, and rows that the disk did not take.

@@ -24,7 +24,7 @@ std::int64_t ticks_between_rows(const Plan& plan, const RecordRequest& request) 
   return request.every ? static_cast<std::int64_t>(std::llround(*request.every / plan.diagram.step)) : 1;
 }
 
-std::size_t most_rows(const Plan& plan, const RecordRequest& request) {
+std::size_t max_rows(const Plan& plan, const RecordRequest& request) {
   return static_cast<std::size_t>(plan.steps / ticks_between_rows(plan, request) + 1);
 }
 
@@ -46,7 +46,7 @@ RunRecording::RunRecording(const Plan& plan) {
     recording.table.columns = empty_columns(plan, request);
     std::vector<double*> columns;
     for (Column& column : recording.table.columns) {
-      column.values.resize(most_rows(plan, request));
+      column.values.resize(max_rows(plan, request));
       columns.push_back(column.values.data());
     }
     recordings_.push_back(std::move(recording));

@@ -22,14 +22,14 @@ std::vector<RecordedColumn> recorded_columns(const Plan& plan, const RecordReque
 /// Ticks between two rows of a recording.
 std::int64_t ticks_between_rows(const Plan& plan, const RecordRequest& request);
 /// Rows of a run that goes on to its stop time.
-std::size_t most_rows(const Plan& plan, const RecordRequest& request);
+std::size_t max_rows(const Plan& plan, const RecordRequest& request);
 /// Columns without rows, with names and units.
 std::vector<Column> empty_columns(const Plan& plan, const RecordRequest& request);
 
 /// Writes chosen signals of one run at one period, each number once: into the place where it stays.
 class Recorder {
  public:
-  /// Writes from the first row of these columns on, which have room for most_rows().
+  /// Writes from the first row of these columns on, which have room for max_rows().
   Recorder(const Plan& plan, const RecordRequest& request, std::vector<double*> columns);
 
   /// Keeps the signals of this tick, if it is one of the recorder's.

@@ -10,9 +10,9 @@ namespace stepwire {
 class DataCopies {
  public:
   /// What the file at this path is called in the folder: its own name, with a number where two have the same
-  /// and with '_' for what a diagram file could misread. Throws SurroundingsError where it cannot be read.
+  /// and with '_' for what a diagram file could misread. Throws EnvironmentError where it cannot be read.
   const std::string& name_of(const std::string& path);
-  /// Writes them all; what they replace has been read before. Throws SurroundingsError.
+  /// Writes them all; what they replace has been read before. Throws EnvironmentError.
   void write(const std::string& folder) const;
 
  private:

@@ -9,7 +9,7 @@ namespace stepwire {
 
 /// Writes into the folder of a run what verify() needs: the flattened diagram, for a sweep one for each
 /// structure and the table of what each run sets in it, and under inputs/ a copy of every data file that they
-/// read. Throws SurroundingsError.
+/// read. Throws EnvironmentError.
 void write_replay(const std::string& folder, const Job& job);
 /// The same for one plan, such as that of a real-time loop.
 void write_replay(const std::string& folder, const Plan& plan);

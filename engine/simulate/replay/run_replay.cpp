@@ -72,7 +72,7 @@ std::vector<std::size_t> replay_run(Executor& simulation, const std::vector<Reco
   UntilTick until(ticks_to_replay(plan, rows));
   RunOptions own = options;
   own.observers = {&until};
-  Changeover interpreted(Engine::interpreted, nullptr, {}, 0.0);
+  TieredExecution interpreted(ExecutionMode::interpreted, nullptr, {}, 0.0);
   RunRecording recording(plan);
   const RunEnd end = run_simulation(simulation, recording.recorders(), own, interpreted, 0, 0);
   const std::vector<Recording> recordings = recording.take();

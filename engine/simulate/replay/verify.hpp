@@ -21,7 +21,7 @@ struct Verification {
 
 /// Replays what `run` or `loop` left in a folder, and compares all signals that were recorded bit by bit.
 /// Once `interrupt` is true it gives up. Throws Error or TableError where the folder is not such a one or
-/// damaged, SurroundingsError.
+/// damaged, EnvironmentError.
 Verification verify(const std::string& folder, const Registry& registry,
                     const std::atomic<bool>* interrupt = nullptr);
 

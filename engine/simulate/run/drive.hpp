@@ -8,7 +8,7 @@
 
 #include "engine/simulate/record/recorder.hpp"
 #include "engine/simulate/run/observed_ticks.hpp"
-#include "engine/simulate/run/stopper.hpp"
+#include "engine/simulate/run/stop_condition.hpp"
 
 namespace stepwire {
 
@@ -42,7 +42,7 @@ class Drive {
 
   Executor& simulation_;
   std::vector<Recorder>& recorders_;
-  Stopper stopper_;
+  StopConditionEvaluator stopper_;
   std::optional<ObservedTicks> watched_;  ///< once it has begun
 };
 

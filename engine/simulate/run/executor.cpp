@@ -168,7 +168,7 @@ void Executor::write_constants() {
 }
 
 void Executor::compute_once() {
-  for (const Batch& batch : plan_.once) call(batch);
+  for (const KernelCall& batch : plan_.once) call(batch);
 }
 
 void Executor::restore(const Workspace& workspace) {
@@ -185,8 +185,9 @@ void Executor::write_input(std::size_t input, const double* numbers) {
   std::copy_n(numbers, slot.size, workspace_.values.begin() + static_cast<std::ptrdiff_t>(slot.offset));
 }
 
-Executor::Table::Table(const std::vector<Batch>& batches, std::byte* blocks) : batches(batches) {
-  for (const Batch& batch : batches) calls.push_back({batch.run, blocks + batch.first, blocks + batch.end});
+Executor::Table::Table(const std::vector<KernelCall>& batches, std::byte* blocks) : batches(batches) {
+  for (const KernelCall& batch : batches)
+    calls.push_back({batch.run, blocks + batch.first, blocks + batch.end});
 }
 
 void Executor::run(const Table& table) {

@@ -11,8 +11,8 @@
 #include "engine/model/plan/change.hpp"
 #include "engine/model/plan/compiled_plan.hpp"
 #include "engine/model/signal/input.hpp"
-#include "engine/simulate/run/batch_watcher.hpp"
 #include "engine/simulate/run/run_fault.hpp"
+#include "engine/simulate/run/schedule_probe.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
 namespace stepwire {
@@ -47,10 +47,10 @@ class Executor {
     done,
     structure_changed  ///< the values need another plan: sizes, rates or what is wired would be others
   };
-  /// Sets values, one for each name of a variation of the plan's diagram, between two ticks: what follows from
-  /// them is evaluated, configured and prepared as by a run that begins with these values. Where the structure
-  /// changes, or where a value is refused (throws Error), everything stays as it was. Code that has one
-  /// of the values as the plan has it is left, and the run goes on interpreted. Allocates.
+  /// Sets values, one for each name of a variation of the plan's diagram, between two ticks: what follows
+  /// from them is evaluated, configured and prepared as by a run that begins with these values. Where the
+  /// structure changes, or where a value is refused (throws Error), everything stays as it was. Code that has
+  /// one of the values as the plan has it is left, and the run goes on interpreted. Allocates.
   [[nodiscard]] Setting set(const Variation& variation, std::span<const Assignment> values);
   /// The same for one parameter ("rig.mass"), value of a block ("spring.gain") or initial value, as `--set`
   /// reads it.
@@ -83,13 +83,13 @@ class Executor {
   /// Writes an input of the diagram, by its index in Diagram::inputs: as many numbers as it has elements.
   void write_input(std::size_t input, const double* numbers);
   /// Who is told of a stretch of batches, from now on; null: nobody.
-  void watch(BatchWatcher* watcher) { watcher_ = watcher; }
+  void watch(ScheduleProbe* watcher) { watcher_ = watcher; }
   /// Returns to a kept moment (as it was between advance() and evaluate()), with the values that are set now.
   void restore(const Workspace& workspace);
 
   /// Makes one call of the plan, which may be cut down to some of its blocks, at the present moment: for
   /// measuring what it costs.
-  void call(const Batch& batch) { batch.run(blocks_.get() + batch.first, blocks_.get() + batch.end); }
+  void call(const KernelCall& batch) { batch.run(blocks_.get() + batch.first, blocks_.get() + batch.end); }
   /// Are all signals and continuous states finite? evaluate() asks this at every tick.
   bool is_finite() const;
 
@@ -118,9 +118,9 @@ class Executor {
       Kernel run;
       std::byte *first, *end;
     };
-    Table(const std::vector<Batch>& batches, std::byte* blocks);
+    Table(const std::vector<KernelCall>& batches, std::byte* blocks);
 
-    const std::vector<Batch>& batches;
+    const std::vector<KernelCall>& batches;
     std::vector<Call> calls;
   };
 
@@ -154,7 +154,7 @@ class Executor {
   std::unique_ptr<Equations> equations_;
   std::vector<char> due_;  ///< for each of the plan's periods
   std::vector<std::size_t> ending_notices_;
-  BatchWatcher* watcher_ = nullptr;
+  ScheduleProbe* watcher_ = nullptr;
   bool healthy_ = true;
   const CompiledPlan* code_ = nullptr;        ///< none while interpreted
   std::optional<NumberTable> numbers_;        ///< that the code reads

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "engine/base/io/surroundings.hpp"
+#include "engine/base/io/environment_error.hpp"
 #include "engine/simulate/record/recorder.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
@@ -44,11 +44,11 @@ void require(const Diagram& diagram, const Origin& origin, const std::string& su
              const std::string& what, const std::string& cure) {
   const double available = free_memory();
   if (bytes <= available) return;
-  throw SurroundingsError(diagram
-                              .fault(origin, subject,
-                                     fmt::format("{} take about {}, and {} are free; {}", what,
-                                                 gigabytes(bytes), gigabytes(available), cure))
-                              .text());
+  throw EnvironmentError(diagram
+                             .fault(origin, subject,
+                                    fmt::format("{} take about {}, and {} are free; {}", what,
+                                                gigabytes(bytes), gigabytes(available), cure))
+                             .text());
 }
 
 struct Extent {

@@ -7,7 +7,7 @@ namespace stepwire {
 
 namespace {
 
-constexpr std::size_t most_tried = 64;  // plans, of a sweep in which each point has another structure
+constexpr std::size_t max_tried = 64;  // plans, of a sweep in which each point has another structure
 
 std::vector<std::string> names_of(const std::vector<Setting>& values) {
   std::vector<std::string> names;
@@ -89,7 +89,7 @@ PlanFamily::~PlanFamily() = default;
 std::size_t PlanFamily::find(const std::vector<Setting>& values) {
   try {
     const std::size_t last = members_.size();
-    for (std::size_t m = last; m-- > last - std::min(last, most_tried);)  // values come in order
+    for (std::size_t m = last; m-- > last - std::min(last, max_tried);)  // values come in order
       if (members_[m]->may_take(values) && members_[m]->takes(values)) return m;
     const bool known =
         std::ranges::any_of(members_, [&](const auto& member) { return member->names == names_of(values); });

@@ -149,7 +149,7 @@ PooledRecording::PooledRecording(const Job& job, const SweptColumns& swept, unsi
     for (std::size_t point = 0; point < job.points.size(); ++point) {
       const std::size_t index = all_.size();
       rows.first.push_back(all);
-      all += most_rows(job.plan_of(point), job.plan_of(point).diagram.records[index]);
+      all += max_rows(job.plan_of(point), job.plan_of(point).diagram.records[index]);
     }
     auto& columns = rows.recording.table.columns;
     columns = empty_columns(job.plan, request);

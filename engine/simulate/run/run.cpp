@@ -5,7 +5,7 @@
 namespace stepwire {
 
 RunResult run_plan(const Plan& plan, const RunOptions& options) {
-  Changeover changeover(options.engine, options.code, {{&plan, {}}}, static_cast<double>(plan.steps));
+  TieredExecution changeover(options.engine, options.code, {{&plan, {}}}, static_cast<double>(plan.steps));
   Executor simulation(plan);
   RunRecording recording(plan);
   RunResult result{run_simulation(simulation, recording.recorders(), options, changeover, 0, 0), {}};
@@ -14,7 +14,7 @@ RunResult run_plan(const Plan& plan, const RunOptions& options) {
 }
 
 RunEnd run_simulation(Executor& simulation, std::vector<Recorder>& recorders, const RunOptions& options,
-                      Changeover& changeover, std::size_t member, std::size_t index) {
+                      TieredExecution& changeover, std::size_t member, std::size_t index) {
   std::int64_t changed = -1;  // tick at which compiled code took over
   const auto take_over = [&] {
     const CompiledPlan* code = simulation.compiled() ? nullptr : changeover.code(member);

@@ -9,9 +9,9 @@
 
 #include "engine/model/diagram/load.hpp"
 #include "engine/simulate/record/recorder.hpp"
-#include "engine/simulate/run/changeover.hpp"
 #include "engine/simulate/run/observer.hpp"
 #include "engine/simulate/run/plan_family.hpp"
+#include "engine/simulate/run/tiered_execution.hpp"
 
 namespace stepwire {
 
@@ -21,7 +21,7 @@ struct RunOptions {
   std::function<void(double)>
       progress;          ///< called with the fraction done, 0 to 1, now and then, from any thread
   unsigned threads = 0;  ///< for sweeps; 0: all cores
-  Engine engine = Engine::interpreted;
+  ExecutionMode engine = ExecutionMode::interpreted;
   CodeSource* code = nullptr;           ///< for any other engine
   std::vector<RunObserver*> observers;  ///< of every run; must outlive the call
 };
@@ -47,7 +47,7 @@ RunResult run_plan(const Plan& plan, const RunOptions& options = {});
 /// Runs a simulation that stands at time 0, as the run `index` of several ones that share a changeover to
 /// compiled code, as its `member`.
 RunEnd run_simulation(Executor& simulation, std::vector<Recorder>& recorders, const RunOptions& options,
-                      Changeover& changeover, std::size_t member, std::size_t index);
+                      TieredExecution& changeover, std::size_t member, std::size_t index);
 
 /// One run of a sweep, or of a study.
 struct SweepPoint {

@@ -87,8 +87,8 @@ class SweepRun {
   }
 
  private:
-  static std::vector<Changeover::Member> members_of(const Job& job) {
-    std::vector<Changeover::Member> members;
+  static std::vector<TieredExecution::Member> members_of(const Job& job) {
+    std::vector<TieredExecution::Member> members;
     for (std::size_t m = 0; m < job.family->size(); ++m)
       members.push_back({&job.family->plan(m), job.family->variable(m)});
     return members;
@@ -127,7 +127,7 @@ class SweepRun {
   PooledRecording recording_;
   Ends ends_;
   IdleRuns idle_;
-  Changeover changeover_;
+  TieredExecution changeover_;
   std::atomic<std::size_t> done_ = 0;
 };
 

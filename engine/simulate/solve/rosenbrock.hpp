@@ -12,9 +12,9 @@ namespace stepwire {
 
 /// The linearly implicit method behind MATLAB's ode23s (Shampine and Reichelt 1997, SIAM J. Sci. Comput.
 /// 18(1)): order 2, L-stable, for stiff plants. The Jacobian is by forward differences: one evaluation for
-/// each state and step. With `most_states` nothing is ever allocated; the results are the same to the last
+/// each state and step. With `max_states` nothing is ever allocated; the results are the same to the last
 /// bit.
-template <int most_states = Eigen::Dynamic>
+template <int max_states = Eigen::Dynamic>
 class Rosenbrock {
  public:
   explicit Rosenbrock(Eigen::Index states) : factors_(states) {
@@ -49,8 +49,8 @@ class Rosenbrock {
   }
 
  private:
-  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_states, 1>;
-  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_states, most_states>;
+  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_states, 1>;
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_states, max_states>;
 
   static inline const double d = 1.0 / (2.0 + std::sqrt(2.0));
   static inline const double e32 = 6.0 + std::sqrt(2.0);

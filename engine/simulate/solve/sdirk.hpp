@@ -13,9 +13,9 @@ namespace stepwire {
 
 /// The singly diagonally implicit method of Alexander 1977 (SIAM J. Numer. Anal. 14(6)): three stages, order
 /// 3, L-stable, for stiff plants that are far from linear. Each stage is solved by Newton's method with one
-/// matrix as long as that converges, and a new one where it does not. With `most_states` nothing is ever
+/// matrix as long as that converges, and a new one where it does not. With `max_states` nothing is ever
 /// allocated; the results are the same to the last bit.
-template <int most_states = Eigen::Dynamic>
+template <int max_states = Eigen::Dynamic>
 class Sdirk {
  public:
   explicit Sdirk(Eigen::Index states) : factors_(states) {
@@ -48,13 +48,13 @@ class Sdirk {
   }
 
  private:
-  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_states, 1>;
-  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_states, most_states>;
+  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_states, 1>;
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_states, max_states>;
 
-  static constexpr int most_corrections = 40;  // of a stage
-  static constexpr double slow = 0.1;          // a correction that is no smaller part of the one before it
-  static constexpr double goal = 1e-12;        // of corrections, in sizes of their states
-  static constexpr double at_rest = 1e-6;      // the same, where they get no smaller
+  static constexpr int max_corrections = 40;  // of a stage
+  static constexpr double slow = 0.1;         // a correction that is no smaller part of the one before it
+  static constexpr double goal = 1e-12;       // of corrections, in sizes of their states
+  static constexpr double at_rest = 1e-6;     // the same, where they get no smaller
   static constexpr double smallest_size = 1e-6;
 
   static constexpr double gamma = 0.43586652150845899942;  // of 6 g^3 - 18 g^2 + 9 g - 1 = 0 the middle one
@@ -80,7 +80,7 @@ class Sdirk {
   template <class X, class Dot, class Evaluate>
   bool solve(X& x, const Dot& dot, double step, const Evaluate& evaluate) {
     double before = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < most_corrections; ++i) {
+    for (int i = 0; i < max_corrections; ++i) {
       evaluate();
       slope_ = dot;
       right_ = base_ + (step * gamma) * slope_ - x;

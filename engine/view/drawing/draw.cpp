@@ -6,9 +6,9 @@
 
 #include "engine/base/hash/hash.hpp"
 #include "engine/base/io/cache.hpp"
+#include "engine/base/io/environment_error.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/base/io/resources.hpp"
-#include "engine/base/io/surroundings.hpp"
 #include "engine/base/subprocess/process.hpp"
 #include "engine/model/diagram/report.hpp"
 #include "engine/model/diagram/units.hpp"
@@ -96,13 +96,13 @@ std::vector<std::string> DiagramView::parts() const {
 Json DiagramView::graph(const GraphOptions& options) const {
   const std::string& file = diagram_.scopes[static_cast<std::size_t>(scope_)].file;
   const Node* title = loader_.document(file).root.find("title");
-  Json graph = graph_of(diagram_, *sheet_of(diagram_, loader_, scope_), options);
+  Json graph = graph_of(diagram_, *reference_of(diagram_, loader_, scope_), options);
   return graph.set("title", title ? title->text : "");
 }
 
 std::vector<std::string> DiagramView::blocks(bool signals) const {
   std::vector<std::string> names;
-  const auto sheet = sheet_of(diagram_, loader_, scope_);
+  const auto sheet = reference_of(diagram_, loader_, scope_);
   add_names(*sheet, "", signals, names);
   if (signals) names.insert(names.end(), sheet->outputs.begin(), sheet->outputs.end());
   return names;
@@ -110,13 +110,13 @@ std::vector<std::string> DiagramView::blocks(bool signals) const {
 
 std::vector<std::string> DiagramView::children() const {
   std::vector<std::string> names;
-  const auto sheet = sheet_of(diagram_, loader_, scope_);
+  const auto sheet = reference_of(diagram_, loader_, scope_);
   for (const SheetChild& child : sheet->children) names.push_back(child.name);
   return names;
 }
 
 std::vector<std::string> DiagramView::signals(const GraphOptions& options) const {
-  return drawn_signals(diagram_, *sheet_of(diagram_, loader_, scope_), options);
+  return drawn_signals(diagram_, *reference_of(diagram_, loader_, scope_), options);
 }
 
 DrawnFile::DrawnFile(Loader& loader, const std::string& path)
@@ -124,14 +124,13 @@ DrawnFile::DrawnFile(Loader& loader, const std::string& path)
 
 std::string draw_picture(const Json& drawn) {
   const std::string node = find_program("node");
-  if (node.empty()) throw SurroundingsError("node is not installed; on Debian it is the package nodejs");
+  if (node.empty()) throw EnvironmentError("node is not installed; on Debian it is the package nodejs");
   const std::string text = drawn.text(-1);
   const std::string module = resource("drawing");
   const Cache cache;
   const std::string name = hash_of_picture(module, text) + ".svg";
   if (std::optional<std::string> picture = cache.find(name)) return *std::move(picture);
-  const ProcessResult answer =
-      run_helper("node", {.command = {node, module + "/main.mjs"}, .input = text});
+  const ProcessResult answer = run_helper("node", {.command = {node, module + "/main.mjs"}, .input = text});
   cache.keep(name, answer.output);
   return answer.output;
 }

@@ -15,10 +15,10 @@ class DiagramView {
       : diagram_(diagram), loader_(loader), scope_(scope) {}
 
   const Diagram& diagram() const { return diagram_; }
-  /// Names of all parts that can be opened: "rig", "rig.mount".
+  /// SymbolTable of all parts that can be opened: "rig", "rig.mount".
   std::vector<std::string> parts() const;
   Json graph(const GraphOptions& options) const;
-  /// Names of all blocks and parts of the file and of its parts; with their outputs where `signals`.
+  /// SymbolTable of all blocks and parts of the file and of its parts; with their outputs where `signals`.
   std::vector<std::string> blocks(bool signals) const;
   /// The blocks and parts of the file itself.
   std::vector<std::string> children() const;
@@ -45,7 +45,7 @@ class DrawnFile {
 };
 
 /// The picture of a graph, or of a mechanism as rig.mjs describes it, as SVG; the same JSON gives the same
-/// bytes. A picture is kept in cache_folder(), since laying one out takes seconds. Throws SurroundingsError
+/// bytes. A picture is kept in cache_folder(), since laying one out takes seconds. Throws EnvironmentError
 /// where node or elkjs is missing.
 std::string draw_picture(const Json& drawn);
 

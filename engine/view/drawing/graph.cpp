@@ -32,7 +32,7 @@ std::string signs_of(const DiagramBlock& block) {
   return value.text() ? *value.text() : "";
 }
 
-constexpr std::size_t most_drawn = 2000;  // a layout of more takes minutes
+constexpr std::size_t max_drawn = 2000;  // a layout of more takes minutes
 
 class GraphWriter {
  public:
@@ -56,10 +56,10 @@ class GraphWriter {
  private:
   void require_few(const Sheet& sheet) {
     drawn_ += sheet.children.size();
-    if (drawn_ > most_drawn)
+    if (drawn_ > max_drawn)
       throw Error(Fault{{diagram_.file, {}},
                         "",
-                        fmt::format("more than {} blocks would be drawn; open fewer parts", most_drawn),
+                        fmt::format("more than {} blocks would be drawn; open fewer parts", max_drawn),
                         {}});
   }
 

@@ -162,7 +162,7 @@ std::optional<SignalRef> Sheet::signal(const SheetSource& source) const {
   return std::nullopt;
 }
 
-std::unique_ptr<Sheet> sheet_of(const Diagram& diagram, Loader& loader, int scope) {
+std::unique_ptr<Sheet> reference_of(const Diagram& diagram, Loader& loader, int scope) {
   return OutlineReader(diagram, loader).read(scope);
 }
 

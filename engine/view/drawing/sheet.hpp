@@ -55,6 +55,6 @@ struct Sheet {
 };
 
 /// Reads the sheet of a file of a checked diagram (`scope`) from the documents that it was loaded from.
-std::unique_ptr<Sheet> sheet_of(const Diagram& diagram, Loader& loader, int scope = 0);
+std::unique_ptr<Sheet> reference_of(const Diagram& diagram, Loader& loader, int scope = 0);
 
 }  // namespace stepwire

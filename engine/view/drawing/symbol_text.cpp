@@ -11,7 +11,7 @@ namespace stepwire {
 
 namespace {
 
-constexpr std::size_t most_letters = 16, most_letters_of_polynomial = 28;
+constexpr std::size_t max_letters = 16, max_letters_of_polynomial = 28;
 
 const std::map<std::string, std::string, std::less<>> letters{{"alpha", "α"},
                                                               {"beta", "β"},
@@ -154,7 +154,7 @@ class Filler {
         is_polynomial ? polynomial(std::get<Eigen::VectorXd>(value.content), text.substr(colon + 1, 1))
                       : parameter(spec, value);
     const bool fits =
-        !filled.empty() && length(filled) <= (is_polynomial ? most_letters_of_polynomial : most_letters);
+        !filled.empty() && length(filled) <= (is_polynomial ? max_letters_of_polynomial : max_letters);
     return fits || bar == std::string_view::npos ? filled : std::string(text.substr(bar + 1));
   }
 

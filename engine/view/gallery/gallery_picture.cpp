@@ -14,7 +14,7 @@ namespace stepwire {
 namespace {
 
 constexpr double page_width = 1400.0, page_height = 820.0;  // of a screen [px]
-constexpr double most_scale = 1.5;                          // beyond it the letters of a picture shout
+constexpr double max_scale = 1.5;                           // beyond it the letters of a picture shout
 
 /// "force [N], current [A]", each once; the label of the axis where it has one.
 std::string labels_of(const Panel& panel, const std::string& key) {
@@ -77,7 +77,7 @@ double attribute_of(const std::string& svg, const std::string& name) {
 /// As large as a page and a screen let it be, but not smaller than it was drawn.
 double scale_of(const GalleryPicture& picture) {
   const double widest = page_width / std::max(1.0, picture.width);
-  const double fitting = std::min({widest, page_height / std::max(1.0, picture.height), most_scale});
+  const double fitting = std::min({widest, page_height / std::max(1.0, picture.height), max_scale});
   return std::max(fitting, std::min(1.0, widest));
 }
 

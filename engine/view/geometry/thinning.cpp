@@ -152,11 +152,11 @@ Curve simplify(const Curve& curve, const std::vector<double>& widths, double tol
 
 std::vector<Curve> thinned(const Curves& all, std::size_t group, std::size_t budget, bool colored) {
   if (all.logarithmic) return cut(all, group, budget);
-  constexpr std::size_t most_rows = 6000;
+  constexpr std::size_t max_rows = 6000;
   const std::vector<double> widths = widths_of(all);
   std::vector<Curve> curves;
   for (const Curve& curve : all.curves)
-    if (curve.group == group) curves.push_back(decimate(curve, most_rows));
+    if (curve.group == group) curves.push_back(decimate(curve, max_rows));
   for (double tolerance = unseen; tolerance < 0.1; tolerance *= 1.6) {
     for (Curve& curve : curves) curve = simplify(curve, widths, tolerance, colored);
     if (rows_of(curves) <= budget) break;

@@ -8,7 +8,7 @@ namespace {
 /// Checks that what lies along an axis goes together; faults are gathered.
 class AxisChecks {
  public:
-  AxisChecks(Panel& panel, const Node& node, const Names& names, Faults& faults)
+  AxisChecks(Panel& panel, const Node& node, const SymbolTable& names, Faults& faults)
       : panel_(panel), node_(node), names_(names), faults_(faults) {}
 
   void check() {
@@ -71,13 +71,13 @@ class AxisChecks {
 
   Panel& panel_;
   const Node& node_;
-  const Names& names_;
+  const SymbolTable& names_;
   Faults& faults_;
 };
 
 }  // namespace
 
-void check_axes(Panel& panel, const Node& node, const Names& names, Faults& faults) {
+void check_axes(Panel& panel, const Node& node, const SymbolTable& names, Faults& faults) {
   AxisChecks(panel, node, names, faults).check();
 }
 

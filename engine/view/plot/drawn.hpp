@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/analyse/query/names.hpp"
+#include "engine/analyse/query/symbol_table.hpp"
 #include "engine/view/plot/figure.hpp"
 #include "engine/view/scene/scene.hpp"
 

@@ -9,7 +9,7 @@
 namespace stepwire {
 namespace {
 
-void read_panels(const Node& node, Figure& figure, const Names& names, Faults& faults) {
+void read_panels(const Node& node, Figure& figure, const SymbolTable& names, Faults& faults) {
   const NamesReading read("figure", names, faults);
   read.check(node, picture_form());
   const Node& panels = *node.find("panels");
@@ -22,7 +22,7 @@ void read_panels(const Node& node, Figure& figure, const Names& names, Faults& f
   figure.columns = std::min<int>(2, static_cast<int>(panels.items.size()));
 }
 
-Figure read_figure(const Node& node, const Names& names, Faults& faults) {
+Figure read_figure(const Node& node, const SymbolTable& names, Faults& faults) {
   Figure figure;
   const bool several = node.is_map() && node.find("panels") != nullptr;
   if (several)
@@ -45,7 +45,7 @@ const AxisOptions& Panel::axis(std::string_view name) const {
   return name == "x" ? x : name == "y" ? y : name == "z" ? z : name == "color" ? color : none;
 }
 
-std::vector<Figure> read_figures(const Node& node, const Names& names, Faults& faults) {
+std::vector<Figure> read_figures(const Node& node, const SymbolTable& names, Faults& faults) {
   std::vector<Figure> figures;
   for (const Node& item : node.as_list()) figures.push_back(read_figure(item, names, faults));
   return figures;

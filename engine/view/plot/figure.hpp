@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "engine/analyse/query/formula.hpp"
-#include "engine/analyse/query/names.hpp"
 #include "engine/analyse/query/names_reading.hpp"
 #include "engine/analyse/query/series.hpp"
+#include "engine/analyse/query/symbol_table.hpp"
 #include "engine/base/yaml/document.hpp"
 #include "engine/model/block/outline.hpp"
 #include "engine/simulate/record/recording.hpp"
@@ -106,7 +106,7 @@ struct Figure {
 };
 
 /// Reads the value under the key `figure`: one entry or a list. Everything that is wrong goes to `faults`.
-std::vector<Figure> read_figures(const Node& node, const Names& names, Faults& faults);
+std::vector<Figure> read_figures(const Node& node, const SymbolTable& names, Faults& faults);
 
 /// The keys of each kind of plot, by its name: alone in its picture, or as one of several panels, which a
 /// plot that is a picture for itself cannot be.

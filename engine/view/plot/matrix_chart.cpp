@@ -11,7 +11,7 @@ namespace stepwire {
 namespace {
 
 constexpr double cell = 44.0, letter = 7.2, head = 44.0, bar = 90.0;  // [px]
-constexpr std::size_t most_with_numbers = 16;
+constexpr std::size_t max_with_numbers = 16;
 
 /// Whole cells as coloured rectangles: those that are known, or the others in grey.
 RectanglesMark cells(const MatrixChart& chart, bool known) {
@@ -88,7 +88,7 @@ FigureSpec figure_of(const MatrixChart& chart) {
   RectanglesMark unknown = cells(chart, false);
   if (!known.value.empty()) plot.add(known);
   if (!unknown.x_low.empty()) plot.add(std::move(unknown));
-  if (chart.names.size() <= most_with_numbers) plot.spec.texts = numbers(known);
+  if (chart.names.size() <= max_with_numbers) plot.spec.texts = numbers(known);
   return figure.finished();
 }
 

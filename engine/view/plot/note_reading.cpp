@@ -4,8 +4,8 @@ namespace stepwire {
 namespace {
 
 /// The names of the panel's plane: x and y are its coordinates, whatever is recorded under these names.
-Names plane_of(const Names& names) {
-  Names plane = names;
+SymbolTable plane_of(const SymbolTable& names) {
+  SymbolTable plane = names;
   std::erase_if(plane.columns, [](const RecordedName& one) { return one.name == "x" || one.name == "y"; });
   plane.columns.insert(plane.columns.begin(), {{"x", {}, {}}, {"y", {}, {}}});
   plane.signals.clear();
@@ -23,7 +23,7 @@ std::size_t recording_of(const Formula& formula, const Panel& panel, const Node&
 }  // namespace
 
 void read_boundaries(const Node& node, Panel& panel, const NamesReading& read) {
-  const Names names = plane_of(read.names);
+  const SymbolTable names = plane_of(read.names);
   const NamesReading plane(read.subject, names, read.faults);
   for (const Node& item : node.as_list()) {
     auto formula = plane.formula(item);

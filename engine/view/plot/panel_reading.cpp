@@ -23,7 +23,7 @@ const AnyRow* find_key(const std::vector<AnyRow>& keys, const std::string& name)
 /// Reads the keys of one panel; faults are gathered.
 class PanelReader {
  public:
-  PanelReader(const Node& node, const Names& names, bool alone, Faults& faults)
+  PanelReader(const Node& node, const SymbolTable& names, bool alone, Faults& faults)
       : node_(node), names_(names), alone_(alone), faults_(faults) {}
 
   std::optional<Panel> read() {
@@ -142,7 +142,7 @@ class PanelReader {
   }
 
   const Node& node_;
-  const Names& names_;
+  const SymbolTable& names_;
   bool alone_;
   Faults& faults_;
   Panel panel_;
@@ -150,7 +150,7 @@ class PanelReader {
 
 }  // namespace
 
-std::optional<Panel> read_panel(const Node& node, const Names& names, bool alone, Faults& faults) {
+std::optional<Panel> read_panel(const Node& node, const SymbolTable& names, bool alone, Faults& faults) {
   if (!node.is_map()) {
     faults.add(
         {{names.file, node.mark}, "figure", "a figure is a map: {plot: lines, x: time, y: rig.x}", {}});
@@ -160,7 +160,7 @@ std::optional<Panel> read_panel(const Node& node, const Names& names, bool alone
 }
 
 std::optional<double> read_axis_number(const Node& node, const Panel& panel, const std::string& axis,
-                                       const Names& names, const std::string& subject, Faults& faults) {
+                                       const SymbolTable& names, const std::string& subject, Faults& faults) {
   const auto read = read_number(node, names, subject, faults);
   if (!read) return std::nullopt;
   const Series* series = panel.find(axis);

@@ -15,11 +15,11 @@ const std::vector<PanelKey>& panel_keys();
 const std::vector<KeyRow<Figure, NamesReading>>& picture_keys();
 
 /// Reads one panel; keys of the whole picture are passed over where `alone`, else they are refused.
-std::optional<Panel> read_panel(const Node& node, const Names& names, bool alone, Faults& faults);
+std::optional<Panel> read_panel(const Node& node, const SymbolTable& names, bool alone, Faults& faults);
 
 /// Reads a number for an axis of the panel, x, y, z or color: in the unit in which that is drawn.
 std::optional<double> read_axis_number(const Node& node, const Panel& panel, const std::string& axis,
-                                       const Names& names, const std::string& subject, Faults& faults);
+                                       const SymbolTable& names, const std::string& subject, Faults& faults);
 
 /// Reads what follows a panel's `boundary`, formulas of its plane, or its `note`: beside the coordinates they
 /// name what was recorded, as it is in the first row that the panel's `where` selects. Each has the index of
@@ -32,7 +32,7 @@ void read_regions(const Node& node, Panel& panel, const NamesReading& read);
 
 /// Checks that all along an axis have one unit, that there is an x for each y, and texts of the legend for
 /// curves only; references get the unit of their axis.
-void check_axes(Panel& panel, const Node& node, const Names& names, Faults& faults);
+void check_axes(Panel& panel, const Node& node, const SymbolTable& names, Faults& faults);
 
 /// Reads the value of `marks`: {NAME: [X, Y], ...}, or a list of points, which are named 1, 2, 3. A mark
 /// beyond the ranges that the file gives is a fault; so the panel has its ranges by now.

@@ -31,7 +31,7 @@ std::vector<double> between_decades(const Extent& shown) {
 }
 
 /// Entries that stand above the axes; more stand beside them. A legend never covers a curve.
-constexpr std::size_t most_above = 4;
+constexpr std::size_t max_above = 4;
 
 PlotSpec::Legend legend_of(const std::vector<PlotMark>& marks) {
   const auto has_legend = [](const auto& mark) {
@@ -41,8 +41,8 @@ PlotSpec::Legend legend_of(const std::vector<PlotMark>& marks) {
   const auto entries =
       std::ranges::count_if(marks, [&](const PlotMark& mark) { return std::visit(has_legend, mark); });
   if (entries == 0) return PlotSpec::Legend::none;
-  return entries <= static_cast<std::ptrdiff_t>(most_above) ? PlotSpec::Legend::above
-                                                            : PlotSpec::Legend::beside;
+  return entries <= static_cast<std::ptrdiff_t>(max_above) ? PlotSpec::Legend::above
+                                                           : PlotSpec::Legend::beside;
 }
 
 MarkRows rows_of_columns(const Curve& curve, bool space) {

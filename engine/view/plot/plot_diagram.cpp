@@ -75,7 +75,7 @@ Mark place_of(const GraphFault& fault, const Node& figure) {
   return node.mark;
 }
 
-PanelContent read_diagram(const Node& node, const Names& names, Faults& faults) {
+PanelContent read_diagram(const Node& node, const SymbolTable& names, Faults& faults) {
   if (!names.diagram) return {};
   const std::size_t before = faults.size();
   const NamesReading read("figure", names, faults);

@@ -56,7 +56,7 @@ struct PlotKind {
   void (*draw)(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) = nullptr;
   /// For a plot that has no axes and a picture for itself, in place of `draw`: reads its options, whose rows
   /// only describe them.
-  PanelContent (*read)(const Node& node, const Names& names, Faults& faults) = nullptr;
+  PanelContent (*read)(const Node& node, const SymbolTable& names, Faults& faults) = nullptr;
 
   /// The channel of this name, or nullptr.
   const Channel* channel(std::string_view key) const;

@@ -9,7 +9,7 @@
 namespace stepwire {
 namespace {
 
-constexpr std::size_t most_points_of_path = 400;
+constexpr std::size_t max_points_of_path = 400;
 
 /// Values of a point's coordinates in all rows.
 class PointValues {
@@ -34,7 +34,7 @@ class PointValues {
 
 Json path_of(const RigPoint& point, const Recording& recording, const RunRows& rows, std::size_t dimensions) {
   const PointValues values(point, recording);
-  const std::size_t step = (rows.end - rows.begin) / most_points_of_path + 1;
+  const std::size_t step = (rows.end - rows.begin) / max_points_of_path + 1;
   Json points = Json::list();
   for (std::size_t row = rows.begin; row < rows.end; row += step) points.push(values.at(row, dimensions));
   if ((rows.end - 1 - rows.begin) % step != 0) points.push(values.at(rows.end - 1, dimensions));
@@ -79,7 +79,7 @@ DrawnGraph drawn_mechanism(const Rig& rig, const std::string& file, std::span<co
   return {DrawnGraph::Kind::rig, drawn.set("elements", std::move(elements))};
 }
 
-PanelContent read_mechanism(const Node& node, const Names& names, Faults& faults) {
+PanelContent read_mechanism(const Node& node, const SymbolTable& names, Faults& faults) {
   Rig rig = read_rig(node, names, faults);
   if (const Node* title = node.find("title")) rig.title = title->text;
   return [rig = std::move(rig), file = names.file](std::span<const Recording> recordings) {

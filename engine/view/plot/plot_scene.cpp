@@ -24,7 +24,7 @@ struct ChosenInstants {
 /// Reads the options; faults are gathered.
 class InstantsReader {
  public:
-  InstantsReader(const Node& node, const Names& names, Faults& faults)
+  InstantsReader(const Node& node, const SymbolTable& names, Faults& faults)
       : node_(node), names_(names), faults_(faults) {}
 
   ChosenInstants read() {
@@ -72,7 +72,7 @@ class InstantsReader {
   }
 
   const Node& node_;
-  const Names& names_;
+  const SymbolTable& names_;
   Faults& faults_;
 };
 
@@ -105,7 +105,7 @@ SceneInstants drawn_instants(const ChosenInstants& instants, std::span<const Rec
   return {instants.scene, std::move(shapes), std::move(words)};
 }
 
-PanelContent read_instants(const Node& node, const Names& names, Faults& faults) {
+PanelContent read_instants(const Node& node, const SymbolTable& names, Faults& faults) {
   return [instants = InstantsReader(node, names, faults).read()](std::span<const Recording> recordings) {
     return drawn_instants(instants, recordings);
   };

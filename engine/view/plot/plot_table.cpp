@@ -10,7 +10,7 @@ namespace stepwire {
 namespace {
 
 /// A table that a study makes.
-PanelContent read_named_table(const Node& node, const Names& names, Faults& faults) {
+PanelContent read_named_table(const Node& node, const SymbolTable& names, Faults& faults) {
   const auto fault = [&](const Mark& mark, const std::string& message) {
     faults.add({{names.file, mark}, "figure.of", message, {}});
     return PanelContent{};
@@ -37,7 +37,7 @@ PanelContent read_named_table(const Node& node, const Names& names, Faults& faul
   };
 }
 
-PanelContent read_table_plot(const Node& node, const Names& names, Faults& faults) {
+PanelContent read_table_plot(const Node& node, const SymbolTable& names, Faults& faults) {
   if (!node.find("rows") && !node.find("headings")) return read_named_table(node, names, faults);
   if (const Node* of = node.find("of"))
     faults.add({{names.file, of->mark}, "figure.of", "a table has 'of' or 'rows', not both", {}});

@@ -4,7 +4,7 @@ namespace stepwire {
 namespace {
 
 constexpr double picture_budget = 14000.0;  ///< of a picture, so that it stays below some 300 kB
-constexpr std::size_t most_in_legend = 8;
+constexpr std::size_t max_in_legend = 8;
 
 std::string legend_text(const Panel& panel, const Series& y, const Curves& curves, std::size_t group,
                         std::size_t entry) {
@@ -137,7 +137,7 @@ void draw_curves(const Panel& panel, std::span<const Recording> recordings, Plot
     const Series& x = all_x[std::min(i, all_x.size() - 1)];
     Curves all = gather(panel, recording_of(panel, recordings, i), {&x, &all_y[i]});
     all.several = all_y.size() > 1;
-    if (all.groups.size() > most_in_legend && all_y.size() == 1 && panel.legend.empty())
+    if (all.groups.size() > max_in_legend && all_y.size() == 1 && panel.legend.empty())
       draw_by_color(panel, all, plot);
     else
       draw_in_legend(panel, all_y[i], all, entry, plot);

@@ -17,7 +17,7 @@ using RigPoint = std::vector<std::variant<double, Formula>>;
 struct RigKind {
   std::string name;
   std::string doc;
-  std::size_t least_points = 2, most_points = 2;
+  std::size_t min_points = 2, max_points = 2;
   bool directed = false;  ///< it has a direction of its own
 };
 
@@ -46,6 +46,6 @@ struct Rig {
 };
 
 /// Reads the keys `points`, `elements`, `where`, `axes`, `up`, `schematic` of a figure. Faults are gathered.
-Rig read_rig(const Node& node, const Names& names, Faults& faults);
+Rig read_rig(const Node& node, const SymbolTable& names, Faults& faults);
 
 }  // namespace stepwire

@@ -22,7 +22,7 @@ std::optional<RigPoint> row_of(const DiagramBlock& block, const std::string& res
   const Value value = parameter->get(block.block.get());
   const auto* rows = std::get_if<Eigen::MatrixXd>(&value.content);
   const long row = std::strtol(rest.c_str() + dot + 1, nullptr, 10);
-  if (!rows || row < 1 || row > rows->rows() || rows->cols() > static_cast<Eigen::Index>(most_coordinates))
+  if (!rows || row < 1 || row > rows->rows() || rows->cols() > static_cast<Eigen::Index>(max_coordinates))
     return std::nullopt;
   RigPoint point;
   for (Eigen::Index i = 0; i < rows->cols(); ++i) point.emplace_back((*rows)(row - 1, i));
@@ -32,7 +32,7 @@ std::optional<RigPoint> row_of(const DiagramBlock& block, const std::string& res
 /// Reads one rig; faults are gathered.
 class RigReader {
  public:
-  RigReader(const Node& node, const Names& names, Faults& faults)
+  RigReader(const Node& node, const SymbolTable& names, Faults& faults)
       : node_(node), names_(names), faults_(faults) {}
 
   Rig read() {
@@ -63,7 +63,7 @@ class RigReader {
     if (!axes) return;
     Keys names;
     for (const Node& name : axes->items) names.push_back(name.text);
-    if (names.size() < 2 || names.size() > most_coordinates)
+    if (names.size() < 2 || names.size() > max_coordinates)
       return fault(axes->mark, "axes", "axes are the names of two or three directions: [x, z]");
     rig_.axes = std::move(names);
   }
@@ -110,7 +110,7 @@ class RigReader {
     RigElement element;
     element.kind = kind->name;
     read_ends(*node.find(kind->name), *kind, element);
-    if (element.points.size() < kind->least_points || element.points.size() > kind->most_points)
+    if (element.points.size() < kind->min_points || element.points.size() > kind->max_points)
       fault(node.mark, "elements",
             fmt::format("'{}' has {} points here; {}", kind->name, element.points.size(), kind->doc));
     read_details(node, *kind, element);
@@ -127,7 +127,7 @@ class RigReader {
 
   void read_ends(const Node& node, const RigKind& kind, RigElement& element) {
     // Several things in the list of a kind that takes one point are its coordinates.
-    const bool is_point = kind.most_points == 1 && node.items.size() > 1;
+    const bool is_point = kind.max_points == 1 && node.items.size() > 1;
     for (const Node& item : is_point ? std::span(&node, 1) : node.as_list()) {
       const auto named = item.is_scalar() ? points_.find(item.text) : points_.end();
       if (named != points_.end())
@@ -172,7 +172,7 @@ class RigReader {
       return {std::cos(angle->value), std::sin(angle->value)};
     }
     const bool any = std::any_of(along.begin(), along.end(), [](double share) { return share != 0.0; });
-    if (!any || along.size() < 2 || along.size() > most_coordinates)
+    if (!any || along.size() < 2 || along.size() > max_coordinates)
       fault(node.mark, "direction",
             "a direction is an angle such as 60 deg, or shares along the axes: [0, 0, 1]");
     return along;
@@ -196,7 +196,7 @@ class RigReader {
   }
 
   const Node& node_;
-  const Names& names_;
+  const SymbolTable& names_;
   Faults& faults_;
   std::map<std::string, RigPoint> points_;
   Rig rig_;
@@ -204,7 +204,7 @@ class RigReader {
 
 }  // namespace
 
-Rig read_rig(const Node& node, const Names& names, Faults& faults) {
+Rig read_rig(const Node& node, const SymbolTable& names, Faults& faults) {
   return RigReader(node, names, faults).read();
 }
 

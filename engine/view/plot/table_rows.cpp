@@ -12,7 +12,7 @@ namespace {
 /// Reads one table; faults are gathered.
 class TableRowsReader {
  public:
-  TableRowsReader(const Node& node, const Names& names, Faults& faults)
+  TableRowsReader(const Node& node, const SymbolTable& names, Faults& faults)
       : node_(node), names_(names), faults_(faults) {}
 
   TableRows read() {
@@ -72,7 +72,7 @@ class TableRowsReader {
   }
 
   const Node& node_;
-  const Names& names_;
+  const SymbolTable& names_;
   Faults& faults_;
   TableRows table_;
 };
@@ -84,7 +84,7 @@ std::string cell_text(const Series& cell, double value) {
 
 }  // namespace
 
-TableRows read_table_rows(const Node& node, const Names& names, Faults& faults) {
+TableRows read_table_rows(const Node& node, const SymbolTable& names, Faults& faults) {
   return TableRowsReader(node, names, faults).read();
 }
 

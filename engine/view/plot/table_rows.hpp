@@ -27,7 +27,7 @@ struct TableRows {
 };
 
 /// Reads `headings`, `rows`, `where` and `title` of a plot `table`; what is wrong goes to `faults`.
-TableRows read_table_rows(const Node& node, const Names& names, Faults& faults);
+TableRows read_table_rows(const Node& node, const SymbolTable& names, Faults& faults);
 
 /// Throws Error where `where` selects no row.
 TextTable filled(const TableRows& rows, std::span<const Recording> recordings);

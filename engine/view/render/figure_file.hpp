@@ -7,7 +7,7 @@
 namespace stepwire {
 
 /// Draws a figure into FOLDER/NAME.svg and writes its spec to FOLDER/NAME.json, or under another name where
-/// something else has that. Throws SurroundingsError.
+/// something else has that. Throws EnvironmentError.
 void write_figure(const std::string& folder, const std::string& name, const FigureSpec& figure,
                   const std::string& json_name = {});
 

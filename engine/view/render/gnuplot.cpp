@@ -8,7 +8,7 @@
 #include <cstring>
 #include <string_view>
 
-#include "engine/base/io/surroundings.hpp"
+#include "engine/base/io/environment_error.hpp"
 #include "engine/base/subprocess/process.hpp"
 #include "engine/view/svg/svg.hpp"
 
@@ -28,7 +28,7 @@ class ScriptFile {
     if (!text.empty()) {
       const std::string reason = std::strerror(errno);
       if (number_ >= 0) ::close(number_);
-      throw SurroundingsError("there is no memory for a picture: " + reason);
+      throw EnvironmentError("there is no memory for a picture: " + reason);
     }
   }
   ScriptFile(const ScriptFile&) = delete;
@@ -50,13 +50,13 @@ bool has_gnuplot() {
 GnuplotAnswer run_gnuplot(const std::string& script) {
   const std::string program = find_program("gnuplot");
   if (program.empty())
-    throw SurroundingsError("gnuplot is not installed; on Debian it is the package gnuplot-nox");
+    throw EnvironmentError("gnuplot is not installed; on Debian it is the package gnuplot-nox");
   // Its standard input it would read letter by letter, with a call of the system for each.
   const ScriptFile file(script);
   ProcessResult result = run_process({.command = {program, "-d", file.path()}});
   replace_all(result.errors, file.path(), "script");
   if (result.end == ProcessResult::End::stopped) throw ProcessStopped("gnuplot was stopped");
-  if (!result.succeeded()) throw SurroundingsError("gnuplot failed: " + result.problem("gnuplot"));
+  if (!result.succeeded()) throw EnvironmentError("gnuplot failed: " + result.problem("gnuplot"));
   return {std::move(result.output), std::move(result.errors)};
 }
 

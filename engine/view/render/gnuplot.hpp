@@ -14,7 +14,7 @@ struct GnuplotAnswer {
 bool has_gnuplot();
 
 /// Runs gnuplot on a script with its default settings (no start-up file of the user). Throws
-/// SurroundingsError where it is missing or fails.
+/// EnvironmentError where it is missing or fails.
 GnuplotAnswer run_gnuplot(const std::string& script);
 
 }  // namespace stepwire

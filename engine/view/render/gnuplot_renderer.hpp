@@ -4,7 +4,7 @@
 
 namespace stepwire {
 
-/// Draws a figure whose panels are plots. Throws SurroundingsError where gnuplot is missing or fails.
+/// Draws a figure whose panels are plots. Throws EnvironmentError where gnuplot is missing or fails.
 Drawing render_gnuplot(const FigureSpec& figure);
 
 /// All that gnuplot gets for such a figure.

@@ -14,11 +14,11 @@ struct Drawing {
   std::string warnings;
 };
 
-/// Draws nothing but what the spec holds; the same spec gives the same bits. Throws SurroundingsError where
+/// Draws nothing but what the spec holds; the same spec gives the same bits. Throws EnvironmentError where
 /// gnuplot, or what else draws, is missing or fails.
 Drawing render(const FigureSpec& figure);
 
-/// Draws; the same data give the same bits. Throws SurroundingsError where gnuplot, or what else draws, is
+/// Draws; the same data give the same bits. Throws EnvironmentError where gnuplot, or what else draws, is
 /// missing or fails.
 Drawing draw(const Figure& figure, std::span<const Recording> recordings);
 

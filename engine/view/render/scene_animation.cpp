@@ -10,7 +10,7 @@ namespace stepwire {
 namespace {
 
 constexpr double frames_per_second = 20.0;  // of motion that is even in between
-constexpr std::size_t least_frames = 2, most_frames = 600;
+constexpr std::size_t min_frames = 2, max_frames = 600;
 
 [[noreturn]] void nothing_to_show(const Scene& scene, const std::string& file, const char* what) {
   throw Error(Fault{{file, scene.mark}, "scene.animation", what, {}});
@@ -39,7 +39,7 @@ AnimationRows animation_rows(const Scene& scene, const std::string& file, const 
     if (time[row] >= scene.animation.from.value_or(time[run.begin]) &&
         time[row] <= scene.animation.to.value_or(time[run.end - 1]))
       all.push_back(row);
-  if (all.size() < least_frames) nothing_to_show(scene, file, "fewer than two rows are left to be drawn");
+  if (all.size() < min_frames) nothing_to_show(scene, file, "fewer than two rows are left to be drawn");
   const double between = (time[all[1]] - time[all[0]]) / scene.animation.speed;
   const auto smooth =
       static_cast<std::size_t>(std::max(1.0, std::round(1.0 / (frames_per_second * between))));
@@ -54,10 +54,10 @@ AnimationRows animation_rows(const Scene& scene, const std::string& file, const 
 std::string animated_scene(const Scene& scene, const std::string& file, std::span<const Recording> recordings,
                            const std::string& title) {
   const Recording& recording = recordings[scene.recording];
-  for (std::size_t most = most_frames;; most = most * 2 / 3) {
+  for (std::size_t most = max_frames;; most = most * 2 / 3) {
     const AnimationRows rows = animation_rows(scene, file, recording, most);
     std::string picture = drawn(scene, recording, rows, title);
-    if (picture.size() <= largest_animation || rows.rows.size() <= 2 * least_frames) return picture;
+    if (picture.size() <= largest_animation || rows.rows.size() <= 2 * min_frames) return picture;
   }
 }
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "engine/analyse/query/formula.hpp"
-#include "engine/analyse/query/names.hpp"
 #include "engine/analyse/query/names_reading.hpp"
+#include "engine/analyse/query/symbol_table.hpp"
 #include "engine/base/yaml/document.hpp"
 
 namespace stepwire {
@@ -17,7 +17,7 @@ namespace stepwire {
 struct SceneKind {
   std::string name;
   std::string doc;  ///< of the value under its name
-  std::size_t least_points = 1, most_points = 1;
+  std::size_t min_points = 1, max_points = 1;
   std::string color;  ///< where the file gives none
 };
 
@@ -86,7 +86,7 @@ struct Scene {
 const Key& scene_form();
 
 /// Reads the section `scene`. Everything that is wrong goes to `faults`.
-Scene read_scene(const Node& node, const Names& names, Faults& faults);
+Scene read_scene(const Node& node, const SymbolTable& names, Faults& faults);
 
 /// What is shown of an object at one instant, in the colour that it has then.
 struct SceneShape {

@@ -71,7 +71,7 @@ void read_walls(SceneObject& object, const Node& node, const ObjectReading& read
 
 void read_points(SceneObject& object, const Node& node, const ObjectReading& read) {
   const SceneKind& kind = *object.kind;
-  if (!node.is_list() || node.items.size() < kind.least_points || node.items.size() > kind.most_points)
+  if (!node.is_list() || node.items.size() < kind.min_points || node.items.size() > kind.max_points)
     return read.fault(node.mark, fmt::format("'{}' is {}: [[0, 0], rig.position]", kind.name, kind.doc));
   for (const Node& item : node.items) read_point(object, item, read);
 }
@@ -83,10 +83,10 @@ Key point_form() {
 
 /// What stands under the name of a kind.
 Key value_of(const SceneKind& kind) {
-  if (kind.most_points == 0) return form::text();
-  return kind.most_points == 1 ? point_form()
-                               : form::list(point_form(), static_cast<double>(kind.least_points),
-                                            static_cast<double>(kind.most_points));
+  if (kind.max_points == 0) return form::text();
+  return kind.max_points == 1 ? point_form()
+                              : form::list(point_form(), static_cast<double>(kind.min_points),
+                                           static_cast<double>(kind.max_points));
 }
 
 ObjectRow kind_row(const SceneKind& kind) {
@@ -95,7 +95,7 @@ ObjectRow kind_row(const SceneKind& kind) {
                                     object.kind = &kind;
                                     if (kind.name == "walls") return read_walls(object, node, read);
                                     if (kind.name == "text") return read.take(node, {}, object.text);
-                                    if (kind.most_points == 1) return read_point(object, node, read);
+                                    if (kind.max_points == 1) return read_point(object, node, read);
                                     read_points(object, node, read);
                                   }});
 }

@@ -102,7 +102,7 @@ const Key& scene_form() {
   return scene_table().form;
 }
 
-Scene read_scene(const Node& node, const Names& names, Faults& faults) {
+Scene read_scene(const Node& node, const SymbolTable& names, Faults& faults) {
   const NamesReading read("scene", names, faults);
   Scene scene;
   scene.mark = node.mark;

@@ -51,7 +51,7 @@ Answer RegionRig::at(std::vector<double> position) {
 namespace {
 
 /// The least of a function that has one minimum between two numbers.
-double least_between(const std::function<double(double)>& of, double low, double high) {
+double min_between(const std::function<double(double)>& of, double low, double high) {
   for (int k = 0; k < 60; ++k) {
     const double a = low + 0.382 * (high - low), b = low + 0.618 * (high - low);
     const bool left = of(a) <= of(b);
@@ -75,8 +75,8 @@ double brute_force(const Edge& edge, const std::vector<double>& from) {
     const double here = coarse[static_cast<std::size_t>(i)];
     if (here <= coarse[static_cast<std::size_t>(before)] &&
         here <= coarse[static_cast<std::size_t>(behind)] && here < best + 1e-4)
-      best = std::min(best, least_between(distance, static_cast<double>(before) / samples,
-                                          static_cast<double>(behind) / samples));
+      best = std::min(best, min_between(distance, static_cast<double>(before) / samples,
+                                        static_cast<double>(behind) / samples));
   }
   return best;
 }

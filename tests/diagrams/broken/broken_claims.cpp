@@ -12,8 +12,8 @@
 #include "blocks/register.hpp"
 #include "engine/app/session/fitting.hpp"
 #include "engine/app/session/studies.hpp"
+#include "engine/base/io/environment_error.hpp"
 #include "engine/base/io/file.hpp"
-#include "engine/base/io/surroundings.hpp"
 #include "engine/base/yaml/document.hpp"
 #include "engine/base/yaml/error.hpp"
 #include "engine/simulate/codegen/generated_code.hpp"
@@ -126,7 +126,7 @@ class Runner {
     if (model.job.plan.diagram.sweep)
       for (const Sweep::Axis& axis : model.job.plan.diagram.sweep->axes) swept_.insert(axis.parameter);
     RunOptions run;
-    run.engine = Engine::automatic;
+    run.engine = ExecutionMode::automatic;
     run.code = &code_;
     const Outcome outcome = run_model(model, run);
     if (!outcome.result.faults.empty()) throw Error(outcome.result.faults.front().fault);

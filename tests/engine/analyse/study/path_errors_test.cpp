@@ -125,7 +125,7 @@ TEST_CASE("figures read the errors, with the words of their conditions") {
   REQUIRE(recording.words.size() == 2);
   CHECK(recording.words[1].texts == std::vector<std::string>{"NO", "V"});
   if (!has_gnuplot()) return;
-  const Names names{"d.yaml", {{"condition", Dimension{}, 0}, {"normalised", Dimension{}, 0}}};
+  const SymbolTable names{"d.yaml", {{"condition", Dimension{}, 0}, {"normalised", Dimension{}, 0}}};
   Faults faults;
   const auto document = parse_document("{plot: box, y: normalised, by: condition}", "d.yaml");
   const auto figures = read_figures(document.root, names, faults);

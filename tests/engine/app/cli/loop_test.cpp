@@ -189,7 +189,7 @@ TEST_CASE("a full disk ends with 3 after the loop, with whole rows and a count o
   folder.file("a.yaml", slide_yaml);
   Call full;
   full.arguments = {"loop", "a.yaml", "--duration", "0.5", "--policy", "other", "--out", "out"};
-  full.most_bytes_of_file = 6000;
+  full.max_bytes_of_file = 6000;
   const Done done = run_program(folder, full);
   INFO(done.err);
   CHECK(done.code == 3);

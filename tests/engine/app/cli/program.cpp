@@ -37,8 +37,8 @@ void close_output() {
   for (const auto& [name, value] : call.environment)
     value ? ::setenv(name.c_str(), value->c_str(), 1) : ::unsetenv(name.c_str());
   if (::chdir(folder.path("").c_str()) != 0) ::_exit(99);
-  if (call.most_bytes_of_file) {
-    const rlimit limit{*call.most_bytes_of_file, *call.most_bytes_of_file};
+  if (call.max_bytes_of_file) {
+    const rlimit limit{*call.max_bytes_of_file, *call.max_bytes_of_file};
     ::setrlimit(RLIMIT_FSIZE, &limit);
   }
   redirect(STDOUT_FILENO, call.out_to.empty() ? folder.path(".out") : call.out_to);

@@ -13,9 +13,9 @@
 struct Call {
   std::vector<std::string> arguments;
   std::map<std::string, std::optional<std::string>>
-      environment;                                    ///< set, or taken away where there is no value
-  std::optional<unsigned long> most_bytes_of_file{};  ///< a disk that is full beyond
-  std::optional<double> interrupt_after{};            ///< [s]; by these signals, one at once behind the other
+      environment;                                   ///< set, or taken away where there is no value
+  std::optional<unsigned long> max_bytes_of_file{};  ///< a disk that is full beyond
+  std::optional<double> interrupt_after{};           ///< [s]; by these signals, one at once behind the other
   std::vector<int> signals{SIGINT};
   std::string interrupt_when{};    ///< once this file is there, instead of after a time
   std::string out_to{}, err_to{};  ///< where standard output and error go; files of ours if empty

@@ -58,7 +58,7 @@ TEST_CASE("a full disk ends with 3 and leaves no half file") {
   std::filesystem::create_directory(folder.path("out"));
   folder.file("out/signals.csv", "of the run before\n");
   Call full = call({"run", "lag.yaml", "--out", "out"});
-  full.most_bytes_of_file = 2000;
+  full.max_bytes_of_file = 2000;
   const Done done = run_program(folder, full);
   CHECK(done.code == 3);
   CHECK_THAT(done.err, Contains("out/signals.csv: "));

@@ -117,7 +117,7 @@ TEST_CASE("an interrupted session keeps what was recorded") {
   Monitor monitor;
   monitor.interrupt = &at_once;
   Session session(library(), monitor);
-  const Outcome outcome = session.run(session.load(folder.path("lag.yaml")), Engine::interpreted);
+  const Outcome outcome = session.run(session.load(folder.path("lag.yaml")), ExecutionMode::interpreted);
   CHECK(outcome.early());
   CHECK(outcome.result.interrupted);
   const std::size_t rows = outcome.result.recordings[0].table.rows();

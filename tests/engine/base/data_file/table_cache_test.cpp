@@ -82,7 +82,7 @@ TEST_CASE("of too many tables those asked for longest ago are dropped") {
 TEST_CASE("files that are not there or are no tables are told as ever, and not kept") {
   const Scratch scratch;
   TableCache cache(100);
-  CHECK_THROWS_AS(cache.read(scratch.path("none.csv")), SurroundingsError);
+  CHECK_THROWS_AS(cache.read(scratch.path("none.csv")), EnvironmentError);
   CHECK_THROWS_AS(cache.read(old_file(scratch, "bad.csv", "x,y\n1,2,3\n")), TableError);
   CHECK(cache.numbers() == 0);
 }

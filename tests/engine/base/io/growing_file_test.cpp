@@ -1,4 +1,4 @@
-#include "engine/base/io/growing_file.hpp"
+#include "engine/base/io/atomic_file_writer.hpp"
 
 #include <sys/resource.h>
 
@@ -8,7 +8,7 @@
 #include "engine/base/io/file.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 
-using stepwire::GrowingFile;
+using stepwire::AtomicFileWriter;
 using stepwire::read_file;
 
 namespace {
@@ -37,7 +37,7 @@ class SmallDisk {
 TEST_CASE("a growing file has its name when it is whole, and replaces the one before") {
   const Scratch scratch;
   const std::string path = scratch.file("a.csv", "old");
-  GrowingFile file(path);
+  AtomicFileWriter file(path);
   CHECK(file.append("one\n"));
   CHECK(file.append("two\n"));
   CHECK(read_file(path) == "old");
@@ -49,13 +49,13 @@ TEST_CASE("a growing file has its name when it is whole, and replaces the one be
 
 TEST_CASE("a growing file that is not finished leaves nothing") {
   const Scratch scratch;
-  { GrowingFile(scratch.path("a.csv")).append("one\n"); }
+  { AtomicFileWriter(scratch.path("a.csv")).append("one\n"); }
   CHECK(scratch.files() == 0);
 }
 
 TEST_CASE("a full disk loses whole pieces, and what fits later is written") {
   const Scratch scratch;
-  GrowingFile file(scratch.path("a.csv"));
+  AtomicFileWriter file(scratch.path("a.csv"));
   CHECK(file.append("first\n"));
   {
     const SmallDisk small(20);
@@ -70,6 +70,6 @@ TEST_CASE("a full disk loses whole pieces, and what fits later is written") {
 TEST_CASE("a growing file that cannot be says why") {
   const Scratch scratch;
   scratch.file("a", "a file");
-  CHECK_THROWS_WITH(GrowingFile(scratch.path("a/b.csv")),
+  CHECK_THROWS_WITH(AtomicFileWriter(scratch.path("a/b.csv")),
                     Catch::Contains("a: Not a directory") || Catch::Contains("a: File exists"));
 }

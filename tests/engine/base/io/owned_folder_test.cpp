@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <optional>
 
+#include "engine/base/io/atomic_file_writer.hpp"
 #include "engine/base/io/file.hpp"
-#include "engine/base/io/growing_file.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 
 using namespace stepwire;
@@ -34,7 +34,7 @@ TEST_CASE("What the run before left goes, and what it did not write stays") {
     const OwnedFolder own(folder.path("out"));
     write_file(folder.path("out/figure.svg"), "old");
     write_file(folder.path("out/inputs/press.csv"), "old");
-    GrowingFile(folder.path("out/signals.csv")).finish();
+    AtomicFileWriter(folder.path("out/signals.csv")).finish();
   }
   folder.file("out/notes.txt", "mine");
   folder.file("out/inputs/own.csv", "mine");
@@ -63,7 +63,8 @@ TEST_CASE("What no run wrote is not written over, nor is a link followed") {
   for (const char* name : {"out/signals.csv", "out/linked.csv"}) {
     CHECK_THROWS_WITH(write_file(folder.path(name), "new"),
                       Contains("there is one already that no run wrote"));
-    CHECK_THROWS_WITH(GrowingFile(folder.path(name)), Contains("there is one already that no run wrote"));
+    CHECK_THROWS_WITH(AtomicFileWriter(folder.path(name)),
+                      Contains("there is one already that no run wrote"));
   }
   CHECK_THROWS_WITH(write_file(folder.path("out/inputs/kept.csv"), "new"),
                     Contains("a link leads out of the folder"));

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "engine/base/io/surroundings.hpp"
+#include "engine/base/io/environment_error.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 
 using namespace stepwire;
@@ -33,7 +33,7 @@ TEST_CASE("STEPWIRE_HOME names another place, or the prefix above it, and no oth
     const Home home(scratch.path("here"));
     CHECK(resource("drawing") == std::filesystem::canonical(scratch.path("here/drawing")));
     CHECK(find_resource("headers").empty());
-    CHECK_THROWS_AS(resource("headers"), SurroundingsError);
+    CHECK_THROWS_AS(resource("headers"), EnvironmentError);
     CHECK_THROWS_WITH(resource("headers"), Catch::Contains(scratch.path("here/headers")));
   }
   const Home home(scratch.path("prefix"));

@@ -130,7 +130,7 @@ TEST_CASE("what is no MAT file is said to be none") {
   CHECK_THROWS_AS(read_mat(scratch.file("a.mat", "time,x\n0,1\n")), TableError);
   CHECK_THROWS_AS(read_mat(scratch.file("b.mat", "")), TableError);
   CHECK_THROWS_AS(read_mat(scratch.file("c.mat", std::string(5000, 'x'))), TableError);
-  CHECK_THROWS_AS(read_mat(scratch.path("none.mat")), stepwire::SurroundingsError);
+  CHECK_THROWS_AS(read_mat(scratch.path("none.mat")), stepwire::EnvironmentError);
 }
 
 TEST_CASE("a damaged MAT file is an error or a table, and one that was cut off is an error") {

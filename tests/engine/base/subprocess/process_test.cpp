@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <thread>
 
-#include "engine/base/io/surroundings.hpp"
+#include "engine/base/io/environment_error.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 
 using namespace stepwire;
@@ -55,12 +55,12 @@ TEST_CASE("A program that is not there, is killed, or hangs is told apart") {
   hangs.limit = std::chrono::milliseconds(100);
   CHECK(seconds_of(hangs, End::overdue) < 10.0);
   CHECK_THAT(run_process(hangs).problem("it"), Contains("does not come to an end"));
-  CHECK_THROWS_AS(run_helper("it", hangs), SurroundingsError);
+  CHECK_THROWS_AS(run_helper("it", hangs), EnvironmentError);
 }
 
 TEST_CASE("A program that writes without end is ended, and of its complaints the beginning is kept") {
   ProcessCall endless = shell("yes");
-  endless.most_output = 100'000;
+  endless.max_output = 100'000;
   CHECK(run_process(endless).end == End::too_much);
   const ProcessResult loud = run_process(shell("yes | head -c 3000000 >&2"));
   CHECK(loud.succeeded());

@@ -142,7 +142,7 @@ TEST_CASE("a missing file is a matter of the surroundings and keeps the system's
   const Scratch scratch;
   CHECK_THROWS_WITH(read_csv(scratch.path("none.csv")),
                     Catch::Contains("none.csv: No such file or directory"));
-  CHECK_THROWS_AS(read_csv(scratch.path("none.csv")), stepwire::SurroundingsError);
+  CHECK_THROWS_AS(read_csv(scratch.path("none.csv")), stepwire::EnvironmentError);
   CHECK_THROWS_WITH(read_csv(scratch.path("")), Catch::Contains("Is a directory"));
   CHECK_THROWS_WITH(stepwire::read_data_file(scratch.file("a.txt", "")), Catch::Contains("not '.txt'"));
 }

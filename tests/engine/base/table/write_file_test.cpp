@@ -9,8 +9,8 @@
 #include "engine/base/io/file.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 
+using stepwire::EnvironmentError;
 using stepwire::read_file;
-using stepwire::SurroundingsError;
 using stepwire::write_file;
 
 TEST_CASE("a file is written whole, its folders are made, and nothing else is left") {
@@ -30,7 +30,7 @@ TEST_CASE("a file that cannot be replaced keeps its content and says why") {
   CHECK_THROWS_WITH(write_file(scratch.path("folder"), "x"), Catch::Contains("folder: Is a directory"));
   scratch.file("a.txt", "old");
   CHECK_THROWS_WITH(write_file(scratch.path("a.txt/b.txt"), "x"), Catch::Contains("a.txt: Not a directory"));
-  CHECK_THROWS_AS(write_file(scratch.path("a.txt/b.txt"), "x"), SurroundingsError);
+  CHECK_THROWS_AS(write_file(scratch.path("a.txt/b.txt"), "x"), EnvironmentError);
   CHECK(read_file(scratch.path("a.txt")) == "old");
   CHECK(scratch.files() == 2);
 }
@@ -48,7 +48,7 @@ TEST_CASE("a write that ends half way leaves the old file and no other") {
   std::string message;
   try {
     write_file(path, std::string(1'000'000, 'x'));
-  } catch (const SurroundingsError& error) {
+  } catch (const EnvironmentError& error) {
     message = error.what();
   }
   setrlimit(RLIMIT_FSIZE, &before);

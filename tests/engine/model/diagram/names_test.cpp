@@ -1,4 +1,5 @@
-// Names that a file gives: to blocks as if they lay in parts, to what it records, and units to its signals.
+// SymbolTable that a file gives: to blocks as if they lay in parts, to what it records, and units to its
+// signals.
 #include <catch2/catch.hpp>
 
 #include "tests/support/plan_text.hpp"

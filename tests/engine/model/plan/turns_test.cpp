@@ -1,4 +1,4 @@
-#include "engine/model/plan/turns.hpp"
+#include "engine/model/plan/worklist.hpp"
 
 #include <catch2/catch.hpp>
 #include <vector>
@@ -9,7 +9,7 @@ namespace {
 
 /// Asks all who have a turn, each of whom may call others; lists them as they were asked.
 template <class Calls>
-std::vector<int> asked(Turns& turns, const Calls& calls) {
+std::vector<int> asked(Worklist& turns, const Calls& calls) {
   std::vector<int> order;
   while (const auto who = turns.next()) {
     order.push_back(*who);
@@ -21,13 +21,13 @@ std::vector<int> asked(Turns& turns, const Calls& calls) {
 }  // namespace
 
 TEST_CASE("all who were called are asked once, in their order and not in that of the calls") {
-  Turns turns;
+  Worklist turns;
   for (int who : {3, 1, 2, 1}) turns.call(who);
   CHECK(asked(turns, [](int, int) {}) == std::vector<int>{1, 2, 3});
 }
 
 TEST_CASE("who is called has a turn in this round if it is still to come, and in the next if it is over") {
-  Turns turns;
+  Worklist turns;
   for (int who : {1, 2, 3}) turns.call(who);
   const auto order = asked(turns, [&](int who, int turn) {
     if (turn == 2 && who == 2)
@@ -37,7 +37,7 @@ TEST_CASE("who is called has a turn in this round if it is still to come, and in
 }
 
 TEST_CASE("once nobody is left, a round starts anew") {
-  Turns turns;
+  Worklist turns;
   turns.call(5);
   asked(turns, [](int, int) {});
   for (int who : {7, 2}) turns.call(who);

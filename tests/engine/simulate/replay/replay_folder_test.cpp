@@ -138,5 +138,5 @@ TEST_CASE("a data file that is gone is a matter of the surroundings") {
   folder.write("main.yaml", head + "blocks: {a: {block: FromFile, file: rows.csv, column: x}}\nrecord: a\n");
   const Plan plan = folder.plan("main.yaml");
   std::filesystem::remove(folder.path("rows.csv"));
-  CHECK_THROWS_AS(write_replay(folder.path("out"), plan), SurroundingsError);
+  CHECK_THROWS_AS(write_replay(folder.path("out"), plan), EnvironmentError);
 }

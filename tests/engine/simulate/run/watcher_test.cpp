@@ -16,14 +16,14 @@ blocks:
   slow: {block: UnitDelay, u: x, every: 50 ms}
 )";
 
-struct Counter : BatchWatcher {
+struct Counter : ScheduleProbe {
   void enter() override { ++entered; }
   void leave() override { left += entered - left == 1; }
   int entered = 0, left = 0;
 };
 
 /// How often a stretch runs in ten ticks.
-int runs_of(const std::vector<Batch> Plan::*phase, std::size_t first, std::size_t end) {
+int runs_of(const std::vector<KernelCall> Plan::*phase, std::size_t first, std::size_t end) {
   const Plan plan = plan_text(swing_yaml);
   Executor simulation(plan), unwatched(plan);
   Counter counter;

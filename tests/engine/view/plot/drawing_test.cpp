@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cstdlib>
 
-#include "engine/base/io/surroundings.hpp"
+#include "engine/base/io/environment_error.hpp"
 #include "engine/view/render/gnuplot.hpp"
 #include "engine/view/render/render.hpp"
 #include "tests/engine/view/plot/every_kind.hpp"
@@ -143,7 +143,7 @@ TEST_CASE("a missing gnuplot is a fault of the surroundings that names the packa
   const std::string path = std::getenv("PATH");
   ::setenv("PATH", "/nonexistent", 1);
   CHECK_FALSE(has_gnuplot());
-  CHECK_THROWS_AS(run_gnuplot(""), SurroundingsError);
+  CHECK_THROWS_AS(run_gnuplot(""), EnvironmentError);
   CHECK_THROWS_WITH(run_gnuplot(""), "gnuplot is not installed; on Debian it is the package gnuplot-nox");
   ::setenv("PATH", path.c_str(), 1);
 }

@@ -12,7 +12,7 @@ Verdict verdict_on(const std::string& figures, const std::string& claim) {
   const ReadFigures read = figures_of(figures);
   INFO(read.faults);
   REQUIRE(read.faults.empty());
-  Names names = sample_names();
+  SymbolTable names = sample_names();
   names.drawn = drawn_quantities(read.figures);
   const Document document = parse_document("- {that: it, " + claim + "}", "d.yaml");
   Faults faults;
@@ -53,7 +53,7 @@ TEST_CASE("The condition under which a row is drawn selects rows of a claim") {
 
 TEST_CASE("The unit of what is drawn is that of its expression") {
   const ReadFigures read = figures_of(two_pictures);
-  Names names = sample_names();
+  SymbolTable names = sample_names();
   names.drawn = drawn_quantities(read.figures);
   Faults faults;
   const Document document = parse_document("- {that: it, max: figure.color, equals: 8 mm}", "d.yaml");
@@ -65,7 +65,7 @@ TEST_CASE("The unit of what is drawn is that of its expression") {
 
 TEST_CASE("A name that no picture draws is refused with its neighbours") {
   const ReadFigures read = figures_of(two_pictures);
-  Names names = sample_names();
+  SymbolTable names = sample_names();
   names.drawn = drawn_quantities(read.figures);
   Faults faults;
   const Document document = parse_document("- {that: it, max: figure.colour, at_most: 8 N}", "d.yaml");

@@ -29,7 +29,7 @@ TEST_CASE("claims may name where the objects of a scene are") {
 }
 
 TEST_CASE("claims may name the condition under which an instant of a scene is drawn") {
-  Names names = pen_names();
+  SymbolTable names = pen_names();
   names.scene = std::make_shared<const Scene>(scene_of(all_objects));
   Faults faults;
   const Document document = parse_document("{plot: scene, where: pen.1 > 1 mm}", "d.yaml");

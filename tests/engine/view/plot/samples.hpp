@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/analyse/claim/claim.hpp"
-#include "engine/analyse/query/names.hpp"
+#include "engine/analyse/query/symbol_table.hpp"
 #include "engine/base/yaml/document.hpp"
 #include "engine/simulate/record/recording.hpp"
 #include "engine/view/plot/figure.hpp"
@@ -28,7 +28,7 @@ inline Outline square_outline() {
 
 /// What the figures and claims of the tests may name: x [m], v [m/s], f [N] in one recording, slow [N] in
 /// another.
-inline Names sample_names() {
+inline SymbolTable sample_names() {
   const Dimension metre{{1}}, second{{0, 0, 1}}, ampere{{0, 0, 0, 1}}, newton{{1, 1, -2}};
   return {"d.yaml",
           {{"time", second, {}},

@@ -13,7 +13,7 @@ namespace {
 
 /// The figures of a text over a scene.
 ReadFigures figures_over(const Scene& scene, const std::string& text) {
-  Names names = pen_names();
+  SymbolTable names = pen_names();
   names.scene = std::make_shared<const Scene>(scene);
   const Document document = parse_document(text, "d.yaml");
   Faults faults;

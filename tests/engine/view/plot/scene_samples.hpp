@@ -6,7 +6,7 @@
 namespace stepwire::testing {
 
 /// A pen over a square of 4 mm with a hole of 2 mm, as samples.hpp draws it.
-inline Names pen_names() {
+inline SymbolTable pen_names() {
   const Dimension metre{{1}}, second{{0, 0, 1}}, newton{{1, 1, -2}};
   return {"d.yaml",
           {{"time", second, {}},

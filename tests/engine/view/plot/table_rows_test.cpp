@@ -6,9 +6,9 @@ using namespace stepwire;
 
 namespace {
 
-const Names names{"test.yaml",
-                  {{"time", parse_unit("s")->dimension, {}}, {"x", parse_unit("m")->dimension, 0}},
-                  {{"limit", 0.253, parse_unit("m")->dimension}}};
+const SymbolTable names{"test.yaml",
+                        {{"time", parse_unit("s")->dimension, {}}, {"x", parse_unit("m")->dimension, 0}},
+                        {{"limit", 0.253, parse_unit("m")->dimension}}};
 
 /// x = 0, 1, 2 m at 0, 1, 2 s.
 std::vector<Recording> recordings() {

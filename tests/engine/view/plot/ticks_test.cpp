@@ -39,7 +39,7 @@ std::vector<Text> texts(const std::string& svg) {
 
 /// The least room between numbers beside each other at the x axis, which is that of the lowest numbers, if a
 /// digit is 0.56 of its size wide as in Helvetica.
-double least_room(const std::string& svg) {
+double min_room(const std::string& svg) {
   std::vector<Text> labels;
   for (const Text& text : texts(svg))
     if (text.words.find_first_not_of("−-0123456789.") == std::string::npos) labels.push_back(text);
@@ -63,9 +63,9 @@ TEST_CASE("numbers at an axis do not touch in small panels") {
   if (!has_gnuplot()) return;
   const std::string wide = "{plot: lines, x: time in ms, y: rig.x in mm, x_range: [0 s, 1.2 s]}";
   const std::string panels = "{columns: 4, size: [800, 200], panels: [" + wide + "]}";
-  CHECK(least_room(drawn(panels)) > 3.0);
+  CHECK(min_room(drawn(panels)) > 3.0);
   const std::string negative = "{plot: xy, x: rig.x in um, y: rig.v in mm/s, x_range: [-1000 um, 900 um]}";
-  CHECK(least_room(drawn("{columns: 3, size: [600, 200], panels: [" + negative + "]}")) > 3.0);
+  CHECK(min_room(drawn("{columns: 3, size: [600, 200], panels: [" + negative + "]}")) > 3.0);
 }
 
 TEST_CASE("ticks are as far apart as gnuplot has them, and farther where there is no room") {

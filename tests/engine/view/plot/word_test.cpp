@@ -7,8 +7,8 @@ using Catch::Contains;
 
 namespace {
 
-Names names_with_words() {
-  Names names{"a.yaml", {}, {}};
+SymbolTable names_with_words() {
+  SymbolTable names{"a.yaml", {}, {}};
   names.columns = {{"x", {}, 0}, {"rig.method", {}, 0}};
   names.columns.push_back({"condition", {}, 0});
   names.columns.back().words = {"NO", "H", "HV"};

@@ -87,7 +87,7 @@ TEST_CASE("signals of a scene are recorded together") {
 }
 
 TEST_CASE("what a scene shows has a name of its own") {
-  Names names = pen_names();
+  SymbolTable names = pen_names();
   names.columns.push_back({"scene.a.shown", Dimension{}, 0});
   Faults faults;
   const Document document =

@@ -1,32 +1,32 @@
-#include "engine/base/yaml/spots.hpp"
+#include "engine/base/yaml/text_position.hpp"
 
 #include <algorithm>
 
 namespace stepwire {
 
-Mark Spots::mark(const Spot& spot) {
+Mark LineIndex::mark(const TextPosition& spot) {
   const std::size_t position = std::min(spot.position, text_.size());
   return {spot.line + 1, characters(line_start(spot), position) + 1};
 }
 
-std::string_view Spots::text_at(const Spot& spot) const {
+std::string_view LineIndex::text_at(const TextPosition& spot) const {
   return text_.substr(std::min(spot.position, text_.size()));
 }
 
-std::optional<int> Spots::tab_in_indentation(const Spot& spot) const {
+std::optional<int> LineIndex::tab_in_indentation(const TextPosition& spot) const {
   const std::string_view line = text_.substr(line_start(spot));
   const std::size_t first = line.find_first_not_of(' ');
   if (first == std::string_view::npos || line[first] != '\t') return std::nullopt;
   return static_cast<int>(first) + 1;
 }
 
-std::size_t Spots::line_start(const Spot& spot) const {
+std::size_t LineIndex::line_start(const TextPosition& spot) const {
   const std::size_t position = std::min(spot.position, text_.size());
   return position - std::min(static_cast<std::size_t>(spot.column), position);
 }
 
-// Spots come mostly in order, so that a long line is counted once and not once per spot.
-int Spots::characters(std::size_t from, std::size_t to) {
+// LineIndex come mostly in order, so that a long line is counted once and not once per spot.
+int LineIndex::characters(std::size_t from, std::size_t to) {
   if (from != counted_from_ || to < counted_to_) {
     counted_from_ = counted_to_ = from;
     count_ = 0;

@@ -1,4 +1,4 @@
-#include "engine/simulate/run/changeover.hpp"
+#include "engine/simulate/run/tiered_execution.hpp"
 
 #include <algorithm>
 #include <system_error>
@@ -14,19 +14,22 @@ constexpr double margin = 2.0;    // times a compilation that must be left to do
 
 }  // namespace
 
-Changeover::Changeover(Engine engine, CodeSource* source, std::vector<Member> plans, double ticks)
-    : source_(engine == Engine::interpreted ? nullptr : source), plans_(std::move(plans)), all_ticks_(ticks) {
+TieredExecution::TieredExecution(ExecutionMode engine, CodeSource* source, std::vector<Member> plans,
+                                 double ticks)
+    : source_(engine == ExecutionMode::interpreted ? nullptr : source),
+      plans_(std::move(plans)),
+      all_ticks_(ticks) {
   for (const Member& member : plans_)
     compile_seconds_ += for_headers + for_a_block * static_cast<double>(member.plan->blocks.size());
   if (!source_) begun_ = true;
-  if (source_ && engine == Engine::compiled && !begun_.exchange(true)) compile({});
+  if (source_ && engine == ExecutionMode::compiled && !begun_.exchange(true)) compile({});
 }
 
-const CompiledPlan* Changeover::code(std::size_t plan) const {
+const CompiledPlan* TieredExecution::code(std::size_t plan) const {
   return ready_.load(std::memory_order_acquire) ? &code_[plan] : nullptr;
 }
 
-void Changeover::compile(const std::stop_token& stop) {
+void TieredExecution::compile(const std::stop_token& stop) {
   for (const Member& member : plans_) {
     auto code = source_->compile(*member.plan, member.variable, stop);
     if (!code) return;
@@ -35,13 +38,13 @@ void Changeover::compile(const std::stop_token& stop) {
   ready_.store(true, std::memory_order_release);
 }
 
-bool Changeover::is_worth_it(std::int64_t done) const {
+bool TieredExecution::is_worth_it(std::int64_t done) const {
   const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
   const double left = seconds * (all_ticks_ - static_cast<double>(done)) / static_cast<double>(done);
   return seconds > patience && left > margin * compile_seconds_;
 }
 
-void Changeover::done(std::int64_t ticks) {
+void TieredExecution::done(std::int64_t ticks) {
   const std::int64_t done = done_ += ticks;
   if (begun_.load(std::memory_order_relaxed) || !is_worth_it(done) || begun_.exchange(true)) return;
   try {

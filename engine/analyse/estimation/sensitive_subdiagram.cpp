@@ -1,4 +1,4 @@
-#include "engine/analyse/estimation/moved_part.hpp"
+#include "engine/analyse/estimation/sensitive_subdiagram.hpp"
 
 #include <fmt/format.h>
 
@@ -46,11 +46,11 @@ int place_of(const Binding& binding, const std::vector<int>& place) {
 
 }  // namespace
 
-std::optional<MovedPart> MovedPart::find(const Plan& plan, const Variation& moved,
-                                         const std::vector<std::string>& columns) {
+std::optional<SensitiveSubdiagram> SensitiveSubdiagram::find(const Plan& plan, const Variation& moved,
+                                                             const std::vector<std::string>& columns) {
   const Diagram& diagram = plan.diagram;
   if (diagram.stop_when || !diagram.inputs.empty() || moved.structural()) return std::nullopt;
-  MovedPart part;
+  SensitiveSubdiagram part;
   part.kept_ = moved_blocks(diagram, moved);
   part.keep_ancestors(diagram, columns);
   const auto all = static_cast<std::ptrdiff_t>(diagram.blocks.size());
@@ -59,7 +59,7 @@ std::optional<MovedPart> MovedPart::find(const Plan& plan, const Variation& move
   return part;
 }
 
-void MovedPart::keep_ancestors(const Diagram& diagram, const std::vector<std::string>& columns) {
+void SensitiveSubdiagram::keep_ancestors(const Diagram& diagram, const std::vector<std::string>& columns) {
   std::vector<char> needed(kept_.size(), 0);
   for (const RecordRequest& request : diagram.records)
     for (const RecordedSignal& signal : request.signals) {
@@ -84,7 +84,7 @@ void MovedPart::keep_ancestors(const Diagram& diagram, const std::vector<std::st
   kept_ = std::move(needed);
 }
 
-bool MovedPart::find_reads(const Plan& plan) {
+bool SensitiveSubdiagram::find_reads(const Plan& plan) {
   for (std::size_t b = 0; b < kept_.size(); ++b) {
     if (!kept_[b]) continue;
     each_source(plan.diagram.blocks[b], [&](const Source& source) {
@@ -104,17 +104,17 @@ bool MovedPart::find_reads(const Plan& plan) {
   return true;
 }
 
-void MovedPart::play(const std::vector<double>& tape, Executor& simulation) const {
+void SensitiveSubdiagram::play(const std::vector<double>& tape, Executor& simulation) const {
   const double* numbers = tape.data() + static_cast<std::size_t>(simulation.tick()) * width();
   for (std::size_t i = 0; i < reads_.size(); numbers += reads_[i++].size) simulation.write_input(i, numbers);
 }
 
-bool MovedPart::gives(const std::string& column) const {
+bool SensitiveSubdiagram::gives(const std::string& column) const {
   return std::any_of(recorded_.begin(), recorded_.end(),
                      [&](const std::string& signal) { return is_column_of(column, signal); });
 }
 
-DiagramBlock MovedPart::input(const Diagram& diagram, const Read& read) const {
+DiagramBlock SensitiveSubdiagram::input(const Diagram& diagram, const Read& read) const {
   DiagramBlock block(fmt::format("read_{}_{}", read.signal.block, read.signal.output), external_input_type());
   static_cast<ExternalInput*>(block.block.get())->value =
       PerElement(Numbers(std::vector<double>(static_cast<std::size_t>(read.size), 0.0)));
@@ -126,7 +126,7 @@ DiagramBlock MovedPart::input(const Diagram& diagram, const Read& read) const {
   return block;
 }
 
-Diagram MovedPart::of(const Diagram& diagram) const {
+Diagram SensitiveSubdiagram::of(const Diagram& diagram) const {
   Diagram part = diagram;
   part.blocks.clear();
   part.unit_demands.clear();  // they hold, as the whole has shown

@@ -44,13 +44,13 @@ Kernel kernel_of(const Draft& draft, std::size_t block, const Kernels& kernels) 
 }
 
 /// Appends a call, or lengthens the last one where the block lies right behind.
-void append(std::vector<Batch>& batches, const Draft& draft, std::size_t block, const Kernels& kernels) {
+void append(std::vector<KernelCall>& batches, const Draft& draft, std::size_t block, const Kernels& kernels) {
   Plan& plan = draft.plan;
   const Kernel kernel = kernel_of(draft, block, kernels);
   const std::size_t bytes = draft.type(block).bytes, memory = plan.blocks[block].memory;
   const int period = period_index(plan, plan.blocks[block].rate.ticks);
   if (!batches.empty()) {
-    Batch& last = batches.back();
+    KernelCall& last = batches.back();
     if (last.run == kernel && last.period == period && last.end == memory) {
       ++last.count;
       last.end += bytes;
@@ -62,7 +62,7 @@ void append(std::vector<Batch>& batches, const Draft& draft, std::size_t block, 
 
 }  // namespace
 
-void plan_batches(Draft& draft, const std::vector<int>& order) {
+void make_schedule(Draft& draft, const std::vector<int>& order) {
   Plan& plan = draft.plan;
   plan.periods = {1};
   for (int b : order) {

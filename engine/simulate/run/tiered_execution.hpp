@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "engine/model/plan/compiled_plan.hpp"
-#include "engine/simulate/run/engine.hpp"
+#include "engine/simulate/run/execution_mode.hpp"
 
 namespace stepwire {
 
 /// Compiles the plans of some runs, at once or beside them, and hands out the code when it is there.
-class Changeover {
+class TieredExecution {
  public:
   /// A plan of some runs.
   struct Member {
@@ -21,7 +21,7 @@ class Changeover {
   };
 
   /// All runs together have `ticks` to go.
-  Changeover(Engine engine, CodeSource* source, std::vector<Member> plans, double ticks);
+  TieredExecution(ExecutionMode engine, CodeSource* source, std::vector<Member> plans, double ticks);
 
   /// The code of the i-th plan; null while there is none. From any thread.
   const CompiledPlan* code(std::size_t plan) const;

@@ -8,14 +8,15 @@
 namespace stepwire {
 
 /// Is told when a stretch of one phase's batches begins and ends to run, whatever of it is due.
-class BatchWatcher {
+class ScheduleProbe {
  public:
-  virtual ~BatchWatcher() = default;
+  virtual ~ScheduleProbe() = default;
   virtual void enter() = 0;
   virtual void leave() = 0;
 
-  const std::vector<Batch>* phase = nullptr;  ///< timed, outputs, stage, derivatives or updates of the plan
-  std::size_t first = 0, end = 0;             ///< the stretch: batches first to end - 1 of the phase
+  const std::vector<KernelCall>* phase =
+      nullptr;                     ///< timed, outputs, stage, derivatives or updates of the plan
+  std::size_t first = 0, end = 0;  ///< the stretch: batches first to end - 1 of the phase
 };
 
 }  // namespace stepwire

@@ -1,4 +1,4 @@
-#include "engine/base/io/growing_file.hpp"
+#include "engine/base/io/atomic_file_writer.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ namespace stepwire {
 
 namespace fs = std::filesystem;
 
-GrowingFile::GrowingFile(const std::string& path)
+AtomicFileWriter::AtomicFileWriter(const std::string& path)
     : path_(path), temporary_(temporary_beside(path)), leftover_(temporary_) {
   std::error_code error;
   const fs::path folder = fs::path(path).parent_path();
@@ -27,14 +27,14 @@ GrowingFile::GrowingFile(const std::string& path)
   if (file_ < 0) refuse_file(path_, errno);
 }
 
-GrowingFile::~GrowingFile() {
+AtomicFileWriter::~AtomicFileWriter() {
   if (file_ < 0) return;
   ::close(file_);
   std::error_code ignored;
   fs::remove(temporary_, ignored);
 }
 
-bool GrowingFile::append(std::string_view piece) {
+bool AtomicFileWriter::append(std::string_view piece) {
   if (write_all(piece)) {
     size_ += static_cast<std::int64_t>(piece.size());
     return true;
@@ -45,7 +45,7 @@ bool GrowingFile::append(std::string_view piece) {
   return false;
 }
 
-bool GrowingFile::write_all(std::string_view piece) {
+bool AtomicFileWriter::write_all(std::string_view piece) {
   while (!piece.empty()) {
     const ssize_t written = ::write(file_, piece.data(), piece.size());
     if (written < 0 && errno == EINTR) continue;
@@ -55,7 +55,7 @@ bool GrowingFile::write_all(std::string_view piece) {
   return true;
 }
 
-void GrowingFile::finish() {
+void AtomicFileWriter::finish() {
   const int file = std::exchange(file_, -1);
   const bool closed = ::close(file) == 0;
   const int reason = errno;

@@ -9,7 +9,7 @@ namespace stepwire {
 
 /// Whose turn it is where all would be asked in order, round after round, until nobody has anything new to
 /// say; only those are asked whom something new concerns.
-class Turns {
+class Worklist {
  public:
   /// Gives somebody a turn: in this round if theirs is still to come, or else in the next.
   void call(int who) { due_.insert({who > last_ ? round_ : round_ + 1, who}); }

@@ -8,9 +8,9 @@
 namespace stepwire {
 
 /// Evaluates `stop_when` at a tick.
-class Stopper {
+class StopConditionEvaluator {
  public:
-  explicit Stopper(const Plan& plan) {
+  explicit StopConditionEvaluator(const Plan& plan) {
     if (!plan.diagram.stop_when) return;
     condition_ = plan.diagram.stop_when->expression;
     for (const StopCondition::Variable& variable : plan.diagram.stop_when->variables)

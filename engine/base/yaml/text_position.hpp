@@ -10,23 +10,23 @@ namespace stepwire {
 
 /// Where a reader stands: bytes from the start of the text, lines and bytes in the line, all counted from
 /// zero.
-struct Spot {
+struct TextPosition {
   std::size_t position = 0;
   int line = 0, column = 0;
 };
 
-/// Turns the spots of a text into the marks that a person sees: characters, counted from 1.
-class Spots {
+/// Worklist the spots of a text into the marks that a person sees: characters, counted from 1.
+class LineIndex {
  public:
-  explicit Spots(std::string_view text) : text_(text) {}
+  explicit LineIndex(std::string_view text) : text_(text) {}
 
-  Mark mark(const Spot& spot);
-  std::string_view text_at(const Spot& spot) const;
+  Mark mark(const TextPosition& spot);
+  std::string_view text_at(const TextPosition& spot) const;
   /// Column of the first tab among the blanks that start the line.
-  std::optional<int> tab_in_indentation(const Spot& spot) const;
+  std::optional<int> tab_in_indentation(const TextPosition& spot) const;
 
  private:
-  std::size_t line_start(const Spot& spot) const;
+  std::size_t line_start(const TextPosition& spot) const;
   int characters(std::size_t from, std::size_t to);
 
   std::string_view text_;

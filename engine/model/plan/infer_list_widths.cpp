@@ -1,19 +1,19 @@
-#include "engine/model/plan/settle_lists.hpp"
+#include "engine/model/plan/infer_list_widths.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <unordered_map>
 
-#include "engine/model/plan/turns.hpp"
+#include "engine/model/plan/worklist.hpp"
 
 namespace stepwire {
 
 namespace {
 
-class Settling {
+class ListWidthInference {
  public:
-  Settling(Draft& draft, PortSizes& sizes) : draft_(draft), sizes_(sizes) {
+  ListWidthInference(Draft& draft, PortSizes& sizes) : draft_(draft), sizes_(sizes) {
     for (std::size_t block = 0; block < draft.blocks.size(); ++block)
       for (std::size_t input = 0; input < draft.type(block).inputs.size(); ++input)
         if (draft.type(block).inputs[input].list) add_list(block, input);
@@ -64,7 +64,7 @@ class Settling {
     for (const Source& source : block.inputs[input]) {
       const auto size = sizes_.value_of(source);
       open = open || !size;
-      sum = std::min(sum + size.value_or(0), most_numbers + 1);
+      sum = std::min(sum + size.value_or(0), max_numbers + 1);
       most = std::max(most, size.value_or(1));
     }
     if (open && (total || most == 1)) return false;
@@ -105,15 +105,15 @@ class Settling {
   PortSizes& sizes_;
   std::vector<List> lists_;
   std::unordered_multimap<int, int> watchers_;  ///< root of a size: lists that have it for an element
-  Turns turns_;                                 ///< of lists
+  Worklist turns_;                              ///< of lists
   std::set<std::pair<std::size_t, std::size_t>> refused_;
   int next_open_ = 0;  ///< no size before it is open
 };
 
 }  // namespace
 
-std::set<std::pair<std::size_t, std::size_t>> settle_lists(Draft& draft, PortSizes& sizes) {
-  return Settling(draft, sizes).run();
+std::set<std::pair<std::size_t, std::size_t>> infer_list_widths(Draft& draft, PortSizes& sizes) {
+  return ListWidthInference(draft, sizes).run();
 }
 
 }  // namespace stepwire

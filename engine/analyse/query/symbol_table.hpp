@@ -52,7 +52,7 @@ struct NamedFormula {
 };
 
 /// All that the figures and claims of one diagram file may name.
-struct Names {
+struct SymbolTable {
   std::string file;  ///< for the places of faults
   std::vector<RecordedName> columns;
   std::vector<KnownParameter> parameters{};

@@ -7,7 +7,7 @@ namespace stepwire {
 
 /// Something outside of the diagram is missing or refuses: a full disk, no gnuplot, no data folder, no
 /// permission.
-class SurroundingsError : public std::runtime_error {
+class EnvironmentError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };

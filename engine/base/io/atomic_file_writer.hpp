@@ -10,20 +10,20 @@ namespace stepwire {
 
 /// A file that is written piece by piece under a temporary name beside `path`, which it replaces at the end;
 /// without finish() nothing of it is left. A disk that is full loses pieces, never a part of one.
-class GrowingFile {
+class AtomicFileWriter {
  public:
-  /// Missing folders are made. Throws SurroundingsError with the system's reason.
-  explicit GrowingFile(const std::string& path);
-  ~GrowingFile();
-  GrowingFile(const GrowingFile&) = delete;
-  GrowingFile& operator=(const GrowingFile&) = delete;
+  /// Missing folders are made. Throws EnvironmentError with the system's reason.
+  explicit AtomicFileWriter(const std::string& path);
+  ~AtomicFileWriter();
+  AtomicFileWriter(const AtomicFileWriter&) = delete;
+  AtomicFileWriter& operator=(const AtomicFileWriter&) = delete;
 
   /// Writes a piece behind the others. False where the system refuses it: then the file is what it was
   /// before, and a later piece may fit again.
   bool append(std::string_view piece);
   /// "PATH: No space left on device", of the first piece that was refused; empty if none was.
   const std::string& trouble() const { return trouble_; }
-  /// Gives the file its name. Throws SurroundingsError with the system's reason.
+  /// Gives the file its name. Throws EnvironmentError with the system's reason.
   void finish();
 
  private:

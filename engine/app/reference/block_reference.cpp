@@ -1,4 +1,4 @@
-#include "engine/app/reference/sheet.hpp"
+#include "engine/app/reference/block_reference.hpp"
 
 #include <algorithm>
 
@@ -22,16 +22,16 @@ std::string size_text(const std::string& shape) {
   return shape.starts_with('+') ? shape.substr(1) + " in all" : shape;
 }
 
-SheetTable parameters_of(const BlockType& type) {
-  SheetTable table{"Parameters", {"name", "kind", "unit", "default", "allowed", "meaning"}, {}};
+ReferenceTable parameters_of(const BlockType& type) {
+  ReferenceTable table{"Parameters", {"name", "kind", "unit", "default", "allowed", "meaning"}, {}};
   for (const ParameterSpec& p : type.parameters)
     table.rows.push_back(
         {p.name, kind_text(p.kind), unit_text(p.unit), default_text(type, p), allowed_text(p), p.doc});
   return table;
 }
 
-SheetTable inputs_of(const BlockType& type) {
-  SheetTable table{"Inputs", {"name", "takes", "unit", "size", "meaning"}, {}};
+ReferenceTable inputs_of(const BlockType& type) {
+  ReferenceTable table{"Inputs", {"name", "takes", "unit", "size", "meaning"}, {}};
   for (const InputSpec& input : type.inputs) {
     const std::string takes = input.list ? "list of signals" : "signal";
     table.rows.push_back({input.name, takes + (input.optional ? ", optional" : ""), unit_text(input.unit),
@@ -40,8 +40,8 @@ SheetTable inputs_of(const BlockType& type) {
   return table;
 }
 
-SheetTable outputs_of(const BlockType& type) {
-  SheetTable table{"Outputs", {"name", "unit", "size", "meaning"}, {}};
+ReferenceTable outputs_of(const BlockType& type) {
+  ReferenceTable table{"Outputs", {"name", "unit", "size", "meaning"}, {}};
   for (const OutputSpec& output : type.outputs) {
     const std::string state = output.state.empty() ? "" : " (the state " + output.state + ")";
     table.rows.push_back({output.name, unit_text(output.unit), size_text(output.shape), output.doc + state});
@@ -49,8 +49,8 @@ SheetTable outputs_of(const BlockType& type) {
   return table;
 }
 
-SheetTable states_of(const BlockType& type) {
-  SheetTable table{"States", {"name", "kind", "unit", "size", "start", "set by", "meaning"}, {}};
+ReferenceTable states_of(const BlockType& type) {
+  ReferenceTable table{"States", {"name", "kind", "unit", "size", "start", "set by", "meaning"}, {}};
   for (const StateSpec& state : type.states) {
     ParameterSpec start;
     start.unit = state.unit;
@@ -61,20 +61,20 @@ SheetTable states_of(const BlockType& type) {
   return table;
 }
 
-SheetTable presets_of(const BlockType& type) {
-  SheetTable table{"Presets", {"name", "meaning"}, {}};
+ReferenceTable presets_of(const BlockType& type) {
+  ReferenceTable table{"Presets", {"name", "meaning"}, {}};
   for (const PresetSpec& preset : type.presets) table.rows.push_back({preset.name, preset.doc});
   return table;
 }
 
-SheetTable notices_of(const BlockType& type) {
-  SheetTable table{"Notices", {"name", "effect", "meaning"}, {}};
+ReferenceTable notices_of(const BlockType& type) {
+  ReferenceTable table{"Notices", {"name", "effect", "meaning"}, {}};
   for (const NoticeSpec& notice : type.notices)
     table.rows.push_back({notice.name, notice.ends_run ? "ends the run" : "is told once", notice.doc});
   return table;
 }
 
-bool has_unit_variable(const SheetTable& table) {
+bool has_unit_variable(const ReferenceTable& table) {
   for (const Row& row : table.rows)
     for (std::size_t i = 0; i + 1 < row.size(); ++i)
       if (row[i].find('\'') != std::string::npos) return true;
@@ -83,7 +83,7 @@ bool has_unit_variable(const SheetTable& table) {
 
 }  // namespace
 
-void drop_empty_columns(SheetTable& table) {
+void drop_empty_columns(ReferenceTable& table) {
   for (std::size_t column = table.header.size() - 1; column > 0; --column) {
     const bool empty = std::all_of(table.rows.begin(), table.rows.end(),
                                    [&](const Row& row) { return row[column].empty(); });
@@ -94,16 +94,16 @@ void drop_empty_columns(SheetTable& table) {
   }
 }
 
-BlockSheet sheet_of(const BlockType& type) {
-  BlockSheet sheet{type.name, type.folder, type.doc, {}, {}, "", block_example(type)};
+BlockReference reference_of(const BlockType& type) {
+  BlockReference sheet{type.name, type.folder, type.doc, {}, {}, "", block_example(type)};
   if (!type.source.empty()) sheet.facts.emplace_back("source", type.source);
   sheet.facts.emplace_back("timing", timing_text(type.timing));
   if (const std::string text = feedthrough_text(type); !text.empty())
     sheet.facts.emplace_back("feedthrough", text);
   if (!type.not_real_time.empty())
     sheet.facts.emplace_back("real time", "not in a real-time loop: " + type.not_real_time);
-  for (SheetTable table : {parameters_of(type), inputs_of(type), outputs_of(type), states_of(type),
-                           presets_of(type), notices_of(type)}) {
+  for (ReferenceTable table : {parameters_of(type), inputs_of(type), outputs_of(type), states_of(type),
+                               presets_of(type), notices_of(type)}) {
     if (table.rows.empty()) continue;
     drop_empty_columns(table);
     if (has_unit_variable(table))

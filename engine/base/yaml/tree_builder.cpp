@@ -1,4 +1,4 @@
-#include "engine/base/yaml/growing_tree.hpp"
+#include "engine/base/yaml/tree_builder.hpp"
 
 #include <fmt/format.h>
 
@@ -39,12 +39,12 @@ Extent extent_of(const Node& node) {
 
 }  // namespace
 
-GrowingTree::GrowingTree(std::string file, const DocumentLimits& limits)
+TreeBuilder::TreeBuilder(std::string file, const DocumentLimits& limits)
     : file_(std::move(file)), limits_(limits) {
   root_.mark = {1, 1};
 }
 
-void GrowingTree::open(Node::Kind kind, Mark mark, std::size_t anchor) {
+void TreeBuilder::open(Node::Kind kind, Mark mark, std::size_t anchor) {
   if (awaits_key())
     fail(mark, "a list or a map cannot be a key; close the bracket, or quote text that starts with [ or {");
   check_depth(open_.size() + 1, mark);
@@ -55,12 +55,12 @@ void GrowingTree::open(Node::Kind kind, Mark mark, std::size_t anchor) {
   open_.push_back({&attach(std::move(node), anchor)});
 }
 
-void GrowingTree::close() {
+void TreeBuilder::close() {
   if (open_.back().node->is_map()) check_double_keys(*open_.back().node);
   open_.pop_back();
 }
 
-void GrowingTree::scalar(Mark mark, const std::string& text, bool quoted, std::size_t anchor) {
+void TreeBuilder::scalar(Mark mark, const std::string& text, bool quoted, std::size_t anchor) {
   spend(cost_of(text), mark);
   if (awaits_key()) return key(mark, text, anchor);
   Node node;
@@ -71,7 +71,7 @@ void GrowingTree::scalar(Mark mark, const std::string& text, bool quoted, std::s
   attach(std::move(node), anchor);
 }
 
-void GrowingTree::empty(Mark mark, bool written, std::size_t anchor) {
+void TreeBuilder::empty(Mark mark, bool written, std::size_t anchor) {
   spend(1, mark);
   if (awaits_key()) {
     fault(mark, written ? "null is no key; quote it if it is meant as a word"
@@ -90,7 +90,7 @@ void GrowingTree::empty(Mark mark, bool written, std::size_t anchor) {
   attach(std::move(node), anchor);
 }
 
-void GrowingTree::alias(Mark mark, std::size_t anchor) {
+void TreeBuilder::alias(Mark mark, std::size_t anchor) {
   if (awaits_key()) {
     fault(mark, "an alias (*name) cannot be a key; write the key out");
     return key(mark, "", 0);
@@ -108,29 +108,29 @@ void GrowingTree::alias(Mark mark, std::size_t anchor) {
   attach(std::move(copy), 0);
 }
 
-Mark GrowingTree::innermost() const {
+Mark TreeBuilder::innermost() const {
   return open_.empty() ? root_.mark : open_.back().node->mark;
 }
 
-void GrowingTree::fault(Mark mark, std::string message) {
+void TreeBuilder::fault(Mark mark, std::string message) {
   faults_.add({.place = {file_, mark}, .subject = "", .message = std::move(message), .used_by = {}});
 }
 
-void GrowingTree::fail(Mark mark, std::string message) {
+void TreeBuilder::fail(Mark mark, std::string message) {
   fault(mark, std::move(message));
   throw Error(faults_.list());
 }
 
-Node GrowingTree::take() {
+Node TreeBuilder::take() {
   faults_.throw_if_any();
   return std::move(root_);
 }
 
-bool GrowingTree::awaits_key() const {
+bool TreeBuilder::awaits_key() const {
   return !open_.empty() && open_.back().node->is_map() && !open_.back().awaits_value;
 }
 
-void GrowingTree::key(Mark mark, std::string text, std::size_t anchor) {
+void TreeBuilder::key(Mark mark, std::string text, std::size_t anchor) {
   if (anchor != 0) fault(mark, "an anchor (&name) belongs to a value, not to a key");
   if (text == "<<")
     fault(mark, "merge keys (<<) are not known here; write the keys out, or give the value an alias");
@@ -138,7 +138,7 @@ void GrowingTree::key(Mark mark, std::string text, std::size_t anchor) {
   open_.back().awaits_value = true;
 }
 
-Node& GrowingTree::attach(Node node, std::size_t anchor) {
+Node& TreeBuilder::attach(Node node, std::size_t anchor) {
   Node* place = &root_;
   if (!open_.empty()) {
     Node& parent = *open_.back().node;
@@ -156,19 +156,19 @@ Node& GrowingTree::attach(Node node, std::size_t anchor) {
   return *place;
 }
 
-void GrowingTree::spend(std::size_t cost, Mark mark) {
+void TreeBuilder::spend(std::size_t cost, Mark mark) {
   cost_ += cost;
   if (cost_ <= limits_.nodes) return;
   fail(mark, fmt::format("the file holds more than {} values (aliases expanded), more than is read",
                          limits_.nodes));
 }
 
-void GrowingTree::check_depth(std::size_t depth, Mark mark) {
+void TreeBuilder::check_depth(std::size_t depth, Mark mark) {
   if (depth <= static_cast<std::size_t>(limits_.depth)) return;
   fail(mark, fmt::format("nested deeper than {} levels, more than is read", limits_.depth));
 }
 
-void GrowingTree::check_double_keys(const Node& map) {
+void TreeBuilder::check_double_keys(const Node& map) {
   const std::vector<Entry>& entries = map.entries;
   std::vector<std::size_t> order(entries.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -187,7 +187,7 @@ void GrowingTree::check_double_keys(const Node& map) {
   }
 }
 
-Node& GrowingTree::at(const Path& path) {
+Node& TreeBuilder::at(const Path& path) {
   Node* node = &root_;
   for (const std::size_t index : path)
     node = node->is_map() ? &node->entries[index].value : &node->items[index];

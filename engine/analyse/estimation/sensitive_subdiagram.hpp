@@ -11,12 +11,12 @@ namespace stepwire {
 
 /// The part of a diagram that fitted parameters move and that what is compared depends on. All else gives the
 /// same in every run of a record: it is run once, and what the part reads of it is played back.
-class MovedPart {
+class SensitiveSubdiagram {
  public:
   /// Of a plan and what changes in it; `columns` are those that are compared. Nothing where the part reads a
   /// signal that changes between ticks and the solver looks there, or where a condition ends the run.
-  static std::optional<MovedPart> find(const Plan& plan, const Variation& moved,
-                                       const std::vector<std::string>& columns);
+  static std::optional<SensitiveSubdiagram> find(const Plan& plan, const Variation& moved,
+                                                 const std::vector<std::string>& columns);
 
   /// The part of the same diagram with other numbers, its inputs being those of `tape`, in their order.
   Diagram of(const Diagram& diagram) const;
@@ -39,7 +39,7 @@ class MovedPart {
     Rate rate;
   };
 
-  MovedPart() = default;
+  SensitiveSubdiagram() = default;
   void keep_ancestors(const Diagram& diagram, const std::vector<std::string>& columns);
   bool find_reads(const Plan& plan);
   DiagramBlock input(const Diagram& diagram, const Read& read) const;

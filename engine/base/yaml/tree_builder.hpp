@@ -11,9 +11,9 @@ namespace stepwire {
 
 /// A tree of nodes that grows with what a reader finds from top to bottom. It checks keys, expands aliases
 /// and keeps the limits on depth and size. `anchor` is 0 where a value has none.
-class GrowingTree {
+class TreeBuilder {
  public:
-  GrowingTree(std::string file, const DocumentLimits& limits);
+  TreeBuilder(std::string file, const DocumentLimits& limits);
 
   void open(Node::Kind kind, Mark mark, std::size_t anchor);
   void close();
