@@ -55,7 +55,7 @@ Unit read_unit(const Configure& is, const std::string& text) {
   return *unit;
 }
 
-/// SymbolTable that end in the word of a unit and mean something else: what comes in, the least.
+/// Names that end in the word of a unit and mean something else: what comes in, the least.
 bool is_other_word(std::string_view ending) {
   return ending == "in" || ending == "min" || ending.size() < 2;
 }

@@ -20,7 +20,7 @@ inline const bool package_is_noted = (note_package(STEPWIRE_PACKAGE), true);
 }
 #endif
 
-/// SymbolTable and texts of values, as `--set` has them: {{"mass", "8 kg"}}.
+/// Names and texts of values, as `--set` has them: {{"mass", "8 kg"}}.
 using NamedTexts = std::vector<std::pair<std::string, std::string>>;
 
 /// A signal of one model: an output or a state of a block, or a port of a part.

@@ -15,7 +15,7 @@ namespace stepwire {
 
 struct SimulationOptions {
   ExecutionMode engine = ExecutionMode::interpreted;  ///< automatic is as compiled here
-  /// SymbolTable that set() will set; compiled code goes on to be used after these alone.
+  /// Names that set() will set; compiled code goes on to be used after these alone.
   std::vector<std::string> tuned{};
 };
 

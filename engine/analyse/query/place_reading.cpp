@@ -34,7 +34,7 @@ std::vector<Formula> read_coordinates(const Node& node, const SymbolTable& names
   return place.size() == node.items.size() ? place : std::vector<Formula>{};
 }
 
-/// SymbolTable of what was recorded as several columns: v for v.1, v.2.
+/// Names of what was recorded as several columns: v for v.1, v.2.
 std::vector<std::string> vectors_of(const SymbolTable& names) {
   std::vector<std::string> vectors;
   for (const RecordedName& column : names.columns)

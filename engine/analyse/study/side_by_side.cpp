@@ -11,7 +11,7 @@ namespace {
 
 constexpr double significant = 0.05, factor_of_agreement = 2.0;
 
-/// SymbolTable by falling value, those of one value in the order in which they came.
+/// Names by falling value, those of one value in the order in which they came.
 std::string order_of(std::vector<NamedValue> values) {
   std::stable_sort(values.begin(), values.end(),
                    [](const NamedValue& a, const NamedValue& b) { return a.value > b.value; });

@@ -48,7 +48,7 @@ struct StudyRequest {
   std::vector<Trial> recorded;  ///< in it, by subject, conditions in the order of the request
   Place place;
 
-  /// SymbolTable of the subjects in order: those of the recorded trials, or the numbers.
+  /// Names of the subjects in order: those of the recorded trials, or the numbers.
   std::vector<std::string> subject_names() const;
   std::vector<std::string> condition_names() const;
   std::vector<FeedbackCondition> feedbacks() const;

@@ -42,7 +42,7 @@ std::string element_of_v(std::size_t i);
 /// stream, variation) (numbers drawn from whole numbers, language.hpp); constants pi, e. ^ binds right and
 /// before a sign: -2^2 is -4. A number may carry a unit and is SI then: "x > -4 mm", "2*pi*3 kHz". What
 /// directly follows a number can only be its unit; names have an operator before them, so a variable may be
-/// called "m" or "N": "4 N * N" is 4 newtons times N. SymbolTable may contain dots and an index: "rig.x",
+/// called "m" or "N": "4 N * N" is 4 newtons times N. Names may contain dots and an index: "rig.x",
 /// "rig.x[2]". Copies share what was read, and any number of threads may evaluate one object.
 class Expression {
  public:
@@ -54,7 +54,7 @@ class Expression {
   Expression(std::string_view text, const std::function<bool(std::string_view)>& known);
 
   const std::string& text() const;
-  /// SymbolTable used, in order of first appearance.
+  /// Names used, in order of first appearance.
   const std::vector<std::string>& variables() const;
   /// The text with its variables called otherwise, one name for each.
   std::string renamed(const std::vector<std::string>& names) const;

@@ -7,7 +7,7 @@
 
 namespace stepwire {
 
-/// SymbolTable of files of one kind: "signals.csv", "signals-2.csv", ... for the indices 0, 1, ...
+/// Names of files of one kind: "signals.csv", "signals-2.csv", ... for the indices 0, 1, ...
 std::string numbered(const std::string& stem, std::size_t index, const std::string& ending);
 
 /// All bytes of a file. Throws EnvironmentError with the system's reason.

@@ -11,7 +11,7 @@ namespace {
 
 using Exponents = std::array<double, 7>;
 
-/// SymbolTable in use for mechanics and its electrics; the first that fits is taken. No J: in diagrams of
+/// Names in use for mechanics and its electrics; the first that fits is taken. No J: in diagrams of
 /// forces and torques the same dimension is nearly always a torque.
 constexpr std::pair<std::string_view, Exponents> usual[] = {
     {"N", {1, 1, -2}},           {"N m", {2, 1, -2}},

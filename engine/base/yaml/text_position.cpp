@@ -25,7 +25,7 @@ std::size_t LineIndex::line_start(const TextPosition& spot) const {
   return position - std::min(static_cast<std::size_t>(spot.column), position);
 }
 
-// LineIndex come mostly in order, so that a long line is counted once and not once per spot.
+// Spots come mostly in order, so that a long line is counted once and not once per spot.
 int LineIndex::characters(std::size_t from, std::size_t to) {
   if (from != counted_from_ || to < counted_to_) {
     counted_from_ = counted_to_ = from;

@@ -15,7 +15,7 @@ struct TextPosition {
   int line = 0, column = 0;
 };
 
-/// Worklist the spots of a text into the marks that a person sees: characters, counted from 1.
+/// Turns the spots of a text into the marks that a person sees: characters, counted from 1.
 class LineIndex {
  public:
   explicit LineIndex(std::string_view text) : text_(text) {}

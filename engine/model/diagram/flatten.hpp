@@ -16,7 +16,7 @@ std::string absolute_path(const std::string& path);
 
 /// A diagram as the text of one file that does the same, to the last bit: parts opened, parameters and
 /// expressions replaced by their SI numbers, wires and recorded signals by the full names of blocks.
-/// SymbolTable and units of recorded columns stay. What is not of the run is left out: sweep, figure, claims.
+/// Names and units of recorded columns stay. What is not of the run is left out: sweep, figure, claims.
 std::string flattened_text(const Diagram& diagram, const FileName& file_name = absolute_path);
 
 /// The value of a block as the flattened diagram has it; nothing where only a default can be.

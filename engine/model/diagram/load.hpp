@@ -21,7 +21,7 @@ struct Setting {
   Mark mark{};                                          ///< where in that file
 };
 
-/// Worklist diagram files into checked diagrams. Files are read once, however often they are used.
+/// Turns diagram files into checked diagrams. Files are read once, however often they are used.
 class Loader {
  public:
   /// The registry must outlive the diagrams, too, whose blocks know their types by it.

@@ -28,7 +28,7 @@ struct Scope {
     Mark mark;
   };
   std::map<std::string, Named, std::less<>> names;
-  /// SymbolTable whose block or part could not be made: reported once, so what is wired to them stays silent.
+  /// Names whose block or part could not be made: reported once, so what is wired to them stays silent.
   std::set<std::string, std::less<>> failed;
 
   /// A port of this part: what the using file wrote at it, and what may pass.

@@ -23,7 +23,7 @@ class Settings {
   Entry* take(const std::string& full_name);
   /// Notes a name that could have been set, for suggestions; cheap where nothing is set.
   void offer(const std::string& full_name);
-  /// SymbolTable of blocks and parts under `prefix` that settings ask for: "tau" for prefix "lag." of
+  /// Names of blocks and parts under `prefix` that settings ask for: "tau" for prefix "lag." of
   /// "lag.tau".
   std::vector<std::string> keys_of(const std::string& prefix) const;
   void report_unused(Report& report) const;

@@ -55,7 +55,7 @@ std::vector<char> changed_by(const std::vector<int>& given, const Bindings& all)
   return changed;
 }
 
-/// SymbolTable that could have been meant.
+/// Names that could have been meant.
 std::vector<std::string> names_of(const Diagram& diagram) {
   std::vector<std::string> names = head_names;
   for (const DiagramParameter& parameter : diagram.parameters) names.push_back(parameter.name);

@@ -51,7 +51,7 @@ std::vector<int> plan_order(Draft& draft);
 /// Memory of blocks and numbers.
 void plan_layout(Draft& draft, const std::vector<int>& order);
 /// Refuses conditions over signals of several elements, and safe values that do not fit their outputs.
-void check_what_is_kept(Draft& draft);
+void check_stop_and_safe_values(Draft& draft);
 /// The tables of calls.
 void make_schedule(Draft& draft, const std::vector<int>& order);
 

@@ -44,7 +44,7 @@ Plan make_plan(Diagram diagram) {
   const std::vector<int> order = plan_order(draft);
   draft.report.faults().throw_if_any();
   plan_layout(draft, order);
-  check_what_is_kept(draft);
+  check_stop_and_safe_values(draft);
   draft.report.faults().throw_if_any();
   make_schedule(draft, order);
   return plan;

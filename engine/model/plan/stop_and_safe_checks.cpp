@@ -41,7 +41,7 @@ void check_safe_value(Draft& draft, DiagramOutput& output) {
 
 }  // namespace
 
-void check_what_is_kept(Draft& draft) {
+void check_stop_and_safe_values(Draft& draft) {
   if (draft.diagram().stop_when) check_stop_condition(draft, *draft.diagram().stop_when);
   for (DiagramOutput& output : draft.diagram().outputs)
     if (output.safe) check_safe_value(draft, output);

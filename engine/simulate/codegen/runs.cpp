@@ -131,7 +131,7 @@ std::size_t even_row(const SetUps& set_ups, std::size_t from) {
   return end - from;
 }
 
-/// Worklist the blocks of one batch into code: even rows into loops, what is between them into loops with a
+/// Turns the blocks of one batch into code: even rows into loops, what is between them into loops with a
 /// table or into calls.
 class BatchCode {
  public:

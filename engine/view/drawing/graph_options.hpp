@@ -12,7 +12,7 @@ struct NodeGroup {
   std::vector<std::string> members;
 };
 
-/// What a drawing shows of a diagram. SymbolTable are full names, seen from the file that is drawn:
+/// What a drawing shows of a diagram. Names are full names, seen from the file that is drawn:
 /// "rig.mount", and of a signal "rig.force", or "spring" where the block has one output.
 struct GraphOptions {
   int depth = 0;                              ///< parts are opened so many levels deep

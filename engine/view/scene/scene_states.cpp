@@ -15,7 +15,7 @@ struct NamedState {
   std::string color;
 };
 
-/// SymbolTable of the colours that an object may have, if there are several.
+/// Names of the colours that an object may have, if there are several.
 std::vector<std::string> colors_of(const SceneObject& object) {
   std::vector<std::string> names;
   const auto add = [&](const SceneColor& color) {

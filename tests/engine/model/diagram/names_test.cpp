@@ -1,4 +1,4 @@
-// SymbolTable that a file gives: to blocks as if they lay in parts, to what it records, and units to its
+// Names that a file gives: to blocks as if they lay in parts, to what it records, and units to its
 // signals.
 #include <catch2/catch.hpp>
 

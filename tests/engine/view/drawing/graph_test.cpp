@@ -56,7 +56,7 @@ std::vector<std::string> ports(const json& list, const std::string& key = "port"
   return found;
 }
 
-using SymbolTable = std::vector<std::string>;
+using Names = std::vector<std::string>;
 
 }  // namespace
 
@@ -65,13 +65,13 @@ TEST_CASE("a graph has every block and every wire of a file once, with ports in 
   write_rig(folder);
   const json rig = graph(folder.path("rig.yaml"));
   CHECK(rig["title"] == "a rig");
-  CHECK(ids(rig) == SymbolTable{"mount", "net", "body", "drag"});
-  CHECK(wires(rig) == SymbolTable{"body.position > mount.x", "'2 N' > net.u.1", "mount.force > net.u.2",
+  CHECK(ids(rig) == Names{"mount", "net", "body", "drag"});
+  CHECK(wires(rig) == Names{"body.position > mount.x", "'2 N' > net.u.1", "mount.force > net.u.2",
                                   "drag.y > net.u.3", "net.y > body.force", "body.velocity > drag.u"});
-  CHECK(ports(rig["nodes"][0]["inputs"]) == SymbolTable{"x"});
-  CHECK(ports(rig["nodes"][0]["outputs"]) == SymbolTable{"force", "stretch"});
-  CHECK(ports(rig["nodes"][1]["inputs"], "sign") == SymbolTable{"+", "-", "-"});
-  CHECK(ports(rig["nodes"][2]["outputs"]) == SymbolTable{"position", "velocity"});
+  CHECK(ports(rig["nodes"][0]["inputs"]) == Names{"x"});
+  CHECK(ports(rig["nodes"][0]["outputs"]) == Names{"force", "stretch"});
+  CHECK(ports(rig["nodes"][1]["inputs"], "sign") == Names{"+", "-", "-"});
+  CHECK(ports(rig["nodes"][2]["outputs"]) == Names{"position", "velocity"});
   CHECK(rig["nodes"][2]["outputs"][0]["recorded"] == true);
   CHECK_FALSE(rig["nodes"][2]["outputs"][1].contains("recorded"));
   CHECK(rig["nodes"][0]["outputs"][1]["recorded"] == true);
@@ -86,10 +86,10 @@ TEST_CASE("an opened part has a graph of its own, with its default where nothing
   by_name.open = {"mount"};
   by_depth.depth = 1;
   const json inside = graph(folder.path("rig.yaml"), by_name)["nodes"][0]["graph"];
-  CHECK(ids(inside) == SymbolTable{"mount.net", "mount.gain"});
-  CHECK(ports(inside["inputs"]) == SymbolTable{"x"});
-  CHECK(ports(inside["outputs"]) == SymbolTable{"force", "stretch"});
-  CHECK(wires(inside) == SymbolTable{"'1 mm' > mount.net.u.1", ".x > mount.net.u.2",
+  CHECK(ids(inside) == Names{"mount.net", "mount.gain"});
+  CHECK(ports(inside["inputs"]) == Names{"x"});
+  CHECK(ports(inside["outputs"]) == Names{"force", "stretch"});
+  CHECK(wires(inside) == Names{"'1 mm' > mount.net.u.1", ".x > mount.net.u.2",
                                      "mount.net.y > mount.gain.u", "mount.gain.y > .force",
                                      "mount.net.y > .stretch"});
   CHECK(graph(folder.path("rig.yaml"), by_depth)["nodes"][0]["graph"] == inside);
@@ -100,9 +100,9 @@ TEST_CASE("a part is drawn by itself with all of its ports, though it cannot run
   write_rig(folder);
   const json part = graph(folder.path("spring.yaml"));
   CHECK(part["title"] == "a spring");
-  CHECK(ids(part) == SymbolTable{"net", "gain"});
-  CHECK(ports(part["inputs"]) == SymbolTable{"x", "rest"});
-  CHECK(ports(part["outputs"]) == SymbolTable{"force", "stretch"});
+  CHECK(ids(part) == Names{"net", "gain"});
+  CHECK(ports(part["inputs"]) == Names{"x", "rest"});
+  CHECK(ports(part["outputs"]) == Names{"force", "stretch"});
   CHECK(wires(part)[0] == ".rest > net.u.1");
 }
 
@@ -122,7 +122,7 @@ TEST_CASE("a file's parts are known by their names") {
   write_rig(folder);
   const Registry registry = blocks();
   Loader loader(registry);
-  CHECK(DrawnFile(loader, folder.path("rig.yaml")).view().parts() == SymbolTable{"mount"});
+  CHECK(DrawnFile(loader, folder.path("rig.yaml")).view().parts() == Names{"mount"});
   CHECK(DrawnFile(loader, folder.path("spring.yaml")).view().parts().empty());
 }
 
@@ -158,27 +158,27 @@ TEST_CASE("a star in a pattern stands for any letters, also for none") {
 
 TEST_CASE("what is hidden is left out with its wires and the ports at their ends") {
   const json without = rig_with({.hide = {"drag"}});
-  CHECK(ids(without) == SymbolTable{"mount", "net", "body"});
-  CHECK(wires(without) == SymbolTable{"body.position > mount.x", "'2 N' > net.u.1", "mount.force > net.u.2",
+  CHECK(ids(without) == Names{"mount", "net", "body"});
+  CHECK(wires(without) == Names{"body.position > mount.x", "'2 N' > net.u.1", "mount.force > net.u.2",
                                       "net.y > body.force"});
-  CHECK(ports(without["nodes"][1]["inputs"]) == SymbolTable{"u.1", "u.2"});
-  CHECK(ports(without["nodes"][2]["outputs"]) == SymbolTable{"position"});
+  CHECK(ports(without["nodes"][1]["inputs"]) == Names{"u.1", "u.2"});
+  CHECK(ports(without["nodes"][2]["outputs"]) == Names{"position"});
 }
 
 TEST_CASE("a hidden signal of a part has neither port nor wire, inside nor outside") {
   const json closed = rig_with({.hide = {"mount.stretch"}});
-  CHECK(ports(closed["nodes"][0]["outputs"]) == SymbolTable{"force"});
+  CHECK(ports(closed["nodes"][0]["outputs"]) == Names{"force"});
   const json opened = rig_with({.open = {"mount"}, .hide = {"*.stretch", "mount.gain"}})["nodes"][0];
-  CHECK(ids(opened["graph"]) == SymbolTable{"mount.net"});
+  CHECK(ids(opened["graph"]) == Names{"mount.net"});
   CHECK(opened["graph"]["outputs"].empty());
   CHECK(opened["outputs"].empty());
 }
 
 TEST_CASE("an input of an opened part that feeds hidden blocks only is left out") {
   const json rig = rig_with({.open = {"mount"}, .hide = {"mount.net"}});
-  CHECK(ids(rig["nodes"][0]["graph"]) == SymbolTable{"mount.gain"});
+  CHECK(ids(rig["nodes"][0]["graph"]) == Names{"mount.gain"});
   CHECK(rig["nodes"][0]["inputs"].empty());
-  CHECK(wires(rig["nodes"][0]["graph"]) == SymbolTable{"mount.gain.y > .force"});
+  CHECK(wires(rig["nodes"][0]["graph"]) == Names{"mount.gain.y > .force"});
   CHECK(wires(rig).front() == "'2 N' > net.u.1");
 }
 
@@ -188,9 +188,9 @@ TEST_CASE("labels, names and groups are handed on to what draws") {
   options.names = {{"body", "mass"}, {"mount.gain", "spring"}};
   options.groups = {{"plant", {"body", "mount"}}};
   const json rig = rig_with(options);
-  CHECK(ports(rig["nodes"][0]["outputs"], "mark") == SymbolTable{"F_d", ""});
-  CHECK(ports(rig["nodes"][1]["outputs"], "mark") == SymbolTable{"F"});
-  CHECK(ports(rig["nodes"][0]["graph"]["nodes"][0]["outputs"], "mark") == SymbolTable{"s"});
+  CHECK(ports(rig["nodes"][0]["outputs"], "mark") == Names{"F_d", ""});
+  CHECK(ports(rig["nodes"][1]["outputs"], "mark") == Names{"F"});
+  CHECK(ports(rig["nodes"][0]["graph"]["nodes"][0]["outputs"], "mark") == Names{"s"});
   CHECK(rig["nodes"][2]["id"] == "body");
   CHECK(rig["nodes"][2]["name"] == "mass");
   CHECK(rig["nodes"][0]["graph"]["nodes"][1]["name"] == "spring");
