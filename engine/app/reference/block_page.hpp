@@ -9,7 +9,7 @@ namespace stepwire {
 /// Reference page of a block for a terminal.
 std::string block_page(const BlockType& type);
 
-/// SymbolTable of all blocks by family, each with the first sentence of its page.
+/// Names of all blocks by family, each with the first sentence of its page.
 std::string block_list(const Registry& registry);
 
 }  // namespace stepwire

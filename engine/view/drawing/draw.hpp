@@ -15,10 +15,10 @@ class DiagramView {
       : diagram_(diagram), loader_(loader), scope_(scope) {}
 
   const Diagram& diagram() const { return diagram_; }
-  /// SymbolTable of all parts that can be opened: "rig", "rig.mount".
+  /// Names of all parts that can be opened: "rig", "rig.mount".
   std::vector<std::string> parts() const;
   Json graph(const GraphOptions& options) const;
-  /// SymbolTable of all blocks and parts of the file and of its parts; with their outputs where `signals`.
+  /// Names of all blocks and parts of the file and of its parts; with their outputs where `signals`.
   std::vector<std::string> blocks(bool signals) const;
   /// The blocks and parts of the file itself.
   std::vector<std::string> children() const;
