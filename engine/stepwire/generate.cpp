@@ -12,13 +12,16 @@ const char* version() {
   return STEPWIRE_VERSION;
 }
 
-std::map<std::string, std::string> generated_files(const Model& model) {
-  return program_files(model.content().job.plan, std::filesystem::path(model.file()).stem().string(),
-                       std::string("stepwire ") + version());
+std::map<std::string, std::string> generated_files(const Model& model, const GenerateOptions& options) {
+  const Plan& plan = model.content().job.plan;
+  const std::string name =
+      options.name.empty() ? std::filesystem::path(model.file()).stem().string() : options.name;
+  return program_files(plan, options.constant_parameters ? Tuning{} : tuning_of(plan),
+                       {name, std::string("stepwire ") + version(), options.c_interface});
 }
 
-void generate(const Model& model, const std::string& folder) {
-  for (const auto& [path, text] : generated_files(model)) {
+void generate(const Model& model, const std::string& folder, const GenerateOptions& options) {
+  for (const auto& [path, text] : generated_files(model, options)) {
     const std::filesystem::path target = std::filesystem::path(folder) / path;
     require_folder(target.parent_path().string());
     write_file(target.string(), text);
