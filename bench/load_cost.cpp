@@ -32,7 +32,7 @@ double peak_megabytes() {
 }  // namespace
 
 std::vector<Result> measure_load(int blocks, int times) {
-  const Registry registry = blocks();
+  const Registry registry = stepwire::blocks();
   const std::string text = w2_text(blocks, 5);
   const Result result{fmt::format("text of W2 {} to first step", blocks), "interpreted", "ms", 0.0,
                       static_cast<std::size_t>(blocks) + 2};

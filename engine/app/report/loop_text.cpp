@@ -103,20 +103,6 @@ std::string machine_text(const Machine& machine) {
 
 }  // namespace
 
-std::string end_word(Loop::End end) {
-  switch (end) {
-    case Loop::End::stopped:
-      return "stopped after too many misses in a row";
-    case Loop::End::interrupted:
-      return "interrupted";
-    case Loop::End::fault:
-      return "ended by the diagram";
-    case Loop::End::done:
-      break;
-  }
-  return "done";
-}
-
 std::string loop_text(const LoopOutcome& outcome) {
   std::string text = head_text(outcome) + times_text(outcome.loop.measurements());
   if (outcome.baseline) text += baseline_text(outcome.baseline->histogram());

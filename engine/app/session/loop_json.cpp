@@ -161,4 +161,18 @@ Json loop_json(const LoopOutcome& outcome) {
       .set("compiler", compiler_version());
 }
 
+std::string end_word(Loop::End end) {
+  switch (end) {
+    case Loop::End::stopped:
+      return "stopped after too many misses in a row";
+    case Loop::End::interrupted:
+      return "interrupted";
+    case Loop::End::fault:
+      return "ended by the diagram";
+    case Loop::End::done:
+      break;
+  }
+  return "done";
+}
+
 }  // namespace stepwire

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "blocks/register.hpp"
-#include "engine/app/cli/work.hpp"
+#include "engine/app/session/loaded_model.hpp"
 #include "engine/app/reference/diagram_schema.hpp"
 #include "engine/app/reference/format_page.hpp"
 #include "engine/app/reference/key_schema.hpp"
@@ -82,10 +82,10 @@ Document example_file(const Section& section) {
   return file;
 }
 
-Work loaded(Document document) {
+LoadedModel loaded(Document document) {
   Loader loader(registry());
   loader.add(std::move(document));
-  return prepare(loader, "example.yaml", {});
+  return load_model(loader, "example.yaml", {});
 }
 
 Entry named(const std::string& key) {
