@@ -66,7 +66,7 @@ TEST_CASE("each call names its block and the line of the file") {
   CHECK_THAT(text, Contains("half_y = ") && Contains("// half.y, Gain, test.yaml:2"));
 }
 
-TEST_CASE("a block that is not of the library is refused with its name and its line") {
+TEST_CASE("a block without a header is refused with its name and its line") {
   Registry registry;
   registry.add<Foreign>("test");
   const Plan plan = plan_text("blocks:\n  odd: {block: Foreign, u: 1}\n", {}, registry);
@@ -75,7 +75,7 @@ TEST_CASE("a block that is not of the library is refused with its name and its l
     FAIL("it is not refused");
   } catch (const Error& error) {
     CHECK(std::string(error.what()) ==
-          "test.yaml:2:8: odd: Foreign cannot be generated: its type is not one of the library");
+          "test.yaml:2:8: odd: Foreign cannot be generated: no header declares its struct");
   }
 }
 
