@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <vector>
@@ -40,6 +41,9 @@ class Running {
   void set(const std::string& name, const std::string& text);
   void set(InputId input, double value);
   void set(InputId input, std::span<const double> values);
+  void set(InputId input, std::initializer_list<double> values) {
+    set(input, std::span(values.begin(), values.size()));
+  }
   Snapshot snapshot() const;
   /// What was recorded from that moment on is recorded anew.
   void restore(const Snapshot& snapshot);

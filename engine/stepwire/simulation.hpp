@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <span>
 #include <string>
@@ -39,6 +40,9 @@ class Simulation {
   /// there are not as many as the input has.
   void set(InputId input, double value);
   void set(InputId input, std::span<const double> values);
+  void set(InputId input, std::initializer_list<double> values) {
+    set(input, std::span(values.begin(), values.size()));
+  }
 
   /// Computes the next tick: that of time 0 at first. Throws Error where a block or the solver ends the run
   /// for a fault, and where the run has ended.

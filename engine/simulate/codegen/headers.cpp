@@ -28,6 +28,13 @@ std::string path_of(const std::string& header) {
   return resource(is_public(header) ? "public" : "headers") + "/" + header;
 }
 
+/// Others may have folders of these names, too.
+bool is_ours(const std::string& included) {
+  const bool may_be =
+      included.starts_with("engine/") || included.starts_with("blocks/") || is_public(included);
+  return may_be && fs::exists(path_of(included));
+}
+
 /// Gathers what headers include.
 class Gatherer {
  public:
@@ -60,8 +67,7 @@ class Gatherer {
   void follow_quoted(const std::string& header, const std::string& included) {
     const fs::path beside = fs::path(header).parent_path();
     if (fs::exists(beside / included)) return add(beside / included);
-    const bool is_ours = included.starts_with("engine/") || included.starts_with("blocks/");
-    if (is_ours || is_public(included)) return open_.push_back(included);
+    if (is_ours(included)) return open_.push_back(included);
     for (fs::path above = beside.parent_path(); above != above.root_path(); above = above.parent_path()) {
       if (!fs::exists(above / included)) continue;
       folders_.insert(above.string());
