@@ -56,7 +56,7 @@ std::vector<std::string> sources_in(const std::string& folder) {
 std::vector<std::string> flags_of(const std::string& folder, const IncludedHeaders& headers) {
   std::vector<std::string> flags = include_options(headers);
   // What it defines is what it uses, also where the program has something of the same name.
-  flags.insert(flags.end(), {"-I", folder, "-Wl,-Bsymbolic"});
+  flags.insert(flags.end(), {"-idirafter", folder, "-Wl,-Bsymbolic"});
   return flags;
 }
 

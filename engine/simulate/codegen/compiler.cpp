@@ -81,6 +81,9 @@ std::string Compiler::compile(const std::string& source, const std::string& libr
   const std::string headers = find_resource("precompiled") + "/" + standard_headers;
   // GCC takes what is precompiled only if it fits these flags and this version; clang refuses another's.
   if (is_gcc() && std::filesystem::exists(headers)) command.insert(command.end(), {"-include", headers});
+  command.insert(command.end(), {"-I", resource("headers"), "-I", resource("public")});
+  if (const std::string eigen = find_resource("eigen"); !eigen.empty())
+    command.insert(command.end(), {"-isystem", eigen});
   command.insert(command.end(), {"-shared", "-o", library, source});
   return problem_of({.command = command, .stop = stop, .limit = compiler_limit()});
 }

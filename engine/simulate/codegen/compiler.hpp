@@ -24,8 +24,9 @@ class Compiler {
   /// Lets the compiler use all that this machine's processor has.
   static constexpr const char* native = "-march=native";
 
-  /// Compiles a source into a shared library, with further flags. Empty if that went well, else what the
-  /// compiler said. A stop ends the compiler, and there is no library then.
+  /// Compiles a source, which may include our headers, into a shared library, with further flags. Empty if
+  /// that went well, else what the compiler said. A stop ends the compiler, and there is no library then.
+  /// Throws SurroundingsError where our headers are not there.
   std::string compile(const std::string& source, const std::string& library,
                       const std::vector<std::string>& more, const std::stop_token& stop) const;
 

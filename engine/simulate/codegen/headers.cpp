@@ -99,10 +99,8 @@ IncludedHeaders with_included(const std::vector<std::string>& headers) {
 }
 
 std::vector<std::string> include_options(const IncludedHeaders& headers) {
-  std::vector<std::string> options{"-I", resource("headers"), "-I", resource("public")};
-  for (const std::string& folder : headers.folders) options.insert(options.end(), {"-I", folder});
-  if (const std::string eigen = find_resource("eigen"); !eigen.empty())
-    options.insert(options.end(), {"-isystem", eigen});
+  std::vector<std::string> options;
+  for (const std::string& folder : headers.folders) options.insert(options.end(), {"-idirafter", folder});
   return options;
 }
 

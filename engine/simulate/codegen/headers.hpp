@@ -35,7 +35,7 @@ std::vector<std::string> headers_of(const Plan& plan);
 /// Has it a full path, and is none of ours?
 bool is_of_others(const std::string& header);
 
-/// Options for the compiler, which then finds what generated code includes.
+/// Options for the compiler, which then finds what headers of others include, after what is ours.
 std::vector<std::string> include_options(const IncludedHeaders& headers);
 
 }  // namespace stepwire
