@@ -28,7 +28,7 @@ void PassivityObserver::declare(Declare<PassivityObserver>& is) {
       {.unit = "J", .doc = "energy that went in another way since the start", .optional = true});
   is.output<&PassivityObserver::supplied>({.unit = "J", .doc = "through the port since the start"});
   is.output<&PassivityObserver::dissipated>({.unit = "J", .doc = "supplied, booked, and not stored"});
-  is.output<&PassivityObserver::min_gain>(
+  is.output<&PassivityObserver::least_gain>(
       {.unit = "J", .doc = "smallest change of it in any step so far; below 0 where it ever fell"});
   is.output<&PassivityObserver::broken>({.doc = "1 while more than the budget has come out, else 0"});
   is.state<&PassivityObserver::energy>({.unit = "J", .doc = "what is supplied"});

@@ -20,7 +20,7 @@ struct PassivityObserver {
   double budget = 0.0;
   Input<> force{}, velocity{};
   Input<1> stored{}, booked{};
-  Output<1> supplied{}, dissipated{}, min_gain{}, broken{};
+  Output<1> supplied{}, dissipated{}, least_gain{}, broken{};
   State<1> energy{};
   DiscreteState<1> first_stored{}, before{}, highest{}, least{}, begun{};
   Notice gave_out{};
@@ -30,7 +30,7 @@ struct PassivityObserver {
     const double lost = lost_now();
     supplied = energy;
     dissipated = lost;
-    min_gain = std::min<double>(least, lost - before);
+    least_gain = std::min<double>(least, lost - before);
     broken = exceeded(lost) ? 1.0 : 0.0;
   }
   void derivatives() {
@@ -42,7 +42,7 @@ struct PassivityObserver {
     const double lost = lost_now();
     if (begun == 0.0 && stored.connected()) first_stored = stored;
     if (exceeded(lost)) gave_out.raise(time);
-    least = min_gain;
+    least = least_gain;
     highest = std::max<double>(highest, lost);
     before = lost;
     begun = 1.0;

@@ -64,9 +64,9 @@ blocks:
   rate:    {block: Sine, amplitude: 100 mm/s, frequency: 7 Hz}
   current: {block: Pulse, amplitude: 0.5 A, period: 0.0613 s, width: 0.4}
   damper:  {diagram: ../diagrams/parts/lagged-damper.yaml, rate: rate, current: current}
-record: [damper.min_gain, damper.current, damper.work, damper.dissipated, damper.stored, damper.switching_work]
+record: [damper.least_gain, damper.current, damper.work, damper.dissipated, damper.stored, damper.switching_work]
 )");
-  CHECK(column(table, "damper.min_gain").back() > -1e-12);
+  CHECK(column(table, "damper.least_gain").back() > -1e-12);
   for (const double current : column(table, "damper.current")) REQUIRE(current <= 0.35);
   const auto last = [&](const std::string& name) { return column(table, "damper." + name).back(); };
   CHECK(last("work") == Approx(last("dissipated") + last("stored") - last("switching_work")).epsilon(1e-7));

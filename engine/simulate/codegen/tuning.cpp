@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "engine/model/plan/member_items.hpp"
 #include "engine/simulate/codegen/cpp_words.hpp"
 #include "engine/simulate/codegen/fixed_values.hpp"
 #include "engine/simulate/codegen/value_text.hpp"
@@ -46,6 +47,17 @@ void put_numbers(Value& value, const std::vector<double>& numbers) {
     std::copy(numbers.begin(), numbers.end(), vector->data());
   if (auto* matrix = std::get_if<Eigen::MatrixXd>(&value.content))
     std::copy(numbers.begin(), numbers.end(), matrix->data());
+}
+
+/// The items of these members of a block.
+std::vector<bool> items_of(const std::vector<bool>& members, const AnyBlock& block) {
+  std::vector<bool> items;
+  for (std::size_t m = 0; m < members.size(); ++m) {
+    MemberItems of_member;
+    of_member.add(block.type().members[m], block.get());
+    items.insert(items.end(), of_member.items().size(), members[m]);
+  }
+  return items;
 }
 
 class Tuner {
@@ -129,7 +141,7 @@ class Tuner {
         marks.push_back(marks_.next({0, m, k}, {}, block));
       prepared.put(marked(block).get(), marks.data(), static_cast<Index>(marks.size()));
     }
-    tuning_.variable.push_back({block, found->second});
+    tuning_.variable.push_back({block, items_of(found->second, of_plan)});
   }
 
   void place_numbers() {

@@ -14,7 +14,7 @@ Table moved(const std::string& force, const std::string& keys) {
       "Hz}\n"
       "  v: {block: Sine, amplitude: = 10 mm*2*pi*1 Hz, frequency: 1 Hz, phase: 90 deg}\n" +
       force + "  port: {block: PassivityObserver, force: force, velocity: v" + keys +
-      "}\nrecord: [x, v, port.supplied, port.dissipated, port.min_gain, port.broken]\n");
+      "}\nrecord: [x, v, port.supplied, port.dissipated, port.least_gain, port.broken]\n");
 }
 
 const std::string spring =
@@ -51,7 +51,7 @@ TEST_CASE("A dashpot dissipates all that is supplied, and never gives any of it 
   const Table table = moved(dashpot, ", judge: fall, budget: 1e-12 J");
   CHECK(column(table, "port.supplied").back() == Approx(lost_after(2.25)).epsilon(1e-9));
   CHECK(column(table, "port.dissipated").back() == column(table, "port.supplied").back());
-  CHECK(column(table, "port.min_gain").back() > -1e-15);
+  CHECK(column(table, "port.least_gain").back() > -1e-15);
   CHECK(first(column(table, "port.broken")) == 2251);
 }
 
@@ -62,7 +62,7 @@ TEST_CASE("An active source breaks the balance when it has given out the budget"
   CHECK(lost_after(1e-3 * tick) > budget);
   CHECK(lost_after(1e-3 * (tick - 1.0)) <= budget);
   // in a millisecond it gives out 5 v^2 dt at most
-  CHECK(column(table, "port.min_gain").back() ==
+  CHECK(column(table, "port.least_gain").back() ==
         Approx(-5.0 * amplitude * amplitude * w * w * 1e-3).epsilon(1e-4));
 }
 
@@ -108,10 +108,10 @@ blocks:
   stored: {block: Ramp, slope: 2 W, initial: 5 J}
   booked: {block: Ramp, slope: 3 W}
   port: {block: PassivityObserver, force: 1 N, velocity: 4 m/s, stored: stored, booked: booked, judge: fall, budget: 1e-9 J}
-record: [port.dissipated, port.min_gain, port.broken]
+record: [port.dissipated, port.least_gain, port.broken]
 )");
   CHECK(column(table, "port.dissipated").front() == 0.0);
   CHECK(column(table, "port.dissipated").back() == Approx(4.0 + 3.0 - 2.0).epsilon(1e-9));
-  CHECK(column(table, "port.min_gain").back() == 0.0);
+  CHECK(column(table, "port.least_gain").back() == 0.0);
   CHECK(column(table, "port.broken").back() == 0.0);
 }

@@ -135,8 +135,10 @@ TEST_CASE("with --json standard output is JSON and nothing else, whatever else i
     const Done done = run_program(folder, {verb, "lag.yaml", "bad.yaml", "--json", "--units"});
     CHECK(done.code == 2);
     const json results = json::parse(done.out);
-    REQUIRE(results.size() == 1);
+    REQUIRE(results.size() == 2);
     CHECK(results[0]["file"] == "lag.yaml");
+    CHECK(results[1]["file"] == "bad.yaml");
+    CHECK(results[1]["faults"][0]["line"] == 1);
   }
   const Done done = run_program(folder, {"run", "lag.yaml", "--json", "--out", "out"});
   CHECK(json::parse(done.out)[0]["claims"][0]["holds"] == true);

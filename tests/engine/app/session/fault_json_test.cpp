@@ -29,7 +29,7 @@ const std::string head = "stepwire: 1\ntitle: t\nstep: 1 ms\nstop: 1 s\nsolver: 
 
 TEST_CASE("a fault as data has the place and the end of what is wrong, the block, the port, and the cure") {
   const Scratch folder;
-  folder.write("a.yaml", head +
+  folder.file("a.yaml", head +
                              "blocks:\n  one: {block: Constant, value: 1}\n  gain:\n    block: Gain\n    "
                              "gain: \"two\"\n    u: on\n");
   const json faults = faults_of(folder, "a.yaml");
@@ -51,10 +51,10 @@ TEST_CASE("a fault as data has the place and the end of what is wrong, the block
 
 TEST_CASE("a fault in a part names the block by its whole name, and who uses the part") {
   const Scratch folder;
-  folder.write("spring.yaml",
+  folder.file("spring.yaml",
                "stepwire: 1\ntitle: a spring\ninputs: {x: m}\noutputs: {force: k}\nblocks:\n  k: {block: "
                "Gain, gain: -, u: x}\n");
-  folder.write("a.yaml",
+  folder.file("a.yaml",
                head + "blocks:\n  x: {block: Constant, value: 1 m}\n  rig: {part: spring.yaml, x: x}\n");
   const json faults = faults_of(folder, "a.yaml");
   REQUIRE(faults.size() == 1);
@@ -66,7 +66,7 @@ TEST_CASE("a fault in a part names the block by its whole name, and who uses the
 
 TEST_CASE("characters, not bytes, are counted up to the end of what is wrong") {
   const Scratch folder;
-  folder.write("a.yaml", head + "blocks:\n  a: {block: Constant, value: '1 \xC2\xB5\xC2\xB5'}\n");
+  folder.file("a.yaml", head + "blocks:\n  a: {block: Constant, value: '1 \xC2\xB5\xC2\xB5'}\n");
   const json faults = faults_of(folder, "a.yaml");
   REQUIRE(faults.size() == 1);
   CHECK(faults[0]["end"]["column"].get<int>() - faults[0]["column"].get<int>() == 6);
@@ -74,7 +74,7 @@ TEST_CASE("characters, not bytes, are counted up to the end of what is wrong") {
 
 TEST_CASE("what stands outside of the blocks has no block, and a setting of a call no line") {
   const Scratch folder;
-  folder.write("a.yaml",
+  folder.file("a.yaml",
                "stepwire: 1\ntitle: t\nstep: 0 s\nstop: 1 s\nblocks:\n  a: {block: Constant, value: 1}\n");
   const json faults = faults_of(folder, "a.yaml");
   REQUIRE_FALSE(faults.empty());

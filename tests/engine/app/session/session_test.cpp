@@ -48,9 +48,9 @@ std::string lag(const std::string& more) {
 
 TEST_CASE("a session watches a run, a sweep and a study by the same observer") {
   const Scratch folder;
-  folder.write("lag.yaml", lag(""));
-  folder.write("sweep.yaml", lag("sweep: {tau: [10 ms, 20 ms, 40 ms]}\n"));
-  folder.write("study.yaml", small_study());
+  folder.file("lag.yaml", lag(""));
+  folder.file("sweep.yaml", lag("sweep: {tau: [10 ms, 20 ms, 40 ms]}\n"));
+  folder.file("study.yaml", small_study());
   Session session(library());
   const auto rows_of = [](const Outcome& outcome) { return outcome.result.recordings[0].table.rows(); };
   SECTION("run") {
@@ -86,7 +86,7 @@ TEST_CASE("a session watches a real-time loop, and ends it by an observer") {
     }
   } stops;
   const Scratch folder;
-  folder.write("lag.yaml", lag(""));
+  folder.file("lag.yaml", lag(""));
   LoopCall call;
   call.file = folder.path("lag.yaml");
   call.words.policy = "other";
@@ -106,13 +106,13 @@ TEST_CASE("a session watches a real-time loop, and ends it by an observer") {
 
 TEST_CASE("a session returns what is wrong as an error, and prints nothing") {
   const Scratch folder;
-  folder.write("a.yaml", lag("").replace(lag("").find("Lag"), 3, "Lak"));
+  folder.file("a.yaml", lag("").replace(lag("").find("Lag"), 3, "Lak"));
   CHECK_THROWS_AS(Session(library()).load(folder.path("a.yaml")), Error);
 }
 
 TEST_CASE("an interrupted session keeps what was recorded") {
   const Scratch folder;
-  folder.write("lag.yaml", lag("").replace(lag("").find("50 ms"), 5, "10 s"));
+  folder.file("lag.yaml", lag("").replace(lag("").find("50 ms"), 5, "10 s"));
   const std::atomic<bool> at_once = true;
   Monitor monitor;
   monitor.interrupt = &at_once;
