@@ -112,41 +112,56 @@ PlaneChain chain_through(const std::vector<Vector2>& points, bool closed) {
 
 namespace {
 
-/// Slopes at the knots of a cubic spline of continuous curvature: the rows of a band matrix with three
-/// diagonals, and for a closed one with the corners, solved by elimination.
+/// The equations for the slopes at the knots of a cubic spline of continuous curvature: the rows of a band
+/// matrix with three diagonals, and for a closed one with the corners.
+class SlopeEquations {
+ public:
+  explicit SlopeEquations(std::size_t count) : rows_(count, std::vector<double>(count, 0.0)), right_(count) {}
+
+  /// Adds what an interval that rises with `slope` from one knot to the other says of the slope at the knot.
+  void add(std::size_t knot, std::size_t other, double width, Vector2 slope) {
+    rows_[knot][knot] += 2.0 / width;
+    rows_[knot][other] += 1.0 / width;
+    right_[knot] = right_[knot] + (3.0 / width) * slope;
+  }
+
+  std::vector<Vector2> solve() && {
+    for (std::size_t k = 0; k < rows_.size(); ++k)
+      for (std::size_t i = k + 1; i < rows_.size(); ++i) eliminate(i, k);
+    for (std::size_t k = rows_.size(); k-- > 0;) {
+      for (std::size_t j = k + 1; j < rows_.size(); ++j) right_[k] = right_[k] - rows_[k][j] * right_[j];
+      right_[k] = (1.0 / rows_[k][k]) * right_[k];
+    }
+    return std::move(right_);
+  }
+
+ private:
+  /// Takes unknown k out of row i. The matrix is diagonally dominant: no pivots are looked for.
+  void eliminate(std::size_t i, std::size_t k) {
+    const double share = rows_[i][k] / rows_[k][k];
+    if (share == 0.0) return;
+    for (std::size_t j = k; j < rows_.size(); ++j) rows_[i][j] -= share * rows_[k][j];
+    right_[i] = right_[i] - share * right_[k];
+  }
+
+  std::vector<std::vector<double>> rows_;
+  std::vector<Vector2> right_;
+};
+
 std::vector<Vector2> spline_slopes(const std::vector<Vector2>& knots, const std::vector<double>& widths,
                                    bool closed) {
   const std::size_t n = closed ? widths.size() : knots.size();
-  std::vector<std::vector<double>> rows(n, std::vector<double>(n, 0.0));
-  std::vector<Vector2> right(n);
   const auto rise = [&](std::size_t i) { return (1.0 / widths[i]) * (knots[i + 1] - knots[i]); };
+  SlopeEquations equations(n);
   for (std::size_t i = 0; i < n; ++i) {
     const bool starts = !closed && i == 0, ends = !closed && i == n - 1;
     const std::size_t before = i == 0 ? widths.size() - 1 : i - 1;
-    if (!starts) {
-      rows[i][i] += 2.0 / widths[before];
-      rows[i][before] += 1.0 / widths[before];
-      right[i] = right[i] + (3.0 / widths[before]) * rise(before);
-    }
-    if (!ends) {
-      rows[i][i] += 2.0 / widths[i];
-      rows[i][(i + 1) % n] += 1.0 / widths[i];
-      right[i] = right[i] + (3.0 / widths[i]) * rise(i);
-    }
+    if (!starts) equations.add(i, before, widths[before], rise(before));
+    if (!ends) equations.add(i, (i + 1) % n, widths[i], rise(i));
   }
-  for (std::size_t k = 0; k < n; ++k)  // diagonally dominant: no pivots are looked for
-    for (std::size_t i = k + 1; i < n; ++i) {
-      const double share = rows[i][k] / rows[k][k];
-      if (share == 0.0) continue;
-      for (std::size_t j = k; j < n; ++j) rows[i][j] -= share * rows[k][j];
-      right[i] = right[i] - share * right[k];
-    }
-  for (std::size_t k = n; k-- > 0;) {
-    for (std::size_t j = k + 1; j < n; ++j) right[k] = right[k] - rows[k][j] * right[j];
-    right[k] = (1.0 / rows[k][k]) * right[k];
-  }
-  if (closed) right.push_back(right.front());
-  return right;
+  std::vector<Vector2> slopes = std::move(equations).solve();
+  if (closed) slopes.push_back(slopes.front());
+  return slopes;
 }
 
 /// The cubic with these values and slopes at the ends of an interval of this width.

@@ -13,6 +13,8 @@ namespace stepwire {
 
 namespace {
 
+using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 // Differences of runs leave some 1e-8 of a column; what is known at all stands out of that.
 constexpr double negligible = 1e-6;
@@ -24,45 +26,45 @@ std::string listed(const std::vector<std::string>& names) {
   return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
 }
 
-}  // namespace
+/// Which combinations of the unknowns a Jacobian determines, with its columns scaled to length 1.
+struct Resolution {
+  Eigen::VectorXd lengths;  ///< of the columns
+  Eigen::MatrixXd scaled;
+  Eigen::MatrixXd inverse;  ///< of the scaled J' J, the free directions left out
+  Eigen::VectorXd unknown;  ///< the largest part of each unknown in a free direction
+  std::vector<Eigen::VectorXd> free;
+};
 
-Certainty certainty_of(const Eigen::VectorXd& residuals,
-                       const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>& jacobian,
-                       const Eigen::VectorXd& sizes, double freedom,
-                       const std::vector<Eigen::Index>& starts) {
+Resolution resolution_of(const RowMajorMatrix& jacobian) {
   const Eigen::Index count = jacobian.cols();
-  Certainty result;
-  result.deviation = residuals.norm() / std::sqrt(freedom);
-  const Eigen::VectorXd lengths = jacobian.colwise().norm().transpose().cwiseMax(1e-300);
-  const Eigen::MatrixXd scaled = jacobian * lengths.cwiseInverse().asDiagonal();
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(scaled);
+  Resolution result;
+  result.lengths = jacobian.colwise().norm().transpose().cwiseMax(1e-300);
+  result.scaled = jacobian * result.lengths.cwiseInverse().asDiagonal();
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(result.scaled);
   const Eigen::MatrixXd triangle = qr.matrixQR().topRows(count).triangularView<Eigen::Upper>();
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(triangle, Eigen::ComputeFullV);
-  Eigen::MatrixXd inverse = Eigen::MatrixXd::Zero(count, count);  // of the scaled J' J
-  Eigen::VectorXd unknown = Eigen::VectorXd::Zero(count);
+  result.inverse = Eigen::MatrixXd::Zero(count, count);
+  result.unknown = Eigen::VectorXd::Zero(count);
   for (Eigen::Index k = 0; k < count; ++k) {
     const Eigen::VectorXd v = svd.matrixV().col(k);
     const double value = svd.singularValues()[k];
     if (value > negligible * svd.singularValues()[0]) {
-      inverse += v * v.transpose() / (value * value);
+      result.inverse += v * v.transpose() / (value * value);
       continue;
     }
-    unknown = unknown.cwiseMax(v.cwiseAbs());
-    result.free_directions.push_back(v.cwiseQuotient(lengths).cwiseQuotient(sizes));
-    result.free_directions.back() /= result.free_directions.back().cwiseAbs().maxCoeff();
+    result.unknown = result.unknown.cwiseMax(v.cwiseAbs());
+    result.free.push_back(v);
   }
-  result.serial = SerialCorrelation::of(residuals, starts);
-  const double rows = static_cast<double>(residuals.size());
-  const double worth = std::max(1.0, freedom - rows + rows / result.serial.inflation);
-  result.quantile = student_quantile(0.975, worth);
-  Eigen::MatrixXd known = result.deviation * result.deviation * inverse;  // of the scaled unknowns
-  if (result.serial.rows > 0) {
-    const Eigen::MatrixXd terms = residuals.asDiagonal() * scaled;
-    known = rows / freedom * inverse * result.serial.covariance_of_sum(terms, starts) * inverse;
-  }
+  return result;
+}
+
+/// What follows from the covariance of the scaled unknowns.
+void set_errors(const Resolution& resolved, const Eigen::MatrixXd& known, Certainty& result) {
+  const Eigen::VectorXd& lengths = resolved.lengths;
+  const Eigen::Index count = lengths.size();
   result.covariance = lengths.cwiseInverse().asDiagonal() * known * lengths.cwiseInverse().asDiagonal();
   const Eigen::VectorXd deviations = known.diagonal().cwiseMax(1e-300).cwiseSqrt();
-  const auto open = [&](Eigen::Index i) { return unknown[i] > part_of_direction; };
+  const auto open = [&](Eigen::Index i) { return resolved.unknown[i] > part_of_direction; };
   result.standard_errors.resize(count);
   result.correlation.resize(count, count);
   for (Eigen::Index i = 0; i < count; ++i) {
@@ -71,6 +73,31 @@ Certainty certainty_of(const Eigen::VectorXd& residuals,
       result.correlation(i, j) = open(i) || open(j) ? nan : known(i, j) / (deviations[i] * deviations[j]);
   }
   result.half_widths = result.quantile * result.standard_errors;
+}
+
+}  // namespace
+
+Certainty certainty_of(const Eigen::VectorXd& residuals, const RowMajorMatrix& jacobian,
+                       const Eigen::VectorXd& sizes, double freedom,
+                       const std::vector<Eigen::Index>& starts) {
+  const Resolution resolved = resolution_of(jacobian);
+  Certainty result;
+  result.deviation = residuals.norm() / std::sqrt(freedom);
+  for (const Eigen::VectorXd& direction : resolved.free) {
+    result.free_directions.push_back(direction.cwiseQuotient(resolved.lengths).cwiseQuotient(sizes));
+    result.free_directions.back() /= result.free_directions.back().cwiseAbs().maxCoeff();
+  }
+  result.serial = SerialCorrelation::of(residuals, starts);
+  const double rows = static_cast<double>(residuals.size());
+  const double worth = std::max(1.0, freedom - rows + rows / result.serial.inflation);
+  result.quantile = student_quantile(0.975, worth);
+  Eigen::MatrixXd known = result.deviation * result.deviation * resolved.inverse;  // of the scaled unknowns
+  if (result.serial.rows > 0) {
+    const Eigen::MatrixXd terms = residuals.asDiagonal() * resolved.scaled;
+    known =
+        rows / freedom * resolved.inverse * result.serial.covariance_of_sum(terms, starts) * resolved.inverse;
+  }
+  set_errors(resolved, known, result);
   return result;
 }
 

@@ -192,14 +192,20 @@ class Fit {
       return;
     count(request_, r, slopes);
     tell_slope(r, slopes);
+    describe_certainty(certainty_of(r, slopes, sizes(), result_.freedom, residuals_.stretches()));
+  }
+
+  /// What relative changes of the unknowns are relative to.
+  Eigen::VectorXd sizes() const {
     Eigen::VectorXd sizes = best_.x;
+    for (Eigen::Index i = 0; i < sizes.size(); ++i)
+      if (sizes[i] == 0.0) sizes[i] = residuals_.parameter(static_cast<std::size_t>(i)).scale;
+    return sizes;
+  }
+
+  void describe_certainty(const Certainty& certainty) {
     std::vector<std::string> titles;
-    for (std::size_t i = 0; i < result_.numbers.size(); ++i) {
-      auto& size = sizes[static_cast<Eigen::Index>(i)];
-      if (size == 0.0) size = residuals_.parameter(i).scale;
-      titles.push_back(result_.numbers[i].title());
-    }
-    const Certainty certainty = certainty_of(r, slopes, sizes, result_.freedom, residuals_.stretches());
+    for (const FittedNumber& one : result_.numbers) titles.push_back(one.title());
     result_.deviation = certainty.deviation;
     result_.correlation = certainty.correlation;
     result_.together = certainty.serial.rows;

@@ -123,48 +123,67 @@ void keep_log_inside() {
   FLAGS_minloglevel = google::GLOG_FATAL;
 }
 
+void set_bounds(const Residuals& residuals, Eigen::VectorXd& scaled, ceres::Problem& problem) {
+  for (int at = 0; at < static_cast<int>(scaled.size()); ++at) {
+    const FitParameter& parameter = residuals.parameter(static_cast<std::size_t>(at));
+    if (parameter.lower > -FitParameter::open)
+      problem.SetParameterLowerBound(scaled.data(), at, parameter.lower / parameter.scale);
+    if (parameter.upper < FitParameter::open)
+      problem.SetParameterUpperBound(scaled.data(), at, parameter.upper / parameter.scale);
+  }
+}
+
+/// Scaling may round beyond a bound.
+void keep_within_bounds(const Residuals& residuals, Eigen::VectorXd& x) {
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const FitParameter& parameter = residuals.parameter(static_cast<std::size_t>(i));
+    x[i] = std::clamp(x[i], parameter.lower, parameter.upper);
+  }
+}
+
+struct Descent {
+  std::size_t steps = 0;
+  bool converged = false;
+};
+
+/// Both phases of a search, up to a step that gains less than `gain` of the cost.
+Descent descend(ceres::Problem& problem, double gain, const LeastSquaresOptions& options) {
+  Descent done;
+  for (const Phase& phase : {Phase{short_steps, near_minimum}, Phase{long_steps, gain}}) {
+    Watch watch(options, done.steps);
+    ceres::Solver::Summary summary;
+    ceres::Solve(solver_options(phase, options.iterations - done.steps, watch), &problem, &summary);
+    done.steps += summary.iterations.size() - std::min<std::size_t>(1, summary.iterations.size());
+    done.converged = summary.termination_type == ceres::CONVERGENCE;
+    if (!done.converged) break;
+  }
+  return done;
+}
+
 }  // namespace
 
 Minimum minimise(const Residuals& residuals, const FitRequest& request, const Eigen::VectorXd& start,
                  const LeastSquaresOptions& options) {
   keep_log_inside();
-  const auto count = static_cast<std::size_t>(start.size());
   Eigen::VectorXd scales(start.size());
-  for (std::size_t i = 0; i < count; ++i) scales[static_cast<Eigen::Index>(i)] = residuals.parameter(i).scale;
+  for (Eigen::Index i = 0; i < start.size(); ++i)
+    scales[i] = residuals.parameter(static_cast<std::size_t>(i)).scale;
   Eigen::VectorXd scaled = start.cwiseQuotient(scales);
   Cost cost(residuals, request, scales);
   ceres::Problem::Options kept;
   kept.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
   ceres::Problem problem(kept);
   problem.AddResidualBlock(&cost, nullptr, scaled.data());
-  for (std::size_t i = 0; i < count; ++i) {
-    const FitParameter& parameter = residuals.parameter(i);
-    const auto at = static_cast<int>(i);
-    if (parameter.lower > -FitParameter::open)
-      problem.SetParameterLowerBound(scaled.data(), at, parameter.lower / parameter.scale);
-    if (parameter.upper < FitParameter::open)
-      problem.SetParameterUpperBound(scaled.data(), at, parameter.upper / parameter.scale);
-  }
-  ceres::Solver::Summary summary;
-  std::size_t steps = 0;
-  for (const Phase& phase :
-       {Phase{short_steps, near_minimum}, Phase{long_steps, smallest_gain(residuals, start.size())}}) {
-    Watch watch(options, steps);
-    ceres::Solve(solver_options(phase, options.iterations - steps, watch), &problem, &summary);
-    steps += summary.iterations.size() - std::min<std::size_t>(1, summary.iterations.size());
-    if (summary.termination_type != ceres::CONVERGENCE) break;
-  }
+  set_bounds(residuals, scaled, problem);
+  const Descent descent = descend(problem, smallest_gain(residuals, start.size()), options);
   Minimum found = cost.best();
-  found.iterations = steps;
+  found.iterations = descent.steps;
   if (!std::isfinite(found.cost)) {  // not even the start could be evaluated
     found.x = start;
     return found;
   }
-  for (std::size_t i = 0; i < count; ++i) {  // scaling may round beyond a bound
-    const auto at = static_cast<Eigen::Index>(i);
-    found.x[at] = std::clamp(found.x[at], residuals.parameter(i).lower, residuals.parameter(i).upper);
-  }
-  found.converged = summary.termination_type == ceres::CONVERGENCE;
+  keep_within_bounds(residuals, found.x);
+  found.converged = descent.converged;
   return found;
 }
 

@@ -30,6 +30,15 @@ double value_of(const Formula& formula, const std::vector<Column>& swept) {
   return formula.expression(values);
 }
 
+std::vector<double> values_or_one(const std::optional<Formula>& formula, const Recording& recording,
+                                  std::size_t rows) {
+  return formula ? values_of(*formula, recording) : std::vector<double>(rows, 1.0);
+}
+
+std::string no_number(const std::string& text, double value, double time) {
+  return fmt::format("'{}' is {} at {} s; leave such rows out by 'where'", text, value, time);
+}
+
 }  // namespace
 
 Residuals::Residuals(const ModelRuns& runs, const FitRequest& request, unsigned threads)
@@ -87,36 +96,34 @@ std::vector<Residuals::Selection> Residuals::select(std::size_t record) const {
   if (recordings.empty())
     throw Error(fault(request_.place, "the run with the start values ended early: " + why, record));
   std::vector<Selection> selections;
-  for (const FitComparison& comparison : request_.comparisons) {
-    const Recording& recording = recordings[comparison.recording];
-    const std::vector<double> measured = values_of(comparison.measured, recording);
-    const std::vector<double> where = comparison.where ? values_of(*comparison.where, recording)
-                                                       : std::vector<double>(measured.size(), 1.0);
-    const std::vector<double> weight = comparison.weight ? values_of(*comparison.weight, recording)
-                                                         : std::vector<double>(measured.size(), 1.0);
-    Selection selection;
-    selection.recorded = measured.size();
-    for (std::size_t row = 0; row < measured.size(); ++row) {
-      if (!is_true(where[row])) continue;
-      const double time = recording.table.columns.front().values[row];
-      if (!std::isfinite(measured[row]) || !std::isfinite(weight[row]))
-        throw Error(
-            fault(comparison.place,
-                  fmt::format("'{}' is {} at {} s; leave such rows out by 'where'",
-                              std::isfinite(weight[row]) ? comparison.measured.text : comparison.weight->text,
-                              std::isfinite(weight[row]) ? measured[row] : weight[row], time),
-                  record));
-      selection.rows.push_back(row);
-      selection.weights.push_back(weight[row]);
-    }
-    if (selection.rows.empty())
-      throw Error(fault(comparison.place,
-                        comparison.where ? fmt::format("'{}' selects no row", comparison.where->text)
-                                         : "nothing is recorded",
-                        record));
-    selections.push_back(std::move(selection));
-  }
+  for (const FitComparison& comparison : request_.comparisons)
+    selections.push_back(select(comparison, recordings[comparison.recording], record));
   return selections;
+}
+
+Residuals::Selection Residuals::select(const FitComparison& comparison, const Recording& recording,
+                                       std::size_t record) const {
+  const std::vector<double> measured = values_of(comparison.measured, recording);
+  const std::vector<double> where = values_or_one(comparison.where, recording, measured.size());
+  const std::vector<double> weight = values_or_one(comparison.weight, recording, measured.size());
+  Selection selection;
+  selection.recorded = measured.size();
+  for (std::size_t row = 0; row < measured.size(); ++row) {
+    if (!is_true(where[row])) continue;
+    const double time = recording.table.columns.front().values[row];
+    if (!std::isfinite(weight[row]))
+      throw Error(fault(comparison.place, no_number(comparison.weight->text, weight[row], time), record));
+    if (!std::isfinite(measured[row]))
+      throw Error(fault(comparison.place, no_number(comparison.measured.text, measured[row], time), record));
+    selection.rows.push_back(row);
+    selection.weights.push_back(weight[row]);
+  }
+  if (selection.rows.empty())
+    throw Error(fault(
+        comparison.place,
+        comparison.where ? fmt::format("'{}' selects no row", comparison.where->text) : "nothing is recorded",
+        record));
+  return selection;
 }
 
 Eigen::Index Residuals::rows_of(std::size_t record) const {
@@ -204,33 +211,39 @@ std::string Residuals::refusal(const Eigen::VectorXd& x) const {
   return "";
 }
 
+bool Residuals::run_beside(std::size_t record, std::size_t parameter, Values values, double change,
+                           double* out) const {
+  values[parameter] += change;
+  return run(record, values, out);
+}
+
+bool Residuals::central_column(std::size_t record, std::size_t parameter, const Values& at, double step,
+                               double* out) const {
+  const FitParameter& of = request_.parameters[parameter];
+  std::vector<double> below(rows(record));
+  if (!(at[parameter] - step >= of.lower && at[parameter] + step <= of.upper)) return false;
+  if (!run_beside(record, parameter, at, step, out) ||
+      !run_beside(record, parameter, at, -step, below.data()))
+    return false;
+  for (std::size_t i = 0; i < below.size(); ++i) out[i] = (out[i] - below[i]) / (2.0 * step);
+  return true;
+}
+
 bool Residuals::column(std::size_t record, std::size_t parameter, const Eigen::VectorXd& x,
                        Differences differences, const double* base, double* out) const {
   const FitParameter& of = request_.parameters[parameter];
   const Values at = values(record, x);
   const double size = std::max(std::abs(at[parameter]), 0.1 * of.scale);
-  double step = (differences == Differences::central ? central_step : forward_step) * size;
-  const auto run_at = [&](double change, double* where) {
-    Values values = at;
-    values[parameter] += change;
-    return run(record, values, where);
-  };
-  const auto rows = static_cast<std::size_t>(rows_of(record));
-  if (differences == Differences::central) {
-    std::vector<double> below(rows);
-    if (at[parameter] - step >= of.lower && at[parameter] + step <= of.upper && run_at(step, out) &&
-        run_at(-step, below.data())) {
-      for (std::size_t i = 0; i < rows; ++i) out[i] = (out[i] - below[i]) / (2.0 * step);
-      return true;
-    }
-    step = forward_step * size;  // at a bound, or where one side is refused
-  }
+  if (differences == Differences::central && central_column(record, parameter, at, central_step * size, out))
+    return true;
+  double step = forward_step * size;  // also at a bound, or where one side is refused
   if (at[parameter] + step > of.upper) step = -step;
-  if (!run_at(step, out)) {
+  if (!run_beside(record, parameter, at, step, out)) {
     step = -step;
-    if (!run_at(step, out)) return false;
+    if (!run_beside(record, parameter, at, step, out)) return false;
   }
-  for (std::size_t i = 0; i < rows; ++i) out[i] = (out[i] - base[i]) / step;
+  const std::size_t count = rows(record);
+  for (std::size_t i = 0; i < count; ++i) out[i] = (out[i] - base[i]) / step;
   return true;
 }
 

@@ -84,12 +84,18 @@ class Residuals {
 
   void find_unknowns();
   std::vector<Selection> select(std::size_t record) const;
+  Selection select(const FitComparison& comparison, const Recording& recording, std::size_t record) const;
   bool differences(std::size_t record, const std::vector<Recording>& recordings, double* out) const;
   bool run(std::size_t record, const Values& values, double* out) const;
   ComparedRows compare(const FitComparison& comparison, const Selection& selection,
                        const Recording& recording) const;
   Eigen::Index rows_of(std::size_t record) const;
   Fault fault(const Place& place, const std::string& message, std::size_t record) const;
+  /// Runs a record with one of these values changed.
+  bool run_beside(std::size_t record, std::size_t parameter, Values values, double change, double* out) const;
+  /// False at a bound, or where one side is refused.
+  bool central_column(std::size_t record, std::size_t parameter, const Values& at, double step,
+                      double* out) const;
   bool column(std::size_t record, std::size_t parameter, const Eigen::VectorXd& x, Differences differences,
               const double* base, double* out) const;
 

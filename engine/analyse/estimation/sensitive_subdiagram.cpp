@@ -44,6 +44,22 @@ int place_of(const Binding& binding, const std::vector<int>& place) {
   return place[static_cast<std::size_t>(binding.target.block)];
 }
 
+std::shared_ptr<const Bindings> moved_bindings(const Bindings& of_whole, const std::vector<int>& place) {
+  auto bindings = std::make_shared<Bindings>(of_whole);
+  std::erase_if(bindings->bindings, [&](const Binding& binding) { return place_of(binding, place) < 0; });
+  for (Binding& binding : bindings->bindings) binding.target.block = place_of(binding, place);
+  return bindings;
+}
+
+Diagram without_blocks(Diagram diagram) {
+  diagram.blocks.clear();
+  diagram.unit_demands.clear();  // they hold, as the whole has shown
+  diagram.outputs.clear();
+  diagram.output_dimensions.clear();
+  diagram.state_dimensions.clear();
+  return diagram;
+}
+
 }  // namespace
 
 std::optional<SensitiveSubdiagram> SensitiveSubdiagram::find(const Plan& plan, const Variation& moved,
@@ -126,32 +142,34 @@ DiagramBlock SensitiveSubdiagram::input(const Diagram& diagram, const Read& read
   return block;
 }
 
-Diagram SensitiveSubdiagram::of(const Diagram& diagram) const {
-  Diagram part = diagram;
-  part.blocks.clear();
-  part.unit_demands.clear();  // they hold, as the whole has shown
-  part.outputs.clear();
-  part.output_dimensions.clear();
-  part.state_dimensions.clear();
+std::vector<int> SensitiveSubdiagram::keep_blocks(const Diagram& diagram, Diagram& part) const {
   std::vector<int> place(kept_.size(), -1);
   for (std::size_t b = 0; b < kept_.size(); ++b) {
     if (!kept_[b]) continue;
     place[b] = static_cast<int>(part.blocks.size());
     part.blocks.push_back(diagram.blocks[b]);
   }
+  return place;
+}
+
+Source SensitiveSubdiagram::moved(Source source, const std::vector<int>& place, int first_read) const {
+  if (source.block < 0) return source;
+  const SignalRef signal{source.block, source.output, -1};
+  const int kept = place[static_cast<std::size_t>(source.block)];
+  const auto read =
+      std::find_if(reads_.begin(), reads_.end(), [&](const Read& one) { return one.signal == signal; });
+  source.block = kept >= 0 ? kept : first_read + static_cast<int>(read - reads_.begin());
+  source.output = kept >= 0 ? source.output : 0;
+  return source;
+}
+
+Diagram SensitiveSubdiagram::of(const Diagram& diagram) const {
+  Diagram part = without_blocks(diagram);
+  const std::vector<int> place = keep_blocks(diagram, part);
   const int first_read = static_cast<int>(part.blocks.size());
   for (DiagramBlock& block : part.blocks)
     for (auto& sources : block.inputs)
-      for (Source& source : sources) {
-        if (source.block < 0) continue;
-        const int kept = place[static_cast<std::size_t>(source.block)];
-        const auto same = [&](const Read& read) {
-          return read.signal == SignalRef{source.block, source.output, -1};
-        };
-        const auto read = std::find_if(reads_.begin(), reads_.end(), same);
-        source.block = kept >= 0 ? kept : first_read + static_cast<int>(read - reads_.begin());
-        source.output = kept >= 0 ? source.output : 0;
-      }
+      for (Source& source : sources) source = moved(std::move(source), place, first_read);
   for (const Read& read : reads_) {
     part.inputs.push_back({"", static_cast<int>(part.blocks.size()), ""});
     part.blocks.push_back(input(diagram, read));
@@ -161,10 +179,7 @@ Diagram SensitiveSubdiagram::of(const Diagram& diagram) const {
     for (RecordedSignal& signal : request.signals)
       signal.signal.block = place[static_cast<std::size_t>(signal.signal.block)];
   }
-  auto bindings = std::make_shared<Bindings>(*diagram.bindings);
-  std::erase_if(bindings->bindings, [&](const Binding& binding) { return place_of(binding, place) < 0; });
-  for (Binding& binding : bindings->bindings) binding.target.block = place_of(binding, place);
-  part.bindings = std::move(bindings);
+  part.bindings = moved_bindings(*diagram.bindings, place);
   return part;
 }
 

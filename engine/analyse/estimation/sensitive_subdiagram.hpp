@@ -43,6 +43,10 @@ class SensitiveSubdiagram {
   void keep_ancestors(const Diagram& diagram, const std::vector<std::string>& columns);
   bool find_reads(const Plan& plan);
   DiagramBlock input(const Diagram& diagram, const Read& read) const;
+  /// Copies the blocks that are kept; where each is then, -1 for the others.
+  std::vector<int> keep_blocks(const Diagram& diagram, Diagram& part) const;
+  /// What feeds an input of the part; `first_read` is the block of the first output that it reads.
+  Source moved(Source source, const std::vector<int>& place, int first_read) const;
 
   std::vector<char> kept_;  ///< blocks
   std::vector<Read> reads_;

@@ -49,6 +49,23 @@ AnovaRow line(const std::string& name, double freedom, double sum) {
   return {name, freedom, sum, freedom > 0.0 ? sum / freedom : none, none, none, none, ""};
 }
 
+/// The sums of squares of all terms, of what they leave and of both.
+void add_rows(Anova& result, const Eigen::VectorXd& response, const std::vector<TermColumns>& model) {
+  const auto freedom_of_all = static_cast<double>(response.size() - 1);
+  std::vector<const TermColumns*> all;
+  double left = freedom_of_all;
+  for (std::size_t i = 0; i < model.size(); ++i) {
+    const auto freedom = static_cast<double>(model[i].columns.cols());
+    const double sum = freedom > 0.0 ? sum_of_squares(response, model, i, result.sums) : none;
+    result.terms.push_back(line(model[i].term.name(), freedom, sum));
+    all.push_back(&model[i]);
+    left -= freedom;
+  }
+  const double rest = left > 0.0 ? (response - explained(response, all)).squaredNorm() : 0.0;
+  result.residual = line("residual", left, rest);
+  result.total = line("total", freedom_of_all, (response.array() - response.mean()).square().sum());
+}
+
 void judge(AnovaRow& row, const AnovaRow& error) {
   row.against = error.name;
   if (row.freedom <= 0.0 || error.freedom <= 0.0) return;
@@ -161,19 +178,7 @@ Anova anova(const Observations& observations, const std::vector<Term>& terms, Su
   Anova result;
   result.response = observations.response;
   result.sums = sums;
-  std::vector<const TermColumns*> all;
-  double left = static_cast<double>(count - 1);
-  for (std::size_t i = 0; i < model.size(); ++i) {
-    const auto freedom = static_cast<double>(model[i].columns.cols());
-    const double sum = freedom > 0.0 ? sum_of_squares(response, model, i, sums) : none;
-    result.terms.push_back(line(terms[i].name(), freedom, sum));
-    all.push_back(&model[i]);
-    left -= freedom;
-  }
-  const double rest = left > 0.0 ? (response - explained(response, all)).squaredNorm() : 0.0;
-  result.residual = line("residual", left, rest);
-  result.total =
-      line("total", static_cast<double>(count - 1), (response.array() - response.mean()).square().sum());
+  add_rows(result, response, model);
   judge_terms(result, terms);
   warn_of_lost_terms(result, model);
   const auto names = treatments(observations, terms);

@@ -43,15 +43,34 @@ DiagramBlock point_source(const Diagram& diagram, const SignalRef& from) {
   return block;
 }
 
-/// The diagram of these blocks alone, fed by one input; `to` is then where the signal is in it.
-Diagram cut_out(const Diagram& diagram, const std::vector<char>& between, const SignalRef& from,
-                SignalRef& to) {
+/// What else a diagram has than blocks, for one that runs a step.
+Diagram empty_part(const Diagram& diagram) {
   Diagram part;
   part.file = diagram.file;
   part.scopes = diagram.scopes;
   part.step = part.stop = diagram.step;
   part.step_origin = diagram.step_origin;
   part.stop_origin = diagram.stop_origin;
+  return part;
+}
+
+/// Wires blocks to where the others are now, and to block `input` what `from` fed.
+void rewire(std::vector<DiagramBlock>& blocks, const std::vector<int>& place, const SignalRef& from,
+            int input) {
+  for (DiagramBlock& block : blocks)
+    for (auto& sources : block.inputs)
+      for (Source& source : sources) {
+        if (source.block < 0) continue;
+        const bool cut = is(source, from);
+        source.block = cut ? input : place[static_cast<std::size_t>(source.block)];
+        if (cut) source.output = 0;
+      }
+}
+
+/// The diagram of these blocks alone, fed by one input; `to` is then where the signal is in it.
+Diagram cut_out(const Diagram& diagram, const std::vector<char>& between, const SignalRef& from,
+                SignalRef& to) {
+  Diagram part = empty_part(diagram);
   std::vector<int> place(between.size(), -1);
   for (std::size_t b = 0; b < between.size(); ++b) {
     if (!between[b]) continue;
@@ -60,14 +79,7 @@ Diagram cut_out(const Diagram& diagram, const std::vector<char>& between, const 
     part.blocks.back().every.reset();  // what is a function needs no rate
   }
   const int input = static_cast<int>(part.blocks.size());
-  for (DiagramBlock& block : part.blocks)
-    for (auto& sources : block.inputs)
-      for (Source& source : sources) {
-        if (source.block < 0) continue;
-        const bool cut = is(source, from);
-        source.block = cut ? input : place[static_cast<std::size_t>(source.block)];
-        if (cut) source.output = 0;
-      }
+  rewire(part.blocks, place, from, input);
   part.inputs.push_back({"", input, ""});
   part.blocks.push_back(point_source(diagram, from));
   to.block = place[static_cast<std::size_t>(to.block)];

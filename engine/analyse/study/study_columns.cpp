@@ -149,6 +149,62 @@ Recording outcome_recording(const Experiment& experiment, const StudyRequest& re
   return recording;
 }
 
+/// Adds the columns of a study to the names that figures and claims know.
+class StudyNames {
+ public:
+  StudyNames(const StudyRequest& request, SymbolTable& names) : request_(request), names_(names) {
+    for (const RecordedName& name : names.columns)
+      if (name.recording) records_ = std::max(records_, *name.recording + 1);
+  }
+
+  /// Those that each recording has besides.
+  void add_trials() {
+    add("subject", "1", {});
+    names_.columns.back().words = request_.subject_names();
+    add("condition", "1", {});
+    names_.columns.back().words = request_.condition_names();
+  }
+
+  /// Of the recording of errors, a row for each trial.
+  void add_errors() {
+    add("error", circle_ ? "m^2" : "m", records_);
+    add("normalised", "1", records_);
+    add("raw", circle_ ? "m^2" : "m", records_);
+    add("deviation", circle_ ? "m" : "rad", records_);
+    add("length", "m", records_);
+    add("duration", "s", records_);
+    if (!circle_) return;
+    for (const char* column : circle_columns) add(column, "m", records_);
+  }
+
+  /// Of the recording of one row for the whole study.
+  void add_outcome() {
+    const std::size_t outcome = records_ + 1;
+    for (const std::string& column : outcome_columns(request_)) add(column, "1", outcome);
+    for (const std::string& factor : factors_of(request_)) add(column_of("effect.", factor), "1", outcome);
+    for (const std::string& condition : request_.condition_names())
+      add("deviation." + condition, circle_ ? "m" : "rad", outcome);
+    for (const std::string& condition : request_.condition_names()) add("thesis." + condition, "1", outcome);
+  }
+
+ private:
+  void add(const std::string& name, const char* unit, std::optional<std::size_t> recording) {
+    if (names_.find(name))
+      throw Error(Fault{request_.place,
+                        "study",
+                        fmt::format("makes a column '{}', and so does the file; record that signal under "
+                                    "another name: {{NAME: {}}}",
+                                    name, name),
+                        {}});
+    names_.columns.push_back({name, parse_unit(unit)->dimension, recording});
+  }
+
+  const StudyRequest& request_;
+  SymbolTable& names_;
+  const bool circle_ = request_.task == "1";
+  std::size_t records_ = 0;  ///< recordings of the diagram itself
+};
+
 }  // namespace
 
 std::vector<std::string> outcome_columns(const StudyRequest& request) {
@@ -160,37 +216,10 @@ std::vector<std::string> outcome_columns(const StudyRequest& request) {
 }
 
 void add_study_names(const StudyRequest& request, SymbolTable& names) {
-  std::size_t records = 0;
-  for (const RecordedName& name : names.columns)
-    if (name.recording) records = std::max(records, *name.recording + 1);
-  const auto add = [&](const std::string& name, const char* unit, std::optional<std::size_t> recording) {
-    if (names.find(name))
-      throw Error(Fault{request.place,
-                        "study",
-                        fmt::format("makes a column '{}', and so does the file; record that signal under "
-                                    "another name: {{NAME: {}}}",
-                                    name, name),
-                        {}});
-    names.columns.push_back({name, parse_unit(unit)->dimension, recording});
-  };
-  add("subject", "1", {});
-  names.columns.back().words = request.subject_names();
-  add("condition", "1", {});
-  names.columns.back().words = request.condition_names();
-  const bool circle = request.task == "1";
-  add("error", circle ? "m^2" : "m", records);
-  add("normalised", "1", records);
-  add("raw", circle ? "m^2" : "m", records);
-  add("deviation", circle ? "m" : "rad", records);
-  add("length", "m", records);
-  add("duration", "s", records);
-  if (circle)
-    for (const char* column : circle_columns) add(column, "m", records);
-  for (const std::string& column : outcome_columns(request)) add(column, "1", records + 1);
-  for (const std::string& factor : factors_of(request)) add(column_of("effect.", factor), "1", records + 1);
-  for (const std::string& condition : request.condition_names())
-    add("deviation." + condition, circle ? "m" : "rad", records + 1);
-  for (const std::string& condition : request.condition_names()) add("thesis." + condition, "1", records + 1);
+  StudyNames study(request, names);
+  study.add_trials();
+  study.add_errors();
+  study.add_outcome();
 }
 
 std::vector<NamedValue> outcome(const Experiment& experiment, const StudyRequest& request) {

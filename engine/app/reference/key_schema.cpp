@@ -105,32 +105,33 @@ Json either_schema(const Key& key) {
   return any_of(std::move(forms));
 }
 
+/// The schemas of forms that are the same in every key.
+const std::map<Key::Form, Json>& fixed_schemas() {
+  using Form = Key::Form;
+  static const std::map<Form, Json> schemas{
+      {Form::text, schema_ref("text")},
+      {Form::truth, typed("boolean")},
+      {Form::computed, schema_ref("expression")},
+      {Form::expression, schema_ref("expression")},
+      {Form::series, schema_ref("series")},
+      {Form::source, schema_ref("source")},
+      {Form::value, Json::object().set("type", Json::list({"number", "string", "boolean", "array"}))},
+      {Form::nothing, typed("null")},
+      {Form::tree, Json::object()}};
+  return schemas;
+}
+
 Json form_schema(const Key& key) {
   using Form = Key::Form;
   switch (key.form) {
-    case Form::text:
-      return schema_ref("text");
     case Form::string:
       return key.pattern.empty() ? typed("string") : typed("string").set("pattern", key.pattern);
-    case Form::truth:
-      return typed("boolean");
     case Form::word:
       return word_schema(key);
     case Form::whole:
       return whole_schema(key);
     case Form::number:
       return number_schema(key);
-    case Form::computed:
-    case Form::expression:
-      return schema_ref("expression");
-    case Form::series:
-      return schema_ref("series");
-    case Form::source:
-      return schema_ref("source");
-    case Form::value:
-      return Json::object().set("type", Json::list({"number", "string", "boolean", "array"}));
-    case Form::nothing:
-      return typed("null");
     case Form::list:
       return list_schema(key);
     case Form::names:
@@ -141,10 +142,9 @@ Json form_schema(const Key& key) {
       return either_schema(key);
     case Form::section:
       return schema_ref(key.refers);
-    case Form::tree:
-      break;
+    default:
+      return fixed_schemas().at(key.form);
   }
-  return Json::object();
 }
 
 }  // namespace

@@ -4,12 +4,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace stepwire {
 
 namespace {
 
 using Form = Key::Form;
+
+/// What forms are called that are the same in every key.
+const std::map<Form, std::string>& fixed_words() {
+  static const std::map<Form, std::string> words{{Form::text, "text"},
+                                                 {Form::truth, "true or false"},
+                                                 {Form::whole, "whole number"},
+                                                 {Form::number, "number"},
+                                                 {Form::computed, "number or expression"},
+                                                 {Form::expression, "expression"},
+                                                 {Form::series, "expression in UNIT"},
+                                                 {Form::source, "signal or number"},
+                                                 {Form::value, "value"},
+                                                 {Form::nothing, "nothing"},
+                                                 {Form::keys, "map"},
+                                                 {Form::tree, "any"}};
+  return words;
+}
 
 std::string either_text(const Key& key) {
   std::vector<std::string> forms;
@@ -85,44 +103,21 @@ std::string range_text(const Key& key) {
 
 std::string form_text(const Key& key) {
   switch (key.form) {
-    case Form::text:
-      return "text";
     case Form::string:
       return key.pattern.empty() ? "name or path" : "\"#rrggbb\"";
-    case Form::truth:
-      return "true or false";
     case Form::word:
       return fmt::format("{}", fmt::join(stepwire::words_of(key), " | "));
-    case Form::whole:
-      return "whole number";
-    case Form::number:
-      return "number";
-    case Form::computed:
-      return "number or expression";
-    case Form::expression:
-      return "expression";
-    case Form::series:
-      return "expression in UNIT";
-    case Form::source:
-      return "signal or number";
-    case Form::value:
-      return "value";
-    case Form::nothing:
-      return "nothing";
     case Form::list:
       return list_text(key);
     case Form::names:
       return fmt::format("{{NAME: {}, ..}}", form_text(key.of.front()));
-    case Form::keys:
-      return "map";
     case Form::either:
       return either_text(key);
     case Form::section:
       return "see " + key.refers;
-    case Form::tree:
-      break;
+    default:
+      return fixed_words().at(key.form);
   }
-  return "any";
 }
 
 std::vector<ReferenceTable> key_tables(const Key& form) {

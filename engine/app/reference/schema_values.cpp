@@ -80,6 +80,13 @@ bool is_simple(const ParameterSpec& spec, const std::string& text) {
   return !spec.required && plain && text.find("none") == std::string::npos && text[0] != '[';
 }
 
+Json value_with_unit() {
+  return closed_map(Json::object()
+                        .set("value", any_of({typed("number"), schema_ref("quantity"), typed("array")}))
+                        .set("unit", explained(schema_ref("text"), "unit of all numbers: N/mm")),
+                    {"value"});
+}
+
 }  // namespace
 
 Json number_in(const Range& range, const char* type) {
@@ -146,12 +153,7 @@ void add_value_definitions(Json& definitions) {
       "quantity",
       explained(patterned("^\\s*[-+$=.0-9]"),
                 "a number with a unit (5 mm), a parameter ($tau) or an expression of parameters (= 2*pi*f)"));
-  definitions.set(
-      "value_with_unit",
-      closed_map(Json::object()
-                     .set("value", any_of({typed("number"), schema_ref("quantity"), typed("array")}))
-                     .set("unit", explained(schema_ref("text"), "unit of all numbers: N/mm")),
-                 {"value"}));
+  definitions.set("value_with_unit", value_with_unit());
   definitions.set("number", number_in({}));
   definitions.set("time",
                   explained(number_in(above_zero), "a time above 0, in s unless a unit is given: 1 ms"));

@@ -28,6 +28,27 @@ Json agreements_json(const FittedRecord& record) {
   return list;
 }
 
+Json records_json(const FitResult& result) {
+  Json list = Json::list();
+  for (const FittedRecord& record : result.records)
+    list.push(Json::object()
+                  .set("record", record.label)
+                  .set("held_out", record.held_out)
+                  .set("rows", record.rows)
+                  .set("fit", agreements_json(record)));
+  return list;
+}
+
+Json starts_json(const FitResult& result) {
+  Json list = Json::list();
+  for (const FittedStart& start : result.starts)
+    list.push(Json::object()
+                  .set("cost", start.cost)
+                  .set("finished", start.finished)
+                  .set("iterations", start.iterations));
+  return list;
+}
+
 /// In SI, as the parameters.
 Json curves_json(const FitResult& result) {
   Json list = Json::list();
@@ -61,19 +82,8 @@ std::string agreement_text(const ComparedRows& rows, int width) {
 }
 
 Json fit_json(const LoadedModel& model, const FitResult& result) {
-  Json numbers = Json::list(), records = Json::list(), starts = Json::list();
+  Json numbers = Json::list();
   for (const FittedNumber& number : result.numbers) numbers.push(number_json(number));
-  for (const FittedRecord& record : result.records)
-    records.push(Json::object()
-                     .set("record", record.label)
-                     .set("held_out", record.held_out)
-                     .set("rows", record.rows)
-                     .set("fit", agreements_json(record)));
-  for (const FittedStart& start : result.starts)
-    starts.push(Json::object()
-                    .set("cost", start.cost)
-                    .set("finished", start.finished)
-                    .set("iterations", start.iterations));
   return Json::object()
       .set("file", model.file)
       .set("parameters", std::move(numbers))
@@ -82,9 +92,9 @@ Json fit_json(const LoadedModel& model, const FitResult& result) {
       .set("deviation", result.deviation)
       .set("degrees_of_freedom", result.freedom)
       .set("residuals_together", static_cast<std::size_t>(result.together))
-      .set("records", std::move(records))
+      .set("records", records_json(result))
       .set("curves", curves_json(result))
-      .set("starts", std::move(starts))
+      .set("starts", starts_json(result))
       .set("findings", Json::list_of(result.findings))
       .set("converged", result.converged)
       .set("limited", result.limited)

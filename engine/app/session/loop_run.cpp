@@ -41,19 +41,36 @@ std::size_t ring_size(const Plan& plan, const LoopSettings& settings) {
       std::max(std::clamp(wanted, min_numbers, max_numbers), 16.0 * ticks * of_tick));
 }
 
-/// The way of rows from the loop into the files of a folder.
-class RowsToFolder {
+/// A folder with a replay of the data files as they are now.
+std::unique_ptr<OwnedFolder> folder_with_replay(const std::string& path, const Plan& plan) {
+  auto folder = std::make_unique<OwnedFolder>(path, [&] { return files_read(plan); });
+  write_replay(path, plan);
+  return folder;
+}
+
+/// The folder that a loop writes: its rows while it runs, and at its end what it came to.
+class LoopFolder {
  public:
-  RowsToFolder(const Plan& plan, const LoopSettings& settings, const std::string& folder)
-      : ring_(ring_size(plan, settings)), recorder_(plan, ring_), writer_(ring_, folder, loop_files(plan)) {}
+  LoopFolder(const Plan& plan, const LoopSettings& settings, const std::string& path)
+      : path_(path),
+        owned_(folder_with_replay(path, plan)),
+        ring_(ring_size(plan, settings)),
+        recorder_(plan, ring_),
+        writer_(ring_, path, loop_files(plan)) {}
 
   LoopRecorder& recorder() { return recorder_; }
   LoopRows finish() {
     writer_.finish();
     return {writer_.rows(), recorder_.lost(), writer_.lost(), writer_.trouble()};
   }
+  void describe(const LoopOutcome& outcome) const {
+    write_file(path_ + "/loop.json", loop_json(outcome).text() + "\n");
+    write_figure(path_, "loop", loop_figure(outcome), "loop-figure");
+  }
 
  private:
+  const std::string path_;
+  std::unique_ptr<OwnedFolder> owned_;
   RowRing ring_;
   LoopRecorder recorder_;
   RowWriter writer_;
@@ -91,13 +108,8 @@ void run_loop(const LoopCall& call, const Registry& registry, const Monitor& mon
   const Plan plan = plan_for_loop(call, registry, settings);
   std::optional<Cyclictest> baseline;
   if (call.baseline) baseline.emplace(settings.rate, settings.policy, settings.cpu);
-  std::optional<OwnedFolder> folder;
-  std::unique_ptr<RowsToFolder> recording;
-  if (!call.out.empty()) {
-    folder.emplace(call.out, [&] { return files_read(plan); });
-    write_replay(call.out, plan);  // of the data files as they are now
-    recording = std::make_unique<RowsToFolder>(plan, settings, call.out);
-  }
+  std::optional<LoopFolder> folder;
+  if (!call.out.empty()) folder.emplace(plan, settings, call.out);
   NoDevice device;
   SystemClock clock(settings.spin);
   const std::optional<CompiledPlan> compiled = code_for(plan, call.engine, monitor);
@@ -107,14 +119,12 @@ void run_loop(const LoopCall& call, const Registry& registry, const Monitor& mon
                             monitor.interrupt,
                             compiled ? &*compiled : nullptr,
                             monitor.observers};
-  Loop loop(plan, options, device, clock, recording ? &recording->recorder() : nullptr);
+  Loop loop(plan, options, device, clock, folder ? &folder->recorder() : nullptr);
   LoopOutcome outcome{loop, settings, serve_all(loop, settings, baseline, monitor), {}, std::move(baseline)};
-  if (recording) outcome.rows = recording->finish();
+  if (folder) outcome.rows = folder->finish();
   processes_stop() = false;  // of an interrupted loop there is a picture, too
   report(outcome);
-  if (!recording) return;
-  write_file(call.out + "/loop.json", loop_json(outcome).text() + "\n");
-  write_figure(call.out, "loop", loop_figure(outcome), "loop-figure");
+  if (folder) folder->describe(outcome);
 }
 
 }  // namespace stepwire

@@ -29,8 +29,11 @@ bool same_fault(const Fault& a, const Fault& b) {
          std::equal(a.used_by.begin(), a.used_by.end(), b.used_by.begin(), b.used_by.end(), same);
 }
 
+using PlaceKey = std::tuple<std::ptrdiff_t, int, int>;
+using KeyedFault = std::pair<PlaceKey, Fault>;
+
 // Files keep the order in which they first come up: that is the order in which they were read.
-std::vector<Fault> in_order(std::vector<Fault> faults) {
+std::vector<KeyedFault> by_place(std::vector<Fault> faults) {
   std::vector<std::string> files;
   const auto rank = [&](const std::string& file) {
     const auto at = std::find(files.begin(), files.end(), file);
@@ -38,16 +41,18 @@ std::vector<Fault> in_order(std::vector<Fault> faults) {
     files.push_back(file);
     return static_cast<std::ptrdiff_t>(files.size()) - 1;
   };
-  using Key = std::tuple<std::ptrdiff_t, int, int>;
-  std::vector<std::pair<Key, Fault>> keyed;
+  std::vector<KeyedFault> keyed;
   keyed.reserve(faults.size());
   for (Fault& fault : faults) {
-    const Key key{rank(fault.place.file), fault.place.mark.line, fault.place.mark.column};
+    const PlaceKey key{rank(fault.place.file), fault.place.mark.line, fault.place.mark.column};
     keyed.emplace_back(key, std::move(fault));
   }
   std::stable_sort(keyed.begin(), keyed.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
+  return keyed;
+}
 
+std::vector<Fault> without_duplicates(std::vector<KeyedFault> keyed) {
   std::vector<Fault> sorted;
   sorted.reserve(keyed.size());
   std::size_t first_here = 0;  // duplicates can only be among the faults of one place
@@ -79,7 +84,7 @@ std::string Fault::text() const {
 
 Error::Error(Fault fault) : Error(std::vector<Fault>{std::move(fault)}) {}
 
-Error::Error(std::vector<Fault> faults) : faults_(in_order(std::move(faults))) {
+Error::Error(std::vector<Fault> faults) : faults_(without_duplicates(by_place(std::move(faults)))) {
   for (const Fault& fault : faults_) text_ += (text_.empty() ? "" : "\n") + fault.text();
 }
 

@@ -69,6 +69,11 @@ bool is_text(ParameterKind kind) {
          kind == ParameterKind::texts || kind == ParameterKind::tree;
 }
 
+std::string other_word(const std::string& text, const std::vector<std::string>& words) {
+  const std::string choice = fmt::format("It must be one of: {}", fmt::join(words, ", "));
+  return fmt::format("'{}' is not allowed{}", text, did_you_mean(text, words, choice));
+}
+
 }  // namespace
 
 std::optional<Dimension> demanded_dimension(const ParameterSpec& spec) {
@@ -172,9 +177,7 @@ std::optional<WrittenValue> ValueReader::read_words(const ParameterSpec& spec, c
     return WrittenValue{{*text, node.mark.line, node.mark.column}, {}, *text};
   for (std::size_t i = 0; i < spec.words.size(); ++i)
     if (spec.words[i] == *text) return WrittenValue{{static_cast<double>(i)}, {}, *text};
-  const std::string choice = fmt::format("It must be one of: {}", fmt::join(spec.words, ", "));
-  return refuse(node, subject,
-                fmt::format("'{}' is not allowed{}", *text, did_you_mean(*text, spec.words, choice)));
+  return refuse(node, subject, other_word(*text, spec.words));
 }
 
 std::optional<Value> ValueReader::read_tree(const Node& node, const std::string& subject) const {

@@ -38,55 +38,76 @@ std::optional<std::pair<double, std::string>> number_and_unit(const Node& node) 
   return std::pair(number, std::string(rest, end));
 }
 
-std::vector<std::string> read_range(const Node& map, const std::string& name, const Scope& scope,
-                                    Report& report) {
-  const std::string subject = "sweep." + name;
-  if (!map.is_map()) {
-    report.add(scope.at(map.mark), subject, "is written [.., ..] or {from: .., to: .., count: ..}");
+/// Reads {from: .., to: .., count: ..}; gives no values where there is a fault.
+class RangeReading {
+ public:
+  RangeReading(const Node& map, const std::string& name, const Scope& scope, Report& report)
+      : map_(map), subject_("sweep." + name), scope_(scope), report_(report) {}
+
+  std::vector<std::string> values() {
+    if (!has_form()) return {};
+    const auto from = number("from");
+    const auto to = from ? number("to") : std::nullopt;
+    const auto count = to ? number("count") : std::nullopt;
+    if (!count) return {};
+    if (const std::string complaint = unit_complaint(to->dimension, from->dimension); !complaint.empty())
+      return refuse(map_.find("to")->mark, fmt::format("'to' {}", complaint));
+    if (count->value < 2 || count->value != std::floor(count->value) || count->value > max_runs)
+      return refuse(map_.find("count")->mark,
+                    fmt::format("'count' must be a whole number from 2 to {}", max_runs));
+    const auto written_from = number_and_unit(*map_.find("from")),
+               written_to = number_and_unit(*map_.find("to"));
+    // 1 mm to 9 mm is whole in millimetres, not in metres.
+    if (written_from && written_to && written_from->second == written_to->second)
+      return texts(written_from->first, written_to->first, count->value, written_from->second);
+    const auto& dimension = from->dimension ? from->dimension : to->dimension;
+    return texts(from->value, to->value, count->value,
+                 dimension && *dimension != Dimension{} ? si_name(*dimension) : "");
+  }
+
+ private:
+  struct Number {
+    double value;
+    std::optional<Dimension> dimension;
+  };
+
+  std::vector<std::string> refuse(const Mark& mark, std::string message) {
+    report_.add(scope_.at(mark), subject_, std::move(message));
     return {};
   }
-  const std::size_t before = report.faults().size();
-  HeadReading(subject, scope, report).check(map, range_form());
-  if (report.faults().size() > before) return {};
-  const ValueReader reader(scope.parameters, report, scope.index);
-  std::vector<double> numbers;
-  std::vector<std::optional<Dimension>> dimensions;
-  for (const char* key : {"from", "to", "count"}) {
-    const Node* node = map.find(key);
-    const auto written = reader.read(*node, subject);
-    if (!written) return {};
-    const double* number = std::get_if<double>(&written->value.content);
-    if (!number) {
-      report.add(scope.at(node->mark), subject,
-                 fmt::format("'{}' is no number; words are swept as a list", written->text));
-      return {};
-    }
-    numbers.push_back(*number);
-    dimensions.push_back(written->dimension);
+
+  bool has_form() {
+    const std::size_t before = report_.faults().size();
+    if (map_.is_map())
+      HeadReading(subject_, scope_, report_).check(map_, range_form());
+    else
+      refuse(map_.mark, "is written [.., ..] or {from: .., to: .., count: ..}");
+    return report_.faults().size() == before;
   }
-  if (const std::string complaint = unit_complaint(dimensions[1], dimensions[0]); !complaint.empty()) {
-    report.add(scope.at(map.find("to")->mark), subject, fmt::format("'to' {}", complaint));
-    return {};
+
+  std::optional<Number> number(const char* key) {
+    const Node& node = *map_.find(key);
+    const auto written = ValueReader(scope_.parameters, report_, scope_.index).read(node, subject_);
+    if (!written) return std::nullopt;
+    if (const double* number = std::get_if<double>(&written->value.content))
+      return Number{*number, written->dimension};
+    refuse(node.mark, fmt::format("'{}' is no number; words are swept as a list", written->text));
+    return std::nullopt;
   }
-  const double count = numbers[2];
-  if (count < 2 || count != std::floor(count) || count > max_runs) {
-    report.add(scope.at(map.find("count")->mark), subject,
-               fmt::format("'count' must be a whole number from 2 to {}", max_runs));
-    return {};
+
+  static std::vector<std::string> texts(double from, double to, double count, const std::string& unit) {
+    std::vector<std::string> texts;
+    for (double i = 0; i < count; ++i)
+      texts.push_back(
+          fmt::format("{}{}{}", value_of_range(from, to, i, count - 1), unit.empty() ? "" : " ", unit));
+    return texts;
   }
-  const auto& dimension = dimensions[0] ? dimensions[0] : dimensions[1];
-  std::string unit = dimension && *dimension != Dimension{} ? si_name(*dimension) : "";
-  const auto from = number_and_unit(*map.find("from")), to = number_and_unit(*map.find("to"));
-  if (from && to && from->second == to->second) {  // 1 mm to 9 mm is whole in millimetres, not in metres
-    numbers = {from->first, to->first};
-    unit = from->second;
-  }
-  std::vector<std::string> values;
-  for (double i = 0; i < count; ++i)
-    values.push_back(fmt::format("{}{}{}", value_of_range(numbers[0], numbers[1], i, count - 1),
-                                 unit.empty() ? "" : " ", unit));
-  return values;
-}
+
+  const Node& map_;
+  const std::string subject_;
+  const Scope& scope_;
+  Report& report_;
+};
 
 void read_axis(const Entry& entry, Sweep& sweep, const Scope& scope, Report& report) {
   const Node* list = entry.value.is_map() ? entry.value.find("values") : &entry.value;
@@ -98,7 +119,7 @@ void read_axis(const Entry& entry, Sweep& sweep, const Scope& scope, Report& rep
     }
     if (axis.values.empty()) report.add(scope.at(list->mark), "sweep." + entry.key, "has no values");
   } else {
-    axis.values = read_range(entry.value, entry.key, scope, report);
+    axis.values = RangeReading(entry.value, entry.key, scope, report).values();
     axis.marks.assign(axis.values.size(), entry.value.mark);
   }
   sweep.axes.push_back(std::move(axis));

@@ -127,6 +127,22 @@ void take_parameters(Scope& scope, Bindings& bindings) {
 
 enum class Extent { whole_file, one_run };
 
+/// Reads the blocks of a file and of its parts, and all that refers to them.
+void read_sections(Scope& root, Opener& opener, Settings& settings, Report& report, Extent extent) {
+  opener.open(root, {});
+  read_head(root, settings, report);
+  if (extent == Extent::whole_file) read_head_of_file(root, report);
+  const Resolver resolver(report);
+  for (const PendingInput& pending : opener.pending()) connect(pending, resolver, report);
+  require_inputs(report);
+  read_record(root, resolver, report);
+  read_outputs(root, resolver, report);
+  read_stop_condition(root, resolver, report);
+  demand_units(root, resolver, report);
+  settings.report_unused(report);
+  if (report.faults().empty()) refuse_unused_parameters(root, report);  // else it may follow from a fault
+}
+
 Diagram build(Loader& loader, const Document& document, const std::vector<Setting>& given,
               Extent extent = Extent::whole_file) {
   Diagram diagram;
@@ -138,20 +154,7 @@ Diagram build(Loader& loader, const Document& document, const std::vector<Settin
   root.document = &document;
   check_head_keys(root, report);
   Opener opener(loader, settings, report);
-  if (document.root.is_map()) {
-    opener.open(root, {});
-    read_head(root, settings, report);
-    if (extent == Extent::whole_file) read_head_of_file(root, report);
-    const Resolver resolver(report);
-    for (const PendingInput& pending : opener.pending()) connect(pending, resolver, report);
-    require_inputs(report);
-    read_record(root, resolver, report);
-    read_outputs(root, resolver, report);
-    read_stop_condition(root, resolver, report);
-    demand_units(root, resolver, report);
-    settings.report_unused(report);
-    if (report.faults().empty()) refuse_unused_parameters(root, report);  // else it may follow from a fault
-  }
+  if (document.root.is_map()) read_sections(root, opener, settings, report, extent);
   report.faults().throw_if_any();
   Report unsaid(diagram);
   name_ports(root, Resolver(unsaid), diagram);

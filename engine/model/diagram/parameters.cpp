@@ -11,6 +11,29 @@
 
 namespace stepwire {
 
+namespace {
+
+std::string no_parameter(const std::string& name, const ParameterScope& parameters) {
+  return fmt::format("there is no parameter '{}'{}", name, did_you_mean(name, parameters.names()));
+}
+
+/// The letters, digits and underscores from here on.
+std::string word_at(const std::string& text, std::size_t begin) {
+  std::size_t end = begin;
+  while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '_'))
+    ++end;
+  return text.substr(begin, end - begin);
+}
+
+/// A number or a word as it stands inside of a text; nothing for any other value.
+std::optional<std::string> inserted_text(const Value& value) {
+  if (const double* number = std::get_if<double>(&value.content))
+    return *number < 0 ? fmt::format("({})", *number) : fmt::format("{}", *number);
+  return value.text() ? std::optional(*value.text()) : std::nullopt;
+}
+
+}  // namespace
+
 const WrittenValue* ParameterScope::find(const std::string& name, ParameterUses* uses) const {
   const auto found = values_.find(name);
   if (found == values_.end()) return nullptr;
@@ -101,9 +124,7 @@ std::optional<WrittenValue> ValueReader::read_scalar(const Node& node, const std
   if (text.starts_with('$')) {
     if (parameters_.failed(text.substr(1))) return std::nullopt;
     if (const WrittenValue* parameter = parameters_.find(text.substr(1), uses_)) return *parameter;
-    return refuse(node, subject,
-                  fmt::format("there is no parameter '{}'{}", text.substr(1),
-                              did_you_mean(text.substr(1), parameters_.names())));
+    return refuse(node, subject, no_parameter(text.substr(1), parameters_));
   }
   if (text.starts_with('=')) return read_expression(node, subject);
   if (const auto quantity = parse_quantity(text))
@@ -234,24 +255,15 @@ std::optional<std::string> ValueReader::fill_in(const Node& node, const std::str
       i += 2;
       continue;
     }
-    std::size_t end = i + 1;
-    while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '_'))
-      ++end;
-    const std::string name = text.substr(i + 1, end - i - 1);
+    const std::string name = word_at(text, i + 1);
     const WrittenValue* parameter = parameters_.find(name, uses_);
     if (parameter && parameter->failed) return std::nullopt;
-    if (!parameter)
-      return refuse(
-          node, subject,
-          fmt::format("there is no parameter '{}'{}", name, did_you_mean(name, parameters_.names())));
-    if (const double* number = std::get_if<double>(&parameter->value.content)) {
-      result += *number < 0 ? fmt::format("({})", *number) : fmt::format("{}", *number);
-    } else if (parameter->value.text()) {
-      result += *parameter->value.text();
-    } else {
+    if (!parameter) return refuse(node, subject, no_parameter(name, parameters_));
+    const auto inserted = inserted_text(parameter->value);
+    if (!inserted)
       return refuse(node, subject, fmt::format("parameter '{}' is neither a number nor a word", name));
-    }
-    i = end;
+    result += *inserted;
+    i += 1 + name.size();
   }
   return result;
 }

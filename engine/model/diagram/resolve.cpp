@@ -32,6 +32,27 @@ std::string no_block(const std::string& text, const Scope& scope) {
   return fmt::format("there is no block '{}'", first);
 }
 
+std::string without_outputs(const DiagramBlock& block) {
+  return fmt::format("'{}' ({}) has no output", block.name, block.type().name);
+}
+
+std::string no_single_output(const DiagramBlock& block) {
+  if (block.type().outputs.empty()) return without_outputs(block);
+  return fmt::format("'{}' has several outputs; say which: {}.{}", block.name, block.name,
+                     fmt::join(output_names(block.type()), fmt::format(", {}.", block.name)));
+}
+
+std::string no_such_output(const DiagramBlock& block, const std::string& name, bool recorded) {
+  const auto names = output_names(block.type());
+  if (names.empty()) return without_outputs(block);
+  if (!std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isdigit(c); }))
+    return fmt::format("{} has no output '{}'{}", block.type().name, name,
+                       did_you_mean(name, names, fmt::format("It has: {}", fmt::join(names, ", "))));
+  return fmt::format("'{0}.{1}' is no signal of its own; {2}", block.name, name,
+                     recorded ? fmt::format("'{0}' brings all its elements, {0}.1, ...", block.name)
+                              : "pick an element with Select");
+}
+
 // A state is carried in a Source as an output number below -1.
 int encode_state(int state) {
   return -2 - state;
@@ -134,36 +155,20 @@ std::optional<Source> Resolver::of_block(const std::string& rest, int block, con
   source.block = block;
   source.origin = query.wire;
   if (rest.empty()) {
-    if (type.outputs.size() != 1)
-      return refuse(query,
-                    type.outputs.empty()
-                        ? fmt::format("'{}' ({}) has no output", found.name, type.name)
-                        : fmt::format("'{}' has several outputs; say which: {}.{}", found.name, found.name,
-                                      fmt::join(output_names(type), fmt::format(", {}.", found.name))));
+    if (type.outputs.size() != 1) return refuse(query, no_single_output(found));
     source.output = 0;
     return source;
   }
   source.output = type.output(rest);
   if (source.output >= 0) return source;
-  if (const int state = type.state(rest); state >= 0) {
-    if (!query.look_inside)
-      return refuse(
-          query, fmt::format("'{}' is a state inside of {}, not an output; it can be recorded but not wired",
-                             rest, type.name));
-    source.output = encode_state(state);
-    return source;
-  }
-  const auto names = output_names(type);
-  if (names.empty()) return refuse(query, fmt::format("'{}' ({}) has no output", found.name, type.name));
-  if (std::all_of(rest.begin(), rest.end(), [](unsigned char c) { return std::isdigit(c); }))
-    return refuse(
-        query,
-        fmt::format("'{0}.{1}' is no signal of its own; {2}", found.name, rest,
-                    query.look_inside ? fmt::format("'{0}' brings all its elements, {0}.1, ...", found.name)
-                                      : "pick an element with Select"));
-  return refuse(query,
-                fmt::format("{} has no output '{}'{}", type.name, rest,
-                            did_you_mean(rest, names, fmt::format("It has: {}", fmt::join(names, ", ")))));
+  const int state = type.state(rest);
+  if (state < 0) return refuse(query, no_such_output(found, rest, query.look_inside));
+  if (!query.look_inside)
+    return refuse(query,
+                  fmt::format("'{}' is a state inside of {}, not an output; it can be recorded but not wired",
+                              rest, type.name));
+  source.output = encode_state(state);
+  return source;
 }
 
 std::optional<Source> Resolver::of_part(const std::string& rest, const Scope& part, Query query) const {

@@ -2,30 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <deque>
-#include <map>
+#include <algorithm>
 #include <unordered_map>
 
 #include "engine/model/diagram/block_keys.hpp"
 #include "engine/model/diagram/head.hpp"
 #include "engine/model/diagram/type_units.hpp"
+#include "engine/model/diagram/unit_equations.hpp"
 
 namespace stepwire {
 
 namespace {
-
-/// A product of powers that must be dimensionless: constant times variables.
-struct Equation {
-  Dimension constant;
-  std::vector<std::pair<int, double>> terms;
-  Origin origin;
-  int block = -1;  ///< whose port it is about, -1: `port` holds the name
-  const char* port = "";
-  int state = -1;    ///< whose initial value it is about, where it is
-  std::string what;  ///< what is wired or written there
-  bool queued = true;
-};
 
 class Inference {
  public:
@@ -34,11 +21,11 @@ class Inference {
   void run() {
     first_variable_.reserve(diagram_.blocks.size());
     for (const DiagramBlock& block : diagram_.blocks) add_variables(block.type());
-    values_.resize(variable_count_);
-    in_question_.resize(variable_count_);
     for (std::size_t i = 0; i < diagram_.blocks.size(); ++i) add_equations(static_cast<int>(i));
     for (const UnitDemand& demand : diagram_.unit_demands) add_demand(demand);
-    solve();
+    equations_.solve(variable_count_, [this](const UnitEquation& equation, const Dimension& wrong) {
+      complain(equation, wrong);
+    });
     store();
   }
 
@@ -50,7 +37,7 @@ class Inference {
     variable_count_ += units_of(type).variables.size();
   }
 
-  void include(Equation& equation, const UnitExpression& expression, int block, double sign) {
+  void include(UnitEquation& equation, const UnitExpression& expression, int block, double sign) {
     equation.constant = equation.constant * power(expression.constant, sign);
     const TypeUnits& units = units_of(diagram_.blocks[static_cast<std::size_t>(block)].type());
     for (const auto& [name, exponent] : expression.variables) {
@@ -68,7 +55,7 @@ class Inference {
   }
 
   /// Divides by the unit of what feeds; false if that can be anything.
-  bool divide_by_source(Equation& equation, const Source& source) {
+  bool divide_by_source(UnitEquation& equation, const Source& source) {
     if (source.block < 0) {
       if (!source.dimension) return false;
       equation.constant = equation.constant / *source.dimension;
@@ -84,43 +71,54 @@ class Inference {
   void add_equations(int index) {
     const DiagramBlock& block = diagram_.blocks[static_cast<std::size_t>(index)];
     const TypeUnits& units = units_of(block.type());
-    for (std::size_t i = 0; i < block.inputs.size(); ++i) {
-      if (units.inputs[i].any) continue;
-      const InputSpec& spec = block.type().inputs[i];
-      if (spec.multiply_units) {
-        add_product(index, spec, units.inputs[i], block.inputs[i]);
-        continue;
-      }
-      for (const Source& source : block.inputs[i]) {
-        Equation equation = start(source.origin, index, spec.name.c_str(), units.inputs[i]);
-        if (divide_by_source(equation, source)) add(std::move(equation), name_of(source));
-      }
-    }
-    for (std::size_t i = 0; i < units.parameters.size(); ++i) {
-      if (units.parameters[i].variables.empty() || !block.parameter_dimensions[i]) continue;
-      const ParameterSpec& spec = block.type().parameters[i];
-      Equation equation = start({block.origin.scope, block.parameter_marks[i]}, index, spec.name.c_str(),
-                                units.parameters[i]);
-      equation.constant = equation.constant / *block.parameter_dimensions[i];
-      add(std::move(equation), "the number");
-    }
-    for (const auto& [variable, dimension] : block.known_units) {
-      Equation equation = start(block.origin, index, "", {false, {}, {{variable.substr(1), 1.0}}});
-      equation.constant = equation.constant / dimension;
-      add(std::move(equation), "what it reads");
-    }
+    add_inputs(index, block, units);
+    add_parameters(index, block, units);
+    for (const auto& [variable, dimension] : block.known_units)
+      add(start(block.origin, index, "", {false, {}, {{variable.substr(1), 1.0}}}), dimension,
+          "what it reads");
     for (const InitialValue& initial : block.initial) {
       const auto& expression = units.states[static_cast<std::size_t>(initial.state)];
       if (!initial.dimension || expression.any) continue;
-      Equation equation = start(initial.origin, index, "initial", expression);
-      equation.constant = equation.constant / *initial.dimension;
+      UnitEquation equation = start(initial.origin, index, "initial", expression);
       equation.state = initial.state;
-      add(std::move(equation), "the initial value");
+      add(std::move(equation), *initial.dimension, "the initial value");
     }
   }
 
-  Equation start(const Origin& origin, int block, const char* port, const UnitExpression& expression) {
-    Equation equation;
+  void add_inputs(int index, const DiagramBlock& block, const TypeUnits& units) {
+    for (std::size_t i = 0; i < block.inputs.size(); ++i) {
+      if (units.inputs[i].any) continue;
+      const InputSpec& spec = block.type().inputs[i];
+      if (spec.multiply_units)
+        add_product(index, spec, units.inputs[i], block.inputs[i]);
+      else
+        for (const Source& source : block.inputs[i])
+          add_wire(source, start(source.origin, index, spec.name.c_str(), units.inputs[i]));
+    }
+  }
+
+  void add_parameters(int index, const DiagramBlock& block, const TypeUnits& units) {
+    for (std::size_t i = 0; i < units.parameters.size(); ++i) {
+      if (units.parameters[i].variables.empty() || !block.parameter_dimensions[i]) continue;
+      const ParameterSpec& spec = block.type().parameters[i];
+      add(start({block.origin.scope, block.parameter_marks[i]}, index, spec.name.c_str(),
+                units.parameters[i]),
+          *block.parameter_dimensions[i], "the number");
+    }
+  }
+
+  void add_wire(const Source& source, UnitEquation equation) {
+    if (divide_by_source(equation, source)) equations_.add(std::move(equation), name_of(source));
+  }
+
+  /// An equation with what a number is in.
+  void add(UnitEquation equation, const Dimension& dimension, std::string what) {
+    equation.constant = equation.constant / dimension;
+    equations_.add(std::move(equation), std::move(what));
+  }
+
+  UnitEquation start(const Origin& origin, int block, const char* port, const UnitExpression& expression) {
+    UnitEquation equation;
     equation.origin = origin;
     equation.block = block;
     equation.port = port;
@@ -131,24 +129,18 @@ class Inference {
   void add_product(int index, const InputSpec& spec, const UnitExpression& expression,
                    const std::vector<Source>& sources) {
     if (sources.empty()) return;
-    Equation equation = start(sources.front().origin, index, spec.name.c_str(), expression);
+    UnitEquation equation = start(sources.front().origin, index, spec.name.c_str(), expression);
     for (const Source& source : sources)
       if (!divide_by_source(equation, source)) return;
-    add(std::move(equation), "the product");
+    equations_.add(std::move(equation), "the product");
   }
 
   void add_demand(const UnitDemand& demand) {
-    Equation equation;
+    UnitEquation equation;
     equation.origin = demand.origin;
     equation.port = demand.port.c_str();
     equation.constant = demand.dimension;
-    if (divide_by_source(equation, demand.source)) add(std::move(equation), name_of(demand.source));
-  }
-
-  void add(Equation equation, std::string what) {
-    std::erase_if(equation.terms, [](const auto& term) { return term.second == 0.0; });
-    equation.what = std::move(what);
-    equations_.push_back(std::move(equation));
+    add_wire(demand.source, std::move(equation));
   }
 
   std::string name_of(const Source& source) const {
@@ -159,64 +151,7 @@ class Inference {
                                : block.name + "." + outputs[static_cast<std::size_t>(source.output)].name;
   }
 
-  void solve() {
-    std::vector<std::vector<int>> users(variable_count_);
-    std::deque<int> queue;
-    for (std::size_t i = 0; i < equations_.size(); ++i) {
-      for (const auto& [variable, exponent] : equations_[i].terms)
-        users[static_cast<std::size_t>(variable)].push_back(static_cast<int>(i));
-      queue.push_back(static_cast<int>(i));
-    }
-    while (!queue.empty()) {
-      Equation& equation = equations_[static_cast<std::size_t>(queue.front())];
-      queue.pop_front();
-      equation.queued = false;
-      const int solved = step(equation);
-      if (solved < 0) continue;
-      for (int user : users[static_cast<std::size_t>(solved)]) {
-        Equation& other = equations_[static_cast<std::size_t>(user)];
-        if (other.queued || &other == &equation) continue;
-        other.queued = true;
-        queue.push_back(user);
-      }
-    }
-  }
-
-  /// Solves for the only unknown variable and returns it; checks where none is unknown; -1 where nothing is
-  /// learnt.
-  int step(const Equation& equation) {
-    Dimension known = equation.constant;
-    int unknown = -1;
-    double exponent = 0.0;
-    for (const auto& [variable, power_of] : equation.terms) {
-      const auto& value = values_[static_cast<std::size_t>(variable)];
-      if (value) {
-        known = known * power(*value, power_of);
-      } else {
-        if (unknown >= 0) return -1;
-        unknown = variable;
-        exponent = power_of;
-      }
-    }
-    if (unknown < 0) {
-      if (known != Dimension{} && !follows_from_another(equation)) complain(equation, known);
-      return -1;
-    }
-    values_[static_cast<std::size_t>(unknown)] = power(known, -1.0 / exponent);
-    return unknown;
-  }
-
-  /// Once a unit is in question, all that it is held against would be told as well.
-  bool follows_from_another(const Equation& equation) {
-    bool known = false;
-    for (const auto& [variable, exponent] : equation.terms) {
-      known = known || in_question_[static_cast<std::size_t>(variable)];
-      in_question_[static_cast<std::size_t>(variable)] = true;
-    }
-    return known;
-  }
-
-  void complain(const Equation& equation, const Dimension& wrong) {
+  void complain(const UnitEquation& equation, const Dimension& wrong) {
     const std::string owner =
         equation.block < 0 ? "" : diagram_.blocks[static_cast<std::size_t>(equation.block)].name + ".";
     const std::string subject = owner + (equation.state < 0 ? equation.port : initial_key_of(equation));
@@ -231,13 +166,13 @@ class Inference {
                             si_name(*taken)));
   }
 
-  std::string initial_key_of(const Equation& equation) const {
+  std::string initial_key_of(const UnitEquation& equation) const {
     const BlockType& type = diagram_.blocks[static_cast<std::size_t>(equation.block)].type();
     return initial_key(type, type.states[static_cast<std::size_t>(equation.state)]);
   }
 
   /// The unit that the port takes, where it is known: the equation's own side.
-  std::optional<Dimension> dimension_at(const Equation& equation) {
+  std::optional<Dimension> dimension_at(const UnitEquation& equation) {
     if (equation.block < 0) {
       for (const UnitDemand& demand : diagram_.unit_demands)
         if (demand.port.c_str() == equation.port) return demand.dimension;
@@ -256,15 +191,9 @@ class Inference {
 
   std::optional<Dimension> evaluate(const UnitExpression& expression, int block) {
     if (expression.any) return std::nullopt;
-    Equation equation;
+    UnitEquation equation;
     include(equation, expression, block, 1.0);
-    Dimension result = equation.constant;
-    for (const auto& [variable, exponent] : equation.terms) {
-      const auto& value = values_[static_cast<std::size_t>(variable)];
-      if (!value) return std::nullopt;
-      result = result * power(*value, exponent);
-    }
-    return result;
+    return equations_.dimension_of(equation);
   }
 
   void store() {
@@ -284,9 +213,7 @@ class Inference {
   std::unordered_map<const BlockType*, TypeUnits> types_;
   std::vector<int> first_variable_;
   std::size_t variable_count_ = 0;
-  std::vector<std::optional<Dimension>> values_;
-  std::vector<bool> in_question_;
-  std::vector<Equation> equations_;
+  UnitEquations equations_;
 };
 
 }  // namespace

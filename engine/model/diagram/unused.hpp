@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/model/diagram/report.hpp"
 #include "engine/model/diagram/scope.hpp"
 
 namespace stepwire {

@@ -60,34 +60,40 @@ void append(std::vector<KernelCall>& batches, const Draft& draft, std::size_t bl
   batches.push_back({kernel, memory, memory + bytes, 1, period});
 }
 
+void append_outputs(Draft& draft, std::size_t block) {
+  Plan& plan = draft.plan;
+  const Kernels& kernels = draft.type(block).run_outputs;
+  if (plan.blocks[block].rate.kind == Rate::Kind::constant) return append(plan.once, draft, block, kernels);
+  if (draft.blocks[block].timed) return append(plan.timed, draft, block, kernels);
+  append(plan.outputs, draft, block, kernels);
+  if (draft.blocks[block].in_stages) append(plan.stage, draft, block, kernels);
+}
+
+void append_derivatives(Draft& draft, std::size_t block) {
+  const BlockType& type = draft.type(block);
+  if (type.run_derivatives && !draft.plan.blocks[block].slope_is_input)
+    append(draft.plan.derivatives, draft, block, type.run_derivatives);
+}
+
+void append_updates(Draft& draft, std::size_t block) {
+  if (!draft.blocks[block].updates) return;
+  const BlockType& type = draft.type(block);
+  append(draft.plan.updates, draft, block, type.run_update);
+  draft.plan.updates_continuous = draft.plan.updates_continuous || type.has_continuous_state();
+}
+
 }  // namespace
 
 void make_schedule(Draft& draft, const std::vector<int>& order) {
-  Plan& plan = draft.plan;
-  plan.periods = {1};
-  for (int b : order) {
-    const auto block = static_cast<std::size_t>(b);
-    const Kernels& kernels = draft.type(block).run_outputs;
-    if (plan.blocks[block].rate.kind == Rate::Kind::constant) {
-      append(plan.once, draft, block, kernels);
-    } else if (draft.blocks[block].timed) {
-      append(plan.timed, draft, block, kernels);
-    } else {
-      append(plan.outputs, draft, block, kernels);
-      if (draft.blocks[block].in_stages) append(plan.stage, draft, block, kernels);
-    }
-  }
+  draft.plan.periods = {1};
+  for (int block : order) append_outputs(draft, static_cast<std::size_t>(block));
   // Updates of continuous states come last: a discrete block that reads such a state still sees its value at
   // the tick.
   for (const bool continuous : {false, true})
-    for (int b : plan.memory_order) {
+    for (int b : draft.plan.memory_order) {
       const auto block = static_cast<std::size_t>(b);
-      const BlockType& type = draft.type(block);
-      if (type.run_derivatives && !continuous && !plan.blocks[block].slope_is_input)
-        append(plan.derivatives, draft, block, type.run_derivatives);
-      if (!draft.blocks[block].updates || type.has_continuous_state() != continuous) continue;
-      append(plan.updates, draft, block, type.run_update);
-      plan.updates_continuous = plan.updates_continuous || continuous;
+      if (!continuous) append_derivatives(draft, block);
+      if (draft.type(block).has_continuous_state() == continuous) append_updates(draft, block);
     }
 }
 

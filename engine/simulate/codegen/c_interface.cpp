@@ -19,6 +19,32 @@ std::string with_space(std::string text, const std::string& space) {
   return text;
 }
 
+const char* const lifecycle =
+    "/** Makes the instance, at time 0, with the parameters of the file. Comes before all else. */\n"
+    "void @_init(@_instance* instance);\n"
+    "/** Puts everything at time 0. */\nvoid @_reset(@_instance* instance);\n"
+    "/** Reads the inputs and computes the outputs of this tick. */\n"
+    "void @_evaluate(@_instance* instance);\n"
+    "/** Goes on by a step. */\nvoid @_advance(@_instance* instance);\n"
+    "/** Both. */\nvoid @_step(@_instance* instance);\n"
+    "int64_t @_tick(const @_instance* instance);\n"
+    "/** Of this tick [s]. */\ndouble @_time(const @_instance* instance);\n"
+    "/** Is every signal and state a finite number? */\nbool @_finite(const @_instance* instance);\n"
+    "/** Why a block has ended the run; NULL while none has. */\n"
+    "const char* @_fault(const @_instance* instance);\n"
+    "/** Is the diagram's stop_when true? */\nbool @_stops(const @_instance* instance);\n"
+    "void @_save(const @_instance* instance, @_state* state);\n"
+    "/** False, and nothing happens, for a state of another diagram. */\n"
+    "bool @_restore(@_instance* instance, const @_state* state);\n";
+
+const char* const parameter_checks =
+    "/** Why these parameters would be refused; NULL where they would not. */\n"
+    "const char* @_check(const @_instance* instance, const @_parameters* parameters);\n"
+    "/** Why those that were set were refused at the last evaluate or reset; NULL where they hold. "
+    "Until they "
+    "are right\n    the former ones hold. */\n"
+    "const char* @_parameter_fault(const @_instance* instance);\n";
+
 class CText {
  public:
   CText(const Plan& plan, const Tuning& tuning, const Groups& groups, const std::string& space)
@@ -40,36 +66,13 @@ class CText {
   }
 
   std::string declarations() const {
-    std::string text =
-        "/** Makes the instance, at time 0, with the parameters of the file. Comes before all else. */\n"
-        "void @_init(@_instance* instance);\n"
-        "/** Puts everything at time 0. */\nvoid @_reset(@_instance* instance);\n"
-        "/** Reads the inputs and computes the outputs of this tick. */\n"
-        "void @_evaluate(@_instance* instance);\n"
-        "/** Goes on by a step. */\nvoid @_advance(@_instance* instance);\n"
-        "/** Both. */\nvoid @_step(@_instance* instance);\n"
-        "int64_t @_tick(const @_instance* instance);\n"
-        "/** Of this tick [s]. */\ndouble @_time(const @_instance* instance);\n"
-        "/** Is every signal and state a finite number? */\nbool @_finite(const @_instance* instance);\n"
-        "/** Why a block has ended the run; NULL while none has. */\n"
-        "const char* @_fault(const @_instance* instance);\n"
-        "/** Is the diagram's stop_when true? */\nbool @_stops(const @_instance* instance);\n"
-        "void @_save(const @_instance* instance, @_state* state);\n"
-        "/** False, and nothing happens, for a state of another diagram. */\n"
-        "bool @_restore(@_instance* instance, const @_state* state);\n";
+    std::string text = lifecycle;
     for (const Group* group : shown()) {
       text += fmt::format("void @_get_{0}(const @_instance* instance, @_{0}* {0});\n", group->name);
       if (is_written(*group))
         text += fmt::format("void @_set_{0}(@_instance* instance, const @_{0}* {0});\n", group->name);
     }
-    if (tunes())
-      text +=
-          "/** Why these parameters would be refused; NULL where they would not. */\n"
-          "const char* @_check(const @_instance* instance, const @_parameters* parameters);\n"
-          "/** Why those that were set were refused at the last evaluate or reset; NULL where they hold. "
-          "Until they "
-          "are right\n    the former ones hold. */\n"
-          "const char* @_parameter_fault(const @_instance* instance);\n";
+    if (tunes()) text += parameter_checks;
     return with_space(text, space_);
   }
 

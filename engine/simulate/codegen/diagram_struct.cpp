@@ -15,6 +15,62 @@ namespace stepwire {
 
 namespace {
 
+/// Of the name, the title, the step.
+constexpr char struct_head[] =
+    "#pragma once\n\n#include <cstdint>\n\nnamespace {0} {{\n\n"
+    "/// {1}\n///\n"
+    "/// All numbers are SI. A tick is evaluate(), which reads the inputs and computes the outputs, "
+    "and "
+    "advance(),\n/// which goes on by {2} s; step() is both. Nothing allocates, throws, locks or "
+    "calls the "
+    "system.\nstruct Diagram {{\n";
+
+const char* const parameter_members =
+    "  /// Why these parameters would be refused; null where they would not.\n"
+    "  const char* check(const Parameters& wanted) const;\n"
+    "  /// Why those that were written were refused at the last evaluate() or reset(); null "
+    "where "
+    "they hold. Until\n  /// they are right the former ones hold.\n"
+    "  const char* parameter_fault() const { return parameter_fault_; }\n\n";
+
+/// Of the constructor, the step, the count of numbers, members of a program with parameters, the name.
+constexpr char struct_members[] =
+    "  /// All that moves in a run: plain numbers, to be kept anywhere.\n  struct State {{\n"
+    "    std::uint64_t layout = 0;  ///< of the diagram that it belongs to\n"
+    "    std::int64_t tick = 0;\n    double numbers[{2}]{{}};\n  }};\n"
+    "  void save(State& state) const;\n"
+    "  /// Returns to a state that was saved between advance() and evaluate(). Inputs and "
+    "parameters "
+    "stay as they\n  /// are. False, and nothing happens, for a state of another diagram.\n"
+    "  [[nodiscard]] bool restore(const State& state);\n\n"
+    "  std::int64_t tick = 0;\n\n"
+    "  Diagram(){0}\n"
+    "  /// Puts everything at time 0.\n  void reset();\n"
+    "  void evaluate();\n  void advance();\n"
+    "  void step() {{\n    evaluate();\n    advance();\n  }}\n"
+    "  /// Of this tick [s].\n  double time() const {{ return static_cast<double>(tick) * {1}; }}\n"
+    "  /// Is every signal and state a finite number?\n  bool finite() const;\n"
+    "  /// Why a block has ended the run; null while none has.\n  const char* fault() const;\n"
+    "  /// Is the diagram's `stop_when` true?\n  bool stops() const;\n\n"
+    " private:\n{3}  double w_[{2}];  // where each number lies is told in the source\n}};\n\n"
+    "}}  // namespace {4}\n";
+
+/// Of the counts of dependent parameters and of numbers.
+constexpr char tuned_members[] =
+    "  void take_parameters();\n\n  Parameters held_{{}};  // the ones that hold\n"
+    "  bool own_[{}]{{}};      // does a parameter follow from others no more?\n"
+    "  const char* parameter_fault_ = nullptr;\n"
+    "  double numbers_[{}];  // that blocks read, as they follow from the parameters\n";
+
+const char* const tuned_functions =
+    "Diagram::Diagram() {\n  std::memcpy(numbers_, first_numbers, sizeof numbers_);\n  reset();\n}\n\n"
+    "[[gnu::noinline]] void Diagram::take_parameters() {\n  Parameters p = parameters;\n"
+    "  parameter_fault_ = follow_parameters(p, held_, own_, numbers_);\n  if (parameter_fault_) return;\n"
+    "  parameters = held_ = p;\n  follow_values(w_, numbers_);\n}\n\n"
+    "const char* Diagram::check(const Parameters& wanted) const {\n  Parameters p = wanted;\n"
+    "  bool own[sizeof own_];\n  std::memcpy(own, own_, sizeof own_);\n"
+    "  return follow_parameters(p, held_, own, nullptr);\n}\n\n";
+
 /// "{}", "{2.0}", "{{1.0, 2.0}, {3.0, 4.0}}"
 std::string initial_text(const GroupMember& member) {
   std::string text;
@@ -120,23 +176,12 @@ Tuned tuned(const Plan& plan, const Tuning& tuning) {
   text.check =
       "  if (std::memcmp(&parameters, &held_, sizeof held_) != 0)\n    take_parameters();\n"
       "  else\n    parameter_fault_ = nullptr;\n";
-  text.members = fmt::format(
-      "  void take_parameters();\n\n  Parameters held_{{}};  // the ones that hold\n"
-      "  bool own_[{}]{{}};      // does a parameter follow from others no more?\n"
-      "  const char* parameter_fault_ = nullptr;\n"
-      "  double numbers_[{}];  // that blocks read, as they follow from the parameters\n",
-      std::max<std::size_t>(dependents, 1), std::max<std::size_t>(tuning.numbers.size(), 1));
-  text.functions =
-      "namespace {\n\n" + tuning_text(plan, tuning) +
-      fmt::format("constexpr double first_numbers[] = {{{}}};\n\n}}  // namespace\n\n",
-                  numbers.empty() ? "0.0" : numbers) +
-      "Diagram::Diagram() {\n  std::memcpy(numbers_, first_numbers, sizeof numbers_);\n  reset();\n}\n\n"
-      "[[gnu::noinline]] void Diagram::take_parameters() {\n  Parameters p = parameters;\n"
-      "  parameter_fault_ = follow_parameters(p, held_, own_, numbers_);\n  if (parameter_fault_) return;\n"
-      "  parameters = held_ = p;\n  follow_values(w_, numbers_);\n}\n\n"
-      "const char* Diagram::check(const Parameters& wanted) const {\n  Parameters p = wanted;\n"
-      "  bool own[sizeof own_];\n  std::memcpy(own, own_, sizeof own_);\n"
-      "  return follow_parameters(p, held_, own, nullptr);\n}\n\n";
+  text.members = fmt::format(tuned_members, std::max<std::size_t>(dependents, 1),
+                             std::max<std::size_t>(tuning.numbers.size(), 1));
+  text.functions = "namespace {\n\n" + tuning_text(plan, tuning) +
+                   fmt::format("constexpr double first_numbers[] = {{{}}};\n\n}}  // namespace\n\n",
+                               numbers.empty() ? "0.0" : numbers) +
+                   tuned_functions;
   text.numbers = "numbers_";
   text.restore = "  follow_values(w_, numbers_);\n";
   return text;
@@ -155,47 +200,12 @@ std::string states_definitions(const Group& states) {
 std::string struct_text(const Plan& plan, const Tuning& tuning, const Groups& groups,
                         const std::string& name) {
   const bool tunes = !tuning.parameters.empty();
-  return fmt::format(
-             "#pragma once\n\n#include <cstdint>\n\nnamespace {0} {{\n\n"
-             "/// {1}\n///\n"
-             "/// All numbers are SI. A tick is evaluate(), which reads the inputs and computes the outputs, "
-             "and "
-             "advance(),\n/// which goes on by {2} s; step() is both. Nothing allocates, throws, locks or "
-             "calls the "
-             "system.\nstruct Diagram {{\n",
-             name, cpp_comment(plan.diagram.title), number_text(plan.diagram.step)) +
+  return fmt::format(struct_head, name, cpp_comment(plan.diagram.title), number_text(plan.diagram.step)) +
          group_text(groups.inputs) + group_text(groups.outputs) + group_text(groups.recorded) +
-         group_text(groups.parameters) + fixed_text(tuning) +
-         (tunes ? "  /// Why these parameters would be refused; null where they would not.\n"
-                  "  const char* check(const Parameters& wanted) const;\n"
-                  "  /// Why those that were written were refused at the last evaluate() or reset(); null "
-                  "where "
-                  "they hold. Until\n  /// they are right the former ones hold.\n"
-                  "  const char* parameter_fault() const { return parameter_fault_; }\n\n"
-                : "") +
+         group_text(groups.parameters) + fixed_text(tuning) + (tunes ? parameter_members : "") +
          states_text(groups.states) +
-         fmt::format(
-             "  /// All that moves in a run: plain numbers, to be kept anywhere.\n  struct State {{\n"
-             "    std::uint64_t layout = 0;  ///< of the diagram that it belongs to\n"
-             "    std::int64_t tick = 0;\n    double numbers[{2}]{{}};\n  }};\n"
-             "  void save(State& state) const;\n"
-             "  /// Returns to a state that was saved between advance() and evaluate(). Inputs and "
-             "parameters "
-             "stay as they\n  /// are. False, and nothing happens, for a state of another diagram.\n"
-             "  [[nodiscard]] bool restore(const State& state);\n\n"
-             "  std::int64_t tick = 0;\n\n"
-             "  Diagram(){0}\n"
-             "  /// Puts everything at time 0.\n  void reset();\n"
-             "  void evaluate();\n  void advance();\n"
-             "  void step() {{\n    evaluate();\n    advance();\n  }}\n"
-             "  /// Of this tick [s].\n  double time() const {{ return static_cast<double>(tick) * {1}; }}\n"
-             "  /// Is every signal and state a finite number?\n  bool finite() const;\n"
-             "  /// Why a block has ended the run; null while none has.\n  const char* fault() const;\n"
-             "  /// Is the diagram's `stop_when` true?\n  bool stops() const;\n\n"
-             " private:\n{3}  double w_[{2}];  // where each number lies is told in the source\n}};\n\n"
-             "}}  // namespace {4}\n",
-             tunes ? ";" : " { reset(); }", number_text(plan.diagram.step), plan.layout.size,
-             tuned(plan, tuning).members, name);
+         fmt::format(struct_members, tunes ? ";" : " { reset(); }", number_text(plan.diagram.step),
+                     plan.layout.size, tuned(plan, tuning).members, name);
 }
 
 std::string struct_definitions(const Plan& plan, const Tuning& tuning, const Groups& groups,

@@ -84,6 +84,37 @@ class HeaderFiles {
   fs::path common_;  ///< the folder that holds all headers of others
 };
 
+/// Of the name, the sources, the flags, the main program, then what is found, linked, compiled and included
+/// besides.
+constexpr char cmake_form[] =
+    "cmake_minimum_required(VERSION 3.21)\n"
+    "project({0} LANGUAGES CXX)\n\n"
+    "if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE)\n  set(CMAKE_BUILD_TYPE Release)\nendif()\n"
+    "set(CMAKE_CXX_FLAGS_RELEASE \"\")  # the flags below are all there is to it\n\n"
+    "{4}# The diagram, for add_subdirectory() and target_link_libraries(... {0}::{0}).\n"
+    "add_library({0} STATIC {1}.cpp{6})\n"
+    "add_library({0}::{0} ALIAS {0})\n"
+    "target_include_directories({0} PUBLIC ${{CMAKE_CURRENT_SOURCE_DIR}} PRIVATE "
+    "${{CMAKE_CURRENT_SOURCE_DIR}}/stepwire{7})\n"
+    "set_target_properties({0} PROPERTIES POSITION_INDEPENDENT_CODE ON)\n"
+    "# What keeps the bits of `stepwire run`: -ffp-contract=off (no fused multiply-add) and "
+    "-fno-builtin-... (functions\n"
+    "# of the library, none computed by the compiler). Another -O or -march may be taken, never "
+    "-ffast-math.\n"
+    "target_compile_options({0} PRIVATE{2})\n"
+    "if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)  # passes that find little in straight-line code\n"
+    "  target_compile_options({0} PRIVATE -fno-tree-pta -fno-tree-slp-vectorize)\n"
+    "endif()\n{5}\n"
+    "# The program that writes what the diagram records; in another project built on demand only.\n"
+    "add_executable({0}_main {3})\n"
+    "target_link_libraries({0}_main PRIVATE {0})\n"
+    "target_compile_features({0}_main PRIVATE cxx_std_20)\n"
+    "set_target_properties({0}_main PROPERTIES OUTPUT_NAME {0} RUNTIME_OUTPUT_DIRECTORY "
+    "${{CMAKE_CURRENT_BINARY_DIR}}/bin)\n"
+    "if(NOT PROJECT_IS_TOP_LEVEL)\n"
+    "  set_target_properties({0}_main PROPERTIES EXCLUDE_FROM_ALL TRUE)\n"
+    "endif()\n";
+
 std::string cmake_text(const OwnNames& names, const std::vector<std::string>& folders, bool c_interface,
                        bool uses_eigen) {
   std::string more;
@@ -92,41 +123,14 @@ std::string cmake_text(const OwnNames& names, const std::vector<std::string>& fo
   std::string flags;
   for (const std::string& flag : Compiler::flags()) flags += " " + flag;
   return fmt::format(
-      "cmake_minimum_required(VERSION 3.21)\n"
-      "project({0} LANGUAGES CXX)\n\n"
-      "if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE)\n  set(CMAKE_BUILD_TYPE Release)\nendif()\n"
-      "set(CMAKE_CXX_FLAGS_RELEASE \"\")  # the flags below are all there is to it\n\n"
-      "{4}# The diagram, for add_subdirectory() and target_link_libraries(... {0}::{0}).\n"
-      "add_library({0} STATIC {1}.cpp{6})\n"
-      "add_library({0}::{0} ALIAS {0})\n"
-      "target_include_directories({0} PUBLIC ${{CMAKE_CURRENT_SOURCE_DIR}} PRIVATE "
-      "${{CMAKE_CURRENT_SOURCE_DIR}}/stepwire{7})\n"
-      "set_target_properties({0} PROPERTIES POSITION_INDEPENDENT_CODE ON)\n"
-      "# What keeps the bits of `stepwire run`: -ffp-contract=off (no fused multiply-add) and "
-      "-fno-builtin-... (functions\n"
-      "# of the library, none computed by the compiler). Another -O or -march may be taken, never "
-      "-ffast-math.\n"
-      "target_compile_options({0} PRIVATE{2})\n"
-      "if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)  # passes that find little in straight-line code\n"
-      "  target_compile_options({0} PRIVATE -fno-tree-pta -fno-tree-slp-vectorize)\n"
-      "endif()\n{5}\n"
-      "# The program that writes what the diagram records; in another project built on demand only.\n"
-      "add_executable({0}_main {3})\n"
-      "target_link_libraries({0}_main PRIVATE {0})\n"
-      "target_compile_features({0}_main PRIVATE cxx_std_20)\n"
-      "set_target_properties({0}_main PROPERTIES OUTPUT_NAME {0} RUNTIME_OUTPUT_DIRECTORY "
-      "${{CMAKE_CURRENT_BINARY_DIR}}/bin)\n"
-      "if(NOT PROJECT_IS_TOP_LEVEL)\n"
-      "  set_target_properties({0}_main PROPERTIES EXCLUDE_FROM_ALL TRUE)\n"
-      "endif()\n",
-      names.space, names.stem, flags, names.main,
+      cmake_form, names.space, names.stem, flags, names.main,
       uses_eigen ? "find_package(Eigen3 REQUIRED NO_MODULE)  # of the solver\n" : "",
       uses_eigen ? fmt::format("target_link_libraries({} PRIVATE Eigen3::Eigen)\n", names.space) : "",
       c_interface ? " " + names.c_source : "", more);
 }
 
-std::string source_text(const GeneratedProgram& program, const OwnNames& names,
-                        const HeaderFiles& headers, const std::string& definitions) {
+std::string source_text(const GeneratedProgram& program, const OwnNames& names, const HeaderFiles& headers,
+                        const std::string& definitions) {
   std::string text = fmt::format(
       "#include \"{}\"\n\n#include <bit>\n#include <cmath>\n#include <cstring>\n#include <limits>\n\n"
       "// Blocks of another version may be linked beside these.\n#define stepwire stepwire_of_{}\n",

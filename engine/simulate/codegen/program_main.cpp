@@ -24,6 +24,34 @@ const char* const tools = R"cpp(
   }
 )cpp";
 
+const char* const open_function =
+    "\nstd::FILE* open(const std::string& folder, const char* name, const char* titles) {\n"
+    "  std::FILE* file = std::fopen((folder + \"/\" + name).c_str(), \"w\");\n"
+    "  if (!file) {\n    std::perror((folder + \"/\" + name).c_str());\n    std::exit(3);\n  }\n"
+    "  std::fputs(titles, file);\n  return file;\n}\n\n";
+
+/// Of what opens the files, the rows of a tick, the last tick, what closes the files.
+constexpr char main_form[] =
+    "}}  // namespace\n\n"
+    "/// Runs the diagram to its stop; what it records goes into the folder that is named, "
+    "or this one.\n"
+    "int main(int argc, char** argv) {{\n"
+    "  if (argc > 2 || (argc > 1 && argv[1][0] == '-')) {{\n"
+    "    std::fputs(\"usage: PROGRAM [FOLDER]; the recorded signals are written into FOLDER, "
+    "by default the current one\\n\", "
+    "stderr);\n"
+    "    return 2;\n  }}\n"
+    "  [[maybe_unused]] const std::string folder = argc > 1 ? argv[1] : \".\";\n{0}"
+    "  static Diagram d;\n  const char* fault = nullptr;\n"
+    "  while (true) {{\n    d.evaluate();\n"
+    "    if (!d.finite()) fault = \"a signal is no longer a finite number\";\n    if (fault) "
+    "break;\n{1}"
+    "    if (d.tick >= {2} || d.stops()) break;\n    d.advance();\n"
+    "    fault = d.fault();\n    if (fault) break;\n  }}\n{3}"
+    "  if (!fault) return 0;\n"
+    "  std::fprintf(stderr, \"%s (at %g s); the run ends here\\n\", fault, d.time());\n  "
+    "return 2;\n}}\n";
+
 /// A function that writes one row of a recording.
 std::string row_function(const RecordRequest& request, const Plan& plan, std::size_t number) {
   std::string text = fmt::format(
@@ -63,11 +91,7 @@ std::string main_text(const Plan& plan, const std::string& header, const std::st
       "#include <string>\n\n#include {0}\n\nnamespace {{\n\nusing {1}::Diagram;\n",
       cpp_string(header), space);
   text += tools;
-  text +=
-      "\nstd::FILE* open(const std::string& folder, const char* name, const char* titles) {\n"
-      "  std::FILE* file = std::fopen((folder + \"/\" + name).c_str(), \"w\");\n"
-      "  if (!file) {\n    std::perror((folder + \"/\" + name).c_str());\n    std::exit(3);\n  }\n"
-      "  std::fputs(titles, file);\n  return file;\n}\n\n";
+  text += open_function;
   std::string opening, rows, closing;
   for (std::size_t i = 0; i < plan.diagram.records.size(); ++i) {
     const RecordRequest& request = plan.diagram.records[i];
@@ -78,27 +102,7 @@ std::string main_text(const Plan& plan, const std::string& header, const std::st
                        : fmt::format("    if (d.tick % {1} == 0) write_row_{0}(file_{0}, d);\n", i, every);
     closing += fmt::format("  if (std::fclose(file_{0}) != 0) return 3;\n", i);
   }
-  return text + fmt::format(
-                    "}}  // namespace\n\n"
-                    "/// Runs the diagram to its stop; what it records goes into the folder that is named, "
-                    "or this one.\n"
-                    "int main(int argc, char** argv) {{\n"
-                    "  if (argc > 2 || (argc > 1 && argv[1][0] == '-')) {{\n"
-                    "    std::fputs(\"usage: PROGRAM [FOLDER]; the recorded signals are written into FOLDER, "
-                    "by default the current one\\n\", "
-                    "stderr);\n"
-                    "    return 2;\n  }}\n"
-                    "  [[maybe_unused]] const std::string folder = argc > 1 ? argv[1] : \".\";\n{0}"
-                    "  static Diagram d;\n  const char* fault = nullptr;\n"
-                    "  while (true) {{\n    d.evaluate();\n"
-                    "    if (!d.finite()) fault = \"a signal is no longer a finite number\";\n    if (fault) "
-                    "break;\n{1}"
-                    "    if (d.tick >= {2} || d.stops()) break;\n    d.advance();\n"
-                    "    fault = d.fault();\n    if (fault) break;\n  }}\n{3}"
-                    "  if (!fault) return 0;\n"
-                    "  std::fprintf(stderr, \"%s (at %g s); the run ends here\\n\", fault, d.time());\n  "
-                    "return 2;\n}}\n",
-                    opening, rows, plan.steps, closing);
+  return text + fmt::format(main_form, opening, rows, plan.steps, closing);
 }
 
 }  // namespace stepwire

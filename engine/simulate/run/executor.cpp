@@ -33,6 +33,23 @@ void write(const SignalSlot& slot, const Eigen::VectorXd& value, double* values)
     values[slot.offset + static_cast<std::size_t>(k)] = value[value.size() == 1 ? 0 : k];
 }
 
+/// Elements of lists are put from `element` on.
+void bind_inputs(const BlockType& type, const PlannedBlock& planned, void* block, double* values,
+                 Inputs::Element* element) {
+  for (std::size_t i = 0; i < type.inputs.size(); ++i) {
+    const auto& slots = planned.inputs[i];
+    if (type.inputs[i].list) {
+      const Inputs::Element* first = element;
+      for (const SignalSlot& slot : slots) *element++ = {values + slot.offset, slot.size};
+      type.inputs[i].bind_list(block, first, static_cast<Eigen::Index>(slots.size()));
+    } else if (slots.empty()) {
+      type.inputs[i].unbind(block);
+    } else {
+      type.inputs[i].bind(block, values + slots.front().offset, slots.front().size);
+    }
+  }
+}
+
 }  // namespace
 
 /// The continuous part of the diagram at a solver's stage.
@@ -110,19 +127,7 @@ void Executor::bind_block(std::size_t index) {
   const PlannedBlock& planned = plan_.blocks[index];
   double* values = workspace_.values.data();
   void* block = memory(index);
-  Inputs::Element* element = list_elements_.data() + first_list_element_[index];
-  for (std::size_t i = 0; i < type.inputs.size(); ++i) {
-    const auto& slots = planned.inputs[i];
-    if (type.inputs[i].list) {
-      const Inputs::Element* first = element;
-      for (const SignalSlot& slot : slots) *element++ = {values + slot.offset, slot.size};
-      type.inputs[i].bind_list(block, first, static_cast<Eigen::Index>(slots.size()));
-    } else if (slots.empty()) {
-      type.inputs[i].unbind(block);
-    } else {
-      type.inputs[i].bind(block, values + slots.front().offset, slots.front().size);
-    }
-  }
+  bind_inputs(type, planned, block, values, list_elements_.data() + first_list_element_[index]);
   for (std::size_t o = 0; o < type.outputs.size(); ++o)
     type.outputs[o].bind(block, values + planned.outputs[o].offset, planned.outputs[o].size);
   for (std::size_t s = 0; s < type.states.size(); ++s)

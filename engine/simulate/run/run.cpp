@@ -4,6 +4,20 @@
 
 namespace stepwire {
 
+namespace {
+
+RunEnd end_of(const Executor& simulation, Drive::End how) {
+  RunEnd end;
+  end.interrupted = how == Drive::End::interrupted;
+  end.stopped = how == Drive::End::stopped || how == Drive::End::paused;
+  if (auto fault = simulation.fault()) end.faults.push_back(std::move(*fault));
+  end.notices = simulation.notices();
+  end.ticks = simulation.tick();
+  return end;
+}
+
+}  // namespace
+
 RunResult run_plan(const Plan& plan, const RunOptions& options) {
   TieredExecution changeover(options.engine, options.code, {{&plan, {}}}, static_cast<double>(plan.steps));
   Executor simulation(plan);
@@ -32,13 +46,7 @@ RunEnd run_simulation(Executor& simulation, std::vector<Recorder>& recorders, co
     if (options.progress)
       options.progress(static_cast<double>(simulation.tick()) / static_cast<double>(simulation.plan().steps));
   };
-  RunEnd end;
-  const Drive::End how = drive.run();
-  end.interrupted = how == Drive::End::interrupted;
-  end.stopped = how == Drive::End::stopped || how == Drive::End::paused;
-  if (auto fault = simulation.fault()) end.faults.push_back(std::move(*fault));
-  end.notices = simulation.notices();
-  end.ticks = simulation.tick();
+  RunEnd end = end_of(simulation, drive.run());
   end.compiled_ticks = changed < 0 ? 0 : end.ticks - changed;
   return end;
 }

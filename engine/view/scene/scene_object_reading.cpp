@@ -125,10 +125,8 @@ void read_colors(SceneObject& object, const Node& node, const ObjectReading& rea
   if (const Node* last = node.find("else")) add(last->text, last->mark, {});
 }
 
-std::vector<ObjectRow> object_rows() {
-  std::vector<ObjectRow> rows;
-  for (const SceneKind& kind : scene_kinds()) rows.push_back(kind_row(kind));
-  const std::vector<ObjectRow> keys{
+std::vector<ObjectRow> key_rows() {
+  return {
       {"color",
        "a colour, or colours by condition, of which the first that holds counts: {red: map.distance > 0, "
        "else: blue}",
@@ -162,7 +160,12 @@ std::vector<ObjectRow> object_rows() {
                        }}),
       beside({"text"}, ObjectRow{"at", "where the middle of the text is: [x, y]", point_form(), read_point}),
       beside({"text"}, length_row("size", "height of the letters", &SceneObject::size))};
-  rows.insert(rows.end(), keys.begin(), keys.end());
+}
+
+std::vector<ObjectRow> object_rows() {
+  std::vector<ObjectRow> rows;
+  for (const SceneKind& kind : scene_kinds()) rows.push_back(kind_row(kind));
+  for (ObjectRow& row : key_rows()) rows.push_back(std::move(row));
   return rows;
 }
 
