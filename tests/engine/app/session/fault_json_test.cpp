@@ -52,10 +52,10 @@ TEST_CASE("a fault as data has the place and the end of what is wrong, the block
 TEST_CASE("a fault in a part names the block by its whole name, and who uses the part") {
   const Scratch folder;
   folder.file("spring.yaml",
-               "stepwire: 1\ntitle: a spring\ninputs: {x: m}\noutputs: {force: k}\nblocks:\n  k: {block: "
+               "stepwire: 1\ntitle: a spring\ninputs: {x: {unit: m}}\noutputs: {force: k}\nblocks:\n  k: {block: "
                "Gain, gain: -, u: x}\n");
   folder.file("a.yaml",
-               head + "blocks:\n  x: {block: Constant, value: 1 m}\n  rig: {part: spring.yaml, x: x}\n");
+               head + "blocks:\n  x: {block: Constant, value: 1 m}\n  rig: {diagram: spring.yaml, x: x}\n");
   const json faults = faults_of(folder, "a.yaml");
   REQUIRE(faults.size() == 1);
   CHECK(faults[0]["file"] == folder.path("spring.yaml"));
