@@ -1,6 +1,8 @@
 #include "engine/app/cli/blockset_options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
+#include <set>
 
 #include "engine/simulate/blockset/blockset.hpp"
 
@@ -24,8 +26,10 @@ void BlocksetOptions::add_to(CLI::App& app) {
 
 void BlocksetOptions::load(Registry& registry) const {
   load_blocksets_of_environment(registry);
+  std::set<std::filesystem::path> loaded;
   for (const auto* folders : {&of_program_, &of_verb_})
-    for (const std::string& folder : *folders) load_blockset(folder, registry);
+    for (const std::string& folder : *folders)
+      if (loaded.insert(std::filesystem::weakly_canonical(folder)).second) load_blockset(folder, registry);
 }
 
 }  // namespace stepwire

@@ -5,6 +5,7 @@
 #include "engine/app/cli/console.hpp"
 #include "engine/app/cli/guarded.hpp"
 #include "engine/app/cli/interrupt.hpp"
+#include "engine/app/session/fault_json.hpp"
 
 namespace stepwire {
 
@@ -17,10 +18,17 @@ void add_model_options(CLI::App& verb, ModelCall& call) {
 }
 
 ExitCode each_model(const ModelCall& call, const Registry& registry, const ModelAction& action) {
-  LoadOptions options = load_options(call.words);
+  Json results = Json::list();
+  LoadOptions options;
+  try {
+    options = load_options(call.words);
+  } catch (const Error& error) {  // of no file alone
+    if (call.json)
+      say("{}\n", results.push(Json::object().set("faults", faults_json(error.faults()))).text());
+    throw;
+  }
   options.study = call.study;
   ExitCode code = ExitCode::done;
-  Json results = Json::list();
   for (const std::string& file : call.files) {
     if (interrupted()) break;
     Json faults;

@@ -7,9 +7,9 @@ Verb run_verb(), fit_verb(), study_verb(), check_verb(), flatten_verb(), generat
     verify_verb(), loop_verb(), thesis_verb(), blocks_verb(), format_verb(), schema_verb();
 
 const std::vector<Verb>& verbs() {
-  static const std::vector<Verb> all{run_verb(),     fit_verb(),      study_verb(),  check_verb(),
-                                     flatten_verb(), generate_verb(), draw_verb(),   verify_verb(),
-                                     loop_verb(),    thesis_verb(),   blocks_verb(), format_verb(), schema_verb()};
+  static const std::vector<Verb> all{
+      run_verb(),    fit_verb(),  study_verb(),  check_verb(),  flatten_verb(), generate_verb(), draw_verb(),
+      verify_verb(), loop_verb(), thesis_verb(), blocks_verb(), format_verb(),  schema_verb()};
   return all;
 }
 

@@ -124,6 +124,7 @@ std::pair<std::string, std::string> block_and_port(const std::string& subject, c
   const std::string whole = "." + subject;
   if (!key.empty() && whole.ends_with("." + name + key))
     return {subject.substr(0, subject.size() - key.size()), key.substr(1)};
+  if (!key.empty() && found.key && whole.ends_with("." + name)) return {subject, key.substr(1)};
   const std::size_t at = (whole + ".").rfind("." + name + ".");
   if (at == std::string::npos || at + name.size() == subject.size()) return {subject, ""};
   return {subject.substr(0, at + name.size()), subject.substr(at + name.size() + 1)};

@@ -26,7 +26,7 @@ class Compiler {
 
   /// Compiles a source, which may include our headers, into a shared library, with further flags. Empty if
   /// that went well, else what the compiler said. A stop ends the compiler, and there is no library then.
-  /// Throws SurroundingsError where our headers are not there.
+  /// Throws EnvironmentError where our headers are not there.
   std::string compile(const std::string& source, const std::string& library,
                       const std::vector<std::string>& more, const std::stop_token& stop) const;
 

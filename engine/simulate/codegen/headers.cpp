@@ -5,8 +5,10 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <regex>
 #include <set>
+#include <utility>
 
 #include "engine/base/io/environment_error.hpp"
 #include "engine/base/io/resources.hpp"
@@ -44,6 +46,7 @@ class Gatherer {
       open_.pop_back();
       if (all_.insert(header).second) follow(header);
     }
+    require_one_of_each();
   }
 
   IncludedHeaders take() const { return {{all_.begin(), all_.end()}, {folders_.begin(), folders_.end()}}; }
@@ -71,14 +74,29 @@ class Gatherer {
     for (fs::path above = beside.parent_path(); above != above.root_path(); above = above.parent_path()) {
       if (!fs::exists(above / included)) continue;
       folders_.insert(above.string());
+      found_.emplace_back(included, fs::canonical(above / included));
       return add(above / included);
     }
+  }
+
+  /// A compiler looks through the folders in one order for all headers: what one finds in its own folder
+  /// another would find there, too.
+  void require_one_of_each() const {
+    for (const auto& [included, header] : found_)
+      for (const std::string& folder : folders_) {
+        const fs::path other = fs::path(folder) / included;
+        if (fs::exists(other) && fs::canonical(other) != header)
+          throw EnvironmentError("\"" + included + "\" may be " + header.string() + " or " +
+                                 fs::canonical(other).string() + "; one of them needs another name");
+      }
   }
 
   void add(const fs::path& header) { open_.push_back(fs::canonical(header).string()); }
 
   std::vector<std::string> open_;
   std::set<std::string> all_, folders_;
+  std::vector<std::pair<std::string, fs::path>>
+      found_;  ///< in one of the folders, by the text of the include
 };
 
 }  // namespace
@@ -116,6 +134,18 @@ void require_headers(const Plan& plan) {
     if (why)
       faults.add(plan.diagram.fault(block.origin, block.name,
                                     fmt::format("{} cannot be generated: {}", type.name, why)));
+  }
+  // Of two structs with one name a compiler, or the linker, would take one for both.
+  std::map<std::string, const BlockType*> structs;
+  for (const DiagramBlock& block : plan.diagram.blocks) {
+    const BlockType& type = block.type();
+    const auto [known, is_new] = structs.try_emplace(type.struct_name, &type);
+    if (!is_new && known->second->header != type.header)
+      faults.add(plan.diagram.fault(
+          block.origin, block.name,
+          fmt::format("{} cannot be generated beside {}: both structs are called {}, in {} "
+                      "and {}; give one another name or namespace",
+                      type.name, known->second->name, type.struct_name, type.header, known->second->header)));
   }
   faults.throw_if_any();
 }
