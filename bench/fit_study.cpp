@@ -74,7 +74,7 @@ std::map<std::string, Tally> study(const Call& call) {
     options.settings.push_back({call.seed, std::to_string(seed), "repetition"});
     Loader loader(registry);
     const LoadedModel model = load_model(loader, call.file, options);
-    if (!model.fit) throw std::invalid_argument(call.file + " asks for no fit");
+    if (!model.fit) throw std::invalid_argument(call.file + " has no section 'fit'");
     const FitResult result = fit({loader, call.file, options.settings, &code}, model.job, *model.fit);
     for (const FittedNumber& number : result.numbers)
       if (const auto truth = call.truth.find(number.title()); truth != call.truth.end())

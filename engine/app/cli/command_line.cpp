@@ -50,7 +50,7 @@ class CommandLine {
   }
 
  private:
-  /// Prints the help that is asked for, or what is wrong in the call.
+  /// Prints the help of --help, or what is wrong in the call.
   ExitCode explain(const CLI::ParseError& error) const {
     std::ostringstream help, wrong;
     const int code = app_.exit(error, help, wrong);

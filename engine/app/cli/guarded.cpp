@@ -38,7 +38,7 @@ ExitCode guarded(const std::function<ExitCode()>& action, Json* faults) {
     return refused(visible(error.what()), ExitCode::wrong);
   } catch (const ProcessStopped&) {
     return ExitCode::interrupted;
-  } catch (const std::length_error&) {  // a container that was asked for more than any memory has
+  } catch (const std::length_error&) {  // of a container: beyond any memory
     return refused("this run needs more memory than there can be", ExitCode::surroundings);
   } catch (const std::bad_alloc&) {
     return refused(

@@ -48,9 +48,9 @@ bool folders_differ(const RunCall& call) {
 void require_section(const RunCall& call, const LoadedModel& model) {
   const auto refuse = [&](const char* message) { throw Error(Fault{{model.file, {}}, "", message, {}}); };
   if (call.requires_section == "fit" && !model.fit)
-    refuse("asks for no fit; a section 'fit' names parameters and records");
+    refuse("has no section 'fit'; it names parameters and records");
   if (call.requires_section == "study" && !model.study)
-    refuse("asks for no study; a section 'study' names task, people and conditions");
+    refuse("has no section 'study'; it names task, people and conditions");
 }
 
 std::string file_name(const LoadedModel& model) {
@@ -73,7 +73,7 @@ class FileRuns {
   }
 
  private:
-  /// Finds the parameters for which the file asks, prints them, and loads the model with them.
+  /// Finds the parameters of the section `fit`, prints them, and loads the model with them.
   ExitCode fit(LoadedModel& model, const std::string& folder, Json& results) {
     FitCall call = call_.fit;
     call.engine = call_.engine;
@@ -133,7 +133,7 @@ class FileRuns {
     write_figure(folder, "profile", profile_figure(model, profile));
   }
 
-  /// Makes the study for which the file asks, in the place of a run.
+  /// Makes the study of the section `study`, in the place of a run.
   ExitCode study(LoadedModel& model, const std::string& folder, Json& results) {
     const auto experiments = [&] {
       const auto watch = watched("study " + file_name(model));

@@ -76,7 +76,7 @@ class LoopFolder {
   RowWriter writer_;
 };
 
-/// Compiled code, where that is asked for and can be; with `auto`, too, since a loop has no time for it
+/// Compiled code, where the call names it and it can be; with `auto`, too, since a loop has no time for it
 /// later.
 std::optional<CompiledPlan> code_for(const Plan& plan, ExecutionMode engine, const Monitor& monitor) {
   if (engine == ExecutionMode::interpreted) return std::nullopt;

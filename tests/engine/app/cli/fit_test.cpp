@@ -100,12 +100,12 @@ TEST_CASE("any diagram takes what a fit wrote") {
   CHECK_THAT(refused.err, StartsWith("list.yaml:1:6: tau: a file of settings has lines such as"));
 }
 
-TEST_CASE("a file that asks for no fit is refused by fit") {
+TEST_CASE("a file without a section fit is refused by fit") {
   const Scratch folder;
   folder.file("a.yaml", lag_yaml);
   const Done done = run_program(folder, {"fit", "a.yaml"});
   CHECK(done.code == 2);
-  CHECK_THAT(done.err, Contains("asks for no fit"));
+  CHECK_THAT(done.err, Contains("has no section 'fit'; it names parameters and records"));
 }
 
 TEST_CASE("check finds what is wrong with a fit before anything runs") {

@@ -124,7 +124,8 @@ TEST_CASE("what is wrong with a study is told with its place before anything run
 TEST_CASE("study refuses a file without the section, and trials that do not fit it") {
   const Scratch folder;
   folder.file("lag.yaml", lag_yaml);
-  CHECK_THAT(run_program(folder, {"study", "lag.yaml"}).err, Contains("asks for no study"));
+  CHECK_THAT(run_program(folder, {"study", "lag.yaml"}).err,
+             Contains("has no section 'study'; it names task"));
   folder.file("a.yaml", small_study());
   folder.file("t.csv", "subject,task,condition,time [s],x [mm],y [mm]\nanna,1,VR,0,1,2\nanna,1,VR,1,2,3\n");
   const Done done = run_program(folder, {"study", "a.yaml", "--trials", "t.csv"});
