@@ -98,6 +98,7 @@ TEST_CASE("every plot explains its keys") {
   for (const auto& plot : plot_forms(true)) {
     INFO(plot.name);
     CHECK_FALSE(plot.doc.empty());
+    CHECK_FALSE(plot.of.empty());
     for (const auto& key : plot.of) CHECK_FALSE(key.doc.empty());
   }
 }
