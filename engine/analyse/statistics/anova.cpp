@@ -3,17 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "engine/analyse/statistics/equal_variances.hpp"
 #include "engine/analyse/statistics/linear_model.hpp"
+#include "engine/analyse/statistics/no_number.hpp"
 #include "engine/analyse/statistics/statistics_error.hpp"
 #include "engine/analyse/statistics/tail.hpp"
 
 namespace stepwire {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 std::string joined_name(const std::vector<std::string>& factors) {
   return fmt::format("{}", fmt::join(factors, ":"));
@@ -46,7 +44,7 @@ double sum_of_squares(const Eigen::VectorXd& response, const std::vector<TermCol
 }
 
 AnovaRow line(const std::string& name, double freedom, double sum) {
-  return {name, freedom, sum, freedom > 0.0 ? sum / freedom : none, none, none, none, ""};
+  return {name, freedom, sum, freedom > 0.0 ? sum / freedom : no_number, no_number, no_number, no_number, ""};
 }
 
 /// The sums of squares of all terms, of what they leave and of both.
@@ -56,7 +54,7 @@ void add_rows(Anova& result, const Eigen::VectorXd& response, const std::vector<
   double left = freedom_of_all;
   for (std::size_t i = 0; i < model.size(); ++i) {
     const auto freedom = static_cast<double>(model[i].columns.cols());
-    const double sum = freedom > 0.0 ? sum_of_squares(response, model, i, result.sums) : none;
+    const double sum = freedom > 0.0 ? sum_of_squares(response, model, i, result.sums) : no_number;
     result.terms.push_back(line(model[i].term.name(), freedom, sum));
     all.push_back(&model[i]);
     left -= freedom;

@@ -40,8 +40,11 @@ enum class SumsOfSquares { sequential, hierarchical, partial };
 struct Sphericity {
   double epsilon = 1.0;      ///< Greenhouse and Geisser 1959: 1 where it holds, 1/df at the worst
   double p_corrected = 1.0;  ///< of F with both degrees of freedom times epsilon
-  double mauchly = 1.0;      ///< Mauchly's W; nan where there are too few subjects
-  double p_mauchly = 1.0;    ///< of sphericity; nan with W
+  double huynh_feldt =
+      1.0;  ///< epsilon of Huynh and Feldt 1976, which corrects less; nan for too few subjects
+  double p_huynh_feldt = 1.0;  ///< of F with both degrees of freedom times that; nan with it
+  double mauchly = 1.0;        ///< Mauchly's W; nan where there are too few subjects
+  double p_mauchly = 1.0;      ///< of sphericity; nan with W
 };
 
 /// One line of an analysis of variance. What does not exist is nan.

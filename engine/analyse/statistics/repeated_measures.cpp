@@ -5,9 +5,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 
+#include "engine/analyse/statistics/contrasts.hpp"
+#include "engine/analyse/statistics/no_number.hpp"
 #include "engine/analyse/statistics/statistics_error.hpp"
 #include "engine/analyse/statistics/tail.hpp"
 
@@ -15,26 +15,7 @@ namespace stepwire {
 namespace {
 
 constexpr double doubtful_epsilon = 0.75, significant = 0.05;
-
-/// Means of the cells: a row for each subject, a column for each combination of the factors.
-Eigen::MatrixXd cell_means(const Observations& observations, std::vector<std::string> factors,
-                           const std::string& subject) {
-  factors.insert(factors.begin(), subject);
-  const auto all = cells(observations, factors);
-  const std::size_t subjects = observations.factor(subject).levels.size(), columns = all.size() / subjects;
-  Eigen::MatrixXd means(static_cast<Eigen::Index>(subjects), static_cast<Eigen::Index>(columns));
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const auto& values = all[i].values;
-    if (values.empty())
-      throw StatisticsError(
-          fmt::format("the design is not complete: there is no value for {}; repeated measures need one of "
-                      "every subject in every cell",
-                      cell_name(observations, factors, all[i])));
-    means(static_cast<Eigen::Index>(i / columns), static_cast<Eigen::Index>(i % columns)) =
-        std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-  }
-  return means;
-}
+constexpr double equal_scores = 1e-12;  // of their size: what rounding leaves of scores that do not vary
 
 /// The means as observations again: one value of every subject in every cell.
 Observations averaged(const Observations& observations, const Eigen::MatrixXd& means,
@@ -54,40 +35,6 @@ Observations averaged(const Observations& observations, const Eigen::MatrixXd& m
   return result;
 }
 
-/// Helmert's contrasts: orthonormal columns that sum to zero.
-Eigen::MatrixXd contrasts(Eigen::Index levels) {
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(levels, levels - 1);
-  for (Eigen::Index k = 0; k + 1 < levels; ++k) {
-    const auto count = static_cast<double>(k + 1);
-    result.col(k).head(k + 1).setConstant(1.0);
-    result(k + 1, k) = -count;
-    result.col(k) /= std::sqrt(count * (count + 1.0));
-  }
-  return result;
-}
-
-Eigen::MatrixXd kronecker(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
-  Eigen::MatrixXd result(a.rows() * b.rows(), a.cols() * b.cols());
-  for (Eigen::Index i = 0; i < a.rows(); ++i)
-    for (Eigen::Index j = 0; j < a.cols(); ++j)
-      result.block(i * b.rows(), j * b.cols(), b.rows(), b.cols()) = a(i, j) * b;
-  return result;
-}
-
-/// The contrasts between cells of which a term is made.
-Eigen::MatrixXd contrasts_of(const Term& term, const Observations& observations,
-                             const std::vector<std::string>& within) {
-  Eigen::MatrixXd result = Eigen::MatrixXd::Ones(1, 1);
-  for (const std::string& name : within) {
-    const auto levels = static_cast<Eigen::Index>(observations.factor(name).levels.size());
-    const bool varies = std::find(term.factors.begin(), term.factors.end(), name) != term.factors.end();
-    const Eigen::MatrixXd mean =
-        Eigen::MatrixXd::Constant(levels, 1, 1.0 / std::sqrt(static_cast<double>(levels)));
-    result = kronecker(result, varies ? contrasts(levels) : mean);
-  }
-  return result;
-}
-
 /// Mauchly's W and its probability after Box's expansion to the second order (Anderson 1958, section 10.7).
 void judge_sphericity(Sphericity& result, const Eigen::MatrixXd& covariance, double freedom) {
   const auto p = static_cast<double>(covariance.rows());
@@ -100,16 +47,31 @@ void judge_sphericity(Sphericity& result, const Eigen::MatrixXd& covariance, dou
   result.p_mauchly = first + second * (chi_squared_tail(z, f + 4.0) - first);
 }
 
-Sphericity sphericity(const Eigen::MatrixXd& scores, const AnovaRow& row) {
+/// Huynh and Feldt 1976, at most 1; nan where there are too few subjects.
+double huynh_feldt(double greenhouse_geisser, double terms, double freedom) {
+  const double below = terms * (freedom - terms * greenhouse_geisser);
+  if (below < 1e-9 * terms * freedom) return no_number;
+  return std::min(1.0, ((freedom + 1.0) * terms * greenhouse_geisser - 2.0) / below);
+}
+
+double corrected_probability(const AnovaRow& row, double error_freedom, double epsilon) {
+  if (std::isnan(epsilon)) return no_number;
+  return fisher_tail(row.f, row.freedom * epsilon, error_freedom * epsilon);
+}
+
+/// Nothing where the subjects differ in none of the scores.
+std::optional<Sphericity> sphericity(const Eigen::MatrixXd& scores, const AnovaRow& row) {
   const Eigen::MatrixXd centred = scores.rowwise() - scores.colwise().mean();
+  if (centred.norm() <= equal_scores * scores.norm()) return std::nullopt;
   const auto freedom = static_cast<double>(scores.rows() - 1);
   const Eigen::MatrixXd covariance = centred.transpose() * centred / freedom;
   const auto p = static_cast<double>(scores.cols());
   Sphericity result;
   result.epsilon = std::pow(covariance.trace(), 2) / (p * covariance.squaredNorm());
-  result.p_corrected =
-      fisher_tail(row.f, row.freedom * result.epsilon, row.freedom * freedom * result.epsilon);
-  result.mauchly = result.p_mauchly = std::numeric_limits<double>::quiet_NaN();
+  result.p_corrected = corrected_probability(row, row.freedom * freedom, result.epsilon);
+  result.huynh_feldt = huynh_feldt(result.epsilon, p, freedom);
+  result.p_huynh_feldt = corrected_probability(row, row.freedom * freedom, result.huynh_feldt);
+  result.mauchly = result.p_mauchly = no_number;
   if (freedom >= p) judge_sphericity(result, covariance, freedom);
   return result;
 }
@@ -137,8 +99,8 @@ Anova repeated_measures(const Observations& observations, const std::vector<std:
     if (term.against.empty()) continue;
     for (AnovaRow& row : result.terms)
       if (row.name == term.name() && row.freedom > 1.0) {
-        row.sphericity = sphericity(means * contrasts_of(term, observations, within), row);
-        warn(result, row);
+        row.sphericity = sphericity(means * contrasts_of(term.factors, observations, within), row);
+        if (row.sphericity) warn(result, row);
       }
   }
   return result;

@@ -21,6 +21,10 @@ double fisher_tail(double value, double above, double below) {
   return tail(boost::math::fisher_f(above, below), value);
 }
 
+double fisher_critical(double probability, double above, double below) {
+  return boost::math::quantile(boost::math::complement(boost::math::fisher_f(above, below), probability));
+}
+
 double chi_squared_tail(double value, double freedom) {
   return tail(boost::math::chi_squared(freedom), value);
 }

@@ -50,6 +50,9 @@ TEST_CASE("four stools are told apart, and are not spherical") {
   REQUIRE(type.sphericity.has_value());
   CHECK(type.sphericity->epsilon == Approx(0.6459).margin(5e-5));
   CHECK(type.sphericity->p_corrected == Approx(3.00556383917e-05).epsilon(1e-9));
+  // g <- Greenhouse-Geisser epsilon: (9*3*g - 2) / (3 * (8 - 3*g)), which anova prints as 0.8490
+  CHECK(type.sphericity->huynh_feldt == Approx(0.848965071025377).epsilon(1e-9));
+  CHECK(type.sphericity->p_huynh_feldt == Approx(2.48308895121e-06).epsilon(1e-9));
   CHECK(type.sphericity->mauchly == Approx(0.1796005467).epsilon(1e-9));
   CHECK(type.sphericity->p_mauchly == Approx(0.043647965565).epsilon(1e-8));
   REQUIRE(all.warnings.size() == 1);
@@ -71,6 +74,16 @@ TEST_CASE("two factors within subjects are compared each with its own interactio
   CHECK(all.find("V:N")->f == Approx(0.26029).margin(6e-6));
   CHECK(all.find("V:N")->sphericity->p_corrected == Approx(0.868395261698).epsilon(1e-10));
   CHECK(std::isnan(all.find("V:N")->sphericity->mauchly));
+}
+
+TEST_CASE("two subjects leave Huynh and Feldt's epsilon open, and equal scores all of sphericity") {
+  const std::vector<Factor> factors{running("condition", 3, 1, 6), running("subject", 2, 3, 6, true)};
+  const Anova two = repeated_measures({"error", {1, 2, 4, 1, 3, 9}, factors}, {"condition"}, "subject");
+  CHECK(std::isnan(two.find("condition")->sphericity->huynh_feldt));
+  CHECK(two.find("condition")->sphericity->epsilon == Approx(0.5));
+  const Anova equal = repeated_measures({"error", {1, 2, 4, 2, 3, 5}, factors}, {"condition"}, "subject");
+  CHECK_FALSE(equal.find("condition")->sphericity.has_value());
+  CHECK(equal.warnings.empty());
 }
 
 TEST_CASE("several trials of one subject in one cell count as their mean") {

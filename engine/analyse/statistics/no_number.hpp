@@ -1,0 +1,10 @@
+#pragma once
+
+#include <limits>
+
+namespace stepwire {
+
+/// What stands in the place of a number that does not exist.
+inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace stepwire

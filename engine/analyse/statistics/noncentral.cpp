@@ -1,0 +1,77 @@
+#include "engine/analyse/statistics/noncentral.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/fisher_f.hpp>
+#include <boost/math/distributions/non_central_f.hpp>
+#include <boost/math/distributions/non_central_t.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+
+#include "engine/analyse/statistics/no_number.hpp"
+
+namespace stepwire {
+namespace {
+
+constexpr double far_out = 40.0;
+constexpr double largest_t = 1e4;  // beyond it Boost's series have too many terms
+
+// Where a series ends before its last digit, what it has is exact enough; other faults give nan.
+using Quietly = boost::math::policies::policy<
+    boost::math::policies::domain_error<boost::math::policies::ignore_error>,
+    boost::math::policies::overflow_error<boost::math::policies::ignore_error>,
+    boost::math::policies::evaluation_error<boost::math::policies::ignore_error>>;
+
+double below_f(double f, double above, double below, double noncentrality) {
+  if (noncentrality <= 0.0)  // the noncentral one of Boost is slow there
+    return boost::math::cdf(boost::math::fisher_f_distribution<double, Quietly>(above, below), f);
+  return boost::math::cdf(
+      boost::math::non_central_f_distribution<double, Quietly>(above, below, noncentrality), f);
+}
+
+/// Where a function that falls crosses zero, from a start where it is above zero; nan where it stays above.
+template <class Function>
+double falling_root(Function function, double low, double step) {
+  double high = low + step;
+  for (int i = 0; function(high) > 0.0; ++i, step *= 2.0) {
+    if (i == 60) return no_number;
+    low = high, high += step;
+  }
+  std::uintmax_t most = 200;
+  const auto ends = boost::math::tools::toms748_solve(function, low, high,
+                                                      boost::math::tools::eps_tolerance<double>(48), most);
+  return 0.5 * (ends.first + ends.second);
+}
+
+}  // namespace
+
+double noncentral_student_tail(double value, double freedom, double noncentrality) {
+  // So far out the tail is 1 or 0 to the last digit, and Boost counts beyond an int.
+  if (std::abs(noncentrality) > far_out * std::max(1.0, std::abs(value)))
+    return noncentrality > 0.0 ? 1.0 : 0.0;
+  const boost::math::non_central_t_distribution<double, Quietly> distribution(freedom, noncentrality);
+  return boost::math::cdf(boost::math::complement(distribution, value));
+}
+
+ConfidenceInterval noncentrality_of_t(double t, double freedom) {
+  if (!(std::abs(t) < largest_t) || !(freedom > 0.0)) return {no_number, no_number};
+  const auto at = [&](double share) {
+    const auto over = [&](double noncentrality) {
+      return 1.0 - share - noncentral_student_tail(t, freedom, noncentrality);
+    };
+    double low = t - 1.0;
+    for (double step = 1.0; over(low) <= 0.0; step *= 2.0) low -= step;
+    return falling_root(over, low, 1.0);
+  };
+  return {at(0.975), at(0.025)};
+}
+
+ConfidenceInterval noncentrality_of_f(double f, double above, double below) {
+  if (!(f * above < largest_t * largest_t) || !(above > 0.0) || !(below > 0.0)) return {no_number, no_number};
+  const auto at = [&](double share) {
+    const auto over = [&](double noncentrality) { return below_f(f, above, below, noncentrality) - share; };
+    return over(0.0) <= 0.0 ? 0.0 : falling_root(over, 0.0, 1.0);
+  };
+  return {at(0.95), at(0.05)};
+}
+
+}  // namespace stepwire

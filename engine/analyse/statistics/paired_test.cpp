@@ -1,0 +1,51 @@
+#include "engine/analyse/statistics/paired_test.hpp"
+
+#include <cmath>
+#include <numeric>
+
+#include "engine/analyse/statistics/no_number.hpp"
+#include "engine/analyse/statistics/student.hpp"
+#include "engine/analyse/statistics/tail.hpp"
+
+namespace stepwire {
+namespace {
+
+constexpr double equal_within =
+    1e-12;  // of the largest difference: what rounding leaves of equal differences
+
+/// Standard deviation; 0 where only rounding tells the values apart.
+double deviation_of(const std::vector<double>& values, double mean) {
+  double squares = 0.0, largest = 0.0;
+  for (const double value : values) {
+    squares += (value - mean) * (value - mean);
+    largest = std::max(largest, std::abs(value));
+  }
+  const double deviation = std::sqrt(squares / static_cast<double>(values.size() - 1));
+  return deviation > equal_within * largest ? deviation : 0.0;
+}
+
+}  // namespace
+
+ConfidenceInterval student_interval(double mean, double standard_error, double freedom) {
+  if (!(freedom > 0.0)) return {no_number, no_number};
+  const double reach = student_quantile(0.975, freedom) * standard_error;
+  return {mean - reach, mean + reach};
+}
+
+PairedTest paired_test(const std::vector<double>& differences) {
+  PairedTest test{no_number, no_number, no_number, no_number, no_number, {no_number, no_number}};
+  if (differences.empty()) return test;
+  const auto count = static_cast<double>(differences.size());
+  test.mean = std::accumulate(differences.begin(), differences.end(), 0.0) / count;
+  if (differences.size() < 2) return test;
+  test.freedom = count - 1.0;
+  test.deviation = deviation_of(differences, test.mean);
+  const double error = test.deviation / std::sqrt(count);
+  test.interval = student_interval(test.mean, error, test.freedom);
+  if (error <= 0.0) return test;
+  test.t = test.mean / error;
+  test.p = fisher_tail(test.t * test.t, 1.0, test.freedom);
+  return test;
+}
+
+}  // namespace stepwire
