@@ -119,6 +119,31 @@ std::vector<NamedValue> feedback_effects(const std::vector<NamedValue>& means,
   return effects;
 }
 
+namespace {
+
+/// The analyses within subjects, or why there are none.
+void add_within_subjects(const Observations& all, const std::vector<std::string>& factors,
+                         const std::vector<std::string>& order, TaskAnalysis& result) {
+  try {
+    result.repeated = repeated_measures(all, factors, "subject");
+  } catch (const StatisticsError& error) {
+    result.not_repeated = error.what();
+  }
+  try {
+    result.within = within_subjects(all, factors, order, "condition", "subject");
+  } catch (const StatisticsError& error) {
+    result.not_within = error.what();
+  }
+}
+
+std::vector<std::string> names_of(const std::vector<FeedbackCondition>& conditions) {
+  std::vector<std::string> names;
+  for (const FeedbackCondition& condition : conditions) names.push_back(condition.name);
+  return names;
+}
+
+}  // namespace
+
 TaskAnalysis analyse(const PathErrors& errors, const std::vector<FeedbackCondition>& conditions) {
   const Observations all = observations(errors, conditions);
   const auto factors = feedbacks(all);
@@ -133,12 +158,8 @@ TaskAnalysis analyse(const PathErrors& errors, const std::vector<FeedbackConditi
   with_subject.push_back({{"subject"}, {}});
   result.with_subject = anova(all, with_subject);
   const bool crossed = all_combined(all, factors);
-  try {
-    result.repeated =
-        repeated_measures(all, crossed ? factors : std::vector<std::string>{"condition"}, "subject");
-  } catch (const StatisticsError& error) {
-    result.not_repeated = error.what();
-  }
+  add_within_subjects(all, crossed ? factors : std::vector<std::string>{"condition"}, names_of(conditions),
+                      result);
   return result;
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/analyse/statistics/anova.hpp"
+#include "engine/analyse/statistics/within_subjects.hpp"
 #include "engine/analyse/study/path_errors.hpp"
 #include "engine/base/json/json.hpp"
 #include "engine/base/text/text_table.hpp"
@@ -29,7 +29,9 @@ struct TaskAnalysis {
   /// Within subjects: the feedbacks and their interactions where all combinations were drawn (task 1), else
   /// the conditions (task 2).
   std::optional<Anova> repeated;
-  std::string not_repeated;  ///< why there is none
+  std::string not_repeated;              ///< why there is none
+  std::optional<WithinSubjects> within;  ///< pairs of conditions, by the subjects who have met all of them
+  std::string not_within;                ///< why there is none
 };
 
 /// What each feedback adds to the mean errors of conditions, beside the other feedbacks (least squares of

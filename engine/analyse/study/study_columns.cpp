@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/analyse/study/comparison_columns.hpp"
 #include "engine/analyse/study/published.hpp"
 #include "engine/simulate/record/recorder.hpp"
 #include "engine/simulate/run/pooling.hpp"
@@ -144,6 +145,7 @@ Recording outcome_recording(const Experiment& experiment, const StudyRequest& re
   };
   add(outcome(experiment, request), "");
   add(effects_of(experiment, request), "");
+  add(comparison_values(experiment, request), "");
   add(mean_deviations(experiment, request), experiment.errors.deviation_unit);
   add(published_means(request), "");
   return recording;
@@ -182,6 +184,7 @@ class StudyNames {
     const std::size_t outcome = records_ + 1;
     for (const std::string& column : outcome_columns(request_)) add(column, "1", outcome);
     for (const std::string& factor : factors_of(request_)) add(column_of("effect.", factor), "1", outcome);
+    for (const std::string& column : comparison_columns(request_)) add(column, "1", outcome);
     for (const std::string& condition : request_.condition_names())
       add("deviation." + condition, circle_ ? "m" : "rad", outcome);
     for (const std::string& condition : request_.condition_names()) add("thesis." + condition, "1", outcome);

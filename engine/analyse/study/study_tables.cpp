@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/analyse/study/comparison_tables.hpp"
 #include "engine/analyse/study/published.hpp"
 #include "engine/analyse/study/side_by_side.hpp"
 
@@ -58,6 +59,10 @@ TextTable table_of(const std::string& name, const Experiment& experiment, const 
   if (name == "means")
     return side_by_side_table(compare_errors(published_task(request.task).means, analysis.means,
                                              published_task(request.task).order));
+  const auto& compared = comparison_table_names();
+  if (std::find(compared.begin(), compared.end(), name) != compared.end())
+    return analysis.within ? comparison_table(name, *analysis.within, of, experiment.seed)
+                           : none("Within subjects" + of, analysis.not_within);
   return side_by_side_table(compare_significance(published_task(request.task), analysis));
 }
 
@@ -68,6 +73,8 @@ std::vector<NamedTable> empty_study_tables(bool swept) {
   std::vector<NamedTable> tables;
   for (const char* name :
        {"errors", "subjects", "anova", "anova_with_subject", "repeated_measures", "means", "significance"})
+    tables.push_back({name, std::make_shared<TextTable>()});
+  for (const std::string& name : comparison_table_names())
     tables.push_back({name, std::make_shared<TextTable>()});
   return tables;
 }

@@ -1,6 +1,7 @@
 // What a study leaves in its folder.
 #include <fmt/format.h>
 
+#include "engine/analyse/study/comparison_tables.hpp"
 #include "engine/analyse/study/published.hpp"
 #include "engine/analyse/study/side_by_side.hpp"
 #include "engine/analyse/study/study_tables.hpp"
@@ -55,7 +56,7 @@ Json orders_json(const Experiment& experiment, const StudyRequest& request) {
   return orders;
 }
 
-Json analysis_json(const TaskAnalysis& analysis, const StudyRequest& request) {
+Json analysis_json(const TaskAnalysis& analysis, const StudyRequest& request, std::uint64_t seed) {
   Json means = Json::object();
   for (const NamedValue& mean : analysis.means) means.set(mean.name, mean.value);
   Json both = Json::list();
@@ -67,6 +68,8 @@ Json analysis_json(const TaskAnalysis& analysis, const StudyRequest& request) {
       .set("anova_with_subject", anova_json(analysis.with_subject))
       .set("repeated_measures",
            analysis.repeated ? anova_json(*analysis.repeated) : Json(analysis.not_repeated))
+      .set("within_subjects",
+           analysis.within ? comparisons_json(*analysis.within, seed) : Json(analysis.not_within))
       .set("side_by_side", std::move(both));
 }
 
@@ -111,7 +114,8 @@ Json add_experiment(Json json, const Experiment& experiment, const StudyRequest&
       .set("trials", trials_json(experiment));
   if (!experiment.runs.empty())
     json.set("seed", experiment.seed).set("orders", orders_json(experiment, request));
-  if (experiment.analysis) json.set("analysis", analysis_json(*experiment.analysis, request));
+  if (experiment.analysis)
+    json.set("analysis", analysis_json(*experiment.analysis, request, experiment.seed));
   return json;
 }
 

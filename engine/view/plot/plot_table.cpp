@@ -54,10 +54,10 @@ PlotKind table_plot() {
   kind.doc = "a table of expressions, or one that a study makes, with its notes";
   kind.options = {
       {"of",
-       "which table: errors by condition, or by condition and subject; the analyses of variance; or means "
-       "and significance beside the thesis'",
-       form::word({"errors", "subjects", "anova", "anova_with_subject", "repeated_measures", "means",
-                   "significance"})},
+       "which table: errors by condition, or by condition and subject; the analyses of variance; pairs "
+       "of conditions within subjects; or means and significance beside the thesis'",
+       form::word({"errors", "subjects", "anova", "anova_with_subject", "repeated_measures", "intervals",
+                   "comparisons", "effect_sizes", "power", "assumptions", "means", "significance"})},
       {"headings", "texts, the first above the names of the rows", form::one_or_list(form::text())},
       {"rows", "map of name: an expression for each further column, or a list: {NAME: [rig.x in mm]}",
        form::tree()},

@@ -1,0 +1,107 @@
+// Assumptions of the analyses within subjects, in words.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "engine/analyse/study/comparison_tables.hpp"
+
+namespace stepwire {
+namespace {
+
+constexpr double level = 0.05;
+constexpr double mild_epsilon =
+    0.75;  // above it Huynh and Feldt's correction is the better one (Girden 1992)
+
+/// One assumption: a line of the table, and a sentence where it is rejected or cannot be judged.
+class AssumptionLines {
+ public:
+  explicit AssumptionLines(TextTable& table) : table_(table) {}
+
+  void add(const std::string& assumption, const std::string& of, const std::string& statistic, double p,
+           const std::string& sentence) {
+    const bool judged = !std::isnan(p), rejected = judged && p < level;
+    table_.rows.push_back({assumption, of, statistic, printed_probability(p),
+                           !judged    ? "–"
+                           : rejected ? "rejected"
+                                      : "not rejected"});
+    if (rejected) table_.notes.push_back(sentence);
+    any_ = any_ || rejected;
+  }
+
+  void add(const std::string& of, const std::optional<Normality>& normality, const std::string& what,
+           const std::string& read) {
+    if (!normality) {
+      table_.rows.push_back({"normal", of, "–", "–", "–"});
+      table_.notes.push_back(fmt::format(
+          "{}: normality is not judged; Shapiro-Wilk needs three values or more that are not all equal.",
+          of));
+      return;
+    }
+    add("normal", of, fmt::format("W = {:.3f}", normality->w), normality->p,
+        fmt::format("{} are not normal (Shapiro-Wilk W = {:.2f}, P = {}): {}.", what, normality->w,
+                    printed_probability(normality->p), read));
+  }
+
+  bool any() const { return any_; }
+
+ private:
+  TextTable& table_;
+  bool any_ = false;
+};
+
+void add_sphericity(const AnovaRow& row, AssumptionLines& lines) {
+  const Sphericity& s = *row.sphericity;
+  const bool mild = s.epsilon > mild_epsilon && !std::isnan(s.huynh_feldt);
+  const std::string epsilons =
+      fmt::format("ε = {:.3f} (GG){}", s.epsilon,
+                  std::isnan(s.huynh_feldt) ? "" : fmt::format(", {:.3f} (HF)", s.huynh_feldt));
+  const std::string w = std::isnan(s.mauchly) ? "" : fmt::format("W = {:.3f}, ", s.mauchly);
+  lines.add(
+      "spherical", row.name, w + epsilons, s.p_mauchly,
+      fmt::format(
+          "{} is not spherical (Mauchly's W = {:.2f}, P = {}): read its P with the correction of {}, {}.",
+          row.name, s.mauchly, printed_probability(s.p_mauchly),
+          mild ? "Huynh and Feldt" : "Greenhouse and Geisser",
+          printed_probability(mild ? s.p_huynh_feldt : s.p_corrected)));
+}
+
+void add_variances(const WithinSubjects& within, AssumptionLines& lines) {
+  if (!within.variances) return;
+  const VarianceTest& test = *within.variances;
+  const std::string statistic = fmt::format("F({:g}, {:g}) = {:.3g}", test.above, test.below, test.f);
+  lines.add("equal variances", "conditions", statistic, test.p,
+            fmt::format(
+                "The variances of the conditions differ (Brown-Forsythe {}, P = {}): read the comparisons of "
+                "pairs, each of which has a variance of its own.",
+                statistic, printed_probability(test.p)));
+}
+
+}  // namespace
+
+TextTable assumptions_table(const WithinSubjects& within, const std::string& title) {
+  TextTable table{title, {"assumption", "of", "statistic", "P", "at 0.05"}, {}, {}};
+  AssumptionLines lines(table);
+  lines.add("residuals", within.residuals, "The residuals", "read the signed-rank tests of the comparisons");
+  for (const PairComparison& one : within.comparisons) {
+    const std::string name = fmt::format("{} - {}", one.first, one.second);
+    lines.add(name, one.normality, "The differences " + name,
+              "read the signed-rank P of this pair, " + printed_probability(one.ranks.p));
+  }
+  bool several = false;
+  for (const AnovaRow& row : within.repeated.terms) {
+    if (row.sphericity) add_sphericity(row, lines);
+    several = several || (row.freedom > 1.0 && within.repeated.find(row.against) != nullptr);
+  }
+  add_variances(within, lines);
+  if (!several) table.notes.emplace_back("Every term has one degree of freedom, so that sphericity holds.");
+  if (!lines.any())
+    table.notes.push_back(fmt::format("No assumption is rejected; {} subjects show large departures only.",
+                                      within.table.subjects.size()));
+  table.notes.emplace_back(
+      "Residuals: of the model subject + condition. W: Shapiro-Wilk of what should be normal, Mauchly of "
+      "what should "
+      "be spherical; ε of Greenhouse and Geisser (GG) and of Huynh and Feldt (HF).");
+  return table;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "engine/analyse/statistics/within_subjects.hpp"
+#include "engine/analyse/study/analysis.hpp"
+#include "engine/base/json/json.hpp"
+#include "engine/base/text/text_table.hpp"
+
+namespace stepwire {
+
+/// Names of the tables of conditions within subjects: intervals, comparisons, effect_sizes, power,
+/// assumptions.
+const std::vector<std::string>& comparison_table_names();
+
+/// The one of that name; `of` stands behind its title, `seed` draws what power is simulated with.
+TextTable comparison_table(const std::string& name, const WithinSubjects& within, const std::string& of,
+                           std::uint64_t seed);
+
+/// Which assumptions hold, in words, and what to read where one does not.
+TextTable assumptions_table(const WithinSubjects& within, const std::string& title);
+
+/// All of them for programs; what does not exist is null.
+Json comparisons_json(const WithinSubjects& within, std::uint64_t seed);
+
+}  // namespace stepwire
