@@ -7,26 +7,26 @@
 
 namespace stepwire {
 
-/// How one means to go on along a circle: velocity = pace v t + k (R - r) e, where e points outward from the
-/// centre to where one believes to be, r is how far that is, and t is e turned to the left.
+/// Next via point along a circle of radius R, from where the hand will be at the end of the movements under
+/// way, (r, theta) about the centre:
+///
+///     r' = r + (R - r) (1 - exp(-correction interval)),   theta' = theta + speed interval / R.
 struct CirclePlan {
-  Input<2> position{}, center{};
-  Input<1> pace{};
-  double radius = 1.0, speed = 0.0, correction = 0.0;
-  Output<2> velocity{}, outward{};
-  Output<1> turned{};
-  DiscreteState<2> facing{};  ///< e at the last tick; 0 before the first
+  Input<2> position{}, pending{}, center{};
+  Input<1> speed{}, interval{};
+  double radius = 1.0, correction = 0.0;
+  Output<2> step{}, outward{};
+  Output<1> turned{}, off{};
+  DiscreteState<2> facing{};  ///< outward at the last tick; 0 before the first
   DiscreteState<1> angle{};   ///< turned until then
 
   void outputs() {
     const double x = position[0] - center[0], y = position[1] - center[1], r = std::hypot(x, y);
     outward[0] = r > 0.0 ? x / r : 1.0;
     outward[1] = r > 0.0 ? y / r : 0.0;
-    const double on = speed * (pace.connected() ? std::max(0.0, static_cast<double>(pace)) : 1.0);
-    const double out = correction * (radius - r);
-    velocity[0] = out * outward[0] - on * outward[1];
-    velocity[1] = out * outward[1] + on * outward[0];
+    off = r - radius;
     turned = angle + turn();
+    plan(x + pending[0], y + pending[1]);
   }
 
   void update() {
@@ -41,6 +41,14 @@ struct CirclePlan {
   double turn() const {
     return std::atan2(facing[0] * outward[1] - facing[1] * outward[0],
                       facing[0] * outward[0] + facing[1] * outward[1]);
+  }
+
+  /// The step from (x, y), about the centre, to the via point.
+  void plan(double x, double y) {
+    const double r = std::hypot(x, y), theta = std::atan2(y, x) + speed * interval / radius;
+    const double next = r - (radius - r) * std::expm1(-correction * interval);
+    step[0] = next * std::cos(theta) - x;
+    step[1] = next * std::sin(theta) - y;
   }
 };
 

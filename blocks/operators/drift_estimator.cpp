@@ -17,7 +17,7 @@ void DriftEstimator::declare(Declare<DriftEstimator>& is) {
   is.block(
       "DriftEstimator",
       {.doc = "What can be known of a slow drift in the plane, as of the sense of where one's hand is, from "
-              "several channels: a Kalman filter for an OrnsteinUhlenbeck drift of known deviation and "
+              "several channels: a Kalman filter for a drift (Ornstein-Uhlenbeck) of known deviation and "
               "correlation. At each tick each channel measures the drift along `direction`, with noise of "
               "which the precision is known, one over its variance. Precisions add up, that of what was "
               "known before included; a channel of precision 0 says nothing then. At first nothing is "

@@ -6,9 +6,9 @@
 
 namespace stepwire {
 
-/// Kalman filter for a vector x in the plane that drifts as OrnsteinUhlenbeck does, from channels that each
-/// measure it along one direction d, as z = d x + noise. With r = exp(-|change of s| / correlation), from
-/// tick to tick
+/// Kalman filter for a vector x in the plane that drifts (an Ornstein-Uhlenbeck process over s), from
+/// channels that each measure it along one direction d, as z = d x + noise. With r = exp(-|change of s| /
+/// correlation), from tick to tick
 ///
 ///     x <- r x,  P <- r^2 P + (1 - r^2) deviation^2 I,
 ///

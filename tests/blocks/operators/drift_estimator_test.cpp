@@ -60,7 +60,11 @@ step: 100 ms
 stop: 4000 s
 blocks:
   s:     {block: Clock}
-  drift: {block: OrnsteinUhlenbeck, along: s, deviation: [2, 2], correlation: 2 s, seed: 4}
+  w1:    {block: Noise, seed: 4, deviation: 0.6169684}    # of a process of deviation 2: 2 sqrt(1 - r^2), r = exp(-0.05)
+  w2:    {block: Noise, seed: 5, deviation: 0.6169684}
+  d1:    {block: DiscreteTransferFunction, u: w1, numerator: [1, 0], denominator: [1, -0.9512294]}
+  d2:    {block: DiscreteTransferFunction, u: w2, numerator: [1, 0], denominator: [1, -0.9512294]}
+  drift: {block: Mux, u: [d1, d2]}
   noise: {block: Noise, seed: 9, deviation: 0.5}
   a:     {block: Ramp, slope: 1}
   x:     {block: Trig, u: a, function: cos}

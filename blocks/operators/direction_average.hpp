@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cmath>
+
+#include "engine/model/block/block.hpp"
+
+namespace stepwire {
+
+/// The mean of directions that are judged again and again, each with an error of its own (`noise`) and one
+/// that stays (`bias`): with w <- (1 - forgetting) w + 1 looks counted, of which each is forgotten alike,
+///
+///     y = direction of the sum,   1/precision = bias^2 + noise^2 q/w^2,   q <- (1 - forgetting)^2 q + 1.
+struct DirectionAverage {
+  double noise = 0.1, bias = 0.0, forgetting = 0.0;
+  Input<1> direction{}, shown{};
+  Output<1> y{}, precision{};
+  DiscreteState<2> sum{};
+  DiscreteState<1> weight{}, squares{};
+
+  void outputs() {
+    const double x = kept() * sum[0] + counts() * std::cos(direction);
+    const double across = kept() * sum[1] + counts() * std::sin(direction);
+    const double w = kept() * weight + counts(), q = kept() * kept() * squares + counts();
+    y = std::atan2(across, x);
+    precision = w > 0.0 ? 1.0 / (bias * bias + noise * noise * q / (w * w)) : 0.0;
+  }
+
+  void update() {
+    sum[0] = kept() * sum[0] + counts() * std::cos(direction);
+    sum[1] = kept() * sum[1] + counts() * std::sin(direction);
+    weight = kept() * weight + counts();
+    squares = kept() * kept() * squares + counts();
+  }
+
+  static void declare(Declare<DirectionAverage>& is);
+
+ private:
+  double counts() const { return !shown.connected() || shown != 0.0 ? 1.0 : 0.0; }
+  double kept() const { return counts() != 0.0 ? 1.0 - forgetting : 1.0; }
+};
+
+}  // namespace stepwire

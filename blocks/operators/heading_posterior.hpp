@@ -1,0 +1,124 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/model/block/block.hpp"
+
+namespace stepwire {
+
+/// Probability of the direction psi in which a region lies, on 72 headings. Of the directions that are shown,
+/// mu with precision k, each counts as a von Mises likelihood, exp(k cos(psi - mu)). Of the resistance F to a
+/// push along phi, at each judgement, by the second law of directionality
+///
+///     p(psi) <- p(psi)^(1 - forgetting) N(F; max(E, F_max g), (weber F_expected)^2 + (unsure E)^2),
+///     g = |sin(phi - psi)|, and 1 beyond 90 degrees,
+///
+/// with the resistance E of a free motion. Both mirrored sides count alike; without a force nothing is felt.
+/// While the hand is held, the resistance is known to be F or more, and N is the probability of that.
+struct HeadingPosterior {
+  static constexpr Index headings = 72;
+
+  double weber = 0.1, unsure = 0.3, forgetting = 0.1, threshold = 0.0, within = 0.5, change = 1.0;
+  Inputs direction{}, precision{};
+  Input<1> force{}, push{}, maximum{}, free{}, moving{}, judged{};
+  Output<1> heading{}, deviation{}, sure{};
+  DiscreteState<headings> felt{};  ///< logarithm of the likelihood of all that was felt
+  DiscreteState<3> last{};         ///< heading, deviation and sure of the last judgement
+
+  void outputs() {
+    if (judged != 0.0) return judge();
+    heading = last[0];
+    deviation = last[1];
+    sure = last[2];
+  }
+
+  void update() {
+    last[0] = heading;
+    last[1] = deviation;
+    last[2] = sure;
+    if (judged == 0.0) return;
+    const std::array<double, headings> now = felt_now();
+    const double most = *std::max_element(now.begin(), now.end());
+    felt.each([&](Index k) { return now[static_cast<std::size_t>(k)] - most; });
+  }
+
+  void configure(Configure& is);
+  static void declare(Declare<HeadingPosterior>& is);
+
+ private:
+  static constexpr double turn = 6.283185307179586477;
+  static double angle(Index k) { return turn * static_cast<double>(k) / static_cast<double>(headings); }
+  static double difference(double a, double b) { return std::remainder(a - b, turn); }
+
+  void judge() {
+    std::array<double, headings> p = felt_now();
+    for (Index cue = 0; cue < direction.count(); ++cue)
+      if (const double precise = precision.first(cue); precise > 0.0)
+        for (Index k = 0; k < headings; ++k)
+          p[static_cast<std::size_t>(k)] += precise * std::cos(angle(k) - direction.first(cue));
+    const double most = *std::max_element(p.begin(), p.end());
+    double total = 0.0;
+    for (double& each : p) total += each = std::exp(each - most);
+    for (double& each : p) each /= total;
+    describe(p);
+  }
+
+  /// The most probable heading, or the last one where it is less than `change` times as probable.
+  Index chosen(const std::array<double, headings>& p) const {
+    const Index best = std::max_element(p.begin(), p.end()) - p.begin();
+    const auto steps = static_cast<Index>(std::lround(last[0] / angle(1)));
+    const Index current = (steps % headings + headings) % headings;
+    const auto at = [&](Index k) { return p[static_cast<std::size_t>(k)]; };
+    return at(best) < change * at(current) ? current : best;
+  }
+
+  /// The chosen heading, the mean of those beside it; how wide the whole is; and how much lies within.
+  void describe(const std::array<double, headings>& p) {
+    constexpr Index beside = 3;
+    const Index best = chosen(p);
+    double weight = 0.0, moment = 0.0, x = 0.0, y = 0.0;
+    for (Index k = -beside; k <= beside; ++k) {
+      const double each = p[static_cast<std::size_t>((best + k + headings) % headings)];
+      weight += each;
+      moment += each * angle(1) * static_cast<double>(k);
+    }
+    heading = difference(angle(best) + moment / weight, 0.0);
+    sure = 0.0;
+    for (Index k = 0; k < headings; ++k) {
+      const double each = p[static_cast<std::size_t>(k)];
+      x += each * std::cos(angle(k));
+      y += each * std::sin(angle(k));
+      sure = sure + each * share_within(std::abs(difference(angle(k), heading)));
+    }
+    deviation = std::sqrt(-2.0 * std::log(std::clamp(std::hypot(x, y), 1e-12, 1.0)));
+  }
+
+  /// How much of the cell about a heading `away` from the chosen one lies within.
+  double share_within(double away) const { return std::clamp(0.5 + (within - away) / angle(1), 0.0, 1.0); }
+
+  std::array<double, headings> felt_now() const {
+    std::array<double, headings> now{};
+    const bool feels = maximum > 0.0 && force > 0.0;
+    for (Index k = 0; k < headings; ++k)
+      now[static_cast<std::size_t>(k)] =
+          feels ? (1.0 - forgetting) * felt[k] + likelihood(std::abs(difference(angle(k), push)))
+                : static_cast<double>(felt[k]);
+    return now;
+  }
+
+  /// Its logarithm, up to a constant. A hand that is held feels no more than it pushes.
+  double likelihood(double away) const {
+    constexpr double quarter = turn / 4.0, root_of_two = 1.4142135623730951, least = 1e-12;
+    const double gain = away < quarter ? std::sin(away) : 1.0;
+    const double expected = std::max(static_cast<double>(free), maximum * gain);
+    const double square =
+        weber * weber * expected * expected + unsure * unsure * free * free + threshold * threshold;
+    const double z = (force - expected) / std::sqrt(square);
+    if (moving == 0.0) return std::log(std::max(least, 0.5 * std::erfc(z / root_of_two)));
+    return -0.5 * (z * z + std::log(square));
+  }
+};
+
+}  // namespace stepwire

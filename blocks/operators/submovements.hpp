@@ -1,0 +1,78 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/model/block/block.hpp"
+
+namespace stepwire {
+
+/// A movement made of overlapping pieces. Every `interval` a piece of the duration `overlap` interval begins,
+/// which goes from the last via point to the next one in minimum jerk, with s its time over its duration:
+///
+///     m(s) = 10 s^3 - 15 s^4 + 6 s^5.
+///
+/// The next via point is `step` farther than the last one, of which what is not ahead of the hand in the
+/// direction of `step` has fallen to exp(-interval/hold), and no farther from the hand than `reach`.
+struct Submovements {
+  Input<2> step{}, position{};
+  Input<1> reach{};
+  double interval = 0.3, overlap = 1.5, latency = 0.0, hold = unlimited;
+  Output<2> equilibrium{}, velocity{}, pending{};
+  Output<1> begins{};
+  DiscreteState<2> goal{};               ///< the last via point
+  DiscreteState<2> newer{}, older{};     ///< the two pieces that may be under way, as displacements
+  DiscreteState<1> age{}, older_age{};   ///< times since they began
+  DiscreteState<1> waited{}, started{};  ///< time before the first piece, and whether it has begun
+  Period period;
+
+  void outputs() {
+    const double duration = interval * overlap, s = age / duration, t = older_age / duration;
+    for (Index i = 0; i < 2; ++i) {
+      pending[i] = newer[i] * (1.0 - way(s)) + older[i] * (1.0 - way(t));
+      equilibrium[i] = goal[i] - pending[i];
+      velocity[i] = (newer[i] * rate(s) + older[i] * rate(t)) / duration;
+    }
+    begins = due() ? 1.0 : 0.0;
+  }
+
+  void update() {
+    if (due()) begin();
+    age = age + period;
+    older_age = older_age + period;
+    waited = waited + period;
+  }
+
+  /// Nothing is under way.
+  void start() { age = older_age = interval * overlap; }
+
+  static void declare(Declare<Submovements>& is);
+
+ private:
+  static constexpr double tick = 1e-9;  // [s]: sums of periods are not exact
+  static double way(double s) { return s >= 1.0 ? 1.0 : s * s * s * (10.0 + s * (6.0 * s - 15.0)); }
+  static double rate(double s) { return s >= 1.0 ? 0.0 : 30.0 * s * s * (1.0 - s) * (1.0 - s); }
+  bool due() const { return started != 0.0 ? age >= interval - tick : waited >= latency - tick; }
+
+  void begin() {
+    older = newer;
+    older_age = age;
+    const double behind[2] = {goal[0] - position[0], goal[1] - position[1]};
+    const double long_ = std::hypot(step[0], step[1]), kept = std::exp(-interval / hold);
+    const double along =
+        long_ > 0.0 ? std::max(0.0, (behind[0] * step[0] + behind[1] * step[1]) / (long_ * long_)) : 0.0;
+    double ahead[2];
+    for (Index i = 0; i < 2; ++i) ahead[i] = kept * behind[i] + ((1.0 - kept) * along + 1.0) * step[i];
+    const double far = std::hypot(ahead[0], ahead[1]);
+    const double share = reach.connected() && far > reach ? std::max(0.0, reach / far) : 1.0;
+    for (Index i = 0; i < 2; ++i) {
+      const double next = position[i] + share * ahead[i];
+      newer[i] = next - goal[i];
+      goal[i] = next;
+    }
+    age = 0.0;
+    started = 1.0;
+  }
+};
+
+}  // namespace stepwire
