@@ -58,9 +58,9 @@ struct Submovements {
     older = newer;
     older_age = age;
     const double behind[2] = {goal[0] - position[0], goal[1] - position[1]};
-    const double long_ = std::hypot(step[0], step[1]), kept = std::exp(-interval / hold);
+    const double length = std::hypot(step[0], step[1]), kept = std::exp(-interval / hold);
     const double along =
-        long_ > 0.0 ? std::max(0.0, (behind[0] * step[0] + behind[1] * step[1]) / (long_ * long_)) : 0.0;
+        length > 0.0 ? std::max(0.0, (behind[0] * step[0] + behind[1] * step[1]) / (length * length)) : 0.0;
     double ahead[2];
     for (Index i = 0; i < 2; ++i) ahead[i] = kept * behind[i] + ((1.0 - kept) * along + 1.0) * step[i];
     const double far = std::hypot(ahead[0], ahead[1]);
