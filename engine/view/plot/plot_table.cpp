@@ -54,10 +54,10 @@ PlotKind table_plot() {
   kind.doc = "a table of expressions, or one that a study makes, with its notes";
   kind.options = {
       {"of",
-       "which table: errors by condition, or by condition and subject; the analyses of variance; or means "
-       "and significance beside the thesis'",
+       "which table: errors by condition, or by condition and subject; the analyses of variance; means and "
+       "significance beside the thesis'; or these over all experiments",
        form::word({"errors", "subjects", "anova", "anova_with_subject", "repeated_measures", "means",
-                   "significance"})},
+                   "significance", "experiments", "experiments_significance"})},
       {"headings", "texts, the first above the names of the rows", form::one_or_list(form::text())},
       {"rows", "map of name: an expression for each further column, or a list: {NAME: [rig.x in mm]}",
        form::tree()},
