@@ -1,17 +1,14 @@
 #pragma once
 
-#include <map>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "engine/model/diagram/named_signals.hpp"
 #include "engine/simulate/run/run.hpp"
 #include "engine/stepwire/model.hpp"
 
 namespace stepwire {
-
-/// Where the signals of a plan lie, by name.
-std::map<std::string, SignalRef> named_signals(const Diagram& diagram);
 
 struct Model::Content {
   Content(const std::string& path, Registry blocks, const std::vector<Setting>& settings);

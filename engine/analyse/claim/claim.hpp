@@ -14,7 +14,7 @@
 namespace stepwire {
 
 /// How a claim makes one number of a column.
-enum class Reduction { final, max, min, mean, rms, spread, fraction, count, at, rising, fit };
+enum class Reduction { final, max, min, mean, rms, spread, fraction, count, at, quantile, rising, fit };
 
 /// What the reduced value is held against. A percent sign on `within` makes it relative: |value - equals| <=
 /// 1 % of |equals|; any other `within` is absolute and in the unit of the value.
@@ -44,6 +44,7 @@ struct Claim {
   std::vector<Formula> values;  ///< one; two for rising (value, over) and fit (model, measured)
   std::optional<Formula> where;
   double time = 0.0;      ///< for at, in s
+  double share = 0.5;     ///< for quantile, 0 to 1
   bool each_run = false;  ///< judged for every run of a sweep, the worst is shown; always so for final and at
   bool free_offset = false;  ///< fit: the mean of measured - model is added to the model first
   Comparison comparison;

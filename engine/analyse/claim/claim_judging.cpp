@@ -28,6 +28,7 @@ Rows rows_of(const Claim& claim, const Recording& recording) {
   rows.selected.assign(rows.value.size(), true);
   rows.starts = recording.starts;
   rows.free_offset = claim.free_offset;
+  rows.share = claim.share;
   if (!claim.where) return rows;
   const auto where = evaluate(*claim.where, recording);
   // A condition that is nan is not met.
@@ -110,8 +111,17 @@ double magnitude_of(const Claim& claim, const Recording& recording) {
   return largest;
 }
 
-std::string shown_text(const Claim& claim, double value, const Recording& recording) {
-  std::string text = value_text(claim, value, magnitude_of(claim, recording));
+/// ", 16 of 20": of how many runs a condition holds that has one row of each.
+std::string count_text(const Claim& claim, double value, const Rows& rows) {
+  const auto count = std::ranges::count(rows.selected, true);
+  const bool single = rows.starts.size() == rows.value.size() && rows.value.size() > 1;
+  if (claim.reduction != Reduction::fraction || claim.each_run || !single || std::isnan(value)) return {};
+  return fmt::format(", {} of {}", std::lround(value * static_cast<double>(count)), count);
+}
+
+std::string shown_text(const Claim& claim, double value, const Rows& rows, const Recording& recording) {
+  std::string text =
+      value_text(claim, value, magnitude_of(claim, recording)) + count_text(claim, value, rows);
   const std::size_t runs = recording.starts.size();
   if (claim.each_run && runs > 1) text += fmt::format(", the worst of {} runs", runs);
   return text;
@@ -126,7 +136,7 @@ Verdict judge(const Claim& claim, std::span<const Recording> recordings) {
     if (claim.recording >= recordings.size()) throw Unjudged("nothing was recorded");
     const Rows rows = rows_of(claim, recordings[claim.recording]);
     verdict.value = value_of(claim, rows);
-    verdict.shown = shown_text(claim, verdict.value, recordings[claim.recording]);
+    verdict.shown = shown_text(claim, verdict.value, rows, recordings[claim.recording]);
     verdict.holds = claim.comparison.margin(verdict.value) >= 0.0;
     if (std::isnan(verdict.value)) verdict.note = "the value is not a number";
   } catch (const Unjudged& reason) {

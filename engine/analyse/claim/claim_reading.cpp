@@ -40,6 +40,8 @@ void read_two(const Node& node, const Key& form, Claim& claim, const NamesReadin
     const Node* value = node.find(key.name);
     if (value && key.name == "time")
       below(read, key.name).take(*value, key, claim.time);
+    else if (value && key.name == "share")
+      below(read, key.name).take(*value, key, claim.share);
     else if (value)
       add_value(*value, claim, below(read, key.name));
   }
@@ -116,6 +118,13 @@ Key two(std::string example, Key first, Key second) {
   return form::keys("it", std::move(example), {needed(std::move(first)), needed(std::move(second))});
 }
 
+Key share_form() {
+  Key share = form::computed();
+  share.least = 0.0;
+  share.most = 1.0;
+  return share;
+}
+
 std::vector<ClaimRow> claim_rows() {
   return {
       needed(ClaimRow{"that", "the statement, for people", form::text(), &Claim::that}),
@@ -131,6 +140,10 @@ std::vector<ClaimRow> claim_rows() {
       reduction(Reduction::count, "count", "how often it becomes true"),
       reduction(Reduction::at, "at", "its value at a time: {time: 2 s, value: x}",
                 two("{time: 2 s, value: ...}", key("time", "when", form::computed("s")),
+                    key("value", "what", form::expression()))),
+      reduction(Reduction::quantile, "quantile",
+                "what this share of its rows lies below, after Hazen: {share: 5 %, value: x}",
+                two("{share: 5 %, value: ...}", key("share", "0 to 1, or in %", share_form()),
                     key("value", "what", form::expression()))),
       reduction(Reduction::rising, "rising",
                 "rank correlation, 1 where it rises strictly: {value: x, over: y}",

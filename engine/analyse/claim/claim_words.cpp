@@ -16,6 +16,8 @@ std::string reduction_text(const Claim& claim, const std::string& time) {
   switch (claim.reduction) {
     case Reduction::at:
       return fmt::format("{} at {}", values[0].text, time);
+    case Reduction::quantile:
+      return fmt::format("{:g} % quantile of {}", 100.0 * claim.share, values[0].text);
     case Reduction::rising:
       return fmt::format("rising {} over {}", values[0].text, values[1].text);
     case Reduction::fit:

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "engine/analyse/statistics/quartiles.hpp"
 #include "engine/analyse/statistics/rank.hpp"
 
 namespace stepwire {
@@ -66,6 +67,12 @@ double fraction(const std::vector<double>& values) {
   return static_cast<double>(count) / static_cast<double>(values.size());
 }
 
+double quantile(std::vector<double> values, double share) {
+  if (std::ranges::any_of(values, [](double value) { return std::isnan(value); })) return nothing;
+  std::ranges::sort(values);
+  return hazen_quantile(values, share);
+}
+
 double rising_edges(const Rows& rows) {
   double count = 0.0;
   for_each_interval(rows, [&](std::size_t i, std::size_t j) {
@@ -99,16 +106,15 @@ Rows Rows::of_run(std::size_t run) const {
     return List(all.begin() + static_cast<std::ptrdiff_t>(starts[run]),
                 all.begin() + static_cast<std::ptrdiff_t>(run_end(run)));
   };
-  return {piece(value), piece(other), piece(time), piece(selected), {0}, free_offset};
+  return {piece(value), piece(other), piece(time), piece(selected), {0}, free_offset, share};
 }
 
 double reduce(Reduction reduction, const Rows& rows) {
   const std::vector<double> values = selected(rows.value, rows);
   switch (reduction) {
     case Reduction::max:
-      return extreme(values, true);
     case Reduction::min:
-      return extreme(values, false);
+      return extreme(values, reduction == Reduction::max);
     case Reduction::spread:
       return extreme(values, true) - extreme(values, false);
     case Reduction::mean:
@@ -119,6 +125,8 @@ double reduce(Reduction reduction, const Rows& rows) {
       return fraction(values);
     case Reduction::count:
       return rising_edges(rows);
+    case Reduction::quantile:
+      return quantile(values, rows.share);
     case Reduction::rising:
       return rank_correlation(values, selected(rows.other, rows));
     case Reduction::fit:

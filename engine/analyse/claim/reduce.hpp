@@ -16,6 +16,7 @@ struct Rows {
   std::vector<bool> selected;
   std::vector<std::size_t> starts;
   bool free_offset = false;  ///< fit: the mean difference is no error
+  double share = 0.5;        ///< quantile
 
   /// One run by itself.
   Rows of_run(std::size_t run) const;

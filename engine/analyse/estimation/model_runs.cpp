@@ -161,7 +161,8 @@ void ModelRuns::make_records() {
 std::vector<VariableBlock> ModelRuns::variable(const Record& record) const {
   std::vector<std::string> all = names();
   if (!job_.points.empty())
-    for (const Sweep::Axis& axis : job_.plan.diagram.sweep->axes) all.push_back(axis.parameter);
+    for (const Sweep::Axis& axis : job_.plan.diagram.sweep->axes)
+      if (!axis.label) all.push_back(axis.parameter);
   return variable_blocks(record.plan, Variation(record.plan.diagram, all));
 }
 

@@ -3,37 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 
 #include "engine/analyse/statistics/statistics_error.hpp"
 #include "engine/analyse/study/signal_map.hpp"
+#include "engine/base/parallel/parallel.hpp"
 
 namespace stepwire {
 
 namespace {
 
-constexpr std::uint64_t order = 3;  // another purpose of drawn numbers than those of trials
-
 [[noreturn]] void refuse(const StudyRequest& request, const std::string& message) {
   throw Error(Fault{request.place, "study", message, {}});
-}
-
-/// The path of a run: what it recorded, and where it was done.
-Trial trial_of(const TrialRun& run, const StudyRequest& request) {
-  Trial trial{
-      std::to_string(run.subject), request.task, request.conditions[run.condition].feedback.name, {}, {}};
-  const Table& table = run.result.recordings[request.recording].table;
-  trial.time = table.find("time")->values;
-  trial.points.resize(2, static_cast<Eigen::Index>(trial.time.size()));
-  for (const Eigen::Index axis : {0, 1}) {
-    const auto& values = table.find(fmt::format("{}.{}", request.position, axis + 1))->values;
-    trial.points.row(axis) = Eigen::Map<const Eigen::RowVectorXd>(values.data(), trial.points.cols());
-  }
-  if (run.end > trial.time.back()) {
-    trial.time.push_back(run.end);
-    trial.points.conservativeResize(2, trial.points.cols() + 1);
-    trial.points.rightCols<1>() = run.end_point;
-  }
-  return trial;
 }
 
 /// Tells what had to be repeated; of each reason the first words are enough.
@@ -45,17 +26,14 @@ void remark(const TrialRun& run, const StudyRequest& request, Experiment& experi
                            : fmt::format("nor in any other of {} attempts; left out", run.attempts)));
 }
 
-/// Takes the runs that were done; false where the user interrupted.
-bool take(std::vector<TrialRun> runs, const StudyRequest& request, Experiments& experiments) {
+/// Takes the runs of a person that were done and count.
+void take(std::vector<TrialRun> runs, const StudyRequest& request, Experiment& experiment) {
   for (TrialRun& run : runs) {
-    if (run.result.interrupted) return false;
-    Experiment& experiment = experiments[run.study];
     remark(run, request, experiment);
     experiment.ticks += run.result.ticks;
     experiment.compiled_ticks += run.result.compiled_ticks;
-    if (run.done) experiment.runs.push_back(std::move(run));
+    if (run.done && run.practice == 0) experiment.runs.push_back(std::move(run));
   }
-  return true;
 }
 
 PathErrors errors_of(const std::vector<Trial>& trials, const StudyRequest& request, const Diagram& diagram) {
@@ -87,75 +65,78 @@ void score(const StudyRequest& request, const Diagram& diagram, Experiment& expe
   }
 }
 
-/// Circles of all subjects who drew one.
-TrialRuns::Circles circles_of(const Experiments& experiments, const StudyRequest& request) {
-  TrialRuns::Circles circles;
-  for (const Experiment& experiment : experiments)
-    for (const TrialRun& run : experiment.runs) {
-      try {
-        circles[{run.study, run.subject}] = fit_circle(trial_of(run, request).points);
-      } catch (const StatisticsError& error) {
-        refuse(request, fmt::format("{}: {}", name_of(run, request), error.what()));
-      }
+/// One experiment whose persons are at work, at all points of the sweep.
+struct OpenExperiment {
+  std::vector<std::vector<TrialRun>> people;  ///< of each study all subjects
+  std::atomic<std::size_t> left = 0;
+  std::atomic<bool> interrupted = false;
+};
+
+/// Experiments whose persons work side by side, without waiting for each other.
+class OpenExperiments {
+ public:
+  OpenExperiments(TrialRuns& runs, const StudyRequest& request, const Job& job,
+                  const std::vector<std::uint64_t>& seeds, const ExperimentSink& sink)
+      : runs_(runs), request_(request), job_(job), seeds_(seeds), sink_(sink), open_(seeds.size()) {
+    for (OpenExperiment& one : open_) {
+      one.people.resize(study_count(job) * request.subjects.size());
+      one.left = one.people.size();
     }
-  return circles;
-}
+  }
 
-std::size_t index_of(const StudyRequest& request, const std::string& condition) {
-  const auto names = request.condition_names();
-  return static_cast<std::size_t>(std::find(names.begin(), names.end(), condition) - names.begin());
-}
+  void perform() {
+    const std::size_t people = study_count(job_) * request_.subjects.size();
+    in_parallel(seeds_.size() * people, runs_.threads(),
+                [&](std::size_t i) { work(i / people, i % people); });
+  }
 
-/// The trials of all studies under some conditions, those of one subject side by side; where circles are
-/// drawn, of the subjects who have one.
-std::vector<TrialRun> trials_under(const std::vector<std::size_t>& conditions, const StudyRequest& request,
-                                   std::size_t studies, const TrialRuns::Circles* circles = nullptr) {
-  std::vector<TrialRun> trials;
-  for (std::size_t study = 0; study < studies; ++study)
-    for (const std::size_t subject : request.subjects)
-      for (const std::size_t condition : conditions)
-        if (!circles || circles->contains({study, subject}))
-          trials.push_back({.study = study, .subject = subject, .condition = condition});
-  return trials;
-}
+ private:
+  void work(std::size_t which, std::size_t person) {
+    OpenExperiment& open = open_[which];
+    const std::size_t subjects = request_.subjects.size();
+    open.people[person] =
+        run_person(runs_, request_, {seeds_[which], person / subjects, request_.subjects[person % subjects]},
+                   sink_.told);
+    for (const TrialRun& trial : open.people[person])
+      if (trial.result.interrupted) open.interrupted = true;
+    if (--open.left == 0 && !open.interrupted) sink_.done(finished(which));
+  }
 
-/// Runs all trials; false where the user interrupted.
-bool run_trials(TrialRuns& runs, const StudyRequest& request, std::uint64_t seed,
-                const std::function<void()>& told, Experiments& experiments) {
-  std::vector<std::size_t> conditions;
-  for (std::size_t i = 0; i < request.conditions.size(); ++i) conditions.push_back(i);
-  const auto run = [&](const std::vector<TrialRun>& trials, const TrialRuns::Circles& circles) {
-    return take(runs.run(seed, trials, circles, told), request, experiments);
-  };
-  if (!request.circle) return run(trials_under(conditions, request, experiments.size()), {});
-  const std::size_t first = index_of(request, request.circle->of);
-  if (!run(trials_under({first}, request, experiments.size()), {})) return false;
-  const TrialRuns::Circles circles = circles_of(experiments, request);
-  std::erase(conditions, first);
-  return run(trials_under(conditions, request, experiments.size(), &circles), circles);
-}
+  Experiments finished(std::size_t which) {
+    Experiments experiments(study_count(job_));
+    std::vector<std::vector<TrialRun>> people = std::move(open_[which].people);
+    for (std::size_t person = 0; person < people.size(); ++person)
+      take(std::move(people[person]), request_, experiments[person / request_.subjects.size()]);
+    for (std::size_t study = 0; study < experiments.size(); ++study) finish(which, study, experiments[study]);
+    return experiments;
+  }
+
+  void finish(std::size_t which, std::size_t study, Experiment& experiment) {
+    experiment.seed = seeds_[which];
+    experiment.family = runs_.family();
+    if (!job_.points.empty()) experiment.sets = job_.settings_of(study);
+    std::ranges::stable_sort(experiment.runs, {},
+                             [](const TrialRun& run) { return std::pair(run.subject, run.condition); });
+    for (const TrialRun& run : experiment.runs) experiment.trials.push_back(trial_of(run, request_));
+    if (experiment.trials.empty())
+      refuse(request_,
+             fmt::format("no trial was done within the time that 'stop' leaves{}", with_swept(job_, study)));
+    score(request_, diagram_of(job_, study), experiment);
+  }
+
+  TrialRuns& runs_;
+  const StudyRequest& request_;
+  const Job& job_;
+  const std::vector<std::uint64_t>& seeds_;
+  const ExperimentSink& sink_;
+  std::vector<OpenExperiment> open_;
+};
 
 }  // namespace
 
-Experiments perform(TrialRuns& runs, const StudyRequest& request, const Job& job, std::uint64_t seed,
-                    const std::function<void()>& told) {
-  Experiments experiments(study_count(job));
-  if (!run_trials(runs, request, seed, told, experiments)) return {};
-  for (std::size_t study = 0; study < experiments.size(); ++study) {
-    Experiment& experiment = experiments[study];
-    experiment.seed = seed;
-    experiment.family = runs.family();
-    if (!job.points.empty()) experiment.sets = job.settings_of(study);
-    std::ranges::stable_sort(experiment.runs, {},
-                             [](const TrialRun& run) { return std::pair(run.subject, run.condition); });
-    for (const TrialRun& run : experiment.runs) experiment.trials.push_back(trial_of(run, request));
-    if (experiment.trials.empty()) {
-      refuse(request,
-             fmt::format("no trial was done within the time that 'stop' leaves{}", with_swept(job, study)));
-    }
-    score(request, diagram_of(job, study), experiment);
-  }
-  return experiments;
+void perform(TrialRuns& runs, const StudyRequest& request, const Job& job,
+             const std::vector<std::uint64_t>& seeds, const ExperimentSink& sink) {
+  OpenExperiments(runs, request, job, seeds, sink).perform();
 }
 
 Experiment score_recorded(const StudyRequest& request, const Diagram& diagram) {
@@ -163,18 +144,6 @@ Experiment score_recorded(const StudyRequest& request, const Diagram& diagram) {
   experiment.trials = request.recorded;
   score(request, diagram, experiment);
   return experiment;
-}
-
-std::vector<std::size_t> order_of_conditions(const StudyRequest& request, std::uint64_t seed,
-                                             std::size_t subject) {
-  std::vector<std::size_t> result(request.conditions.size());
-  for (std::size_t i = 0; i < result.size(); ++i) result[i] = i;
-  const auto key = [&](std::size_t condition) {
-    const bool first = request.circle && request.conditions[condition].feedback.name == request.circle->of;
-    return first ? 0 : 1 + drawn_number({order, seed, subject, condition});
-  };
-  std::sort(result.begin(), result.end(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
-  return result;
 }
 
 }  // namespace stepwire

@@ -1,14 +1,21 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/analyse/study/analysis.hpp"
+#include "engine/analyse/study/person_runs.hpp"
 #include "engine/analyse/study/study_request.hpp"
-#include "engine/analyse/study/trial_runs.hpp"
 
 namespace stepwire {
+
+/// What came out of one experiment, by the names of the columns that figures and claims read.
+struct ExperimentOutcome {
+  std::uint64_t seed = 0;
+  std::vector<NamedValue> values;
+};
 
 /// One human-subject experiment: all trials of all subjects, simulated or recorded, and what they say.
 struct Experiment {
@@ -22,23 +29,24 @@ struct Experiment {
   std::string not_analysed;          ///< why there is none
   std::vector<std::string> remarks;  ///< trials that were repeated, left out, or took too long
   std::int64_t ticks = 0, compiled_ticks = 0;
+  std::vector<ExperimentOutcome> others{};  ///< of other people: what the seeds behind this one gave
 };
 
 /// One for each point of a file's sweep, with the same people and noises; one without a sweep.
 using Experiments = std::vector<Experiment>;
 
-/// Performs those that a job asks for: the condition to which a circle is fitted first, where there is one,
-/// then the others. A trial that is not done in any attempt is left out, and with a first one all trials of
-/// that subject. None where the user interrupted. Throws Error.
-Experiments perform(TrialRuns& runs, const StudyRequest& request, const Job& job, std::uint64_t seed,
-                    const std::function<void()>& told = {});
+/// Whoever takes experiments; calls come from any thread.
+struct ExperimentSink {
+  std::function<void(Experiments experiments)> done;  ///< with all its trials
+  std::function<void()> told;                         ///< behind each trial; may be empty
+};
+
+/// Performs the experiments of these seeds, at all points of the file's sweep, several persons at a time.
+/// Those that the user interrupts are not done. Throws Error.
+void perform(TrialRuns& runs, const StudyRequest& request, const Job& job,
+             const std::vector<std::uint64_t>& seeds, const ExperimentSink& sink);
 
 /// Scores trials that were recorded. Throws Error.
 Experiment score_recorded(const StudyRequest& request, const Diagram& diagram);
-
-/// The order in which a subject does the trials, as indices of conditions: that to which a circle is fitted
-/// first, the others as drawn for this subject.
-std::vector<std::size_t> order_of_conditions(const StudyRequest& request, std::uint64_t seed,
-                                             std::size_t subject);
 
 }  // namespace stepwire

@@ -2,85 +2,58 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
-#include "engine/analyse/statistics/quartiles.hpp"
-#include "engine/analyse/study/published.hpp"
 #include "engine/base/table/table_file.hpp"
 
 namespace stepwire {
 
-std::vector<NamedValue> published_outcome(const StudyRequest& request) {
-  const PublishedTask& task = published_task(request.task);
-  std::vector<NamedValue> values;
-  for (const NamedValue& mean : task.means.values) values.push_back({"mean." + mean.name, mean.value});
-  for (const NamedValue& p : task.probabilities.values) {
-    std::string name = "p." + p.name;
-    std::replace(name.begin(), name.end(), ' ', '_');
-    values.push_back({name, p.value});
-  }
-  return values;
-}
-
 void Repetition::read(const std::string& path) {
   const Table table = read_csv(path);
-  const auto fits = [&] {
-    if (table.columns.size() != columns_.size() + 1 || table.columns.front().name != "seed") return false;
-    for (std::size_t i = 0; i < columns_.size(); ++i)
-      if (table.columns[i + 1].name != columns_[i]) return false;
-    return true;
-  };
-  if (!fits())
-    throw TableError(fmt::format("{}:1: these are no experiments of this study, whose columns are seed, {}",
-                                 path, fmt::join(columns_, ", ")));
+  std::vector<std::string> wanted{"seed", "point"}, there;
+  for (const OutcomeColumn& column : columns_) wanted.push_back(column.name);
+  for (const Column& column : table.columns) there.push_back(column.name);
+  if (there != wanted)
+    throw TableError(fmt::format("{}:1: these are no experiments of this study, whose columns are {}", path,
+                                 fmt::join(wanted, ", ")));
   for (std::size_t row = 0; row < table.rows(); ++row) {
     std::vector<double> values;
-    for (std::size_t i = 0; i < columns_.size(); ++i) values.push_back(table.columns[i + 1].values[row]);
-    rows_[static_cast<std::uint64_t>(table.columns.front().values[row])] = std::move(values);
+    for (const Column& column : table.columns) values.push_back(column.values[row]);
+    const std::pair key{static_cast<std::uint64_t>(values[0]), static_cast<std::size_t>(values[1]) - 1};
+    rows_[key].assign(values.begin() + 2, values.end());
   }
 }
 
 std::string Repetition::csv() const {
-  Table table{{{"seed", "", {}}}};
-  for (const std::string& name : columns_) table.columns.push_back({name, "", column(name)});
-  for (const auto& [seed, values] : rows_) table.columns.front().values.push_back(static_cast<double>(seed));
+  Table table{{{"seed", "", {}}, {"point", "", {}}}};
+  for (const OutcomeColumn& column : columns_) table.columns.push_back({column.name, column.unit, {}});
+  for (const auto& [key, values] : rows_) {
+    table.columns[0].values.push_back(static_cast<double>(key.first));
+    table.columns[1].values.push_back(static_cast<double>(key.second + 1));
+    for (std::size_t i = 0; i < columns_.size(); ++i) table.columns[2 + i].values.push_back(values[i]);
+  }
   return csv_text(table);
 }
 
-void Repetition::add(std::uint64_t seed, const std::vector<NamedValue>& outcome) {
-  std::vector<double> values;
-  for (const NamedValue& value : outcome) values.push_back(value.value);
-  rows_[seed] = std::move(values);
+bool Repetition::has(std::uint64_t seed, std::size_t points) const {
+  for (std::size_t point = 0; point < points; ++point)
+    if (!rows_.contains({seed, point})) return false;
+  return true;
 }
 
-std::vector<double> Repetition::column(const std::string& name) const {
-  const auto index =
-      static_cast<std::size_t>(std::find(columns_.begin(), columns_.end(), name) - columns_.begin());
+void Repetition::add(const ExperimentOutcome& outcome, std::size_t point) {
   std::vector<double> values;
-  for (const auto& [seed, row] : rows_)
-    values.push_back(index < row.size() ? row[index] : std::numeric_limits<double>::quiet_NaN());
-  return values;
+  for (const OutcomeColumn& column : columns_) values.push_back(value_of(outcome.values, column.name));
+  rows_[{outcome.seed, point}] = std::move(values);
 }
 
-TextTable Repetition::table(const StudyRequest& request) const {
-  TextTable table{fmt::format("Task {} in {} simulated experiments", request.task, rows_.size()),
-                  {"value", "thesis", "median", "from (5 %)", "to (95 %)", "below the thesis'"},
-                  {},
-                  {}};
-  for (const NamedValue& published : published_outcome(request)) {
-    std::vector<double> values = column(published.name);
-    std::erase_if(values, [](double value) { return std::isnan(value); });
-    if (values.empty()) continue;
-    std::sort(values.begin(), values.end());
-    const auto below = std::lower_bound(values.begin(), values.end(), published.value) - values.begin();
-    table.rows.push_back({published.name, printed_probability(published.value)});
-    for (const double p : {0.5, 0.05, 0.95})
-      table.rows.back().push_back(printed_probability(hazen_quantile(values, p)));
-    table.rows.back().push_back(
-        fmt::format("{:.1f} %", 100.0 * static_cast<double>(below) / static_cast<double>(values.size())));
+std::vector<ExperimentOutcome> Repetition::outcomes(std::size_t point) const {
+  std::vector<ExperimentOutcome> all;
+  for (const auto& [key, values] : rows_) {
+    if (key.second != point) continue;
+    all.push_back({key.first, {}});
+    for (std::size_t i = 0; i < columns_.size(); ++i)
+      all.back().values.push_back({columns_[i].name, values[i]});
   }
-  return table;
+  return all;
 }
 
 }  // namespace stepwire

@@ -9,7 +9,7 @@
 namespace stepwire {
 namespace {
 
-constexpr double significant = 0.05, factor_of_agreement = 2.0;
+constexpr double factor_of_agreement = 2.0;
 
 /// Names by falling value, those of one value in the order in which they came.
 std::string order_of(std::vector<NamedValue> values) {

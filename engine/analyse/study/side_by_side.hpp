@@ -7,6 +7,9 @@
 
 namespace stepwire {
 
+/// P below which an effect is called significant.
+inline constexpr double significant = 0.05;
+
 /// A published value and ours; nan where one of them does not exist.
 struct ComparedValue {
   std::string name;

@@ -98,11 +98,23 @@ Recording pooled(const Experiment& experiment, const StudyRequest& request, cons
   return all;
 }
 
+/// One for each element of a parameter: "memory", or "memory.1", "memory.2".
+void add_carried_columns(const std::string& name, const Diagram& diagram, std::vector<Column>& columns) {
+  const auto& parameter = *std::ranges::find(diagram.parameters, name, &DiagramParameter::name);
+  const std::string unit = parameter.dimension ? si_name(*parameter.dimension) : "";
+  const auto* list = std::get_if<Eigen::VectorXd>(&parameter.value.content);
+  if (!list) columns.push_back({name, unit, {}});
+  for (Eigen::Index i = 1; list && i <= list->size(); ++i)
+    columns.push_back({fmt::format("{}.{}", name, i), unit, {}});
+}
+
 /// The errors, with the words of the request; each trial is a run of one row, whose mean is no mean over
 /// time.
-Recording errors_of(const Experiment& experiment, const StudyRequest& request) {
+Recording errors_of(const Experiment& experiment, const StudyRequest& request, const Diagram& diagram) {
   Recording recording = error_recording(experiment.errors);
   number_words(request, experiment, recording);
+  std::ranges::move(sequence_columns(experiment, request, diagram),
+                    std::back_inserter(recording.table.columns));
   recording.starts.clear();
   for (std::size_t row = 0; row < experiment.errors.rows.size(); ++row) recording.starts.push_back(row);
   return recording;
@@ -120,15 +132,6 @@ std::vector<NamedValue> mean_deviations(const Experiment& experiment, const Stud
   return values;
 }
 
-/// What each feedback adds to the normalised error, by names such as "effect.haptic".
-std::vector<NamedValue> effects_of(const Experiment& experiment, const StudyRequest& request) {
-  std::vector<NamedValue> values;
-  for (const std::string& factor : factors_of(request))
-    values.push_back({column_of("effect.", factor),
-                      experiment.analysis ? value_of(experiment.analysis->effects, factor) : nan()});
-  return values;
-}
-
 std::vector<NamedValue> published_means(const StudyRequest& request) {
   std::vector<NamedValue> values;
   for (const std::string& condition : request.condition_names())
@@ -136,8 +139,11 @@ std::vector<NamedValue> published_means(const StudyRequest& request) {
   return values;
 }
 
+/// A row for each experiment.
 Recording outcome_recording(const Experiment& experiment, const StudyRequest& request) {
+  const std::vector<ExperimentOutcome> rows = outcomes(experiment, request);
   Recording recording;
+<<<<<<< HEAD
   recording.table.columns.push_back({"time", "s", {0.0}});
   const auto add = [&](const std::vector<NamedValue>& values, const std::string& unit) {
     for (const NamedValue& value : values)
@@ -148,6 +154,24 @@ Recording outcome_recording(const Experiment& experiment, const StudyRequest& re
   add(comparison_values(experiment, request), "");
   add(mean_deviations(experiment, request), experiment.errors.deviation_unit);
   add(published_means(request), "");
+=======
+  recording.starts.clear();
+  Column number{"experiment", "", {}};
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    recording.starts.push_back(row);
+    number.values.push_back(static_cast<double>(row + 1));
+  }
+  auto& columns = recording.table.columns;
+  columns.push_back({"time", "s", std::vector<double>(rows.size(), 0.0)});
+  columns.push_back(std::move(number));
+  for (const OutcomeColumn& column : outcome_columns(request)) {
+    columns.push_back({column.name, column.unit, {}});
+    for (const ExperimentOutcome& row : rows)
+      columns.back().values.push_back(value_of(row.values, column.name));
+  }
+  for (const NamedValue& mean : published_means(request))
+    columns.push_back({mean.name, "", std::vector<double>(rows.size(), mean.value)});
+>>>>>>> 4f460fbd1c9f0a0cf7c90c823dd83f26224ff012
   return recording;
 }
 
@@ -179,19 +203,31 @@ class StudyNames {
     for (const char* column : circle_columns) add(column, "m", records_);
   }
 
+  /// Of the same one, how the trials of a person follow each other.
+  void add_sequence(const Diagram& diagram) {
+    for (const Column& column : sequence_columns({}, request_, diagram))
+      add(column.name, column.unit.empty() ? "1" : column.unit, records_);
+  }
+
   /// Of the recording of one row for the whole study.
   void add_outcome() {
     const std::size_t outcome = records_ + 1;
+<<<<<<< HEAD
     for (const std::string& column : outcome_columns(request_)) add(column, "1", outcome);
     for (const std::string& factor : factors_of(request_)) add(column_of("effect.", factor), "1", outcome);
     for (const std::string& column : comparison_columns(request_)) add(column, "1", outcome);
     for (const std::string& condition : request_.condition_names())
       add("deviation." + condition, circle_ ? "m" : "rad", outcome);
+=======
+    add("experiment", "1", outcome);
+    for (const OutcomeColumn& column : outcome_columns(request_))
+      add(column.name, column.unit.empty() ? "1" : column.unit, outcome);
+>>>>>>> 4f460fbd1c9f0a0cf7c90c823dd83f26224ff012
     for (const std::string& condition : request_.condition_names()) add("thesis." + condition, "1", outcome);
   }
 
  private:
-  void add(const std::string& name, const char* unit, std::optional<std::size_t> recording) {
+  void add(const std::string& name, const std::string& unit, std::optional<std::size_t> recording) {
     if (names_.find(name))
       throw Error(Fault{request_.place,
                         "study",
@@ -210,35 +246,61 @@ class StudyNames {
 
 }  // namespace
 
-std::vector<std::string> outcome_columns(const StudyRequest& request) {
-  std::vector<std::string> columns;
-  for (const std::string& condition : request.condition_names()) columns.push_back("mean." + condition);
-  for (const char* start : {"p.", "p_subject."})
-    for (const std::string& factor : factors_of(request)) columns.push_back(column_of(start, factor));
+std::vector<OutcomeColumn> outcome_columns(const StudyRequest& request) {
+  std::vector<OutcomeColumn> columns;
+  const std::string deviation = request.task == "1" ? "m" : "rad";
+  for (const std::string& condition : request.condition_names()) columns.push_back({"mean." + condition});
+  for (const char* start : {"p.", "p_subject.", "effect."})
+    for (const std::string& factor : factors_of(request)) columns.push_back({column_of(start, factor)});
+  for (const std::string& condition : request.condition_names())
+    columns.push_back({"deviation." + condition, deviation});
   return columns;
 }
 
-void add_study_names(const StudyRequest& request, SymbolTable& names) {
+void add_study_names(const StudyRequest& request, const Diagram& diagram, SymbolTable& names) {
   StudyNames study(request, names);
   study.add_trials();
   study.add_errors();
+  study.add_sequence(diagram);
   study.add_outcome();
 }
 
 std::vector<NamedValue> outcome(const Experiment& experiment, const StudyRequest& request) {
   std::vector<NamedValue> values;
-  for (const std::string& name : outcome_columns(request)) values.push_back({name, nan()});
+  for (const OutcomeColumn& column : outcome_columns(request)) values.push_back({column.name, nan()});
   const auto set = [&](const std::string& name, double value) {
     for (NamedValue& one : values)
       if (one.name == name) one.value = value;
   };
+  for (const NamedValue& mean : mean_deviations(experiment, request)) set(mean.name, mean.value);
   if (!experiment.analysis) return values;
   const TaskAnalysis& analysis = *experiment.analysis;
   for (const NamedValue& mean : analysis.means) set("mean." + mean.name, mean.value);
+  for (const NamedValue& effect : analysis.effects) set(column_of("effect.", effect.name), effect.value);
   for (const auto& [start, anova] :
        {std::pair{"p.", &analysis.additive}, std::pair{"p_subject.", &analysis.with_subject}})
     for (const AnovaRow& row : anova->terms) set(column_of(start, row.name), row.p);
   return values;
+}
+
+std::vector<ExperimentOutcome> outcomes(const Experiment& experiment, const StudyRequest& request) {
+  std::vector<ExperimentOutcome> all{{experiment.seed, outcome(experiment, request)}};
+  all.insert(all.end(), experiment.others.begin(), experiment.others.end());
+  return all;
+}
+
+std::vector<Column> sequence_columns(const Experiment& experiment, const StudyRequest& request,
+                                     const Diagram& diagram) {
+  std::vector<Column> columns{{"order", "", {}}};
+  for (const CarriedValue& carried : request.carry) add_carried_columns(carried.parameter, diagram, columns);
+  for (const TrialRun& run : experiment.runs) {
+    std::vector<double> numbers{static_cast<double>(run.order)};
+    for (const std::vector<double>& values : run.begun)
+      numbers.insert(numbers.end(), values.begin(), values.end());
+    for (std::size_t i = 0; i < columns.size(); ++i) columns[i].values.push_back(numbers[i]);
+  }
+  for (Column& column : columns) column.values.resize(experiment.trials.size(), nan());
+  return columns;
 }
 
 std::vector<Recording> study_recordings(const Experiments& experiments, const StudyRequest& request,
@@ -253,7 +315,7 @@ std::vector<Recording> study_recordings(const Experiments& experiments, const St
       append_runs(recordings[r], std::move(one));
     };
     for (std::size_t r = 0; r < records; ++r) add(r, pooled(experiment, request, job.plan, r));
-    add(records, errors_of(experiment, request));
+    add(records, errors_of(experiment, request, job.plan.diagram));
     add(records + 1, outcome_recording(experiment, request));
   }
   return recordings;

@@ -12,19 +12,35 @@ namespace stepwire {
 /// - of each trial error, normalised, raw, deviation, length and duration, and in task 1 the circle that it
 /// is
 ///   held against, circle.x, circle.y and circle.radius, in a recording behind the file's;
-/// - of the experiment mean.CONDITION, p.FACTOR (feedbacks alone) and p_subject.FACTOR (with the subject as a
-///   factor), deviation.CONDITION, and of the thesis thesis.CONDITION, in the one behind that.
+/// - with it order, which of the person's trials it was, and what it began with of what is carried;
+/// - of each experiment its number, mean.CONDITION, p.FACTOR (feedbacks alone) and p_subject.FACTOR (with the
+///   subject as a factor), effect.FACTOR, deviation.CONDITION, and of the thesis thesis.CONDITION, in the one
+///   behind that.
 /// Throws Error where a recorded signal has one of these names.
-void add_study_names(const StudyRequest& request, SymbolTable& names);
+void add_study_names(const StudyRequest& request, const Diagram& diagram, SymbolTable& names);
 
-/// mean.CONDITION, p.FACTOR and p_subject.FACTOR.
-std::vector<std::string> outcome_columns(const StudyRequest& request);
+/// A column of what comes out of an experiment.
+struct OutcomeColumn {
+  std::string name;
+  std::string unit{};
+};
 
-/// What of a study has a value for each experiment, by the names of its columns.
+/// mean.CONDITION, p.FACTOR, p_subject.FACTOR, effect.FACTOR and deviation.CONDITION.
+std::vector<OutcomeColumn> outcome_columns(const StudyRequest& request);
+
+/// What came out of an experiment, by the names of these columns.
 std::vector<NamedValue> outcome(const Experiment& experiment, const StudyRequest& request);
+/// That of an experiment and of those with other people behind it.
+std::vector<ExperimentOutcome> outcomes(const Experiment& experiment, const StudyRequest& request);
+
+/// Of each trial which of its person's it was, and the values that it began with of what is carried; nan
+/// where trials were recorded.
+std::vector<Column> sequence_columns(const Experiment& experiment, const StudyRequest& request,
+                                     const Diagram& diagram);
 
 /// The recordings of a job's experiments, in the order of the names: the file's, pooled over the trials; the
-/// errors; the outcome, of which each experiment is one row. With a sweep each has the swept parameters.
+/// errors; the outcomes, of which each experiment is one row. Trials are those of the first experiment. With
+/// a sweep each has the swept parameters.
 std::vector<Recording> study_recordings(const Experiments& experiments, const StudyRequest& request,
                                         const Job& job);
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "engine/analyse/study/study_request.hpp"
 #include "engine/base/yaml/section.hpp"
 
@@ -23,5 +25,11 @@ struct StudyReading : SectionReading {
         diagram(diagram),
         runs(runs) {}
 };
+
+using StudyRow = KeyRow<StudyRequest, StudyReading>;
+
+/// The keys about how often trials are made, and how those of a person follow each other. They are read behind the conditions, the
+/// circle and the parameters that the study sets.
+std::vector<StudyRow> sequence_rows();
 
 }  // namespace stepwire

@@ -15,8 +15,6 @@ using Texts = std::vector<std::string>;
 
 constexpr std::size_t max_subjects = 1000;
 
-using StudyRow = KeyRow<StudyRequest, StudyReading>;
-
 /// 1 to count.
 std::vector<std::size_t> first_numbers(std::size_t count) {
   std::vector<std::size_t> numbers(count);
@@ -210,8 +208,8 @@ void read_way_back(StudyRequest& request, const Node& node, const StudyReading& 
       WayBackSignals{from ? from->signal : way.position, to->signal, {read.file, direction->mark}};
 }
 
-const std::vector<StudyRow>& study_rows() {
-  static const std::vector<StudyRow> rows{
+std::vector<StudyRow> make_study_rows() {
+  std::vector<StudyRow> rows{
       {"like", "file whose section 'study' is taken for what is not given here", form::string()},
       {"task", "what people do", form::words({{"1", "drawing a circle"}, {"2", "returning to the region"}}),
        &StudyRequest::task},
@@ -228,12 +226,16 @@ const std::vector<StudyRow>& study_rows() {
       {"position", "recorded signal of two elements: where the end-effector is", form::string(),
        read_position},
       {"way_back", "task 2: recorded signal, the direction of the way back", way_back_form(), read_way_back},
-      {"attempts", "runs of one trial at most, until one ends by stop_when before stop", form::whole(1, 1000),
-       &StudyRequest::attempts},
       {"trials", "CSV file of recorded trials in place of runs: subject, task, condition, time, x, y",
        form::string(), [](StudyRequest& request, const Node& node, const StudyReading& read) {
          request.trials = (std::filesystem::path(read.file).parent_path() / node.text).lexically_normal();
        }}};
+  std::ranges::move(sequence_rows(), std::back_inserter(rows));
+  return rows;
+}
+
+const std::vector<StudyRow>& study_rows() {
+  static const std::vector<StudyRow> rows = make_study_rows();
   return rows;
 }
 
@@ -283,7 +285,11 @@ StudyRequest read_study(const Node& node, const SymbolTable& names, const Diagra
   if (request.task != "2") request.way_back.reset();
   if (words.subjects) request.subjects = first_numbers(*words.subjects);
   if (words.seed) request.seed = *words.seed;
+  if (words.experiments) request.experiments = *words.experiments;
   if (!words.trials.empty()) request.trials = words.trials;
+  if (!request.trials.empty()) request.experiments = 1;
+  if (!request.trials.empty() && words.experiments)
+    faults.add({request.place, "study", "recorded trials cannot be repeated by the computer", {}});
   check_sweep(request, diagram, faults);
   if (!request.trials.empty() && faults.size() == before) read_recorded(request, faults);
   return request;

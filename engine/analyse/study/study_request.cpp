@@ -45,6 +45,7 @@ void check_sweep(const StudyRequest& request, const Diagram& diagram, Faults& fa
   std::vector<std::string> own{request.subject_parameter, request.seed_parameter};
   for (const StudyCondition& condition : request.conditions)
     for (const Setting& setting : condition.settings) own.push_back(setting.name);
+  for (const CarriedValue& carried : request.carry) own.push_back(carried.parameter);
   for (const Sweep::Axis& axis : diagram.sweep->axes)
     if (std::find(own.begin(), own.end(), axis.parameter) != own.end())
       faults.add({diagram.place(axis.origin),

@@ -9,6 +9,7 @@
 #include "engine/analyse/study/path_errors.hpp"
 #include "engine/base/yaml/key.hpp"
 #include "engine/model/diagram/load.hpp"
+#include "engine/model/plan/plan.hpp"
 
 namespace stepwire {
 
@@ -31,6 +32,13 @@ struct WayBackSignals {
   Place place;
 };
 
+/// What a person takes from each trial into the next: the last value of a signal becomes that of a parameter.
+struct CarriedValue {
+  std::string parameter;
+  std::string signal;  ///< its name in the diagram
+  Place place;
+};
+
 /// The section `study` of a diagram file: a human-subject study whose trials are runs of the file.
 struct StudyRequest {
   std::string task;                   ///< "1": drawing a circle, "2": returning
@@ -43,6 +51,10 @@ struct StudyRequest {
   std::size_t recording = 0;  ///< that has it
   std::optional<CircleHandover> circle;
   std::optional<WayBackSignals> way_back;
+  std::vector<std::size_t> first;     ///< conditions that come first, in this order; the others as drawn
+  std::vector<std::size_t> practice;  ///< conditions of the trials before the first one, which do not count
+  std::vector<CarriedValue> carry;
+  std::size_t experiments = 1;  ///< with other people each: seeds from `seed` on; the first one is drawn
   std::size_t attempts = 10;    ///< runs of one trial at most, until one ends by `stop_when`
   std::string trials;           ///< a CSV file of recorded trials in place of the runs; empty: none
   std::vector<Trial> recorded;  ///< in it, by subject, conditions in the order of the request
@@ -58,7 +70,8 @@ struct StudyRequest {
 struct StudyWords {
   std::optional<std::size_t> subjects{};  ///< how many
   std::optional<std::uint64_t> seed{};
-  std::string trials{};  ///< a CSV file
+  std::optional<std::size_t> experiments{};  ///< how many
+  std::string trials{};                      ///< a CSV file
 };
 
 /// The keys of the section `study`.
@@ -69,6 +82,9 @@ const Key& study_form();
 /// of no use. Throws TableError and EnvironmentError for a file of trials that cannot be read.
 StudyRequest read_study(const Node& node, const SymbolTable& names, const Diagram& diagram, Loader& loader,
                         const StudyWords& words, Faults& faults);
+
+/// Parameter and signal of what is carried have the same unit and as many elements.
+void check_carry(const StudyRequest& request, const Plan& plan, Faults& faults);
 
 /// What the study sets for each trial cannot be swept as well, and recorded trials have no swept values.
 void check_sweep(const StudyRequest& request, const Diagram& diagram, Faults& faults);

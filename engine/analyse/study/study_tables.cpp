@@ -4,7 +4,11 @@
 
 #include <algorithm>
 
+<<<<<<< HEAD
 #include "engine/analyse/study/comparison_tables.hpp"
+=======
+#include "engine/analyse/study/distribution.hpp"
+>>>>>>> 4f460fbd1c9f0a0cf7c90c823dd83f26224ff012
 #include "engine/analyse/study/published.hpp"
 #include "engine/analyse/study/side_by_side.hpp"
 
@@ -47,6 +51,9 @@ TextTable none(const std::string& title, const std::string& why) {
 TextTable table_of(const std::string& name, const Experiment& experiment, const StudyRequest& request) {
   if (name == "errors") return error_summary(experiment.errors);
   if (name == "subjects") return subjects_table(experiment, request);
+  if (name == "experiments") return experiments_table(outcomes(experiment, request), request);
+  if (name == "experiments_significance")
+    return experiments_significance_table(outcomes(experiment, request), request);
   const std::string of = " of task " + request.task;
   if (!experiment.analysis) return none("Analysis" + of, experiment.not_analysed);
   const TaskAnalysis& analysis = *experiment.analysis;
@@ -71,8 +78,8 @@ TextTable table_of(const std::string& name, const Experiment& experiment, const 
 std::vector<NamedTable> empty_study_tables(bool swept) {
   if (swept) return {{"means"}, {"significance"}};
   std::vector<NamedTable> tables;
-  for (const char* name :
-       {"errors", "subjects", "anova", "anova_with_subject", "repeated_measures", "means", "significance"})
+  for (const char* name : {"errors", "subjects", "anova", "anova_with_subject", "repeated_measures", "means",
+                           "significance", "experiments", "experiments_significance"})
     tables.push_back({name, std::make_shared<TextTable>()});
   for (const std::string& name : comparison_table_names())
     tables.push_back({name, std::make_shared<TextTable>()});

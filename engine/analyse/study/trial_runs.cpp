@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <system_error>
 
-#include "engine/base/parallel/parallel.hpp"
+#include "engine/model/diagram/named_signals.hpp"
 #include "engine/simulate/record/recorder.hpp"
 #include "engine/simulate/run/pooling.hpp"
 
@@ -14,16 +15,29 @@ namespace stepwire {
 namespace {
 
 constexpr std::uint64_t most = 1'000'000'000;
-enum Purpose : std::uint64_t { person = 1, noise = 2 };
+enum Purpose : std::uint64_t { person = 1, noise = 2, noise_of_practice = 4 };  // 3: the order
 
 const DiagramParameter& parameter_of(const Diagram& diagram, const std::string& name) {
   return *std::ranges::find(diagram.parameters, name, &DiagramParameter::name);
 }
 
-/// A number in SI as a setting of a parameter.
-std::string text_of(const DiagramParameter& parameter, double value) {
+/// Numbers in SI as a setting of a parameter.
+std::string text_of(const DiagramParameter& parameter, const std::vector<double>& values) {
   const bool has_unit = parameter.dimension && *parameter.dimension != Dimension{};
-  return fmt::format("{}{}", value, has_unit ? " " + si_name(*parameter.dimension) : "");
+  const std::string unit = has_unit ? " " + si_name(*parameter.dimension) : "";
+  std::vector<std::string> texts;
+  for (const double value : values) texts.push_back(fmt::format("{}{}", value, unit));
+  const bool list = std::holds_alternative<Eigen::VectorXd>(parameter.value.content);
+  return list ? fmt::format("[{}]", fmt::join(texts, ", ")) : texts.front();
+}
+
+double moved(double number, double share) {
+  return number + share * (number == 0.0 ? 0.1 : std::abs(number));
+}
+
+std::vector<double> numbers_of(const Value& value) {
+  if (const auto* list = std::get_if<Eigen::VectorXd>(&value.content)) return {list->begin(), list->end()};
+  return {std::get<double>(value.content)};
 }
 
 }  // namespace
@@ -44,8 +58,9 @@ std::string with_swept(const Job& job, std::size_t study) {
 }
 
 std::string name_of(const TrialRun& trial, const StudyRequest& request) {
-  return fmt::format("subject {}, condition {}", trial.subject,
-                     request.conditions[trial.condition].feedback.name);
+  return fmt::format("subject {}, condition {}{}", trial.subject,
+                     request.conditions[trial.condition].feedback.name,
+                     trial.practice == 0 ? "" : fmt::format(" (practice {})", trial.practice));
 }
 
 std::uint64_t drawn_number(std::initializer_list<std::uint64_t> from) {
@@ -59,56 +74,89 @@ std::uint64_t drawn_number(std::initializer_list<std::uint64_t> from) {
   return hash % most;
 }
 
-TrialRuns::TrialRuns(TrialSource source, const StudyRequest& request, const Job& job)
+TrialRuns::TrialRuns(TrialSource source, const StudyRequest& request, const Job& job, std::size_t experiments)
     : source_(std::move(source)),
       request_(request),
       job_(job),
-      family_(std::make_shared<PlanFamily>(source_.loader, source_.file, source_.settings, job.plan)) {
-  if (source_.engine == ExecutionMode::interpreted) return;
-  const std::vector<std::size_t> members = find_conditions();
-  if (source_.engine == ExecutionMode::automatic) compile_ahead(members);
+      family_(std::make_shared<PlanFamily>(source_.loader, source_.file, source_.settings, job.plan)),
+      idle_(*family_) {
+  if (source_.engine != ExecutionMode::interpreted) find_members();
+  if (source_.engine == ExecutionMode::automatic) compile_ahead();
+  const auto trials = static_cast<double>(study_count(job) * request.subjects.size() * experiments *
+                                          (request.conditions.size() + request.practice.size()));
+  changeover_.emplace(source_.engine, source_.code, members(), trials * static_cast<double>(job.plan.steps));
 }
 
-/// One member or more for each condition, so that code that is compiled for the first trials serves all.
-std::vector<std::size_t> TrialRuns::find_conditions() {
-  std::vector<std::size_t> members;
-  for (std::size_t condition = 0; condition < request_.conditions.size(); ++condition) {
-    const TrialRun trial{.study = 0, .subject = request_.subjects.front(), .condition = condition};
-    members.push_back(family_->find(settings_of(request_.seed, trial, circles_to_come(trial))));
+/// One member or more for each study and condition, so that code that is compiled for the first trials serves
+/// all. What is handed over is not known yet: it is tried about the file's values, on both sides of zero.
+void TrialRuns::find_members() {
+  for (std::size_t study = 0; study < study_count(job_); ++study)
+    for (std::size_t condition = 0; condition < request_.conditions.size(); ++condition) {
+      TrialRun trial{.seed = request_.seed, .study = study, .subject = request_.subjects.front()};
+      trial.condition = condition;
+      for (const double share : {0.0, 0.01, -0.01}) find_member(trial, file_values(trial, share), share);
+      if (!request_.carry.empty() || !request_.practice.empty()) find_member(trial, {}, 0.0);
+    }
+}
+
+/// With and without what is carried, which the first trial has not.
+void TrialRuns::find_member(TrialRun trial, HandedOver handed, double share) {
+  try {
+    plan(trial, handed);
+    if (handed.carried.empty()) return;
+    handed.carried.clear();
+    plan(trial, handed);
+    handed = {.circle = {}, .carried = file_values(trial, share).carried};  // as in practice
+    plan(trial, handed);
+  } catch (const Error&) {
+    if (share == 0.0) throw;  // a value beside the file's may be refused
   }
+}
+
+std::vector<TieredExecution::Member> TrialRuns::members() const {
+  std::vector<TieredExecution::Member> members;
+  for (std::size_t m = 0; m < family_->size(); ++m)
+    members.push_back({&family_->plan(m), family_->variable(m)});
   return members;
 }
 
 /// Compiles beside the first trials what they need. They find it by its text.
-void TrialRuns::compile_ahead(const std::vector<std::size_t>& members) {
-  struct Wanted {
-    const Plan* plan;
-    std::vector<VariableBlock> variable;
-  };
-  std::vector<Wanted> wanted;
-  for (const std::size_t member : members)
-    wanted.push_back({&family_->plan(member), family_->variable(member)});
+void TrialRuns::compile_ahead() {
   try {
-    ahead_ = std::jthread([this, wanted](const std::stop_token& stop) {
-      for (const Wanted& one : wanted) source_.code->compile(*one.plan, one.variable, stop);
+    ahead_ = std::jthread([this, wanted = members()](const std::stop_token& stop) {
+      for (const TieredExecution::Member& one : wanted) source_.code->compile(*one.plan, one.variable, stop);
     });
   } catch (const std::system_error&) {  // without a thread for it nothing is compiled ahead
   }
 }
 
-/// Circles as the file has them, for a trial that will be given one of its subject's.
-TrialRuns::Circles TrialRuns::circles_to_come(const TrialRun& trial) const {
+/// What a trial will be given, as the file has it, moved by a share.
+HandedOver TrialRuns::file_values(const TrialRun& trial, double share) const {
+  HandedOver handed;
+  for (const CarriedValue& carried : request_.carry) {
+    const DiagramParameter& parameter = parameter_of(job_.plan.diagram, carried.parameter);
+    std::vector<double> numbers = numbers_of(parameter.value);
+    for (double& number : numbers) number = moved(number, share);
+    handed.carried.push_back(
+        {carried.parameter, text_of(parameter, numbers), request_.place.file, request_.place.mark});
+  }
   if (!request_.circle || request_.conditions[trial.condition].feedback.name == request_.circle->of)
-    return {};
+    return handed;
   const auto number = [&](const std::string& name) {
-    return std::get<double>(parameter_of(job_.plan.diagram, name).value.content);
+    return moved(std::get<double>(parameter_of(job_.plan.diagram, name).value.content), share);
   };
-  return {{{trial.study, trial.subject},
-           {{number(request_.circle->x), number(request_.circle->y)}, number(request_.circle->radius)}}};
+  handed.circle = {{number(request_.circle->x), number(request_.circle->y)}, number(request_.circle->radius)};
+  return handed;
 }
 
-std::vector<Setting> TrialRuns::settings_of(std::uint64_t seed, const TrialRun& trial,
-                                            const Circles& circles) const {
+/// Trials of practice have noises of their own.
+std::uint64_t TrialRuns::noise_of(const TrialRun& trial) const {
+  if (trial.practice == 0)
+    return drawn_number({noise, trial.seed, trial.subject, trial.condition, trial.attempts});
+  return drawn_number({noise_of_practice, trial.seed, trial.subject, trial.practice, trial.attempts});
+}
+
+std::vector<Setting> TrialRuns::settings_of(const TrialRun& trial, const HandedOver& handed) const {
   const StudyCondition& condition = request_.conditions[trial.condition];
   std::vector<Setting> settings;
   if (!job_.points.empty()) settings = job_.settings_of(trial.study);
@@ -116,22 +164,32 @@ std::vector<Setting> TrialRuns::settings_of(std::uint64_t seed, const TrialRun& 
   const auto set = [&](const std::string& parameter, const std::string& value) {
     settings.push_back({parameter, value, request_.place.file, request_.place.mark});
   };
-  set(request_.subject_parameter, std::to_string(drawn_number({person, seed, trial.subject})));
-  set(request_.seed_parameter,
-      std::to_string(drawn_number({noise, seed, trial.subject, trial.condition, trial.attempts})));
-  const auto circle = circles.find({trial.study, trial.subject});
-  if (!request_.circle || circle == circles.end()) return settings;
+  set(request_.subject_parameter, std::to_string(drawn_number({person, trial.seed, trial.subject})));
+  set(request_.seed_parameter, std::to_string(noise_of(trial)));
+  settings.insert(settings.end(), handed.carried.begin(), handed.carried.end());
+  if (!request_.circle || !handed.circle) return settings;
   const auto set_length = [&](const std::string& name, double value) {
-    set(name, text_of(parameter_of(job_.plan.diagram, name), value));
+    set(name, text_of(parameter_of(job_.plan.diagram, name), {value}));
   };
-  set_length(request_.circle->x, circle->second.centre.x());
-  set_length(request_.circle->y, circle->second.centre.y());
-  set_length(request_.circle->radius, circle->second.radius);
+  set_length(request_.circle->x, handed.circle->centre.x());
+  set_length(request_.circle->y, handed.circle->centre.y());
+  set_length(request_.circle->radius, handed.circle->radius);
   return settings;
 }
 
-void TrialRuns::plan(std::uint64_t seed, TrialRun& trial, const Circles& circles) {
-  trial.point.own = settings_of(seed, trial, circles);
+std::vector<Setting> TrialRuns::carried(const TrialRun& trial) const {
+  std::vector<Setting> settings;
+  for (std::size_t i = 0; i < request_.carry.size(); ++i) {
+    const CarriedValue& carried = request_.carry[i];
+    settings.push_back({carried.parameter,
+                        text_of(parameter_of(job_.plan.diagram, carried.parameter), trial.left[i]),
+                        carried.place.file, carried.place.mark});
+  }
+  return settings;
+}
+
+void TrialRuns::plan(TrialRun& trial, const HandedOver& handed) {
+  trial.point.own = settings_of(trial, handed);
   try {
     trial.point.member = family_->find(trial.point.own);
   } catch (const Error& error) {
@@ -144,48 +202,54 @@ void TrialRuns::plan(std::uint64_t seed, TrialRun& trial, const Circles& circles
 }
 
 void TrialRuns::note_end(const Executor& run, TrialRun& trial) const {
-  const auto& signals = run.plan().diagram.records[request_.recording].signals;
-  const auto position = std::find_if(signals.begin(), signals.end(), [&](const RecordedSignal& signal) {
-    return signal.name == request_.position;
-  });
-  const double* point = run.values() + run.plan().slot(position->signal).offset;
+  const Plan& plan = run.plan();
+  const auto numbers = [&](const SignalRef& signal) {
+    const SignalSlot slot = plan.slot(signal);
+    const double* first = run.values() + slot.offset;
+    return std::vector<double>(first, first + slot.size);
+  };
+  const auto& signals = plan.diagram.records[request_.recording].signals;
+  const auto position = std::ranges::find(signals, request_.position, &RecordedSignal::name);
+  const std::vector<double> point = numbers(position->signal);
   trial.end = run.time();
   trial.end_point = {point[0], point[1]};
+  if (request_.carry.empty()) return;
+  const auto named = named_signals(plan.diagram);
+  trial.left.clear();
+  for (const CarriedValue& carried : request_.carry) trial.left.push_back(numbers(named.at(carried.signal)));
 }
 
-void TrialRuns::run_all(std::vector<TrialRun*>& trials, const std::function<void()>& told) {
-  std::vector<TieredExecution::Member> members;
-  for (std::size_t m = 0; m < family_->size(); ++m)
-    members.push_back({&family_->plan(m), family_->variable(m)});
-  double ticks = 0.0;
-  for (const TrialRun* trial : trials) ticks += static_cast<double>(family_->plan(trial->point.member).steps);
-  TieredExecution changeover(source_.engine, source_.code, std::move(members), ticks);
-  IdleRuns idle(*family_);
-  in_parallel(trials.size(), source_.threads, [&](std::size_t i) {
-    TrialRun& trial = *trials[i];
-    trial.result.interrupted = source_.interrupt && *source_.interrupt;
-    if (trial.result.interrupted) return;
-    run_one(trial, idle, changeover);
-    if (told) told();
-  });
+CarriedNumbers TrialRuns::begun_with(const Executor& run) const {
+  CarriedNumbers all;
+  const auto& parameters = run.plan().diagram.parameters;
+  for (const CarriedValue& carried : request_.carry) {
+    const auto parameter = std::ranges::find(parameters, carried.parameter, &DiagramParameter::name);
+    all.push_back(numbers_of(run.parameter(static_cast<std::size_t>(parameter - parameters.begin()))));
+  }
+  return all;
 }
 
 std::size_t TrialRuns::number_of(const TrialRun& trial) const {
+  const std::size_t people = request_.subjects.size() * study_count(job_);
   const auto subject = std::ranges::find(request_.subjects, trial.subject) - request_.subjects.begin();
-  const std::size_t person = trial.study * request_.subjects.size() + static_cast<std::size_t>(subject);
-  return person * request_.conditions.size() + trial.condition;
+  const std::size_t person = (trial.seed - request_.seed) * people + trial.study * request_.subjects.size() +
+                             static_cast<std::size_t>(subject);
+  if (trial.practice == 0) return person * request_.conditions.size() + trial.condition;
+  const std::size_t counting = request_.experiments * people * request_.conditions.size();
+  return counting + person * request_.practice.size() + trial.practice - 1;
 }
 
-void TrialRuns::run_one(TrialRun& trial, IdleRuns& idle, TieredExecution& changeover) {
+void TrialRuns::run_once(TrialRun& trial) {
   const std::size_t member = trial.point.member;
-  auto run = idle.take(member);
+  auto run = idle_.take(member);
   family_->begin(member, trial.point.own, *run);
+  trial.begun = begun_with(*run);
   RunRecording recording(run->plan());
   RunOptions options;
   options.interrupt = source_.interrupt;
   options.observers = source_.observers;
   static_cast<RunEnd&>(trial.result) =
-      run_simulation(*run, recording.recorders(), options, changeover, member, number_of(trial));
+      run_simulation(*run, recording.recorders(), options, *changeover_, member, number_of(trial));
   trial.result.recordings = recording.take();
   note_end(*run, trial);
   const auto& faults = trial.result.faults;
@@ -194,24 +258,18 @@ void TrialRuns::run_one(TrialRun& trial, IdleRuns& idle, TieredExecution& change
     trial.failures.push_back(faults.empty()
                                  ? fmt::format("not done within {:g} s", run->plan().diagram.stop)
                                  : faults.front().fault.subject + ": " + faults.front().fault.message);
-  idle.give_back(member, std::move(run));
+  idle_.give_back(member, std::move(run));
 }
 
-std::vector<TrialRun> TrialRuns::run(std::uint64_t seed, std::vector<TrialRun> trials, const Circles& circles,
-                                     const std::function<void()>& told) {
-  std::vector<TrialRun*> open;
-  for (TrialRun& trial : trials) open.push_back(&trial);
-  for (std::size_t attempt = 1; !open.empty() && attempt <= request_.attempts; ++attempt) {
-    for (TrialRun* trial : open) {
-      trial->attempts = attempt;
-      plan(seed, *trial, circles);
-    }
-    run_all(open, attempt == 1 ? told : std::function<void()>{});
-    for (const TrialRun* trial : open)
-      if (trial->result.interrupted) return trials;
-    std::erase_if(open, [](const TrialRun* trial) { return trial->done; });
+void TrialRuns::run(TrialRun& trial, const HandedOver& handed) {
+  for (trial.attempts = 1; trial.attempts <= request_.attempts; ++trial.attempts) {
+    trial.result.interrupted = interrupted();
+    if (trial.result.interrupted) return;
+    plan(trial, handed);
+    run_once(trial);
+    if (trial.done || trial.result.interrupted) return;
   }
-  return trials;
+  trial.attempts = request_.attempts;
 }
 
 }  // namespace stepwire

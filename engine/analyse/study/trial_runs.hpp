@@ -1,12 +1,10 @@
 #pragma once
 
 #include <atomic>
-#include <functional>
-#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
-#include <utility>
 #include <vector>
 
 #include "engine/analyse/statistics/circle.hpp"
@@ -28,18 +26,31 @@ struct TrialSource {
   std::vector<RunObserver*> observers{};         ///< of every attempt of every trial, by the trial's number
 };
 
+/// Values of parameters in SI, by the parameters of StudyRequest::carry; a list has several numbers.
+using CarriedNumbers = std::vector<std::vector<double>>;
+
 /// One trial of an experiment as it was run.
 struct TrialRun {
+  std::uint64_t seed = 0;     ///< of the experiment
   std::size_t study = 0;      ///< which point of the file's sweep; 0 without one
   std::size_t subject = 0;    ///< number of the person
   std::size_t condition = 0;  ///< index of the request's
+  std::size_t practice = 0;   ///< which of those before the first one, from 1; 0: it counts
+  std::size_t order = 0;      ///< which of the person's trials that count, from 1
   std::size_t attempts = 1;
   bool done = false;                    ///< by `stop_when`; else no attempt was
   std::vector<std::string> failures{};  ///< why each attempt before the last, or all of them, failed
   SweepPoint point{};                   ///< of TrialRuns::family(): the settings of this run
   RunResult result{};
+  CarriedNumbers begun{}, left{};                       ///< what it began with, and what it left
   double end = 0.0;                                     ///< when it was done [s]
   Eigen::Vector2d end_point = Eigen::Vector2d::Zero();  ///< and where [m], which need not be a recorded row
+};
+
+/// What a trial gets from those before it.
+struct HandedOver {
+  std::optional<Circle> circle;  ///< task 1, once it is fitted
+  std::vector<Setting> carried;  ///< none in the first trial
 };
 
 /// "subject 3, condition HV".
@@ -56,39 +67,45 @@ std::string with_swept(const Job& job, std::size_t study);
 /// trial, the order of the conditions.
 std::uint64_t drawn_number(std::initializer_list<std::uint64_t> from);
 
-/// Runs trials of a file in parallel. Trials that differ in numbers share a plan and a compilation.
+/// Runs trials of a file. Trials that differ in numbers share a plan and a compilation.
 class TrialRuns {
  public:
-  /// The circles that the first trials of task 1 give, by study and subject.
-  using Circles = std::map<std::pair<std::size_t, std::size_t>, Circle>;
+  /// `job` has the points of the sweep; it and the request must outlive the runs, of `experiments`
+  /// experiments.
+  TrialRuns(TrialSource source, const StudyRequest& request, const Job& job, std::size_t experiments = 1);
 
-  /// `job` has the points of the sweep; it and the request must outlive the runs.
-  TrialRuns(TrialSource source, const StudyRequest& request, const Job& job);
+  /// Runs a trial of which seed, study, subject, condition and practice are given. What is not done within
+  /// the file's `stop`, or breaks off, is run again with another noise. From any thread, to the same bits.
+  /// Throws Error where the diagram refuses what is set.
+  void run(TrialRun& trial, const HandedOver& handed);
+  /// What it leaves to the next one.
+  std::vector<Setting> carried(const TrialRun& trial) const;
 
-  /// Runs trials of which study, subject and condition are given. What is not done within the file's `stop`,
-  /// or breaks off, is run again with another noise. `told` is called for each run that has ended, from any
-  /// thread. The same bits at any number of threads. Throws Error where the diagram refuses what is set.
-  std::vector<TrialRun> run(std::uint64_t seed, std::vector<TrialRun> trials, const Circles& circles,
-                            const std::function<void()>& told = {});
-
+  bool interrupted() const { return source_.interrupt && *source_.interrupt; }
+  unsigned threads() const { return source_.threads; }
   /// The plans of the trials.
   const std::shared_ptr<PlanFamily>& family() const { return family_; }
 
  private:
-  std::vector<Setting> settings_of(std::uint64_t seed, const TrialRun& trial, const Circles& circles) const;
-  void plan(std::uint64_t seed, TrialRun& trial, const Circles& circles);
-  std::vector<std::size_t> find_conditions();
-  void compile_ahead(const std::vector<std::size_t>& members);
-  Circles circles_to_come(const TrialRun& trial) const;
-  void run_all(std::vector<TrialRun*>& trials, const std::function<void()>& told);
+  std::vector<Setting> settings_of(const TrialRun& trial, const HandedOver& handed) const;
+  std::uint64_t noise_of(const TrialRun& trial) const;
+  void plan(TrialRun& trial, const HandedOver& handed);
+  void find_members();
+  std::vector<TieredExecution::Member> members() const;
+  void compile_ahead();
+  void find_member(TrialRun trial, HandedOver handed, double share);
+  HandedOver file_values(const TrialRun& trial, double share) const;
   std::size_t number_of(const TrialRun& trial) const;
-  void run_one(TrialRun& trial, IdleRuns& idle, TieredExecution& changeover);
+  void run_once(TrialRun& trial);
   void note_end(const Executor& run, TrialRun& trial) const;
+  CarriedNumbers begun_with(const Executor& run) const;
 
   TrialSource source_;
   const StudyRequest& request_;
   const Job& job_;
   std::shared_ptr<PlanFamily> family_;
+  IdleRuns idle_;
+  std::optional<TieredExecution> changeover_;
   std::jthread ahead_;  ///< compiles beside the first trials; last: it uses the others
 };
 

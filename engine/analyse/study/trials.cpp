@@ -107,22 +107,28 @@ class TrialReader {
   std::vector<Trial> trials_;
 };
 
+/// Its columns without rows.
+Table table_of_trials(const std::vector<Column>& of_trials) {
+  Table table;
+  for (const char* name : word_columns) table.columns.push_back({name, "", {}});
+  table.columns.push_back({"time", "s", {}});
+  for (const char* name : {"x", "y"}) table.columns.push_back({name, "mm", {}});
+  for (const Column& column : of_trials) table.columns.push_back({column.name, column.unit, {}});
+  return table;
+}
+
 }  // namespace
 
 std::vector<Trial> read_trials(const std::string& path) {
   return TrialReader(path).read();
 }
 
-std::string trials_csv(const std::vector<Trial>& trials) {
-  Table table{{{"subject", "", {}},
-               {"task", "", {}},
-               {"condition", "", {}},
-               {"time", "s", {}},
-               {"x", "mm", {}},
-               {"y", "mm", {}}}};
+std::string trials_csv(const std::vector<Trial>& trials, const std::vector<Column>& of_trials) {
+  Table table = table_of_trials(of_trials);
   ColumnWords words;
   const Unit millimetre = *parse_unit("mm");
-  for (const Trial& trial : trials) {
+  for (std::size_t number = 0; number < trials.size(); ++number) {
+    const Trial& trial = trials[number];
     const std::array<std::string, 3> names{trial.subject, trial.task, trial.condition};
     for (std::size_t row = 0; row < trial.time.size(); ++row) {
       for (std::size_t i = 0; i < 3; ++i) {
@@ -133,6 +139,8 @@ std::string trials_csv(const std::vector<Trial>& trials) {
       table.columns[3].values.push_back(trial.time[row]);
       table.columns[4].values.push_back(millimetre.from_si(point.x()));
       table.columns[5].values.push_back(millimetre.from_si(point.y()));
+      for (std::size_t i = 0; i < of_trials.size(); ++i)
+        table.columns[6 + i].values.push_back(of_trials[i].values[number]);
     }
   }
   return csv_text(table, words);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/analyse/statistics/circle.hpp"
+#include "engine/base/table/table.hpp"
 
 namespace stepwire {
 
@@ -21,7 +22,7 @@ struct Trial {
 /// rows, and a second trial of the same subject, task and condition.
 std::vector<Trial> read_trials(const std::string& path);
 
-/// The same file again: time [s], x [mm], y [mm].
-std::string trials_csv(const std::vector<Trial>& trials);
+/// The same file again: time [s], x [mm], y [mm], and columns of one value for each trial behind these.
+std::string trials_csv(const std::vector<Trial>& trials, const std::vector<Column>& of_trials = {});
 
 }  // namespace stepwire

@@ -31,7 +31,8 @@ std::string left_out(const LoadedModel& model) {
   std::vector<std::string> parts;
   if (const auto& sweep = model.job.plan.diagram.sweep) {
     std::vector<std::string> names;
-    for (const Sweep::Axis& axis : sweep->axes) names.push_back(axis.parameter);
+    for (const Sweep::Axis& axis : sweep->axes)
+      if (!axis.label) names.push_back(axis.parameter);
     parts.push_back(
         fmt::format("the sweep of {0} (what is made has one value of each, the file's or that of --set)",
                     fmt::join(names, ", ")));

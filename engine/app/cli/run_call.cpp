@@ -67,7 +67,7 @@ class FileRuns {
     const EndDelay delay(EndDelay::Signals::first);
     const std::string folder = folder_of(call_, model.file);
     const auto owned = own_results(folder, model);
-    if (model.study) return call_.study_repeats > 0 ? repeat(model, folder) : study(model, folder, results);
+    if (model.study) return study(model, folder, results);
     const ExitCode fitted = model.fit ? fit(model, folder, results) : ExitCode::done;
     return fitted == ExitCode::done ? run(model, folder, results) : fitted;
   }
@@ -137,10 +137,14 @@ class FileRuns {
   ExitCode study(LoadedModel& model, const std::string& folder, Json& results) {
     const auto experiments = [&] {
       const auto watch = watched("study " + file_name(model));
-      return session_.study(model, study_call());
+      return session_.study(model, {call_.engine, call_.study_threads, folder});
     }();
     const Outcome outcome = study_outcome(model, *experiments);
-    if (outcome.result.interrupted) return ExitCode::interrupted;  // nothing is kept of half a study
+    if (outcome.result.interrupted) {  // nothing is kept of half an experiment
+      if (!folder.empty() && model.study->experiments > 1)
+        say("the experiments that are done are kept in {}; the same call goes on\n", folder);
+      return ExitCode::interrupted;
+    }
     if (!folder.empty()) {
       write_outputs(folder, model, outcome);
       write_study(folder, model, *experiments, outcome);
@@ -154,22 +158,6 @@ class FileRuns {
     if (!folder.empty()) say("  written to {}\n", folder);
     return code_of(outcome);
   }
-
-  ExitCode repeat(const LoadedModel& model, const std::string& folder) {
-    const Repetition repetition = [&] {
-      const auto watch = watched("experiments " + file_name(model));
-      return repeat_study(session_.registry(), model, study_call(), call_.study_repeats, folder,
-                          session_.monitor());
-    }();
-    if (interrupted()) {
-      say("{} experiments are done; the same call goes on\n", repetition.size());
-      return ExitCode::interrupted;
-    }
-    say("{}  written to {}\n", text(repetition.table(*model.study)), folder);
-    return ExitCode::done;
-  }
-
-  StudyCall study_call() const { return {call_.engine, call_.study_threads}; }
 
   const RunCall& call_;
   Session session_;

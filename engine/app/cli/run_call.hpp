@@ -17,8 +17,7 @@ struct RunCall {
   bool profile = false;          ///< measure what each block costs
   std::string requires_section;  ///< a file without this section is refused; empty: any file will do
   FitCall fit;
-  unsigned study_threads = 0;     ///< 0: all cores
-  std::size_t study_repeats = 0;  ///< experiments; 0: the one of the file
+  unsigned study_threads = 0;  ///< 0: all cores
 };
 
 /// Declares the options that the three have; `out` explains --out.

@@ -16,8 +16,9 @@ void add_study_options(CLI::App& verb, RunCall& call) {
       ->check(CLI::Range(0, 1'000'000'000));
   verb.add_option("--trials", words.trials, "a CSV file of recorded trials in place of simulated operators");
   verb.add_option(
-          "--repeat", call.study_repeats,
-          "how many experiments, each with other people; with --out, where they are kept and gone on with")
+          "--repeat", words.experiments,
+          "how many experiments, each with other people, in place of the file's; with --out they are kept "
+          "as they are done, and the same call goes on")
       ->check(CLI::Range(1, 1'000'000));
   verb.add_option("--threads", call.study_threads, "how many threads; all cores without it");
 }
@@ -28,11 +29,7 @@ Action declare_study(CLI::App& verb) {
   add_run_options(verb, *call,
                   "folder for trials.csv, errors.csv, tables.txt, study.json and all that run writes");
   add_study_options(verb, *call);
-  return [call](const Registry& registry) {
-    if (call->study_repeats > 0 && call->out.empty())
-      throw CLI::ValidationError("--repeat", "needs --out, the folder in which experiments are kept");
-    return run_models(*call, registry);
-  };
+  return [call](const Registry& registry) { return run_models(*call, registry); };
 }
 
 }  // namespace

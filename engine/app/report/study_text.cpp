@@ -21,7 +21,9 @@ std::string study_text(const LoadedModel& model, const Experiments& experiments)
       result += fmt::format("  note {}{}{}\n", visible(remark), experiment.sets.empty() ? "" : "; with ",
                             visible(settings_text(experiment.sets)));
   for (const NamedTable& one : model.tables)
-    if (one.name == "means" || one.name == "significance") result += "\n" + text(*one.table);
+    if (one.name == "means" || one.name == "significance" ||
+        (one.name.starts_with("experiments") && request.experiments > 1))
+      result += "\n" + text(*one.table);
   return result + "\n";
 }
 

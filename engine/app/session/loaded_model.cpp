@@ -12,6 +12,7 @@
 #include "engine/analyse/study/study_tables.hpp"
 #include "engine/model/diagram/flatten.hpp"
 #include "engine/simulate/record/recorder.hpp"
+#include "engine/simulate/run/pooling.hpp"
 #include "engine/view/drawing/draw.hpp"
 #include "engine/view/plot/drawn.hpp"
 #include "engine/view/scene/scene_states.hpp"
@@ -24,11 +25,12 @@ void add_swept_names(const Job& job, SymbolTable& names) {
   if (job.points.empty()) return;
   for (const Sweep::Axis& axis : job.plan.diagram.sweep->axes) {
     RecordedName name{axis.parameter, std::nullopt, std::nullopt};
+    if (axis.label) name.words = words_of(axis);
     for (const DiagramParameter& parameter : job.plan.diagram.parameters) {
       if (parameter.name != axis.parameter) continue;
       name.dimension = parameter.dimension;
       if (!std::holds_alternative<double>(parameter.value.content))
-        for (const std::string& value : axis.values) name.words.push_back(unquoted(value));
+        for (const std::string& word : words_of(axis)) name.words.push_back(unquoted(word));
     }
     names.columns.push_back(std::move(name));
   }
@@ -118,7 +120,9 @@ void add_study(Loader& loader, const LoadOptions& options, LoadedModel& model, S
     faults.add({{model.file, section->mark}, "study", "a file has a study or a fit, not both", {}});
   model.study = read_study(*section, names, diagram, loader, options.study, faults);
   faults.throw_if_any();
-  add_study_names(*model.study, names);
+  check_carry(*model.study, model.job.plan, faults);
+  faults.throw_if_any();
+  add_study_names(*model.study, diagram, names);
   model.tables = names.tables = empty_study_tables(!model.job.points.empty());
 }
 

@@ -17,32 +17,31 @@ bool is_probability(const std::string& name) {
 }
 
 /// Its panel with a line at the thesis' value. The more experiments, the finer its bins.
-void draw_value(const NamedValue& published, std::vector<double> values, FigureBuilder& figure) {
-  const bool p = is_probability(published.name);
+void draw_value(const Distribution& one, FigureBuilder& figure) {
+  const bool p = is_probability(one.name);
+  std::vector<double> values = one.values;
   const double bins = std::clamp(std::floor(1.5 * std::sqrt(static_cast<double>(values.size()))), 6.0, 40.0);
   if (p)
     for (double& value : values) value = std::log10(value);
   std::erase_if(values, [](double value) { return !std::isfinite(value); });
-  PlotBuilder& plot = figure.add({.title = fmt::format("thesis: {:.3g}", published.value),
+  PlotBuilder& plot = figure.add({.title = fmt::format("thesis: {:.3g}", one.published),
                                   .bins = bins,
-                                  .lines = {p ? std::log10(published.value) : published.value}});
-  name_axis(plot.spec.x, p ? "log10 of P, " + published.name.substr(2) : published.name, "1");
+                                  .lines = {p ? std::log10(one.published) : one.published}});
+  name_axis(plot.spec.x, p ? "log10 of P, " + one.name.substr(2) : one.name, "1");
   draw_histogram(values, plot);
 }
 
 }  // namespace
 
-FigureSpec repetition_figure(const Repetition& repetition, const StudyRequest& request) {
-  std::vector<NamedValue> known = published_outcome(request);
-  std::erase_if(known, [&](const NamedValue& value) {
-    return std::ranges::count(repetition.columns(), value.name) == 0;
-  });
+FigureSpec repetition_figure(const std::vector<ExperimentOutcome>& experiments, const StudyRequest& request) {
+  std::vector<Distribution> known = distributions_of_errors(experiments, request);
+  std::ranges::move(distributions_of_p(experiments, request), std::back_inserter(known));
   FigureBuilder figure(
       {.title = fmt::format("Task {}: {} experiments with simulated operators, and the thesis'", request.task,
-                            repetition.size()),
+                            experiments.size()),
        .columns = 2},
       known.size());
-  for (const NamedValue& value : known) draw_value(value, repetition.column(value.name), figure);
+  for (const Distribution& one : known) draw_value(one, figure);
   return figure.finished();
 }
 

@@ -7,6 +7,7 @@
 #include "engine/app/session/version.hpp"
 #include "engine/base/mat/mat_file.hpp"
 #include "engine/base/table/table_file.hpp"
+#include "engine/simulate/run/pooling.hpp"
 #include "engine/view/plot/figure_spec.hpp"
 #include "engine/view/render/figure_file.hpp"
 #include "engine/view/render/scene_animation.hpp"
@@ -39,11 +40,12 @@ Json sweep_json(const Job& job) {
   Json axes = Json::list();
   for (const Sweep::Axis& axis : job.plan.diagram.sweep->axes) {
     Json values = Json::list();
-    if (axis.values.size() <= max_listed)
-      for (const std::string& value : axis.values) values.push(unquoted(value));
+    const auto listed = has_words(axis) ? words_of(axis) : axis.values;
+    if (listed.size() <= max_listed)
+      for (const std::string& value : listed) values.push(unquoted(value));
     axes.push(Json::object()
                   .set("parameter", axis.parameter)
-                  .set("count", axis.values.size())
+                  .set("count", listed.size())
                   .set("values", std::move(values)));
   }
   return axes;

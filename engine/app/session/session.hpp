@@ -5,7 +5,6 @@
 
 #include "engine/app/session/fitting.hpp"
 #include "engine/app/session/outcome.hpp"
-#include "engine/app/session/repeated_study.hpp"
 #include "engine/app/session/studies.hpp"
 #include "engine/simulate/codegen/generated_code.hpp"
 #include "engine/simulate/replay/verify.hpp"

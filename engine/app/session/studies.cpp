@@ -9,6 +9,7 @@
 
 #include "engine/analyse/study/study_columns.hpp"
 #include "engine/analyse/study/study_tables.hpp"
+#include "engine/app/session/kept_experiments.hpp"
 #include "engine/simulate/codegen/generated_code.hpp"
 #include "engine/simulate/run/pooling.hpp"
 
@@ -16,20 +17,61 @@ namespace stepwire {
 
 namespace {
 
+/// How far the experiments are.
+class StudyProgress {
+ public:
+  StudyProgress(const StudyRequest& request, std::size_t studies, std::size_t experiments,
+                const Monitor& monitor)
+      : monitor_(monitor),
+        trials_(experiments * studies * request.subjects.size() *
+                (request.conditions.size() + request.practice.size())),
+        experiments_(experiments) {}
+
+  void trial() {
+    const double fraction = static_cast<double>(++trials_done_) / static_cast<double>(trials_);
+    const std::size_t done = experiments_done_;
+    monitor_.show(fraction, experiments_ == 1 ? "" : fmt::format("{} of {} experiments", done, experiments_));
+  }
+  void experiment() { ++experiments_done_; }
+
+ private:
+  const Monitor& monitor_;
+  std::size_t trials_, experiments_;
+  std::atomic<std::size_t> trials_done_ = 0, experiments_done_ = 0;
+};
+
+/// Those of the first seed, with the outcomes of the others; none where the user interrupted.
+Experiments perform_all(TrialRuns& runs, const LoadedModel& model, const std::vector<std::uint64_t>& seeds,
+                        KeptExperiments& kept, const Monitor& monitor) {
+  const StudyRequest& request = *model.study;
+  StudyProgress progress(request, study_count(model.job), seeds.size(), monitor);
+  Experiments first;
+  ExperimentSink sink;
+  sink.told = [&] { progress.trial(); };
+  sink.done = [&](Experiments experiments) {
+    kept.add(experiments);
+    progress.experiment();
+    if (experiments.front().seed == request.seed) first = std::move(experiments);
+  };
+  perform(runs, request, model.job, seeds, sink);
+  if (monitor.interrupted()) return {};
+  kept.complete(first);
+  return first;
+}
+
 Experiments make_experiments(const Registry& registry, const LoadedModel& model, const StudyCall& call,
                              const Monitor& monitor) {
   const StudyRequest& request = *model.study;
   if (!request.trials.empty()) return {score_recorded(request, model.job.plan.diagram)};
-  const std::size_t studies = study_count(model.job);
+  KeptExperiments kept(model, call.kept);
+  const std::vector<std::uint64_t> seeds = kept.missing();
   Loader loader(registry, model.options.limits);
   GeneratedCode code;
-  TrialSource source = trial_source(loader, model, engine_of(model, call, studies), code, monitor);
+  TrialSource source = trial_source(
+      loader, model, engine_of(model, call, study_count(model.job) * seeds.size()), code, monitor);
   source.threads = call.threads;
-  std::optional<TrialRuns> runs(std::in_place, std::move(source), request, model.job);
-  std::atomic<std::size_t> done = 0;
-  const auto all = static_cast<double>(studies * request.subjects.size() * request.conditions.size());
-  Experiments experiments = perform(*runs, request, model.job, request.seed,
-                                    [&] { monitor.show(static_cast<double>(++done) / all); });
+  std::optional<TrialRuns> runs(std::in_place, std::move(source), request, model.job, seeds.size());
+  Experiments experiments = perform_all(*runs, model, seeds, kept, monitor);
   runs.reset();  // so that nothing is compiled any more, which may have a problem to tell
   monitor.note_interpreted(code.take_problem());
   return experiments;
@@ -73,10 +115,10 @@ TrialSource trial_source(Loader& loader, const LoadedModel& model, ExecutionMode
 
 std::string study_key(const LoadedModel& model, bool with_seed) {
   const StudyRequest& request = *model.study;
-  std::string key =
-      fmt::format("{} {} {} {} {} {} {} {} {}", model.hash, request.task, fmt::join(request.subjects, ","),
-                  with_seed ? request.seed : 0, request.subject_parameter, request.seed_parameter,
-                  request.position, request.attempts, request.trials);
+  std::string key = fmt::format(
+      "{} {} {} {} {} {} {} {} {}", model.hash, request.task, fmt::join(request.subjects, ","),
+      with_seed ? fmt::format("{}+{}", request.seed, request.experiments) : "", request.subject_parameter,
+      request.seed_parameter, request.position, request.attempts, request.trials);
   for (const StudyCondition& condition : request.conditions) {
     key += " " + condition.feedback.name;
     for (const Setting& setting : condition.settings)
@@ -84,6 +126,10 @@ std::string study_key(const LoadedModel& model, bool with_seed) {
   }
   for (std::size_t point = 0; point < model.job.points.size(); ++point)
     key += fmt::format(" ({})", settings_text(model.job.settings_of(point)));
+  for (const std::size_t condition : request.first) key += fmt::format(" first {}", condition);
+  for (const std::size_t condition : request.practice) key += fmt::format(" practice {}", condition);
+  for (const CarriedValue& carried : request.carry)
+    key += fmt::format(" {}={}", carried.parameter, carried.signal);
   if (request.circle)
     key += fmt::format(" {} {} {} {}", request.circle->of, request.circle->x, request.circle->y,
                        request.circle->radius);

@@ -17,6 +17,7 @@ namespace stepwire {
 struct StudyCall {
   ExecutionMode engine = ExecutionMode::automatic;
   unsigned threads = 0;  ///< 0: all cores
+  std::string kept{};    ///< folder in which experiments are kept that are done; empty: none
 };
 
 /// The studies of one call. Files of one study, which differ in figures and claims only, share its
@@ -51,7 +52,7 @@ std::string tables_text(const LoadedModel& model, const Experiments& experiments
 /// All that it found, for programs.
 Json study_json(const LoadedModel& model, const Experiments& experiments);
 
-/// All that decides on the experiment of a model, as a text; with or without the seed, which decides who the
+/// All that decides on the experiment of a model, as a text; with or without the seeds, which decide who the
 /// people are.
 std::string study_key(const LoadedModel& model, bool with_seed = true);
 

@@ -1,16 +1,22 @@
 // What a study leaves in its folder.
 #include <fmt/format.h>
 
+<<<<<<< HEAD
 #include "engine/analyse/study/comparison_tables.hpp"
+=======
+#include "engine/analyse/study/distribution.hpp"
+>>>>>>> 4f460fbd1c9f0a0cf7c90c823dd83f26224ff012
 #include "engine/analyse/study/published.hpp"
 #include "engine/analyse/study/side_by_side.hpp"
 #include "engine/analyse/study/study_tables.hpp"
 #include "engine/app/session/recorded_study.hpp"
+#include "engine/app/session/repetition_figure.hpp"
 #include "engine/app/session/studies.hpp"
 #include "engine/base/table/table_file.hpp"
 #include "engine/base/text/characters.hpp"
 #include "engine/simulate/replay/replay_folder.hpp"
 #include "engine/simulate/run/pooling.hpp"
+#include "engine/view/render/figure_file.hpp"
 
 namespace stepwire {
 
@@ -37,7 +43,8 @@ Json trials_json(const Experiment& experiment) {
                      .set("duration", row.duration)
                      .set("points", row.points);
     if (!experiment.runs.empty()) {
-      trial.set("attempts", experiment.runs[i].attempts)
+      trial.set("order", experiment.runs[i].order)
+          .set("attempts", experiment.runs[i].attempts)
           .set("sets", settings_json(experiment.runs[i].point.own));
     }
     list.push(std::move(trial));
@@ -73,6 +80,17 @@ Json analysis_json(const TaskAnalysis& analysis, const StudyRequest& request, st
       .set("side_by_side", std::move(both));
 }
 
+/// What came out of each experiment.
+Json experiments_json(const Experiment& experiment, const StudyRequest& request) {
+  Json list = Json::list();
+  for (const ExperimentOutcome& one : outcomes(experiment, request)) {
+    Json json = Json::object().set("seed", one.seed);
+    for (const NamedValue& value : one.values) json.set(value.name, value.value);
+    list.push(std::move(json));
+  }
+  return list;
+}
+
 std::string all_tables(const std::vector<NamedTable>& tables) {
   std::string all;
   for (const NamedTable& one : tables) all += (all.empty() ? "" : "\n") + text(*one.table);
@@ -91,16 +109,42 @@ std::string tables_of_points(const StudyRequest& request, const Experiments& exp
   return all;
 }
 
+/// How many columns of a recording, behind the time, say at which point of a sweep its rows are.
+std::ptrdiff_t swept_columns_of(const Recording& recording) {
+  const auto first = std::ranges::find(recording.table.columns, "subject", &Column::name);
+  return first - recording.table.columns.begin() - 1;
+}
+
+/// What follows the columns of the errors: how the trials of a person followed each other.
+void add_sequence(const LoadedModel& model, const Experiments& experiments, Table& table) {
+  for (std::size_t i = 0; i < experiments.size(); ++i) {
+    const auto more = sequence_columns(experiments[i], *model.study, model.job.plan.diagram);
+    const std::size_t first = table.columns.size() - (i == 0 ? 0 : more.size());
+    for (std::size_t c = 0; c < more.size(); ++c) {
+      if (i == 0) table.columns.push_back({more[c].name, more[c].unit, {}});
+      auto& values = table.columns[first + c].values;
+      values.insert(values.end(), more[c].values.begin(), more[c].values.end());
+    }
+  }
+}
+
+/// Trials with the values that were carried into them.
+std::string trials_text(const LoadedModel& model, const Experiment& experiment) {
+  std::vector<Column> columns = sequence_columns(experiment, *model.study, model.job.plan.diagram);
+  if (columns.size() == 1) columns.clear();  // the order alone is in the errors
+  return trials_csv(experiment.trials, columns);
+}
+
 /// The errors of all trials; those of a sweep behind the swept values, as the recording of errors has them.
-std::string errors_csv(const Experiments& experiments, const Recording& recording) {
+std::string errors_csv(const LoadedModel& model, const Experiments& experiments, const Recording& recording) {
   PathErrors all = experiments.front().errors;
   for (std::size_t i = 1; i < experiments.size(); ++i)
     all.rows.insert(all.rows.end(), experiments[i].errors.rows.begin(), experiments[i].errors.rows.end());
   ColumnWords words;
   Table table = error_table(all, words);
+  if (model.study->trials.empty()) add_sequence(model, experiments, table);
   const auto swept = recording.table.columns.begin() + 1;
-  table.columns.insert(table.columns.begin(), swept,
-                       swept + static_cast<std::ptrdiff_t>(experiments.front().sets.size()));
+  table.columns.insert(table.columns.begin(), swept, swept + swept_columns_of(recording));
   for (const Words& one : recording.words)
     for (const std::string& text : one.texts)
       if (one.column != "subject" && one.column != "condition") words[one.column].push_back(unquoted(text));
@@ -114,8 +158,13 @@ Json add_experiment(Json json, const Experiment& experiment, const StudyRequest&
       .set("trials", trials_json(experiment));
   if (!experiment.runs.empty())
     json.set("seed", experiment.seed).set("orders", orders_json(experiment, request));
+<<<<<<< HEAD
   if (experiment.analysis)
     json.set("analysis", analysis_json(*experiment.analysis, request, experiment.seed));
+=======
+  if (!experiment.others.empty()) json.set("experiments", experiments_json(experiment, request));
+  if (experiment.analysis) json.set("analysis", analysis_json(*experiment.analysis, request));
+>>>>>>> 4f460fbd1c9f0a0cf7c90c823dd83f26224ff012
   return json;
 }
 
@@ -128,14 +177,18 @@ void write_study(const std::string& folder, const LoadedModel& model, const Expe
   else
     write_recorded(folder, model);
   for (std::size_t i = 0; i < experiments.size(); ++i)
-    write_file(folder + "/" + numbered("trials", i, ".csv"), trials_csv(experiments[i].trials));
+    write_file(folder + "/" + numbered("trials", i, ".csv"), trials_text(model, experiments[i]));
   write_file(folder + "/errors.csv", errors_text(model, experiments, outcome));
   write_file(folder + "/study.json", study_json(model, experiments).text() + "\n");
   write_file(folder + "/tables.txt", tables_text(model, experiments));
+  if (model.study->experiments > 1 && experiments.size() == 1)
+    write_figure(folder, "experiments",
+                 repetition_figure(outcomes(experiments.front(), *model.study), *model.study),
+                 "experiments-figure");
 }
 
 std::string errors_text(const LoadedModel& model, const Experiments& experiments, const Outcome& outcome) {
-  return errors_csv(experiments, outcome.result.recordings[model.job.plan.diagram.records.size()]);
+  return errors_csv(model, experiments, outcome.result.recordings[model.job.plan.diagram.records.size()]);
 }
 
 std::string tables_text(const LoadedModel& model, const Experiments& experiments) {

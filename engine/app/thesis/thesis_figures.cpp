@@ -10,10 +10,12 @@
 #include <utility>
 
 #include "engine/app/session/fitting.hpp"
+#include "engine/app/session/kept_experiments.hpp"
 #include "engine/app/session/run_files.hpp"
 #include "engine/app/session/studies.hpp"
 #include "engine/app/thesis/thesis_entry.hpp"
 #include "engine/app/thesis/thesis_print.hpp"
+#include "engine/base/hash/hash.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/base/io/owned_folder.hpp"
 #include "engine/base/parallel/parallel.hpp"
@@ -46,6 +48,19 @@ std::vector<fs::path> figure_files(const ThesisCall& call) {
                       "",
                       fmt::format("no diagram file here begins with {}", fmt::join(call.only, " or ")),
                       {}});
+  return files;
+}
+
+/// Where experiments are kept that are done, for the call that goes on with them.
+std::string kept_folder(const ThesisCall& call) {
+  return (fs::path(call.out) / "experiments").string();
+}
+
+OwnedFolder::Files kept_files(const ThesisCall& call) {
+  OwnedFolder::Files files;
+  std::error_code error;
+  for (const auto& file : fs::recursive_directory_iterator(kept_folder(call), error))
+    files.insert(file.path().string());
   return files;
 }
 
@@ -139,7 +154,9 @@ class Maker {
   }
 
   Outcome study(LoadedModel& model, const std::string& folder) {
-    const auto experiments = studies_.experiments(registry_, model, {}, quiet());
+    StudyCall call;
+    call.kept = fmt::format("{}/{}", kept_folder(call_), hash_of(experiments_note(model)));
+    const auto experiments = studies_.experiments(registry_, model, call, quiet());
     Outcome outcome = study_outcome(model, *experiments);
     if (!outcome.result.interrupted) write_study(folder, model, *experiments, outcome);
     return outcome;
@@ -188,7 +205,7 @@ std::vector<GalleryEntry> make_thesis(const ThesisCall& call, const Registry& re
                                       const Monitor& monitor,
                                       const std::function<void(const ThesisFigure&)>& made) {
   Maker maker(call, registry, monitor, made);
-  const OwnedFolder folder(call.out);
+  const OwnedFolder folder(call.out, [&] { return kept_files(call); });
   maker.run();
   std::vector<GalleryEntry> entries = maker.entries();
   if (!monitor.interrupted()) print_chapters(call.out, entries);

@@ -140,10 +140,16 @@ struct Sweep {
     std::vector<std::string> values;
     std::vector<Mark> marks;  ///< of each value
     Origin origin;
+    bool label = false;  ///< a column of words about the points, which sets nothing
   };
   std::vector<Axis> axes;
   bool together = false;
 };
+
+/// Labels of a sweep of one parameter at a time: which one differs from the file's value (at the first point
+/// none, and the word is `base`), and to what.
+inline constexpr const char *differs_label = "differs", *differs_to_label = "differs_to",
+                            *nothing_differs = "base";
 
 /// `stop_when`, with what its expression reads, in the order of its variables.
 struct StopCondition {

@@ -189,15 +189,18 @@ const Key& range_form() {
 const Key& sweep_form() {
   static const Key form = [] {
     const Key values = form::list(form::text(), 1);
+    const Key axis = form::either(
+        {values, form::keys("an axis", "{values: [1, 2]}", {needed(key("values", "in this order", values))}),
+         range_form()});
     Key sweep = form::keys(
         "a sweep", "{ratio: [0.1, 0.2], drive: {from: 1 Hz, to: 2 Hz, count: 5}}",
-        {otherwise("false", key("together", "true: the parameters are paired, else they make a grid",
-                                form::truth()))});
-    sweep.rest = {key("NAME", "the values of a parameter, step or solver",
-                      form::either({values,
-                                    form::keys("an axis", "{values: [1, 2]}",
-                                               {needed(key("values", "in this order", values))}),
-                                    range_form()}))};
+        {otherwise("false",
+                   key("together", "true: the parameters are paired, else they make a grid", form::truth())),
+         key("one_at_a_time",
+             "parameters of which one at a time leaves the file's value: {mass: [1 kg, 3 kg]}; the columns "
+             "differs and differs_to say which and to what",
+             like("{mass: [1 kg, 3 kg], drive: [1 Hz, 2 Hz]}", form::names(axis, 1)))});
+    sweep.rest = {key("NAME", "the values of a parameter, step or solver", axis)};
     return sweep;
   }();
   return form;

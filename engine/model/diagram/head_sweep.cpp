@@ -8,6 +8,7 @@
 
 #include "engine/model/diagram/head.hpp"
 #include "engine/model/diagram/head_keys.hpp"
+#include "engine/model/diagram/variation.hpp"
 
 namespace stepwire {
 
@@ -135,6 +136,72 @@ double run_count(const Sweep& sweep) {
   return count;
 }
 
+/// The file's own value of a parameter, as a point sets it; a fault where there is none.
+std::string own_value(const Sweep::Axis& axis, Report& report) {
+  const auto& all = report.diagram().parameters;
+  const auto parameter = std::ranges::find(all, axis.parameter, &DiagramParameter::name);
+  if (parameter == all.end()) {
+    std::vector<std::string> names;
+    for (const DiagramParameter& one : all) names.push_back(one.name);
+    report.add(axis.origin, "sweep.one_at_a_time." + axis.parameter,
+               fmt::format("is no parameter{}; each point but those that differ in it has the file's value",
+                           nearest_or_all(axis.parameter, names, "there are")));
+    return {};
+  }
+  const double* number = std::get_if<double>(&parameter->value.content);
+  if (!number || parse_quantity(parameter->text)) return parameter->text;
+  return value_of_number(*number, parameter->dimension).text;  // what follows from others
+}
+
+/// A column of words about the points of a sweep.
+Sweep::Axis label(const char* name, std::vector<std::string> words, const Origin& origin) {
+  Sweep::Axis axis{name, std::move(words), {}, origin, true};
+  axis.marks.assign(axis.values.size(), origin.mark);
+  return axis;
+}
+
+/// Pairs the values of the axes: at the first point all are the file's own, at each other one differs.
+void set_apart(Sweep& sweep, const Origin& origin, Report& report) {
+  std::vector<std::string> which{nothing_differs}, what{""};
+  for (const Sweep::Axis& axis : sweep.axes)
+    for (const std::string& value : axis.values) {
+      which.push_back(axis.parameter);
+      what.push_back(value);
+    }
+  for (Sweep::Axis& axis : sweep.axes) {
+    std::vector<std::string> values(which.size(), own_value(axis, report));
+    std::vector<Mark> marks(which.size(), axis.origin.mark);
+    const auto first = std::ranges::find(which, axis.parameter) - which.begin();
+    std::ranges::copy(axis.values, values.begin() + first);
+    std::ranges::copy(axis.marks, marks.begin() + first);
+    axis.values = std::move(values);
+    axis.marks = std::move(marks);
+  }
+  sweep.together = true;
+  sweep.axes.push_back(label(differs_label, std::move(which), origin));
+  sweep.axes.push_back(label(differs_to_label, std::move(what), origin));
+}
+
+void read_one_at_a_time(const Node& section, const Node& axes, const Scope& scope, Report& report) {
+  const auto refuse = [&](const Mark& mark, const char* message) {
+    report.add(scope.at(mark), "sweep.one_at_a_time", message);
+  };
+  if (section.entries.size() > 1)
+    return refuse(axes.mark, "stands alone in its sweep; all that is varied is named in it");
+  if (!axes.is_map() || axes.entries.empty())
+    return refuse(axes.mark, "is a map of parameters and their values: {mass: [1 kg, 3 kg]}");
+  Sweep sweep;
+  const std::size_t before = report.faults().size();
+  for (const Entry& entry : axes.entries) {
+    if (entry.key == nothing_differs)
+      refuse(entry.mark, "'base' is the word for the point at which no parameter differs; rename it");
+    read_axis(entry, sweep, scope, report);
+  }
+  if (report.faults().size() == before) set_apart(sweep, scope.at(axes.mark), report);
+  if (run_count(sweep) > max_runs) return refuse(axes.mark, "makes more than 100000 runs");
+  report.diagram().sweep = std::move(sweep);
+}
+
 }  // namespace
 
 void read_sweep(const Scope& scope, Report& report) {
@@ -143,6 +210,7 @@ void read_sweep(const Scope& scope, Report& report) {
   if (!node->is_map())
     return report.add(scope.at(node->mark), "sweep",
                       "must be a map of parameter: {from, to, count} or {values: [..]}");
+  if (const Node* one = node->find("one_at_a_time")) return read_one_at_a_time(*node, *one, scope, report);
   Sweep sweep;
   if (const Node* together = node->find("together"))
     HeadReading("sweep.together", scope, report).take(*together, form::truth(), sweep.together);

@@ -34,7 +34,8 @@ bool is_drawn_or_claimed(const Node& root, const std::string& name) {
   for (const char* key : {"figure", "scene", "claims", "invariants", "fit", "study"})
     if (const Node* node = root.find(key); node && mentions(*node, name)) return true;
   const Node* sweep = root.find("sweep");
-  return sweep && sweep->find(name);
+  const Node* one = sweep ? sweep->find("one_at_a_time") : nullptr;
+  return sweep && (sweep->find(name) || (one && one->find(name)));
 }
 
 void refuse_unused(const Scope& scope, std::set<const Document*>& seen, Report& report) {

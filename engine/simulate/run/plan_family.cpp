@@ -87,6 +87,7 @@ PlanFamily::PlanFamily(Loader& loader, std::string file, std::vector<Setting> se
 PlanFamily::~PlanFamily() = default;
 
 std::size_t PlanFamily::find(const std::vector<Setting>& values) {
+  const std::lock_guard lock(finding_);
   try {
     const std::size_t last = members_.size();
     for (std::size_t m = last; m-- > last - std::min(last, max_tried);)  // values come in order
@@ -95,19 +96,27 @@ std::size_t PlanFamily::find(const std::vector<Setting>& values) {
         std::ranges::any_of(members_, [&](const auto& member) { return member->names == names_of(values); });
     if (!known) {
       auto member = std::make_unique<Member>(base_, values);
-      if (!member->all.structural() && member->takes(values)) {
-        members_.push_back(std::move(member));
-        return members_.size() - 1;
-      }
+      if (!member->all.structural() && member->takes(values)) return add(std::move(member));
     }
   } catch (const Error&) {  // planning the file with these values says the same, with all places
   }
-  return add(plan_anew(values), values);
+  return add(std::make_unique<Member>(plan_anew(values), values));
 }
 
-std::size_t PlanFamily::add(std::shared_ptr<const Plan> plan, const std::vector<Setting>& values) {
-  members_.push_back(std::make_unique<Member>(std::move(plan), values));
+std::size_t PlanFamily::add(std::unique_ptr<Member> member) {
+  const std::lock_guard lock(looking_);
+  members_.push_back(std::move(member));
   return members_.size() - 1;
+}
+
+PlanFamily::Member& PlanFamily::member(std::size_t index) const {
+  const std::lock_guard lock(looking_);
+  return *members_[index];
+}
+
+std::size_t PlanFamily::size() const {
+  const std::lock_guard lock(looking_);
+  return members_.size();
 }
 
 std::shared_ptr<const Plan> PlanFamily::plan_anew(const std::vector<Setting>& values) const {
@@ -117,15 +126,16 @@ std::shared_ptr<const Plan> PlanFamily::plan_anew(const std::vector<Setting>& va
 }
 
 const Plan& PlanFamily::plan(std::size_t member) const {
-  return *members_[member]->plan;
+  return *this->member(member).plan;
 }
 
 const std::vector<Target>& PlanFamily::targets(std::size_t member) const {
-  return members_[member]->free.targets();
+  return this->member(member).free.targets();
 }
 
 std::vector<VariableBlock> PlanFamily::variable(std::size_t member) const {
-  const auto& plan = members_[member]->plan;
+  const auto& plan = this->member(member).plan;
+  const std::lock_guard lock(finding_);  // what differs is widened there
   std::vector<VariableBlock> variable;
   for (const auto& other : members_)
     if (other->plan == plan) unite(variable, *plan, other->variable);
@@ -133,7 +143,7 @@ std::vector<VariableBlock> PlanFamily::variable(std::size_t member) const {
 }
 
 void PlanFamily::begin(std::size_t member, const std::vector<Setting>& values, Executor& run) const {
-  if (members_[member]->set(values, run) != Executor::Setting::done)
+  if (this->member(member).set(values, run) != Executor::Setting::done)
     throw std::logic_error("a run is given values of another structure: " + run.structure_change());
   run.reset();
 }

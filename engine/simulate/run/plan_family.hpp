@@ -11,7 +11,8 @@
 namespace stepwire {
 
 /// The plans of one file for values that a sweep, a study or a fit sets: one plan serves all values that
-/// leave its structure as it is, and each other structure gets a plan of its own.
+/// leave its structure as it is, and each other structure gets a plan of its own. Its calls may come from any
+/// thread.
 class PlanFamily {
  public:
   /// `base` is the plan of the file with `settings`. The loader must outlive the calls of find().
@@ -22,26 +23,29 @@ class PlanFamily {
   /// anew. Throws Error where the values are refused.
   std::size_t find(const std::vector<Setting>& values);
 
-  std::size_t size() const { return members_.size(); }
+  std::size_t size() const;
   const Plan& plan(std::size_t member) const;
   /// The values of blocks that a run of a member sets.
   const std::vector<Target>& targets(std::size_t member) const;
   /// What differs between the runs of a member's plan, of those values that find() has seen. Members that set
   /// other names in one plan share its code.
   std::vector<VariableBlock> variable(std::size_t member) const;
-  /// Sets the values of a run, for which find() gave this member, and puts it at time 0. From any thread.
+  /// Sets the values of a run, for which find() gave this member, and puts it at time 0.
   void begin(std::size_t member, const std::vector<Setting>& values, Executor& run) const;
 
  private:
   struct Member;
 
-  std::size_t add(std::shared_ptr<const Plan> plan, const std::vector<Setting>& values);
+  std::size_t add(std::unique_ptr<Member> member);
+  Member& member(std::size_t index) const;
   std::shared_ptr<const Plan> plan_anew(const std::vector<Setting>& values) const;
 
   Loader& loader_;
   std::string file_;
   std::vector<Setting> settings_;
   std::shared_ptr<const Plan> base_;
+  mutable std::mutex finding_;  ///< one find() at a time, which alone adds members
+  mutable std::mutex looking_;  ///< the list of members itself
   std::vector<std::unique_ptr<Member>> members_;
 };
 

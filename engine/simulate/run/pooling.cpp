@@ -59,6 +59,19 @@ std::string settings_text(const std::vector<Setting>& settings) {
   return text;
 }
 
+bool has_words(const Sweep::Axis& axis) {
+  if (axis.label) return true;
+  return std::ranges::none_of(axis.values, is_formula) &&
+         std::ranges::any_of(axis.values, [](const std::string& value) { return !parse_quantity(value); });
+}
+
+std::vector<std::string> words_of(const Sweep::Axis& axis) {
+  std::vector<std::string> words;
+  for (const std::string& word : axis.values)
+    if (std::ranges::find(words, word) == words.end()) words.push_back(word);
+  return words;
+}
+
 SweptColumns::SweptColumns(const Job& job) : job_(job) {
   if (job.points.empty()) return;
   const Diagram& diagram = job.plan.diagram;
@@ -69,25 +82,23 @@ SweptColumns::SweptColumns(const Job& job) : job_(job) {
     const auto written = parse_quantity(axis.values.front());
     auto dimension = written ? written->dimension : std::nullopt;
     if (parameter && !dimension) dimension = parameter->dimension;
-    const bool is_words = !numbers_.back().empty() && std::isnan(numbers_.back().front());
+    const bool is_words = has_words(axis);
     columns_.push_back({axis.parameter, dimension && !is_words ? si_name(*dimension) : "", {}});
     if (!is_words) continue;
-    words_.push_back({axis.parameter, axis.values});
-    for (std::size_t i = 0; i < axis.values.size(); ++i) numbers_.back()[i] = static_cast<double>(i);
+    words_.push_back({axis.parameter, words_of(axis)});
+    const auto& words = words_.back().texts;
+    numbers_.back().clear();
+    for (const std::string& word : axis.values)
+      numbers_.back().push_back(static_cast<double>(std::ranges::find(words, word) - words.begin()));
   }
 }
 
-/// The numbers of an axis' values; nan for all where one of them is a word, and nothing where one is a
-/// formula.
+/// The numbers of an axis' values; nothing where they are words or one of them is a formula.
 std::vector<double> SweptColumns::numbers_of(std::size_t axis) const {
-  const std::vector<std::string>& values = job_.plan.diagram.sweep->axes[axis].values;
-  if (std::ranges::any_of(values, is_formula)) return {};
+  const Sweep::Axis& of = job_.plan.diagram.sweep->axes[axis];
+  if (has_words(of) || std::ranges::any_of(of.values, is_formula)) return {};
   std::vector<double> numbers;
-  for (const std::string& value : values) {
-    const auto quantity = parse_quantity(value);
-    if (!quantity) return std::vector<double>(values.size(), unknown);
-    numbers.push_back(quantity->value);
-  }
+  for (const std::string& value : of.values) numbers.push_back(parse_quantity(value)->value);
   return numbers;
 }
 

@@ -10,6 +10,11 @@ namespace stepwire {
 /// Which value each axis takes at a point: the last axis runs fastest.
 std::vector<std::size_t> indices_of(const Sweep& sweep, std::size_t point);
 
+/// Are the values of an axis words, which stand in its column as numbers? Else they are numbers or formulas.
+bool has_words(const Sweep::Axis& axis);
+/// The words of an axis in their order, each once: its column has their indices.
+std::vector<std::string> words_of(const Sweep::Axis& axis);
+
 /// "speed=3, mass=1 kg".
 std::string settings_text(const std::vector<Setting>& settings);
 

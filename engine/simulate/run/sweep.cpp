@@ -161,6 +161,7 @@ std::vector<Setting> Job::settings_of(std::size_t point) const {
   const auto index = indices_of(*diagram.sweep, point);
   for (std::size_t axis = 0; axis < diagram.sweep->axes.size(); ++axis) {
     const Sweep::Axis& swept = diagram.sweep->axes[axis];
+    if (swept.label) continue;
     settings.push_back({swept.parameter, swept.values[index[axis]], diagram.file, swept.marks[index[axis]]});
   }
   settings.insert(settings.end(), points[point].own.begin(), points[point].own.end());

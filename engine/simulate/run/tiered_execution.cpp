@@ -26,7 +26,8 @@ TieredExecution::TieredExecution(ExecutionMode engine, CodeSource* source, std::
 }
 
 const CompiledPlan* TieredExecution::code(std::size_t plan) const {
-  return ready_.load(std::memory_order_acquire) ? &code_[plan] : nullptr;
+  const bool there = ready_.load(std::memory_order_acquire) && plan < code_.size();
+  return there ? &code_[plan] : nullptr;
 }
 
 void TieredExecution::compile(const std::stop_token& stop) {

@@ -23,7 +23,7 @@ class TieredExecution {
   /// All runs together have `ticks` to go.
   TieredExecution(ExecutionMode engine, CodeSource* source, std::vector<Member> plans, double ticks);
 
-  /// The code of the i-th plan; null while there is none. From any thread.
+  /// The code of the i-th plan; null while there is none, and of a plan that has come later. From any thread.
   const CompiledPlan* code(std::size_t plan) const;
   /// Notes that so many more ticks are done. From any thread.
   void done(std::int64_t ticks);

@@ -76,6 +76,7 @@ struct Panel {
   std::vector<Motion> motions{};
   std::vector<Rose> roses{};
   std::vector<std::string> legend{};
+  std::map<std::string, std::string> names{};  ///< of rows, by the words of the recording
   std::optional<Formula> where{};
   std::vector<std::size_t> recordings{};  ///< for each y, or one
   bool equal = false;

@@ -31,6 +31,8 @@ class PanelReader {
     if (panel_.kind->read) return read_picture();
     for (const auto& entry : node_.entries)
       if (panel_.kind->channel(entry.key)) read_channel(entry);
+    for (const auto& channel : panel_.kind->channels)
+      if (!channel.otherwise.empty() && !node_.find(channel.key)) read_channel(in_place(channel));
     reading("").check_unknown(node_, plot_form(*panel_.kind, alone_));
     // Options are read in the units of the channels, so they come second.
     for (const auto& entry : node_.entries)
@@ -100,6 +102,15 @@ class PanelReader {
     for (const Node& item : entry.value.as_list())
       if (auto series = read_series(item, names_, subject, faults_))
         panel_.series[entry.key].push_back(std::move(*series));
+  }
+
+  /// What counts where the file does not have a channel, as if it stood there.
+  Entry in_place(const Channel& channel) const {
+    Entry entry{channel.key, node_.mark, {}};
+    entry.value.kind = Node::Kind::scalar;
+    entry.value.text = channel.otherwise;
+    entry.value.mark = node_.mark;
+    return entry;
   }
 
   /// The row of an option of the kind or of a key of panels; none where the plot takes no such key.

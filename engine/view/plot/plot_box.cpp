@@ -156,6 +156,22 @@ void draw_kinds(const Boxes& boxes, Whiskers whiskers, PlotBuilder& plot) {
     plot.add(PointsMark{all.beyond, Symbol::ring, 5.85, 1.2, "#666666", "beyond the whiskers"});
 }
 
+/// A dashed line across the box of each y at the first value beside it.
+LineMark references_of(const Panel& panel, std::span<const Recording> recordings, std::size_t groups) {
+  LineMark lines{.line = {"#111111", 1.8, {4.0, 3.0}}};
+  const auto given = panel.series.find("reference");
+  if (given == panel.series.end() || panel.find("by")) return lines;
+  const Series& first = given->second.front();
+  lines.legend = first.label == first.formula.text ? "reference" : first.label;
+  for (std::size_t i = 0; i < std::min(given->second.size(), groups); ++i) {
+    const Curve all = joined(gather(panel, recording_of(panel, recordings, i), {&given->second[i]}));
+    if (all.size() == 0) continue;
+    const double at = static_cast<double>(i + 1), value = all.columns[0].front();
+    lines.curves.push_back({{at - 0.42, at + 0.42}, {value, value}, {}, {}});
+  }
+  return lines;
+}
+
 void draw_boxes(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
   const Boxes boxes = boxes_of(panel, recordings);
   Series y = panel.series.at("y").front();
@@ -168,27 +184,33 @@ void draw_boxes(const Panel& panel, std::span<const Recording> recordings, PlotB
   for (const Group& group : boxes.groups)
     for (const auto& sample : group.samples)
       for (const double value : sample) plot.y.add(value);
+  LineMark references = references_of(panel, recordings, boxes.groups.size());
+  for (const MarkRows& line : references.curves) plot.y.add(line.y.front());
   plot.range("x", plot.x);
   plot.range("y", plot.y.padded(0.06));
   plot.spec.x.grid = false;
   name_groups(boxes.groups, plot.spec.x);
   draw_kinds(boxes, panel.tukey_whiskers ? Whiskers::tukey : Whiskers::range, plot);
+  if (!references.curves.empty()) plot.add(std::move(references));
 }
 
 }  // namespace
 
 PlotKind box_plot() {
-  return {"box",
-          "box plots: median, mean (asterisk), quartiles after Hazen, whiskers over the full range",
-          {{"y", "the values; one expression or a list of them", true, true},
-           {"by", "one box for each value of this"},
-           {"beside", "boxes for each value of this stand side by side, each in its colour"}},
-          {{"whiskers",
-            "range (over all values), or tukey: to the last value within 1.5 interquartile ranges of the "
-            "box; those beyond are drawn",
-            form::word({"range", "tukey"}), &Panel::tukey_whiskers}},
-          false,
-          draw_boxes};
+  return {
+      "box",
+      "box plots: median, mean (asterisk), quartiles after Hazen, whiskers over the full range",
+      {{"y", "the values; one expression or a list of them", true, true},
+       {"by", "one box for each value of this"},
+       {"reference", "for each y a value to hold it against, drawn dashed across its box; not beside `by`",
+        false, true},
+       {"beside", "boxes for each value of this stand side by side, each in its colour"}},
+      {{"whiskers",
+        "range (over all values), or tukey: to the last value within 1.5 interquartile ranges of the "
+        "box; those beyond are drawn",
+        form::word({"range", "tukey"}), &Panel::tukey_whiskers}},
+      false,
+      draw_boxes};
 }
 
 }  // namespace stepwire

@@ -21,6 +21,7 @@ void add(const std::vector<AnyRow>& rows, std::vector<Key>& keys) {
 Key channel_key(const Channel& channel) {
   Key form = channel.several ? form::one_or_list(form::series()) : form::series();
   Key made = key(channel.key, channel.doc, std::move(form));
+  made.otherwise = channel.otherwise;
   return channel.required ? needed(std::move(made)) : made;
 }
 

@@ -36,7 +36,8 @@ struct Channel {
   std::string key;
   std::string doc;
   bool required = false;
-  bool several = false;  ///< a list is allowed
+  bool several = false;     ///< a list is allowed
+  std::string otherwise{};  ///< what counts where the file does not have it
 };
 
 /// A number along an axis, in whose unit it is; without an axis a plain one.
@@ -80,6 +81,7 @@ PlotKind field_plot();
 PlotKind space_plot();
 PlotKind box_plot();
 PlotKind histogram_plot();
+PlotKind tornado_plot();
 PlotKind diagram_plot();
 PlotKind rig_plot();
 PlotKind table_plot();

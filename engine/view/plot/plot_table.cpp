@@ -55,9 +55,11 @@ PlotKind table_plot() {
   kind.options = {
       {"of",
        "which table: errors by condition, or by condition and subject; the analyses of variance; pairs "
-       "of conditions within subjects; or means and significance beside the thesis'",
+       "of conditions within subjects; means and significance beside the thesis'; or these over all "
+       "experiments",
        form::word({"errors", "subjects", "anova", "anova_with_subject", "repeated_measures", "intervals",
-                   "comparisons", "effect_sizes", "power", "assumptions", "means", "significance"})},
+                   "comparisons", "effect_sizes", "power", "assumptions", "means", "significance",
+                   "experiments", "experiments_significance"})},
       {"headings", "texts, the first above the names of the rows", form::one_or_list(form::text())},
       {"rows", "map of name: an expression for each further column, or a list: {NAME: [rig.x in mm]}",
        form::tree()},

@@ -66,6 +66,27 @@ TEST_CASE("max, min, spread, fraction and count are what they say") {
   CHECK(verdict_of("count: rig.x > 1, equals: 2", records).holds);
 }
 
+TEST_CASE("a quantile is that of all selected rows, after Hazen") {
+  // Ten values: the k-th lies at (k - 1/2)/10, so that a quarter is the third, and 0.3 lies between two.
+  const auto records = record_of({0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, {5, 3, 1, 9, 7, 10, 8, 6, 4, 2},
+                                 {0, 1, 2, 3, 4, 5, 6, 7, 8, 9});
+  CHECK(verdict_of("quantile: {share: 25 %, value: rig.x}, at_most: 4 m", records).value == 3.0);
+  CHECK(verdict_of("quantile: {share: 0.3, value: rig.x}, at_most: 4 m", records).value == Approx(3.5));
+  CHECK(verdict_of("quantile: {share: 0.5, value: rig.x}, at_most: 6 m", records).shown == "5.5 m");
+  CHECK(verdict_of("quantile: {share: 0, value: rig.x}, where: rig.x > 4, at_most: 9 m", records).value ==
+        5.0);
+  CHECK_THAT(claims_of("- {that: a, quantile: {share: 120 %, value: rig.x}, at_most: 1 m}").faults,
+             Catch::Contains("share"));
+}
+
+TEST_CASE("of runs with one row each it is told of how many a condition holds") {
+  const auto records = record_of({0, 0, 0, 0, 0}, {1, 2, 3, 4, 5}, {0, 1, 2, 3, 4});
+  CHECK(verdict_of("fraction: rig.x > 1 m, at_least: 0.75", records).shown == "0.8, 4 of 5");
+  CHECK(verdict_of("fraction: rig.x > 1 m, where: rig.x < 4, at_least: 0.5", records).shown ==
+        "0.6667, 2 of 3");
+  CHECK(verdict_of("fraction: rig.x > 1, at_least: 0.5", record_of({0, 1}, {1, 2})).shown == "0.5");
+}
+
 TEST_CASE("the fit of a constant error is that of its definition") {
   const auto records = record_of({0, 1, 2, 3}, {1, 2, 3, 4});
   // |e| = 0.1 * 2, |y - mean| = sqrt(5).

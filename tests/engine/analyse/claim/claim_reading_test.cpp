@@ -26,6 +26,7 @@ TEST_CASE("the condition of a claim is told as text") {
   CHECK(check_of("at: {time: 2 s, value: rig.x}, between: [1 mm, 2 mm]") ==
         "rig.x at 2 s between 1 mm and 2 mm");
   CHECK(check_of("rising: {value: rig.x, over: time}, at_least: 0.9") == "rising rig.x over time >= 0.9");
+  CHECK(check_of("quantile: {share: 5 %, value: rig.x}, at_most: 1 mm") == "5 % quantile of rig.x <= 1 mm");
   CHECK(check_of("fit: [push.force, 3 + 9*rig.x], at_least: 88 %") ==
         "fit push.force to 3 + 9*rig.x >= 88 %");
 }
@@ -75,7 +76,8 @@ TEST_CASE("a claim has one reduction, one comparison and a text") {
   CHECK(faults_of("{that: a, max: time}") ==
         "d.yaml:1:3: claims: a claim needs one comparison: equals, at_most, at_least, between\n");
   CHECK(faults_of("{max: time, at_most: 1}") ==
-        "d.yaml:1:3: claims: 'that' is missing (the statement, for people): {that: ..., final: ..., equals: ...}\n");
+        "d.yaml:1:3: claims: 'that' is missing (the statement, for people): {that: ..., final: ..., equals: "
+        "...}\n");
   CHECK(faults_of("{that: a, max: time, at_most: 1, within: 2}") ==
         "d.yaml:1:44: claims.within: 'within' goes with 'equals' only\n");
   CHECK(faults_of("{that: a, max: time, between: [2, 1]}") ==

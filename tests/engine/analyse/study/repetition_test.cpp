@@ -1,6 +1,4 @@
 #include "engine/analyse/study/repetition.hpp"
-#include "engine/app/session/repetition_figure.hpp"
-#include "engine/view/render/render.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -12,46 +10,36 @@ using Catch::Contains;
 
 namespace {
 
-/// 99 experiments in which the mean of NO is 0.01, 0.02, ... 0.99.
-Repetition made_up() {
-  Repetition repetition({"mean.NO", "p.haptic"});
-  for (std::uint64_t seed = 99; seed > 0; --seed)
-    repetition.add(seed, {{"mean.NO", 0.01 * static_cast<double>(seed)}, {"p.haptic", 1e-4}});
-  return repetition;
-}
+const std::vector<OutcomeColumn> columns{{"mean.NO"}, {"deviation.NO", "m"}};
 
-StudyRequest task_1() {
-  StudyRequest request;
-  request.task = "1";
-  return request;
+ExperimentOutcome made_up(std::uint64_t seed) {
+  return {seed, {{"mean.NO", 0.1 / static_cast<double>(seed)}, {"deviation.NO", 1e-3}}};
 }
 
 }  // namespace
 
 TEST_CASE("experiments are read back from their file to the same bits, sorted by their seeds") {
   const Scratch folder;
-  const Repetition repetition = made_up();
+  Repetition repetition(columns);
+  for (std::uint64_t seed = 9; seed > 0; --seed) repetition.add(made_up(seed));
   write_file(folder.path("a.csv"), repetition.csv());
-  Repetition again({"mean.NO", "p.haptic"});
+  Repetition again(columns);
   again.read(folder.path("a.csv"));
   CHECK(again.csv() == repetition.csv());
-  CHECK(again.has(99));
-  CHECK_FALSE(again.has(100));
-  Repetition other({"mean.V"});
+  CHECK(again.has(9));
+  CHECK_FALSE(again.has(10));
+  CHECK(again.outcomes().at(2).seed == 3);
+  CHECK(again.outcomes().at(2).values.at(0).value == 0.1 / 3.0);
+  Repetition other({{"mean.V"}});
   CHECK_THROWS_WITH(other.read(folder.path("a.csv")), Contains("no experiments of this study"));
 }
 
-TEST_CASE("the table has the quantiles, and where the thesis' value lies among the experiments") {
-  const TextTable table = made_up().table(task_1());
-  REQUIRE(table.rows.size() == 2);
-  // Of 99 values the middle one is the 50th; 69 are below 0.698.
-  CHECK(table.rows[0] == std::vector<std::string>{"mean.NO", "0.698", "0.5", "0.0545", "0.946", "69.7 %"});
-  CHECK(table.rows[1][5] == "0.0 %");
-}
-
-TEST_CASE("the picture has a panel with a line for each value that the thesis prints") {
-  const std::string svg = render(repetition_figure(made_up(), task_1())).svg;
-  CHECK_THAT(svg,
-             Contains("thesis: 0.698") && Contains("thesis: 2.02e-05") && Contains("log10 of P, haptic"));
-  CHECK_THAT(svg, !Contains("thesis: 0.217"));
+TEST_CASE("an experiment of a sweep is there once all its points are") {
+  Repetition repetition(columns);
+  repetition.add(made_up(1), 0);
+  CHECK_FALSE(repetition.has(1, 2));
+  repetition.add(made_up(1), 1);
+  repetition.add(made_up(2), 1);
+  CHECK(repetition.has(1, 2));
+  CHECK(repetition.outcomes(1).size() == 2);
 }

@@ -1,9 +1,8 @@
-#include "engine/analyse/study/trial_runs.hpp"
+#include "engine/analyse/study/person_runs.hpp"
 
 #include <catch2/catch.hpp>
+#include <map>
 #include <set>
-
-#include "engine/analyse/study/experiment.hpp"
 
 using namespace stepwire;
 

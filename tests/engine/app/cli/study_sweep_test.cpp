@@ -132,8 +132,6 @@ TEST_CASE("what makes no sense of a swept study is refused in words") {
   CHECK_THAT(error_of(swept("radius: [20 mm, -1 mm]"), {}), Contains("-1 mm is not allowed"));
   CHECK_THAT(error_of(replaced(swept("learnt: [1, 2]"), "of: means", "of: anova"), {}),
              Contains("there is no table 'anova'; there are: means, significance"));
-  CHECK_THAT(error_of(swept("learnt: [1, 2]"), {"--repeat", "3", "--out", "out"}),
-             Contains("--repeat makes many experiments of one study, and the sweep of this file has 2"));
   folder.file("t.csv", "subject,task,condition,time [s],x [mm],y [mm]\nanna,1,NO,0,1,2\nanna,1,NO,1,2,3\n");
   CHECK_THAT(error_of(swept("learnt: [1, 2]"), {"--trials", "t.csv"}),
              Contains("the trials of t.csv were recorded as they are, and 'sweep' would change nothing"));

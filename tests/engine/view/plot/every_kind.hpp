@@ -22,6 +22,8 @@ inline const std::vector<std::string> every_kind{
     "> 0.15]}",
     "{plot: box, y: rig.x in mm, by: current}",
     "{plot: box, y: rig.x in mm, by: current, beside: {signal: rig.v > 0, label: forth}, whiskers: tukey}",
+    "{plot: box, y: [rig.x in mm, rig.x*2 in mm], reference: [0.5 mm, {signal: 1 mm, label: theirs}]}",
+    "{plot: tornado, x: rig.x in mm, by: current, to: current}",
     "{plot: histogram, x: rig.x in mm}"};
 
 }  // namespace stepwire::testing

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <mutex>
+#include <string>
+
+#include "engine/analyse/study/repetition.hpp"
+#include "engine/app/session/loaded_model.hpp"
+
+namespace stepwire {
+
+/// What the experiments of a model's study follow from but for their seeds: the study, and the program that
+/// makes them. A line of JSON.
+std::string experiments_note(const LoadedModel& model);
+
+/// The experiments of a model's study that are done, kept in a folder as soon as each of them is
+/// (experiments.csv, and experiments.json with the note of what they follow from), so that a call that was
+/// interrupted goes on. Without a folder, or where the study is one experiment alone, nothing is written.
+class KeptExperiments {
+ public:
+  /// Takes what an earlier call left. Throws Error where that is of another study, TableError,
+  /// EnvironmentError.
+  KeptExperiments(const LoadedModel& model, const std::string& folder);
+
+  /// The seeds that are still to be done: the first one always, since its trials are drawn.
+  std::vector<std::uint64_t> missing() const;
+  /// From any thread.
+  void add(const Experiments& experiments);
+  /// Puts what other people did behind the experiments of the first seed.
+  void complete(Experiments& first) const;
+
+ private:
+  const LoadedModel& model_;
+  std::string path_;  ///< empty: nothing is written
+  Repetition repetition_;
+  std::mutex mutex_;
+};
+
+}  // namespace stepwire
