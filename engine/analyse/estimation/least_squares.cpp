@@ -109,6 +109,8 @@ ceres::Solver::Options solver_options(const Phase& phase, std::size_t iterations
   result.max_num_iterations = static_cast<int>(iterations);
   result.initial_trust_region_radius = phase.radius;
   result.function_tolerance = phase.gain;
+  // Where bounds shorten a step, Ceres would look at the slopes of each length that it tries.
+  result.line_search_interpolation_type = ceres::QUADRATIC;
   result.max_num_consecutive_invalid_steps = 20;  // a step may lead where the model blows up
   result.parameter_tolerance = 1e-10;
   result.gradient_tolerance = 1e-14;
