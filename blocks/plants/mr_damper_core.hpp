@@ -33,7 +33,7 @@ struct MRDamperCore {
   DiscreteState<1> last_time{}, last_velocity{}, last_current{}, earlier_current{}, first_stored{}, begun{};
   Time time{};
   Notice outside_range{};
-  BoucWenLaw law{};                    ///< as it acts, in SI
+  BoucWenFactors factors{};            ///< as they act, in SI
   Numbers scaled_alpha{}, scaled_c{};  ///< alpha and c in SI
 
   void configure(Configure& is);
@@ -53,8 +53,8 @@ struct MRDamperCore {
 
   /// The parameters as they act: `factor` turns alpha and c into SI, `stiffening` shortens the pre-sliding.
   void scale(double factor, double stiffening) {
-    law = z_max > 0.0 ? BoucWenLaw::of_limit(A * stiffening, z_max, ratio, n)
-                      : BoucWenLaw{A * stiffening, beta * stiffening, gamma * stiffening, n};
+    factors = z_max > 0.0 ? BoucWenLaw::of_limit(A * stiffening, z_max, ratio, n)
+                          : BoucWenFactors{A * stiffening, beta * stiffening, gamma * stiffening};
     scaled_alpha = alpha.map([&](double one) { return one * factor; });
     scaled_c = c.map([&](double one) { return one * factor; });
   }
@@ -78,11 +78,11 @@ struct MRDamperCore {
       evolution.dot = spring_work.dot = loss.dot = 0.0;
       return;
     }
-    const double i = acting(current), rate = law.rate(velocity, evolution);
+    const double i = acting(current), rate = law().rate(velocity, evolution);
     const double stiffness = 2.0 * spring(i), viscous = polynomial(scaled_c, i) * velocity * velocity;
     evolution.dot = rate;
     spring_work.dot = stiffness * evolution * rate;
-    loss.dot = viscous + stiffness * law.lost(velocity, evolution);
+    loss.dot = viscous + stiffness * law().lost(velocity, evolution);
   }
 
   void remember() {
@@ -111,8 +111,10 @@ struct MRDamperCore {
     return extrapolate == Outside::raw ? i : std::clamp(i, current_range[0], current_range[1]);
   }
 
+  BoucWenLaw law() const { return {factors, n}; }
+
   /// alpha / (2 A)
-  double spring(double i) const { return 0.5 * polynomial(scaled_alpha, i) / law.A; }
+  double spring(double i) const { return 0.5 * polynomial(scaled_alpha, i) / factors.A; }
 
   /// Where the current went in a straight line since the last tick. A jump, which falls on a tick, comes
   /// behind that way: what changes goes on as it did before, and only then was it on its way.
@@ -127,7 +129,7 @@ struct MRDamperCore {
   Account account() const {
     if (integration == Integration::solver) return {evolution, loss, spring_work};
     const double duration = time - last_time, v0 = last_velocity, v1 = velocity;
-    const BoucWenLaw::Travelled way = law.over(evolution, v0, v1, duration);
+    const BoucWenLaw::Travelled way = law().over(evolution, v0, v1, duration);
     const double i0 = last_current, i1 = current_behind_way();
     const double c0 = polynomial(scaled_c, i0), c1 = polynomial(scaled_c, i1);
     const double viscous = 0.5 * (c0 + c1) * duration * (v0 * v0 + v0 * v1 + v1 * v1) / 3.0 +
