@@ -25,7 +25,7 @@ struct BoucWen {
  private:
   BoucWenLaw law_of(Index i) const {
     return z_max[i] > 0.0 ? BoucWenLaw::of_limit(A[i], z_max[i], ratio[i], n[i])
-                          : BoucWenLaw{A[i], beta[i], gamma[i], n[i]};
+                          : BoucWenLaw{{A[i], beta[i], gamma[i]}, n[i]};
   }
 };
 

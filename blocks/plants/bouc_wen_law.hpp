@@ -6,14 +6,19 @@
 
 namespace stepwire {
 
+/// The factors of a Bouc-Wen law.
+struct BoucWenFactors {
+  double A = 1.0, beta = 0.0, gamma = 0.0;
+};
+
 /// Bouc-Wen evolution of a hysteretic variable z under the velocity v = dx/dt,
 ///
 ///     dz/dt = A v - beta |v| |z|^(n-1) z - gamma v |z|^n,
 ///
 /// and its energy: an element of force alpha z stores alpha z^2 / (2 A) and loses alpha/A times lost(v, z),
 /// which is never negative if and only if A > 0 and beta >= |gamma|.
-struct BoucWenLaw {
-  double A = 1.0, beta = 0.0, gamma = 0.0, n = 1.0;
+struct BoucWenLaw : BoucWenFactors {
+  double n = 1.0;
 
   /// z after some travel, and the integral of lost() on the way.
   struct Travelled {
@@ -34,7 +39,7 @@ struct BoucWenLaw {
   /// The same law by where z settles in a steady motion, and by gamma/beta.
   static BoucWenLaw of_limit(double A, double limit, double ratio, double n) {
     const double beta = A / std::pow(limit, n) / (1.0 + ratio);
-    return {A, beta, ratio * beta, n};
+    return {{A, beta, ratio * beta}, n};
   }
 
   /// Where z settles in a steady motion; only for beta + gamma > 0.

@@ -33,7 +33,7 @@ struct MRDamperCore {
   DiscreteState<1> last_time{}, last_velocity{}, last_current{}, earlier_current{}, first_stored{}, begun{};
   Time time{};
   Notice outside_range{};
-  BoucWenLaw law{};                    ///< as it acts, in SI
+  BoucWenFactors factors{};            ///< as they act, in SI
   Numbers scaled_alpha{}, scaled_c{};  ///< alpha and c in SI
 
   void configure(Configure& is);
@@ -53,8 +53,8 @@ struct MRDamperCore {
 
   /// The parameters as they act: `factor` turns alpha and c into SI, `stiffening` shortens the pre-sliding.
   void scale(double factor, double stiffening) {
-    law = z_max > 0.0 ? BoucWenLaw::of_limit(A * stiffening, z_max, ratio, n)
-                      : BoucWenLaw{A * stiffening, beta * stiffening, gamma * stiffening, n};
+    factors = z_max > 0.0 ? BoucWenLaw::of_limit(A * stiffening, z_max, ratio, n)
+                          : BoucWenFactors{A * stiffening, beta * stiffening, gamma * stiffening};
     scaled_alpha = alpha.map([&](double one) { return one * factor; });
     scaled_c = c.map([&](double one) { return one * factor; });
   }
@@ -74,12 +74,15 @@ struct MRDamperCore {
   }
 
   void write_rates() {
-    const bool by_solver = integration == Integration::solver;
-    const double i = acting(current), rate = by_solver ? law.rate(velocity, evolution) : 0.0;
+    if (integration == Integration::exact) {
+      evolution.dot = spring_work.dot = loss.dot = 0.0;
+      return;
+    }
+    const double i = acting(current), rate = law().rate(velocity, evolution);
     const double stiffness = 2.0 * spring(i), viscous = polynomial(scaled_c, i) * velocity * velocity;
     evolution.dot = rate;
     spring_work.dot = stiffness * evolution * rate;
-    loss.dot = by_solver ? viscous + stiffness * law.lost(velocity, evolution) : 0.0;
+    loss.dot = viscous + stiffness * law().lost(velocity, evolution);
   }
 
   void remember() {
@@ -88,10 +91,9 @@ struct MRDamperCore {
     if (first) first_stored = stored;
     begun = 1.0;
     if (integration == Integration::solver) return;
-    const Account now = account();
-    evolution = now.z;
-    loss = now.loss;
-    spring_work = now.spring_work;
+    spring_work = spring_work_at(z, spring_of_way());
+    evolution = z;  // the outputs of this tick have gone the way already
+    loss = dissipated;
     earlier_current = first ? acting(current) : double(last_current);
     last_time = time;
     last_velocity = velocity;
@@ -109,8 +111,10 @@ struct MRDamperCore {
     return extrapolate == Outside::raw ? i : std::clamp(i, current_range[0], current_range[1]);
   }
 
+  BoucWenLaw law() const { return {factors, n}; }
+
   /// alpha / (2 A)
-  double spring(double i) const { return 0.5 * polynomial(scaled_alpha, i) / law.A; }
+  double spring(double i) const { return 0.5 * polynomial(scaled_alpha, i) / factors.A; }
 
   /// Where the current went in a straight line since the last tick. A jump, which falls on a tick, comes
   /// behind that way: what changes goes on as it did before, and only then was it on its way.
@@ -125,14 +129,20 @@ struct MRDamperCore {
   Account account() const {
     if (integration == Integration::solver) return {evolution, loss, spring_work};
     const double duration = time - last_time, v0 = last_velocity, v1 = velocity;
-    const BoucWenLaw::Travelled way = law.over(evolution, v0, v1, duration);
+    const BoucWenLaw::Travelled way = law().over(evolution, v0, v1, duration);
     const double i0 = last_current, i1 = current_behind_way();
     const double c0 = polynomial(scaled_c, i0), c1 = polynomial(scaled_c, i1);
     const double viscous = 0.5 * (c0 + c1) * duration * (v0 * v0 + v0 * v1 + v1 * v1) / 3.0 +
                            (c1 - c0) * duration * (v1 * v1 - v0 * v0) / 12.0;
-    const double elastic = 0.5 * (spring(i0) + spring(i1));
-    return {way.z, loss + viscous + 2.0 * elastic * way.lost,
-            spring_work + elastic * (way.z - evolution) * (way.z + evolution)};
+    const double elastic = spring_of_way();
+    return {way.z, loss + viscous + 2.0 * elastic * way.lost, spring_work_at(way.z, elastic)};
+  }
+
+  /// alpha / (2 A) on the way since the last tick.
+  double spring_of_way() const { return 0.5 * (spring(last_current) + spring(current_behind_way())); }
+
+  double spring_work_at(double end, double elastic) const {
+    return spring_work + elastic * (end - evolution) * (end + evolution);
   }
 };
 

@@ -14,23 +14,24 @@ struct MRDamperUnits {
 };
 
 template <>
-struct Literal<BoucWenLaw> {
-  static std::string text(const BoucWenLaw& law, LiteralWriter& writer) {
-    return "{" + writer.number(law.A) + ", " + writer.number(law.beta) + ", " + writer.number(law.gamma) +
-           ", " + writer.number(law.n) + "}";
+struct Literal<BoucWenFactors> {
+  static std::string text(const BoucWenFactors& factors, LiteralWriter& writer) {
+    std::string text = "{" + writer.number(factors.A);
+    for (const double factor : {factors.beta, factors.gamma}) text += ", " + writer.number(factor);
+    return text + "}";
   }
 };
 
 template <>
-struct PreparedParts<BoucWenLaw> {
+struct PreparedParts<BoucWenFactors> {
   static constexpr bool by_element = false;
-  static Index count(const BoucWenLaw&) { return 4; }
+  static Index count(const BoucWenFactors&) { return 3; }
   static std::string text(Index k) {
-    constexpr const char* names[] = {".A", ".beta", ".gamma", ".n"};
+    constexpr const char* names[] = {".A", ".beta", ".gamma"};
     return names[k];
   }
-  static void put(BoucWenLaw& law, const double* numbers, Index) {
-    law = {numbers[0], numbers[1], numbers[2], numbers[3]};
+  static void put(BoucWenFactors& factors, const double* numbers, Index) {
+    factors = {numbers[0], numbers[1], numbers[2]};
   }
 };
 
@@ -105,7 +106,7 @@ void declare_mr_damper(Declare<Damper>& is, const MRDamperUnits& units) {
       {.unit = "J", .doc = "stored energy at the start", .settable = false});
   is.template state<&Damper::begun>({.doc = "1 from the first tick on", .settable = false});
   is.template clock<&Damper::time>();
-  is.template prepared<&Damper::law>();
+  is.template prepared<&Damper::factors>();
   is.template prepared<&Damper::scaled_alpha>();
   is.template prepared<&Damper::scaled_c>();
   is.template notice<&Damper::outside_range>(

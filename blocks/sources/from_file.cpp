@@ -26,18 +26,6 @@ struct Literal<BandLimited> {
 
 namespace {
 
-/// A Fourier transform takes rows for evenly spaced.
-void require_even(const FromFile& block, const Configure& is) {
-  const Samples& samples = block.samples;
-  const auto row = first_uneven({samples.time.begin(), samples.time.end()});
-  if (row)
-    is.refuse<&FromFile::interpolation>(
-        fmt::format("band_limited needs evenly spaced rows, but in {} the row at {} s does not fit the mean "
-                    "interval of {} s; "
-                    "use linear, or prepare: [{{resample: {:.6g} s}}]",
-                    block.file.string(), samples.time[*row], samples.interval, samples.interval));
-}
-
 void require_start(const FromFile& block, const Configure& is) {
   if (std::abs(block.offset) > 1e12)
     is.refuse<&FromFile::start_>(
@@ -60,16 +48,15 @@ void FromFile::configure(Configure& is) {
   if (unit.size() > 1 && unit.size() != column.size())
     is.refuse<&FromFile::unit>(fmt::format("has {} units for {} columns; give one for all or one for each",
                                            unit.size(), column.size()));
-  samples = read_samples(*this, is);
+  const auto record = read_samples(*this, is);
+  samples = record->samples;
+  smooth = record->smooth;
   is.size("n", static_cast<Index>(column.size()));
   offset = start_ == -open ? samples.begin() : start_;
   const bool periodic = interpolation == Interpolation::band_limited || after_end == AfterEnd::repeat;
   require_start(*this, is);
   if (!periodic) require_inside(*this, is);
   if (periodic || after_end == AfterEnd::hold) is.skip_update();
-  if (interpolation != Interpolation::band_limited) return;
-  require_even(*this, is);
-  smooth = BandLimited::through(samples.value);
 }
 
 void FromFile::declare(Declare<FromFile>& is) {

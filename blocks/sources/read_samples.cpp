@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "blocks/records/preparation.hpp"
+#include "engine/base/data_file/recent.hpp"
 #include "engine/base/data_file/table_cache.hpp"
 #include "engine/base/table/table_file.hpp"
 #include "engine/base/unit/unit.hpp"
@@ -167,11 +168,11 @@ Record read_record(const FromFile& asked, const Configure& is, const RecordTable
 
 /// The output's unit is that of the columns where they all have one and the same; a vector of several has
 /// none.
-void tell_unit(const Record& record, Configure& is) {
+std::optional<std::string> unit_of(const Record& record) {
   const auto& dimension = record.columns.front().dimension;
   for (const RecordColumn& column : record.columns)
-    if (!column.dimension || column.dimension != dimension) return;
-  is.unit("'u", si_name(*dimension));
+    if (!column.dimension || column.dimension != dimension) return std::nullopt;
+  return si_name(*dimension);
 }
 
 Samples samples_of(const Record& record) {
@@ -182,16 +183,97 @@ Samples samples_of(const Record& record) {
           Matrix(static_cast<Index>(record.columns.size()), record.rows(), Numbers(all)), record.interval()};
 }
 
-}  // namespace
+/// A Fourier transform takes rows for evenly spaced.
+void require_even(const FromFile& asked, const Configure& is, const Record& record) {
+  if (const auto row = first_uneven(record.time))
+    is.refuse<&FromFile::interpolation>(
+        fmt::format("band_limited needs evenly spaced rows, but in {} the row at {} s does not fit the mean "
+                    "interval of {} s; "
+                    "use linear, or prepare: [{{resample: {:.6g} s}}]",
+                    asked.file.string(), record.time[static_cast<std::size_t>(*row)], record.interval(),
+                    record.interval()));
+}
 
-Samples read_samples(const FromFile& asked, Configure& is) {
-  const std::shared_ptr<const RecordTable> table = read_file(asked, is);
+PlayedRecord played(const FromFile& asked, const Configure& is,
+                    const std::shared_ptr<const RecordTable>& table) {
   Record record = read_record(asked, is, *table);
   prepare_record(record, asked.prepare_.value(), [&](const std::string& message, const Value& where) {
     is.refuse<&FromFile::prepare_>(message, where);
   });
-  tell_unit(record, is);
-  return samples_of(record);
+  PlayedRecord result{table, samples_of(record), {}, unit_of(record)};
+  if (asked.interpolation == FromFile::Interpolation::band_limited) {
+    require_even(asked, is, record);
+    result.smooth = BandLimited::through(result.samples.value);
+  }
+  return result;
+}
+
+/// A text that no other request has: of each piece, how long it is stands before it.
+class Name {
+ public:
+  explicit Name(const FromFile& asked) {
+    add(asked.file.string());
+    add(asked.column);
+    add(asked.unit);
+    add(std::string(asked.time));
+    for (const double number : {asked.sample_time, asked.from, asked.to}) add(number);
+    add(asked.interpolation == FromFile::Interpolation::band_limited ? 1.0 : 0.0);
+    add(asked.prepare_.value());
+  }
+
+  const std::string& text() const { return text_; }
+
+ private:
+  void add(const std::string& piece) { text_ += fmt::format("{}:{}", piece.size(), piece); }
+  void add(const std::vector<std::string>& pieces) {
+    text_ += fmt::format("[{}]", pieces.size());
+    for (const std::string& piece : pieces) add(piece);
+  }
+  void add(double number) { text_ += fmt::format("{} ", number); }
+  void add(const Eigen::VectorXd& numbers) { add(Eigen::MatrixXd(numbers)); }
+  void add(const Eigen::MatrixXd& numbers) {
+    text_ += fmt::format("[{} {}]", numbers.rows(), numbers.cols());
+    for (const double number : numbers.reshaped()) add(number);
+  }
+  void add(const Value::List& list) {
+    text_ += fmt::format("[{}]", list.size());
+    for (const Value& item : list) add(item);
+  }
+  void add(const Value::Map& map) {
+    text_ += fmt::format("{{{}}}", map.size());
+    for (const ValueEntry& entry : map) {
+      add(entry.key);
+      add(entry.value);
+    }
+  }
+  void add(const Value& tree) {
+    text_ += static_cast<char>('a' + tree.content.index());
+    std::visit([this](const auto& content) { add(content); }, tree.content);
+  }
+
+  std::string text_;
+};
+
+Recent<PlayedRecord>& records_of_process() {
+  static Recent<PlayedRecord> records(8'000'000);
+  return records;
+}
+
+}  // namespace
+
+std::shared_ptr<const PlayedRecord> read_samples(const FromFile& asked, Configure& is) {
+  const std::shared_ptr<const RecordTable> table = read_file(asked, is);
+  const std::string name = Name(asked).text();
+  auto record =
+      records_of_process().find(name, [&](const PlayedRecord& known) { return known.table.lock() == table; });
+  if (!record) {
+    record = std::make_shared<const PlayedRecord>(played(asked, is, table));
+    const Index numbers = record->samples.time.size() + record->samples.value.elements().size() +
+                          record->smooth.fine.elements().size();
+    records_of_process().keep(name, record, static_cast<std::size_t>(numbers));
+  }
+  if (record->unit) is.unit("'u", *record->unit);
+  return record;
 }
 
 }  // namespace stepwire

@@ -1,11 +1,24 @@
 #pragma once
 
+#include <memory>
+#include <optional>
+#include <string>
+
 #include "blocks/sources/from_file.hpp"
+#include "engine/base/table/record_table.hpp"
 
 namespace stepwire {
 
-/// Reads what a FromFile asks for, in SI, cut to its range and prepared; refuses its parameters where the
-/// file does not fit them.
-Samples read_samples(const FromFile& asked, Configure& is);
+/// A record as a FromFile plays it: in SI, cut to its range and prepared.
+struct PlayedRecord {
+  std::weak_ptr<const RecordTable> table;  ///< that it was made of
+  Samples samples;
+  BandLimited smooth;               ///< of the columns, where band-limited
+  std::optional<std::string> unit;  ///< where all columns have one and the same
+};
+
+/// Reads what a FromFile asks for; refuses its parameters where the file does not fit them. The same record
+/// is prepared once for all blocks and runs, as long as its file has not changed.
+std::shared_ptr<const PlayedRecord> read_samples(const FromFile& asked, Configure& is);
 
 }  // namespace stepwire

@@ -62,10 +62,9 @@ class Fit {
 
   /// A parameter that moves nothing at the start will move nothing later.
   void refuse_idle_parameters() {
-    Eigen::VectorXd r;
-    Jacobian slopes;
-    if (!residuals_.evaluate(residuals_.start(), r, slopes, Residuals::Differences::forward)) return;
-    const Eigen::VectorXd lengths = slopes.colwise().norm();
+    KnownPoint start{residuals_.start(), {}, {}};
+    if (!residuals_.evaluate(start.x, start.residuals, start.slopes, Residuals::Differences::forward)) return;
+    const Eigen::VectorXd lengths = start.slopes.colwise().norm();
     Faults faults;
     for (Eigen::Index i = 0; i < lengths.size(); ++i) {
       const FitParameter& parameter = residuals_.parameter(static_cast<std::size_t>(i));
@@ -76,11 +75,12 @@ class Fit {
                     {}});
     }
     faults.throw_if_any();
+    start_ = std::move(start);
   }
 
   Minimum descend(const Eigen::VectorXd& from, std::size_t iterations, double done, double share,
                   const std::string& what) const {
-    LeastSquaresOptions options{iterations, source_.interrupt, {}};
+    LeastSquaresOptions options{iterations, source_.interrupt, {}, start_};
     options.watch = [&](std::size_t step, double cost) {
       const double part = 1.0 - std::exp(-static_cast<double>(step) / 8.0);  // nobody knows how many steps
       tell(done + share * part, fmt::format("{}, step {}: cost {:.5g}", what, step, cost));
@@ -262,6 +262,7 @@ class Fit {
   const FitOptions& options_;
   ModelRuns runs_;
   Residuals residuals_;
+  KnownPoint start_;
   Minimum best_;
   FitResult result_;
 };

@@ -16,8 +16,8 @@ namespace {
 /// The residuals as Ceres takes them, with the unknowns in parts of their scales.
 class Cost : public ceres::CostFunction {
  public:
-  Cost(const Residuals& residuals, const FitRequest& request, const Eigen::VectorXd& scales)
-      : residuals_(residuals), request_(request), scales_(scales) {
+  Cost(const Residuals& residuals, const FitRequest& request, const Eigen::VectorXd& scales, KnownPoint known)
+      : residuals_(residuals), request_(request), scales_(scales), known_(std::move(known)) {
     set_num_residuals(static_cast<int>(residuals.count()));
     mutable_parameter_block_sizes()->push_back(static_cast<int>(scales.size()));
   }
@@ -47,12 +47,6 @@ class Cost : public ceres::CostFunction {
   const Minimum& best() const { return best_; }
 
  private:
-  /// What runs gave at the last point. Ceres asks for the cost of a step first, and for its slopes later.
-  struct Known {
-    Eigen::VectorXd x, residuals;
-    Jacobian slopes;  ///< empty: not asked for
-  };
-
   bool know(const Eigen::VectorXd& x, bool slopes) const {
     if (known_.x.size() != x.size() || known_.x != x) {
       known_ = {};
@@ -67,7 +61,7 @@ class Cost : public ceres::CostFunction {
   const FitRequest& request_;
   const Eigen::VectorXd& scales_;
   mutable Minimum best_;
-  mutable Known known_;
+  mutable KnownPoint known_;  ///< the last one; Ceres asks for the cost of a step first, for its slopes later
 };
 
 class Watch : public ceres::IterationCallback {
@@ -109,6 +103,8 @@ ceres::Solver::Options solver_options(const Phase& phase, std::size_t iterations
   result.max_num_iterations = static_cast<int>(iterations);
   result.initial_trust_region_radius = phase.radius;
   result.function_tolerance = phase.gain;
+  // Where bounds shorten a step, Ceres would look at the slopes of each length that it tries.
+  result.line_search_interpolation_type = ceres::QUADRATIC;
   result.max_num_consecutive_invalid_steps = 20;  // a step may lead where the model blows up
   result.parameter_tolerance = 1e-10;
   result.gradient_tolerance = 1e-14;
@@ -169,7 +165,7 @@ Minimum minimise(const Residuals& residuals, const FitRequest& request, const Ei
   for (Eigen::Index i = 0; i < start.size(); ++i)
     scales[i] = residuals.parameter(static_cast<std::size_t>(i)).scale;
   Eigen::VectorXd scaled = start.cwiseQuotient(scales);
-  Cost cost(residuals, request, scales);
+  Cost cost(residuals, request, scales, options.known);
   ceres::Problem::Options kept;
   kept.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
   ceres::Problem problem(kept);

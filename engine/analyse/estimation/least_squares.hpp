@@ -13,10 +13,17 @@ namespace stepwire {
 /// Told after each step: its number and the cost so far.
 using StepWatcher = std::function<void(std::size_t step, double cost)>;
 
+/// What the residuals are at a point, by runs with forward differences.
+struct KnownPoint {
+  Eigen::VectorXd x, residuals;
+  Jacobian slopes;  ///< empty: not asked for
+};
+
 struct LeastSquaresOptions {
   std::size_t iterations = 100;
   const std::atomic<bool>* interrupt = nullptr;  ///< once true, it ends with the best so far
   StepWatcher watch{};
+  KnownPoint known{};  ///< needs no runs where the search begins there
 };
 
 /// Where a search came to.

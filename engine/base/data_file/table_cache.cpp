@@ -1,6 +1,5 @@
 #include "engine/base/data_file/table_cache.hpp"
 
-#include <algorithm>
 #include <chrono>
 
 #include "engine/base/data_file/data_file.hpp"
@@ -37,42 +36,14 @@ TableCache::Stamp TableCache::stamp_of(const std::string& path) {
 
 std::shared_ptr<const RecordTable> TableCache::read(const std::string& path) {
   const Stamp stamp = stamp_of(path);
-  if (auto known = find(path, stamp)) return known;
-  const auto table = std::make_shared<const RecordTable>(read_data_file(path));
-  const bool may_change_unseen =
-      stamp.changed + coarsest_clock > std::filesystem::file_time_type::clock::now();
-  if (!may_change_unseen && stamp_of(path) == stamp) keep({path, stamp, table});
-  return table;
-}
-
-std::shared_ptr<const RecordTable> TableCache::find(const std::string& path, const Stamp& stamp) {
-  const std::lock_guard lock(mutex_);
-  const auto entry =
-      std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.path == path; });
-  if (entry == entries_.end()) return nullptr;
-  if (entry->stamp != stamp) {
-    drop(entry);
-    return nullptr;
+  auto known = recent_.find(path, [&](const Known& one) { return one.stamp == stamp; });
+  if (!known) {
+    known = std::make_shared<const Known>(Known{stamp, read_data_file(path)});
+    const bool may_change_unseen =
+        stamp.changed + coarsest_clock > std::filesystem::file_time_type::clock::now();
+    if (!may_change_unseen && stamp_of(path) == stamp) recent_.keep(path, known, numbers_in(known->table));
   }
-  entries_.splice(entries_.begin(), entries_, entry);
-  return entry->table;
-}
-
-void TableCache::keep(Entry entry) {
-  const std::size_t count = numbers_in(*entry.table);
-  if (count > max_numbers_) return;
-  const std::lock_guard lock(mutex_);
-  const auto same =
-      std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.path == entry.path; });
-  if (same != entries_.end()) drop(same);  // another thread was faster
-  while (numbers_ + count > max_numbers_) drop(std::prev(entries_.end()));
-  numbers_ += count;
-  entries_.push_front(std::move(entry));
-}
-
-void TableCache::drop(std::list<Entry>::iterator entry) {
-  numbers_ -= numbers_in(*entry->table);
-  entries_.erase(entry);
+  return {known, &known->table};
 }
 
 }  // namespace stepwire

@@ -2,11 +2,10 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <list>
 #include <memory>
-#include <mutex>
 #include <string>
 
+#include "engine/base/data_file/recent.hpp"
 #include "engine/base/table/record_table.hpp"
 
 namespace stepwire {
@@ -16,16 +15,16 @@ namespace stepwire {
 /// `max_numbers`.
 class TableCache {
  public:
-  explicit TableCache(std::size_t max_numbers) : max_numbers_(max_numbers) {}
+  explicit TableCache(std::size_t max_numbers) : recent_(max_numbers) {}
 
   /// The table in a .csv or .mat file, as read_data_file() reads it and with its errors. What was read
-  /// before is given as long as the file has the same size and time of change; a file that changed within the
-  /// last two seconds is read anew, since clocks of file systems are coarse.
+  /// before is given, the same object, as long as the file has the same size and time of change; a file that
+  /// changed within the last two seconds is read anew, since clocks of file systems are coarse.
   std::shared_ptr<const RecordTable> read(const std::string& path);
   /// Of this process, for 64 MB of numbers.
   static TableCache& of_process();
 
-  std::size_t numbers() const { return numbers_; }  ///< that are kept
+  std::size_t numbers() const { return recent_.numbers(); }  ///< that are kept
 
  private:
   struct Stamp {
@@ -33,20 +32,14 @@ class TableCache {
     std::filesystem::file_time_type changed;
     bool operator==(const Stamp&) const = default;
   };
-  struct Entry {
-    std::string path;
+  struct Known {
     Stamp stamp;
-    std::shared_ptr<const RecordTable> table;
+    RecordTable table;
   };
 
   static Stamp stamp_of(const std::string& path);
-  std::shared_ptr<const RecordTable> find(const std::string& path, const Stamp& stamp);
-  void keep(Entry entry);
-  void drop(std::list<Entry>::iterator entry);
 
-  std::size_t max_numbers_, numbers_ = 0;
-  std::mutex mutex_;
-  std::list<Entry> entries_;  ///< the one that was asked for last is first
+  Recent<Known> recent_;  ///< by path
 };
 
 }  // namespace stepwire

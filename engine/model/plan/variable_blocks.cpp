@@ -1,11 +1,8 @@
 #include "engine/model/plan/variable_blocks.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <optional>
 
-#include "engine/model/plan/change.hpp"
 #include "engine/model/plan/member_items.hpp"
 
 namespace stepwire {
@@ -24,114 +21,69 @@ void mark_differences(const MemberItems& one, const MemberItems& other, Items& i
     if (!items[i] && !one.same(i, other)) items[i] = true;
 }
 
-/// By how much a value is moved.
-struct Step {
-  double part, whole;  ///< of the value; beside that, for whole numbers
-};
-constexpr Step steps[] = {{1e-3, 0.0}, {-1e-3, 0.0}, {0.0, 1.0}, {0.0, -1.0}};
-
-/// Elements of a list go each another way, so that what follows from their ratios moves as well.
-std::optional<Value> moved(Value value, const Step& step) {
-  const auto move = [&](double& number, double share) {
-    number += step.whole + step.part * share * (number == 0.0 ? 1.0 : std::abs(number));
-  };
-  const auto move_all = [&](auto& list) {
-    for (Eigen::Index i = 0; i < list.size(); ++i)
-      move(list.data()[i], 1.0 + 0.1 * static_cast<double>(i % 7));
-  };
-  if (auto* number = std::get_if<double>(&value.content))
-    move(*number, 1.0);
-  else if (auto* vector = std::get_if<Eigen::VectorXd>(&value.content))
-    move_all(*vector);
-  else if (auto* matrix = std::get_if<Eigen::MatrixXd>(&value.content))
-    move_all(*matrix);
-  else
-    return std::nullopt;
-  return value;
+/// The members that differ where a parameter does: its own, and all that configure() or prepare() compute.
+std::vector<bool> followers_of(const Plan& plan, const Target& target) {
+  const auto block = static_cast<std::size_t>(target.block);
+  const BlockType& type = block_of(plan, block).type();
+  std::vector<bool> follow(type.members.size(), plan.blocks[block].written.has_value());
+  for (const ParameterSpec& spec : type.parameters)
+    if (spec.member >= 0) follow[static_cast<std::size_t>(spec.member)] = false;
+  const int own = type.parameters[static_cast<std::size_t>(target.index)].member;
+  if (own >= 0) follow[static_cast<std::size_t>(own)] = true;
+  return follow;
 }
 
-/// Finds what follows from parameters of a plan's blocks.
-class Followers {
+/// Which items of a member may take another value in the same plan: all but those that say how long its lists
+/// are, which is what a whole number beside other items is.
+class Values : public LiteralWriter {
  public:
-  explicit Followers(const Plan& plan) : plan_(plan) {}
-
-  void add(const Target& target) {
-    const auto block = static_cast<std::size_t>(target.block);
-    const MemberItems own(block_of(plan_, block).type(), block_of(plan_, block).get());
-    Items& items = items_.try_emplace(block, Items(own.items().size(), false)).first->second;
-    for (const Step& step : steps)
-      if (moves(target, step, own, items)) return;
-    mark_all(target, items);
+  Values(const MemberSpec& member, const void* block) {
+    static_cast<void>(member.literal(block, *this));
+    if (wholes_.size() == 1) wholes_[0] = false;
   }
 
-  std::vector<VariableBlock> take() {
-    std::vector<VariableBlock> result;
-    for (const int block : plan_.memory_order)
-      if (const auto found = items_.find(static_cast<std::size_t>(block)); found != items_.end())
-        result.push_back({found->first, std::move(found->second)});
-    return result;
-  }
+  std::size_t size() const { return wholes_.size(); }
+  bool operator[](std::size_t item) const { return !wholes_[item]; }
+
+  std::string number(double) override { return item(false); }
+  std::string flag(bool) override { return item(false); }
+  std::string enumerator(int, const std::string&) override { return item(false); }
+  std::string numbers(const double*, Index) override { return item(false); }
+  std::string whole(std::int64_t) override { return item(true); }
+  std::string natural(std::uint64_t) override { return item(false); }
 
  private:
-  /// False where the value cannot be moved, or not that way.
-  bool moves(const Target& target, const Step& step, const MemberItems& own, Items& items) const {
-    const auto block = static_cast<std::size_t>(target.block);
-    const auto& planned = plan_.blocks[block].written;
-    const AnyBlock& written = planned ? *planned : block_of(plan_, block);
-    const auto& spec = written.type().parameters[static_cast<std::size_t>(target.index)];
-    try {
-      const auto value = moved(spec.get(written.get()), step);
-      if (!value || spec.member < 0) return false;
-      const PlanChange change = change_of(plan_, {{target, {*value, {}, {}}, {}}}, {});
-      if (!change.structure.empty() || !has_moved(spec, change.blocks.front().written, written)) return false;
-      for (const RebuiltBlock& rebuilt : change.blocks)
-        mark_differences(own, MemberItems(rebuilt.made.type(), rebuilt.made.get()), items);
-      return true;
-    } catch (const Error&) {  // the value is at a limit
-      return false;
-    }
+  std::string item(bool whole) {
+    wholes_.push_back(whole);
+    return "";
   }
 
-  /// A whole number is not moved by a part of it.
-  static bool has_moved(const ParameterSpec& spec, const AnyBlock& one, const AnyBlock& other) {
-    const MemberSpec& member = one.type().members[static_cast<std::size_t>(spec.member)];
-    MemberItems a, b;
-    a.add(member, one.get());
-    b.add(member, other.get());
-    return !(a == b);
-  }
-
-  /// Marks the parameter itself and what configure() and prepare() compute.
-  void mark_all(const Target& target, Items& items) const {
-    const AnyBlock& block = block_of(plan_, static_cast<std::size_t>(target.block));
-    const auto& parameters = block.type().parameters;
-    const auto& members = block.type().members;
-    std::vector<bool> kept(members.size(), !plan_.blocks[static_cast<std::size_t>(target.block)].written);
-    for (const ParameterSpec& spec : parameters)
-      if (spec.member >= 0) kept[static_cast<std::size_t>(spec.member)] = true;
-    const int own = parameters[static_cast<std::size_t>(target.index)].member;
-    if (own >= 0) kept[static_cast<std::size_t>(own)] = false;
-    MemberItems before;
-    for (std::size_t m = 0; m < members.size(); ++m) {
-      const std::size_t first = before.items().size();
-      before.add(members[m], block.get());
-      if (!kept[m])
-        std::fill(items.begin() + static_cast<std::ptrdiff_t>(first),
-                  items.begin() + static_cast<std::ptrdiff_t>(before.items().size()), true);
-    }
-  }
-
-  const Plan& plan_;
-  std::map<std::size_t, Items> items_;  ///< by block
+  Items wholes_;
 };
+
+void mark(const AnyBlock& block, const std::vector<bool>& members, Items& items) {
+  std::size_t at = 0;
+  for (std::size_t m = 0; m < members.size(); ++m) {
+    const Values values(block.type().members[m], block.get());
+    items.resize(std::max(items.size(), at + values.size()), false);
+    for (std::size_t i = 0; i < values.size(); ++i, ++at)
+      if (members[m] && values[i]) items[at] = true;
+  }
+}
 
 }  // namespace
 
 std::vector<VariableBlock> variable_blocks(const Plan& plan, const Variation& variation) {
-  Followers followers(plan);
+  std::map<std::size_t, Items> items;  // by block
   for (const Target& target : variation.targets())
-    if (target.kind == Target::Kind::parameter) followers.add(target);
-  return followers.take();
+    if (target.kind == Target::Kind::parameter)
+      mark(block_of(plan, static_cast<std::size_t>(target.block)), followers_of(plan, target),
+           items[static_cast<std::size_t>(target.block)]);
+  std::vector<VariableBlock> result;
+  for (const int block : plan.memory_order)
+    if (const auto found = items.find(static_cast<std::size_t>(block)); found != items.end())
+      result.push_back({found->first, std::move(found->second)});
+  return result;
 }
 
 void unite(std::vector<VariableBlock>& variable, const Plan& plan, const std::vector<VariableBlock>& more) {

@@ -18,9 +18,9 @@ struct VariableBlock {
 /// The i-th block of a plan as a run has it.
 using BlocksOfRun = std::function<const void*(std::size_t)>;
 
-/// The items that differ between runs of a variation, in the order of memory. What follows from a value is
-/// found by moving that value a little, and is all that the block computes where it cannot be moved. Rounding
-/// and limits may hide what follows: a run finds it (NumberTable::read), and widen() adds it.
+/// The items that may differ between runs of a variation, in the order of memory: the parameters that it sets
+/// and all that their blocks compute, but no length of a list. A length, or another parameter that a block
+/// changes, is found by the run (NumberTable::read), and widen() adds it.
 std::vector<VariableBlock> variable_blocks(const Plan& plan, const Variation& variation);
 
 /// Adds what varies in other runs of the plan.
