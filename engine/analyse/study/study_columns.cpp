@@ -143,18 +143,6 @@ std::vector<NamedValue> published_means(const StudyRequest& request) {
 Recording outcome_recording(const Experiment& experiment, const StudyRequest& request) {
   const std::vector<ExperimentOutcome> rows = outcomes(experiment, request);
   Recording recording;
-<<<<<<< HEAD
-  recording.table.columns.push_back({"time", "s", {0.0}});
-  const auto add = [&](const std::vector<NamedValue>& values, const std::string& unit) {
-    for (const NamedValue& value : values)
-      recording.table.columns.push_back({value.name, unit, {value.value}});
-  };
-  add(outcome(experiment, request), "");
-  add(effects_of(experiment, request), "");
-  add(comparison_values(experiment, request), "");
-  add(mean_deviations(experiment, request), experiment.errors.deviation_unit);
-  add(published_means(request), "");
-=======
   recording.starts.clear();
   Column number{"experiment", "", {}};
   for (std::size_t row = 0; row < rows.size(); ++row) {
@@ -171,7 +159,6 @@ Recording outcome_recording(const Experiment& experiment, const StudyRequest& re
   }
   for (const NamedValue& mean : published_means(request))
     columns.push_back({mean.name, "", std::vector<double>(rows.size(), mean.value)});
->>>>>>> 4f460fbd1c9f0a0cf7c90c823dd83f26224ff012
   return recording;
 }
 
@@ -212,17 +199,9 @@ class StudyNames {
   /// Of the recording of one row for the whole study.
   void add_outcome() {
     const std::size_t outcome = records_ + 1;
-<<<<<<< HEAD
-    for (const std::string& column : outcome_columns(request_)) add(column, "1", outcome);
-    for (const std::string& factor : factors_of(request_)) add(column_of("effect.", factor), "1", outcome);
-    for (const std::string& column : comparison_columns(request_)) add(column, "1", outcome);
-    for (const std::string& condition : request_.condition_names())
-      add("deviation." + condition, circle_ ? "m" : "rad", outcome);
-=======
     add("experiment", "1", outcome);
     for (const OutcomeColumn& column : outcome_columns(request_))
       add(column.name, column.unit.empty() ? "1" : column.unit, outcome);
->>>>>>> 4f460fbd1c9f0a0cf7c90c823dd83f26224ff012
     for (const std::string& condition : request_.condition_names()) add("thesis." + condition, "1", outcome);
   }
 
@@ -254,6 +233,7 @@ std::vector<OutcomeColumn> outcome_columns(const StudyRequest& request) {
     for (const std::string& factor : factors_of(request)) columns.push_back({column_of(start, factor)});
   for (const std::string& condition : request.condition_names())
     columns.push_back({"deviation." + condition, deviation});
+  for (const std::string& column : comparison_columns(request)) columns.push_back({column});
   return columns;
 }
 
@@ -280,6 +260,7 @@ std::vector<NamedValue> outcome(const Experiment& experiment, const StudyRequest
   for (const auto& [start, anova] :
        {std::pair{"p.", &analysis.additive}, std::pair{"p_subject.", &analysis.with_subject}})
     for (const AnovaRow& row : anova->terms) set(column_of(start, row.name), row.p);
+  for (const NamedValue& value : comparison_values(experiment, request)) set(value.name, value.value);
   return values;
 }
 

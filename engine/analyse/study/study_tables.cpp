@@ -4,11 +4,8 @@
 
 #include <algorithm>
 
-<<<<<<< HEAD
 #include "engine/analyse/study/comparison_tables.hpp"
-=======
 #include "engine/analyse/study/distribution.hpp"
->>>>>>> 4f460fbd1c9f0a0cf7c90c823dd83f26224ff012
 #include "engine/analyse/study/published.hpp"
 #include "engine/analyse/study/side_by_side.hpp"
 

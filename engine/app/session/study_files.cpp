@@ -1,11 +1,8 @@
 // What a study leaves in its folder.
 #include <fmt/format.h>
 
-<<<<<<< HEAD
 #include "engine/analyse/study/comparison_tables.hpp"
-=======
 #include "engine/analyse/study/distribution.hpp"
->>>>>>> 4f460fbd1c9f0a0cf7c90c823dd83f26224ff012
 #include "engine/analyse/study/published.hpp"
 #include "engine/analyse/study/side_by_side.hpp"
 #include "engine/analyse/study/study_tables.hpp"
@@ -158,13 +155,8 @@ Json add_experiment(Json json, const Experiment& experiment, const StudyRequest&
       .set("trials", trials_json(experiment));
   if (!experiment.runs.empty())
     json.set("seed", experiment.seed).set("orders", orders_json(experiment, request));
-<<<<<<< HEAD
-  if (experiment.analysis)
-    json.set("analysis", analysis_json(*experiment.analysis, request, experiment.seed));
-=======
   if (!experiment.others.empty()) json.set("experiments", experiments_json(experiment, request));
-  if (experiment.analysis) json.set("analysis", analysis_json(*experiment.analysis, request));
->>>>>>> 4f460fbd1c9f0a0cf7c90c823dd83f26224ff012
+  if (experiment.analysis) json.set("analysis", analysis_json(*experiment.analysis, request, experiment.seed));
   return json;
 }
 
