@@ -57,12 +57,11 @@ PlotKind table_plot() {
        "which table: errors by condition, or by condition and subject; the analyses of variance; or means "
        "and significance beside the thesis'",
        form::word({"errors", "subjects", "anova", "anova_with_subject", "repeated_measures", "means",
-                   "significance"})},
-      {"headings", "texts, the first above the names of the rows", form::one_or_list(form::text())},
-      {"rows", "map of name: an expression for each further column, or a list: {NAME: [rig.x in mm]}",
-       form::tree()},
-      {"where", "cells have the values of the first row for which this is true; without it of the first",
-       form::tree()}};
+                   "significance"})}};
+  for (Key key : table_rows_form().of) {
+    key.required = false;  // `of` may stand in their place
+    kind.options.push_back(described_key(key));
+  }
   kind.plane = false;
   kind.read = read_table_plot;
   return kind;
