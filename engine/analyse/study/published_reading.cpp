@@ -1,31 +1,85 @@
-#include "engine/analyse/study/published.hpp"
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/analyse/study/published_reading.hpp"
 
 namespace stepwire {
 
-const PublishedTask& published_task_1() {
-  static const PublishedTask task{
-      "1",
-      {"section 4.3.1, mean of ten", {{"NO", 0.698}, {"H", 0.217}, {"V", 0.114}, {"HV", 0.079}}},
-      {"table 4", {{"haptic", 2.02e-5}, {"visual", 4.49e-8}}},
-      {{"table 3, participant a", {{"NO", 0.5139}, {"H", 0.1064}, {"V", 0.1155}, {"HV", 0.0546}}},
-       {"table 3, participant b", {{"NO", 0.2352}, {"H", 0.1492}, {"V", 0.1333}, {"HV", 0.0625}}}},
-      {{"NO", "H", "V", "HV"}}};
-  return task;
+namespace {
+
+using ValuesTable = KeyTable<PublishedValues, StudyReading>;
+using PublishedTable = KeyTable<PublishedStudy, StudyReading>;
+
+void read_values(PublishedValues& published, const Node& node, const StudyReading& read) {
+  if (!node.is_map() || node.entries.empty())
+    return read.fault(node.mark, "is a map of numbers: {H: 0.217, V: 0.114}");
+  const Key number = form::number();
+  for (const Entry& entry : node.entries)
+    if (const auto value = below(read, entry.key).number(entry.value, number))
+      published.values.push_back({entry.key, *value});
 }
 
-const PublishedTask& published_task_2() {
-  static const PublishedTask task{
-      "2",
-      {"section 4.3.2, mean of ten",
-       {{"H", 0.421}, {"V", 0.547}, {"HV", 0.291}, {"V_gp", 0.288}, {"HV_gp", 0.185}}},
-      {"table 6", {{"haptic", 2.38e-3}, {"visual", 2.16e-1}, {"guiding path", 2.75e-3}}},
-      {{"table 5", {{"H", 0.4059}, {"V", 0.9264}, {"HV", 0.2498}, {"V_gp", 0.2506}, {"HV_gp", 0.1460}}}},
-      {{"V", "H", "HV", "HV_gp"}, {"V", "V_gp", "HV_gp"}}};
-  return task;
+const ValuesTable& values_table() {
+  static const ValuesTable table(
+      "what is published", "{source: table 4, values: {haptic: 2e-5, visual: 4e-8}}",
+      {needed(ValuesTable::Row{"source", "where it is printed", form::text(), &PublishedValues::source}),
+       needed(
+           ValuesTable::Row{"values", "the numbers by name", form::names(form::number(), 1), read_values})});
+  return table;
 }
 
-const PublishedTask& published_task(const std::string& task) {
-  return task == "1" ? published_task_1() : published_task_2();
+PublishedTable::Row values_row(std::string name, std::string doc, PublishedValues PublishedStudy::*values) {
+  return {std::move(name), std::move(doc), values_table().form,
+          [=](PublishedStudy& published, const Node& node, const StudyReading& read) {
+            values_table().read(node, published.*values, read);
+          }};
+}
+
+void read_examples(PublishedStudy& published, const Node& node, const StudyReading& read) {
+  for (const Node& item : node.as_list()) values_table().read(item, published.examples.emplace_back(), read);
+}
+
+void read_order(PublishedStudy& published, const Node& node, const StudyReading& read) {
+  for (const Node& item : node.as_list()) {
+    if (!item.is_list() || item.items.size() < 2)
+      return read.fault(node.mark, "is a list of lists of conditions, the largest error first: [[V, H, HV]]");
+    auto& names = published.order.emplace_back();
+    for (const Node& name : item.items) names.push_back(read.text(name));
+  }
+}
+
+const PublishedTable& published_table() {
+  static const PublishedTable table(
+      "what is published", "{means: {source: .., values: {..}}}",
+      {values_row("means", "normalised errors by condition", &PublishedStudy::means),
+       values_row("probabilities", "P of each factor", &PublishedStudy::probabilities),
+       {"examples", "normalised errors of single participants", form::one_or_list(values_table().form),
+        read_examples},
+       {"order", "lists of conditions that the text orders, the largest error first",
+        like("[[V, H, HV]]", form::list(form::list(form::text(), 2))), read_order}});
+  return table;
+}
+
+}  // namespace
+
+const Key& published_form() {
+  return published_table().form;
+}
+
+void read_published(PublishedStudy& published, const std::vector<std::string>& conditions, const Node& node,
+                    const StudyReading& read) {
+  if (!published_table().read(node, published, read)) return;
+  const auto require = [&](const std::string& name, const std::string& key) {
+    if (std::ranges::find(conditions, name) == conditions.end())
+      below(read, key).fault(node.mark, fmt::format("there is no condition '{}'{}", name,
+                                                    nearest_or_all(name, conditions, "there are")));
+  };
+  for (const NamedValue& mean : published.means.values) require(mean.name, "means");
+  for (const PublishedValues& example : published.examples)
+    for (const NamedValue& error : example.values) require(error.name, "examples");
+  for (const auto& names : published.order)
+    for (const std::string& name : names) require(name, "order");
 }
 
 }  // namespace stepwire

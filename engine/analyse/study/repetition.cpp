@@ -4,22 +4,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/analyse/statistics/quartiles.hpp"
-#include "engine/analyse/study/published.hpp"
 #include "engine/base/table/table_file.hpp"
 
 namespace stepwire {
 
 std::vector<NamedValue> published_outcome(const StudyRequest& request) {
-  const PublishedTask& task = published_task(request.task);
+  const PublishedStudy& study = request.published;
   std::vector<NamedValue> values;
-  for (const NamedValue& mean : task.means.values) values.push_back({"mean." + mean.name, mean.value});
-  for (const NamedValue& p : task.probabilities.values) {
+  for (const NamedValue& mean : study.means.values) values.push_back({"mean." + mean.name, mean.value});
+  for (const NamedValue& p : study.probabilities.values) {
     std::string name = "p." + p.name;
     std::replace(name.begin(), name.end(), ' ', '_');
     values.push_back({name, p.value});
   }
+  for (const std::string& condition : request.condition_names())
+    if (study.means.values.empty())
+      values.push_back({"mean." + condition, std::numeric_limits<double>::quiet_NaN()});
   return values;
 }
 
@@ -78,7 +81,7 @@ TextTable Repetition::table(const StudyRequest& request) const {
     for (const double p : {0.5, 0.05, 0.95})
       table.rows.back().push_back(printed_probability(hazen_quantile(values, p)));
     table.rows.back().push_back(
-        fmt::format("{:.1f} %", 100.0 * static_cast<double>(below) / static_cast<double>(values.size())));
+        std::isnan(published.value) ? "–" : fmt::format("{:.1f} %", 100.0 * static_cast<double>(below) / static_cast<double>(values.size())));
   }
   return table;
 }

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/analyse/study/published.hpp"
 #include "engine/simulate/record/recorder.hpp"
 #include "engine/simulate/run/pooling.hpp"
 
@@ -131,7 +130,7 @@ std::vector<NamedValue> effects_of(const Experiment& experiment, const StudyRequ
 std::vector<NamedValue> published_means(const StudyRequest& request) {
   std::vector<NamedValue> values;
   for (const std::string& condition : request.condition_names())
-    values.push_back({"thesis." + condition, value_of(published_task(request.task).means.values, condition)});
+    values.push_back({"thesis." + condition, value_of(request.published.means.values, condition)});
   return values;
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <numeric>
 
+#include "engine/analyse/study/published_reading.hpp"
 #include "engine/analyse/study/section_keys.hpp"
 #include "engine/analyse/study/study_keys.hpp"
 #include "engine/base/yaml/section.hpp"
@@ -228,6 +229,11 @@ const std::vector<StudyRow>& study_rows() {
       {"position", "recorded signal of two elements: where the end-effector is", form::string(),
        read_position},
       {"way_back", "task 2: recorded signal, the direction of the way back", way_back_form(), read_way_back},
+      {"published", "what a source prints of such a study: tables have it beside the study's own numbers",
+       published_form(),
+       [](StudyRequest& request, const Node& node,
+          const StudyReading&
+              read) { read_published(request.published, request.condition_names(), node, read); }},
       {"attempts", "runs of one trial at most, until one ends by stop_when before stop", form::whole(1, 1000),
        &StudyRequest::attempts},
       {"trials", "CSV file of recorded trials in place of runs: subject, task, condition, time, x, y",

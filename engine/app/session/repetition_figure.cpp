@@ -23,9 +23,12 @@ void draw_value(const NamedValue& published, std::vector<double> values, FigureB
   if (p)
     for (double& value : values) value = std::log10(value);
   std::erase_if(values, [](double value) { return !std::isfinite(value); });
-  PlotBuilder& plot = figure.add({.title = fmt::format("thesis: {:.3g}", published.value),
-                                  .bins = bins,
-                                  .lines = {p ? std::log10(published.value) : published.value}});
+  Panel panel{.title = "", .bins = bins};
+  if (!std::isnan(published.value)) {
+    panel.title = fmt::format("thesis: {:.3g}", published.value);
+    panel.lines = {p ? std::log10(published.value) : published.value};
+  }
+  PlotBuilder& plot = figure.add(panel);
   name_axis(plot.spec.x, p ? "log10 of P, " + published.name.substr(2) : published.name, "1");
   draw_histogram(values, plot);
 }

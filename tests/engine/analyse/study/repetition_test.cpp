@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "engine/base/io/file.hpp"
+#include "tests/engine/analyse/study/samples.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 
 using namespace stepwire;
@@ -23,6 +24,7 @@ Repetition made_up() {
 StudyRequest task_1() {
   StudyRequest request;
   request.task = "1";
+  request.published = testing::published_task_1();
   return request;
 }
 
