@@ -1,12 +1,15 @@
 #include "bench/sweep_cost.hpp"
 
 #include <fmt/format.h>
+#include <malloc.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <ctime>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <stdexcept>
 
@@ -30,6 +33,16 @@ double peak_megabytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+/// What is in memory now, when all that is free has gone back to the system: an earlier peak says nothing of
+/// it.
+double present_megabytes() {
+  malloc_trim(0);
+  std::ifstream pages("/proc/self/statm");
+  double all = 0.0, resident = 0.0;
+  pages >> all >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1024.0 * 1024.0);
 }
 
 double processor_seconds(const std::function<void()>& work) {
@@ -77,7 +90,7 @@ double memory_in_own_process() {
 double sweep_memory() {
   const Registry registry = blocks();
   GeneratedCode code;
-  const double before = peak_megabytes();
+  const double before = present_megabytes();
   Loader loader(registry);
   const Job job = make_job(loader, file);
   const RunResult result = run_job(job, options_for(code, 1));

@@ -11,7 +11,7 @@ namespace stepwire {
 /// twice the threads. None where there is no compiler.
 std::vector<Result> measure_sweep();
 
-/// What the peak of this process' memory grows by in that sweep, beyond its rows [MB].
+/// How far the peak of this process' memory lies above what it has before that sweep and the rows of it [MB].
 double sweep_memory();
 /// The option by which this program prints sweep_memory() alone.
 inline constexpr const char* sweep_memory_option = "--sweep-memory";

@@ -70,6 +70,14 @@ std::optional<double> compared(const Node& node, Claim& claim, const NamesReadin
   return number->value;
 }
 
+/// A number as it is written, with the SI unit that one without a unit has.
+std::string text_of(const Node& node, const Claim& claim) {
+  const auto number = parse_quantity(node.text);
+  const auto dimension = reduced_dimension(claim);
+  if (!number || number->dimension || !dimension || *dimension == Dimension{}) return node.text;
+  return node.text + " " + si_name(*dimension);
+}
+
 void read_between(const Node& node, Claim& claim, const NamesReading& read) {
   const auto* ends = read.pair(node, like("[3.1 N, 3.3 N]", {}));
   if (!ends) return;
@@ -80,7 +88,7 @@ void read_between(const Node& node, Claim& claim, const NamesReading& read) {
                fmt::format("{} is above {}; the smaller number comes first", first.text, second.text));
   claim.comparison.low = low.value_or(0.0);
   claim.comparison.high = high.value_or(0.0);
-  claim.comparison.text = fmt::format("between {} and {}", first.text, second.text);
+  claim.comparison.text = fmt::format("between {} and {}", text_of(first, claim), text_of(second, claim));
 }
 
 ClaimRow comparison(Comparison::Kind kind, std::string name, std::string sign, std::string doc) {
@@ -88,7 +96,7 @@ ClaimRow comparison(Comparison::Kind kind, std::string name, std::string sign, s
                                        [=](Claim& claim, const Node& node, const NamesReading& read) {
                                          claim.comparison.kind = kind;
                                          claim.comparison.low = compared(node, claim, read).value_or(0.0);
-                                         claim.comparison.text = sign + " " + node.text;
+                                         claim.comparison.text = sign + " " + text_of(node, claim);
                                        }});
 }
 
@@ -101,7 +109,7 @@ void read_within(Claim& claim, const Node& node, const NamesReading& read) {
     check_dimension(*number, reduced_dimension(claim), "the claim's value", node, read.names, read.subject,
                     read.faults);
   comparison.within = relative ? number->value * std::abs(comparison.low) : number->value;
-  comparison.text += " within " + node.text;
+  comparison.text += " within " + text_of(node, claim);
   if (relative && comparison.low == 0.0)
     read.fault(node.mark,
                fmt::format("{} of 0 is 0; give a tolerance with the unit of the value", node.text));

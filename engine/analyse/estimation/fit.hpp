@@ -71,7 +71,7 @@ struct FitResult {
 };
 
 /// Finds the parameters that a file asks for. Throws Error for what is wrong with the request, the records or
-/// the start.
+/// the start. What was interrupted before the first run was done has no records.
 FitResult fit(const ModelSource& source, const Job& job, const FitRequest& request,
               const FitOptions& options = {});
 

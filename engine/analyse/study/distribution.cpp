@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/analyse/statistics/quartiles.hpp"
 #include "engine/analyse/study/published.hpp"
@@ -34,6 +35,18 @@ void add(std::string name, double published, std::vector<double> values, std::ve
   if (!known && !values.empty()) all.push_back({std::move(name), published, std::move(values)});
 }
 
+/// What is published, then what the experiments have besides, under names that begin so.
+void add_values(const std::string& start, const std::vector<NamedValue>& published,
+                const Outcomes& experiments, std::vector<Distribution>& all) {
+  const auto add_value = [&](const std::string& name, double value) {
+    add(name, value, values_in(experiments, [&](const auto& values) { return value_of(values, name); }), all);
+  };
+  for (const NamedValue& one : published) add_value(name_of(start.c_str(), one.name), one.value);
+  if (experiments.empty()) return;
+  for (const NamedValue& one : experiments.front().values)
+    if (one.name.starts_with(start)) add_value(one.name, std::numeric_limits<double>::quiet_NaN());
+}
+
 void add_ratio(const std::string& of, const std::string& over, const Outcomes& experiments,
                const std::vector<NamedValue>& published, std::vector<Distribution>& all) {
   add(of + "/" + over, value_of(published, of) / value_of(published, over),
@@ -52,7 +65,9 @@ std::vector<std::string> line_of(const Distribution& one) {
   std::vector<std::string> line{one.name, printed_probability(one.published)};
   for (const double p : {0.5, 0.05, 0.95}) line.push_back(printed_probability(hazen_quantile(values, p)));
   line.push_back(
-      fmt::format("{:.1f} %", 100.0 * static_cast<double>(below) / static_cast<double>(values.size())));
+      std::isnan(one.published)
+          ? "–"
+          : fmt::format("{:.1f} %", 100.0 * static_cast<double>(below) / static_cast<double>(values.size())));
   return line;
 }
 
@@ -79,28 +94,20 @@ std::string significant_in(const Outcomes& experiments, const std::string& facto
 }  // namespace
 
 std::vector<Distribution> distributions_of_errors(const Outcomes& experiments, const StudyRequest& request) {
-  const PublishedTask& task = published_task(request.task);
+  const std::vector<NamedValue>& means = request.published.means.values;
   std::vector<Distribution> all;
-  for (const NamedValue& mean : task.means.values) {
-    const std::string name = "mean." + mean.name;
-    add(name, mean.value, values_in(experiments, [&](const auto& values) { return value_of(values, name); }),
-        all);
-  }
-  for (const auto& order : task.order)
+  add_values("mean.", means, experiments, all);
+  for (const auto& order : request.published.order)
     for (std::size_t i = 1; i < order.size(); ++i) {
-      add_ratio(order[i], order[i - 1], experiments, task.means.values, all);
-      add_ratio(order[i], order[0], experiments, task.means.values, all);
+      add_ratio(order[i], order[i - 1], experiments, means, all);
+      add_ratio(order[i], order[0], experiments, means, all);
     }
   return all;
 }
 
 std::vector<Distribution> distributions_of_p(const Outcomes& experiments, const StudyRequest& request) {
   std::vector<Distribution> all;
-  for (const NamedValue& p : published_task(request.task).probabilities.values) {
-    const std::string name = name_of("p.", p.name);
-    add(name, p.value, values_in(experiments, [&](const auto& values) { return value_of(values, name); }),
-        all);
-  }
+  add_values("p.", request.published.probabilities.values, experiments, all);
   return all;
 }
 

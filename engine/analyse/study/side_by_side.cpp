@@ -11,6 +11,12 @@ namespace {
 
 constexpr double factor_of_agreement = 2.0;
 
+constexpr double unpublished = std::numeric_limits<double>::quiet_NaN();
+
+std::string title_of(const std::string& what, const PublishedValues& published) {
+  return published.values.empty() ? what : what + ": the thesis (" + published.source + ") and ours";
+}
+
 /// Names by falling value, those of one value in the order in which they came.
 std::string order_of(std::vector<NamedValue> values) {
   std::stable_sort(values.begin(), values.end(),
@@ -44,7 +50,7 @@ void judge_ratios(SideBySide& both) {
   const auto largest = std::max_element(
       both.values.begin(), both.values.end(),
       [](const ComparedValue& a, const ComparedValue& b) { return a.published < b.published; });
-  if (largest == both.values.end() || std::isnan(largest->ours)) return;
+  if (largest == both.values.end() || std::isnan(largest->ours) || std::isnan(largest->published)) return;
   for (const ComparedValue& value : both.values) {
     if (&value == &*largest || std::isnan(value.ours)) continue;
     const double published = value.published / largest->published, ours = value.ours / largest->ours;
@@ -101,16 +107,18 @@ std::vector<Agreement> judge_orders(const std::vector<std::vector<std::string>>&
 
 SideBySide compare_errors(const PublishedValues& published, const std::vector<NamedValue>& ours,
                           const std::vector<std::vector<std::string>>& order) {
-  SideBySide both{"Errors: the thesis (" + published.source + ") and ours", "normalised error", {}, {}};
+  SideBySide both{title_of("Errors", published), "normalised error", {}, {}};
   for (const NamedValue& value : published.values)
     both.values.push_back({value.name, value.value, value_of(ours, value.name)});
+  for (const NamedValue& value : ours)
+    if (published.values.empty()) both.values.push_back({value.name, unpublished, value.value});
   both.agreements = judge_orders(order, ours);
   judge_ratios(both);
   return both;
 }
 
-SideBySide compare_significance(const PublishedTask& published, const TaskAnalysis& ours) {
-  SideBySide both{"Significance: the thesis (" + published.probabilities.source + ") and ours", "P", {}, {}};
+SideBySide compare_significance(const PublishedStudy& published, const TaskAnalysis& ours) {
+  SideBySide both{title_of("Significance", published.probabilities), "P", {}, {}};
   const auto effects = feedback_effects(published.means.values, thesis_conditions());
   for (const NamedValue& value : published.probabilities.values) {
     const AnovaRow* row = ours.additive.find(value.name);
@@ -118,6 +126,12 @@ SideBySide compare_significance(const PublishedTask& published, const TaskAnalys
     both.values.push_back({value.name, value.value, p});
     both.effects.push_back({value.name, value_of(effects, value.name), value_of(ours.effects, value.name)});
     both.agreements.push_back(judge_factor(both.values.back(), both.effects.back()));
+  }
+  if (!published.probabilities.values.empty()) return both;
+  for (const NamedValue& effect : ours.effects) {
+    const AnovaRow* row = ours.additive.find(effect.name);
+    both.values.push_back({effect.name, unpublished, row ? row->p : unpublished});
+    both.effects.push_back({effect.name, unpublished, effect.value});
   }
   return both;
 }
@@ -144,7 +158,7 @@ Json values_json(const std::vector<ComparedValue>& compared) {
 
 }  // namespace
 
-std::vector<SideBySide> compare(const PublishedTask& published, const TaskAnalysis& ours) {
+std::vector<SideBySide> compare(const PublishedStudy& published, const TaskAnalysis& ours) {
   return {compare_errors(published.means, ours.means, published.order),
           compare_significance(published, ours)};
 }

@@ -44,10 +44,10 @@ SideBySide compare_errors(const PublishedValues& published, const std::vector<Na
 
 /// P of factors: each is significant in both or in neither, at 0.05, and what is significant lowers the error
 /// in both or raises it in both.
-SideBySide compare_significance(const PublishedTask& published, const TaskAnalysis& ours);
+SideBySide compare_significance(const PublishedStudy& published, const TaskAnalysis& ours);
 
 /// All that can be compared of a task: means, then significance.
-std::vector<SideBySide> compare(const PublishedTask& published, const TaskAnalysis& ours);
+std::vector<SideBySide> compare(const PublishedStudy& published, const TaskAnalysis& ours);
 
 /// For readers: a column for the thesis, one for ours, one for the ratio; the agreements below.
 TextTable side_by_side_table(const SideBySide& both);

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "engine/analyse/study/comparison_columns.hpp"
-#include "engine/analyse/study/published.hpp"
 #include "engine/simulate/record/recorder.hpp"
 #include "engine/simulate/run/pooling.hpp"
 
@@ -135,7 +134,7 @@ std::vector<NamedValue> mean_deviations(const Experiment& experiment, const Stud
 std::vector<NamedValue> published_means(const StudyRequest& request) {
   std::vector<NamedValue> values;
   for (const std::string& condition : request.condition_names())
-    values.push_back({"thesis." + condition, value_of(published_task(request.task).means.values, condition)});
+    values.push_back({"thesis." + condition, value_of(request.published.means.values, condition)});
   return values;
 }
 

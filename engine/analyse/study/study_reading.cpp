@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <numeric>
 
+#include "engine/analyse/study/published_reading.hpp"
 #include "engine/analyse/study/section_keys.hpp"
 #include "engine/analyse/study/study_keys.hpp"
 #include "engine/base/yaml/section.hpp"
@@ -226,6 +227,11 @@ std::vector<StudyRow> make_study_rows() {
       {"position", "recorded signal of two elements: where the end-effector is", form::string(),
        read_position},
       {"way_back", "task 2: recorded signal, the direction of the way back", way_back_form(), read_way_back},
+      {"published", "what a source prints of such a study: tables have it beside the study's own numbers",
+       published_form(),
+       [](StudyRequest& request, const Node& node,
+          const StudyReading&
+              read) { read_published(request.published, request.condition_names(), node, read); }},
       {"trials", "CSV file of recorded trials in place of runs: subject, task, condition, time, x, y",
        form::string(), [](StudyRequest& request, const Node& node, const StudyReading& read) {
          request.trials = (std::filesystem::path(read.file).parent_path() / node.text).lexically_normal();

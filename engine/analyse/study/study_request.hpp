@@ -7,6 +7,7 @@
 
 #include "engine/analyse/query/symbol_table.hpp"
 #include "engine/analyse/study/path_errors.hpp"
+#include "engine/analyse/study/published.hpp"
 #include "engine/base/yaml/key.hpp"
 #include "engine/model/diagram/load.hpp"
 #include "engine/model/plan/plan.hpp"
@@ -58,6 +59,7 @@ struct StudyRequest {
   std::size_t attempts = 10;    ///< runs of one trial at most, until one ends by `stop_when`
   std::string trials;           ///< a CSV file of recorded trials in place of the runs; empty: none
   std::vector<Trial> recorded;  ///< in it, by subject, conditions in the order of the request
+  PublishedStudy published;     ///< what its tables set beside its own numbers
   Place place;
 
   /// Names of the subjects in order: those of the recorded trials, or the numbers.

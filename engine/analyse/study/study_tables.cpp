@@ -6,7 +6,6 @@
 
 #include "engine/analyse/study/comparison_tables.hpp"
 #include "engine/analyse/study/distribution.hpp"
-#include "engine/analyse/study/published.hpp"
 #include "engine/analyse/study/side_by_side.hpp"
 
 namespace stepwire {
@@ -21,7 +20,7 @@ std::string shown(double value) {
 TextTable subjects_table(const Experiment& experiment, const StudyRequest& request) {
   TextTable table{"Normalised errors of task " + request.task, {"condition"}, {}, {}};
   for (const std::string& subject : request.subject_names()) table.columns.push_back(subject);
-  for (const PublishedValues& example : published_task(request.task).examples)
+  for (const PublishedValues& example : request.published.examples)
     table.columns.push_back("thesis, " + example.source);
   for (const std::string& condition : request.condition_names()) {
     std::vector<std::string> row{condition};
@@ -32,7 +31,7 @@ TextTable subjects_table(const Experiment& experiment, const StudyRequest& reque
       });
       row.push_back(found == rows.end() ? "–" : shown(found->normalised));
     }
-    for (const PublishedValues& example : published_task(request.task).examples)
+    for (const PublishedValues& example : request.published.examples)
       row.push_back(shown(value_of(example.values, condition)));
     table.rows.push_back(std::move(row));
   }
@@ -61,13 +60,13 @@ TextTable table_of(const std::string& name, const Experiment& experiment, const 
     return analysis.repeated ? anova_table(*analysis.repeated, "Repeated measures" + of)
                              : none("Repeated measures" + of, analysis.not_repeated);
   if (name == "means")
-    return side_by_side_table(compare_errors(published_task(request.task).means, analysis.means,
-                                             published_task(request.task).order));
+    return side_by_side_table(
+        compare_errors(request.published.means, analysis.means, request.published.order));
   const auto& compared = comparison_table_names();
   if (std::find(compared.begin(), compared.end(), name) != compared.end())
     return analysis.within ? comparison_table(name, *analysis.within, of, experiment.seed)
                            : none("Within subjects" + of, analysis.not_within);
-  return side_by_side_table(compare_significance(published_task(request.task), analysis));
+  return side_by_side_table(compare_significance(request.published, analysis));
 }
 
 }  // namespace

@@ -15,8 +15,12 @@ struct Shown {
   std::vector<Agreement> statements;
 };
 
+bool has_published(const StudyRequest& request) {
+  return !request.published.means.values.empty() || !request.published.probabilities.values.empty();
+}
+
 Shown shown_means(const StudyRequest& request, const TaskAnalysis& analysis) {
-  const PublishedTask& published = published_task(request.task);
+  const PublishedStudy& published = request.published;
   Shown shown;
   for (const std::string& condition : request.condition_names())
     shown.values.push_back(
@@ -26,7 +30,7 @@ Shown shown_means(const StudyRequest& request, const TaskAnalysis& analysis) {
 }
 
 Shown shown_significance(const StudyRequest& request, const TaskAnalysis& analysis) {
-  SideBySide both = compare_significance(published_task(request.task), analysis);
+  SideBySide both = compare_significance(request.published, analysis);
   return {std::move(both.values), std::move(both.agreements)};
 }
 
@@ -66,7 +70,7 @@ TextTable table_of(const std::string& title, Shown (*shown_of)(const StudyReques
   std::vector<std::string> published{"thesis"};
   published.resize(swept);
   for (const ComparedValue& value : first.values) published.push_back(printed_probability(value.published));
-  table.rows.push_back(std::move(published));
+  if (has_published(request)) table.rows.push_back(std::move(published));
   for (auto& row : table.rows) row.resize(table.columns.size(), "–");
   return table;
 }

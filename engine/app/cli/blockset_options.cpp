@@ -4,8 +4,6 @@
 #include <filesystem>
 #include <set>
 
-#include "engine/simulate/blockset/blockset.hpp"
-
 namespace stepwire {
 
 namespace {
@@ -24,12 +22,13 @@ void BlocksetOptions::add_to(CLI::App& app) {
     add_option(*verb, of_verb_);
 }
 
-void BlocksetOptions::load(Registry& registry) const {
-  load_blocksets_of_environment(registry);
-  std::set<std::filesystem::path> loaded;
+std::vector<std::string> BlocksetOptions::folders() const {
+  std::vector<std::string> result;
+  std::set<std::filesystem::path> known;
   for (const auto* folders : {&of_program_, &of_verb_})
     for (const std::string& folder : *folders)
-      if (loaded.insert(std::filesystem::weakly_canonical(folder)).second) load_blockset(folder, registry);
+      if (known.insert(std::filesystem::weakly_canonical(folder)).second) result.push_back(folder);
+  return result;
 }
 
 }  // namespace stepwire

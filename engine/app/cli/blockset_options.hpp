@@ -3,8 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "engine/model/block/registry.hpp"
-
 namespace CLI {
 class App;
 }
@@ -17,8 +15,8 @@ class BlocksetOptions {
  public:
   /// Adds `--blocks` to a program and to all verbs that it has.
   void add_to(CLI::App& app);
-  /// Compiles and loads them, those of the environment first. Throws as load_blockset().
-  void load(Registry& registry) const;
+  /// As they are named, each once.
+  std::vector<std::string> folders() const;
 
  private:
   std::vector<std::string> of_program_, of_verb_;  ///< before and behind the verb

@@ -13,8 +13,6 @@ const std::map<std::string, ExecutionMode> engines = {{"interpreted", ExecutionM
                                                       {"compiled", ExecutionMode::compiled},
                                                       {"auto", ExecutionMode::automatic}};
 
-const CLI::Validator is_named([](const std::string& it) { return it.empty() ? "names no folder" : ""; }, "");
-
 }  // namespace
 
 void add_engine_option(CLI::App& verb, ExecutionMode& engine, const std::string& what) {
@@ -26,11 +24,6 @@ void add_engine_option(CLI::App& verb, ExecutionMode& engine, const std::string&
   };
   CLI::Option* option = verb.add_option("--engine", engine, what);
   option->transform(CLI::Validator(number_of, "", "engine"))->option_text("ENGINE");
-}
-
-CLI::Option* add_out_option(CLI::App& verb, const std::string& names, std::string& out,
-                            const std::string& what) {
-  return verb.add_option(names, out, what)->check(is_named);
 }
 
 }  // namespace stepwire

@@ -4,7 +4,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <functional>
+#include <span>
 #include <sstream>
+#include <string_view>
+#include <utility>
 
 #include "engine/app/cli/blockset_options.hpp"
 #include "engine/app/cli/console.hpp"
@@ -13,12 +17,16 @@
 #include "engine/app/cli/verb.hpp"
 #include "engine/app/session/version.hpp"
 #include "engine/base/io/cache.hpp"
+#include "engine/base/json/json.hpp"
 #include "engine/base/text/characters.hpp"
 #include "engine/base/yaml/error.hpp"
+#include "engine/simulate/blockset/blockset.hpp"
 
 namespace stepwire {
 
 namespace {
+
+constexpr const char* no_value = "has no value";
 
 /// All verbs with what they fill in.
 class CommandLine {
@@ -36,20 +44,60 @@ class CommandLine {
       words->callback([this, action = verb.declare(*words)] { action_ = action; });
     }
     blocksets_.add_to(app_);
+    refuse_empty_values(app_);
+    for (CLI::App* verb : app_.get_subcommands([](const CLI::App*) { return true; }))
+      refuse_empty_values(*verb);
   }
 
   ExitCode run(int argc, char** argv, Registry registry) {
     if (argc > 1 && *argv[1] != '-' && !is_verb(argv[1])) return refuse_verb(argv[1]);
     try {
+      require_values(argc, argv);
       app_.parse(argc, argv);
-      blocksets_.load(registry);
-      return action_(registry);
+      const ExitCode loaded = load_blocks(registry);
+      return loaded == ExitCode::done ? action_(registry) : loaded;
     } catch (const CLI::ParseError& error) {
       return explain(error);
     }
   }
 
  private:
+  /// The library takes the next word for the value of an option that ends in '='.
+  static void require_values(int argc, char** argv) {
+    for (const std::string_view word : std::span(argv, static_cast<std::size_t>(argc)))
+      if (word.starts_with("--") && word.find('=') == word.size() - 1)
+        throw CLI::ValidationError(std::string(word), no_value);
+  }
+
+  static void refuse_empty_values(CLI::App& app) {
+    const CLI::Validator is_filled([](const std::string& it) { return it.empty() ? no_value : ""; }, "");
+    for (CLI::Option* option :
+         app.get_options([](const CLI::Option* it) { return it->get_items_expected_max() > 0; }))
+      option->check(is_filled);
+  }
+
+  ExitCode load_blocks(Registry& registry) const {
+    ExitCode code = load("STEPWIRE_BLOCKS", [&] { load_blocksets_of_environment(registry); });
+    for (const std::string& folder : blocksets_.folders())
+      if (code == ExitCode::done) code = load("--blocks " + folder, [&] { load_blockset(folder, registry); });
+    return code;
+  }
+
+  /// What is wrong with blocks that a call names is JSON where the results of its verb are.
+  ExitCode load(const std::string& call, const std::function<void()>& blocks) const {
+    Json faults;
+    const auto loaded = [&] {
+      blocks();
+      return ExitCode::done;
+    };
+    const ExitCode code = guarded(loaded, &faults);
+    const CLI::App* verb = app_.get_subcommands().front();
+    const CLI::Option* json = verb->get_option_no_throw("--json");
+    if (faults.is_list() && json && json->count() > 0)
+      say("{}\n", Json::list({Json::object().set("call", call).set("faults", std::move(faults))}).text());
+    return code;
+  }
+
   /// Prints the help of --help, or what is wrong in the call.
   ExitCode explain(const CLI::ParseError& error) const {
     std::ostringstream help, wrong;
@@ -67,7 +115,7 @@ class CommandLine {
     std::vector<std::string> names;
     for (const Verb& verb : verbs()) names.emplace_back(verb.name);
     complain("stepwire: there is no '{}'{}\n", visible(word),
-             did_you_mean(word, names, fmt::format("There are: {}", fmt::join(names, ", "))));
+             plain(did_you_mean(word, names, fmt::format("There are: {}", fmt::join(names, ", ")))));
     return ExitCode::wrong;
   }
 

@@ -26,7 +26,7 @@ ExitCode show_format(const FormatCall& call) {
     std::vector<std::string> names;
     for (const Section& one : format_sections()) names.push_back(one.name);
     complain("there is no section '{}'{}\n", visible(call.section),
-             did_you_mean(call.section, names, "'stepwire format' lists them"));
+             plain(did_you_mean(call.section, names, "'stepwire format' lists them")));
     return ExitCode::wrong;
   }
   put_data(call.markdown ? format_markdown(*section) : format_page(*section));

@@ -10,8 +10,10 @@
 #include "engine/app/cli/verb.hpp"
 #include "engine/app/session/version.hpp"
 #include "engine/base/io/file.hpp"
+#include "engine/base/io/owned_folder.hpp"
 #include "engine/base/text/characters.hpp"
 #include "engine/simulate/codegen/program_files.hpp"
+#include "engine/simulate/replay/replay_folder.hpp"
 
 namespace stepwire {
 
@@ -51,6 +53,7 @@ ExitCode generate(const GenerateCall& call, const Registry& registry) {
   const Tuning tuning = call.constant_parameters ? Tuning{} : tuning_of(model.job.plan);
   const auto files =
       program_files(model.job.plan, tuning, {name, "stepwire " + program_version(), call.c_interface});
+  const OwnedFolder owned(call.out, [&] { return files_read(model.job); });
   for (const auto& [path, text] : files) {
     const std::filesystem::path target = std::filesystem::path(call.out) / path;
     require_folder(target.parent_path().string());
@@ -71,7 +74,7 @@ Action declare_generate(CLI::App& verb) {
   const auto call = std::make_shared<GenerateCall>();
   verb.add_option("FILE", call->file, "a diagram file")->required();
   add_load_options(verb, call->words);
-  add_out_option(verb, "-o,--out", call->out, "folder for the program")->required();
+  verb.add_option("-o,--out", call->out, "folder for the program")->required();
   verb.add_option("--name", call->name, "name of the program, in place of that of the file");
   verb.add_flag("--c-api", call->c_interface, "write a header and a source to call it from C as well");
   verb.add_flag("--constant-parameters", call->constant_parameters,

@@ -13,7 +13,8 @@ constexpr DocumentLimits large_limits{.bytes = std::size_t{512} << 20, .depth = 
 Setting parse_setting(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == 0 || equals == std::string::npos || equals + 1 == text.size())
-    throw CLI::ValidationError("--set " + text, "must be written name=value, e.g. --set rig.mass=2kg");
+    throw Error(
+        Fault{{"--set " + text, {}}, "", "is no setting; write name=value, as --set rig.mass=2kg", {}});
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 

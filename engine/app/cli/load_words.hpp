@@ -22,8 +22,8 @@ struct LoadWords {
 /// Declares all of them but --stop.
 void add_load_options(CLI::App& verb, LoadWords& words);
 
-/// Settings of files come first, so that the call's own win. Throws CLI::ValidationError for what is not
-/// "name=value", Error for a file that is no flat list of values.
+/// Settings of files come first, so that the call's own win. Throws Error for what is not "name=value" and
+/// for a file that is no flat list of values, EnvironmentError for one that cannot be read.
 LoadOptions load_options(const LoadWords& words);
 
 }  // namespace stepwire

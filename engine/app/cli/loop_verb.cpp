@@ -53,7 +53,7 @@ void add_loop_options(CLI::App& verb, LoopCall& call) {
   verb.add_option("--spin", words.spin, "time before each deadline at which it is awake, e.g. 200us")
       ->capture_default_str();
   add_engine_option(verb, call.engine, "interpreted, or compiled before the loop begins; to the same bits");
-  add_out_option(verb, "--out", call.out, "folder for signals.csv, inputs.csv, loop.json, loop.svg");
+  verb.add_option("--out", call.out, "folder for signals.csv, inputs.csv, loop.json, loop.svg");
   verb.add_flag("--baseline", call.baseline, "measure cyclictest by turns, and set it beside the loop");
 }
 

@@ -81,7 +81,7 @@ class FileRuns {
       const auto watch = watched("fit " + file_name(model));
       return session_.fit(model, call);
     }();
-    if (!folder.empty()) write_fit(folder, model, result);
+    if (!folder.empty() && !result.records.empty()) write_fit(folder, model, result);
     if (call_.models.json)
       results.push(Json::object().set("fit", fit_json(model, result)));
     else
@@ -169,7 +169,7 @@ void add_run_options(CLI::App& verb, RunCall& call, const std::string& out) {
   add_model_options(verb, call.models);
   add_engine_option(verb, call.engine,
                     "interpreted, compiled, or auto: compiled once that is worth it; all to the same bits");
-  add_out_option(verb, "--out", call.out, out);
+  verb.add_option("--out", call.out, out);
 }
 
 ExitCode run_models(const RunCall& call, const Registry& registry) {

@@ -50,7 +50,7 @@ ExitCode thesis(const ThesisCall& call, const Registry& registry) {
 Action declare_thesis(CLI::App& verb) {
   const auto call = std::make_shared<ThesisCall>();
   verb.add_option("--only", call->only, "beginnings of file names, e.g. fig15,fig31")->delimiter(',');
-  add_out_option(verb, "--out", call->out, "folder of the page")->capture_default_str();
+  verb.add_option("--out", call->out, "folder of the page")->capture_default_str();
   return [call](const Registry& registry) {
     call->diagrams = resource("diagrams") + "/thesis";
     return thesis(*call, registry);

@@ -81,8 +81,13 @@ void add_tables(const Key& form, const std::string& path, std::vector<ReferenceT
   if (form.form == Form::word && !form.words.empty() && !form.words.front().doc.empty())
     tables.push_back(words_of(form, path));
   if (form.form != Form::keys) return add_inner(form, path, tables);
-  tables.push_back(keys_of(form, path));
-  drop_empty_columns(tables.back());
+  ReferenceTable table = keys_of(form, path);
+  drop_empty_columns(table);
+  const auto is_same = [&](const ReferenceTable& known) {
+    return known.title == table.title && known.rows == table.rows;
+  };
+  if (std::ranges::any_of(tables, is_same)) return;  // a map, or a list of such maps
+  tables.push_back(std::move(table));
   std::vector<Key> keys = form.of;
   keys.insert(keys.end(), form.rest.begin(), form.rest.end());
   for (const Key& key : keys) add_tables(key, path.empty() ? key.name : path + "." + key.name, tables);

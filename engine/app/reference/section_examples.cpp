@@ -50,7 +50,8 @@ const char* const scene_example = R"yaml(scene:
 const char* const fit_example = R"yaml(fit:
   parameters: {mass: {start: 1.5 kg, bounds: [0.5 kg, 3 kg]}}
   compare: [{model: body.position in mm, measured: "20 mm * cos(20*time)", weight: 1/(1 mm)}]
-  starts: 4)yaml";
+  starts: 4
+  global: {population: 8, generations: 2})yaml";
 
 const char* const study_example = R"yaml(stepwire: 1
 title: People who draw a circle

@@ -65,6 +65,8 @@ std::string record_line(const FittedRecord& record, std::size_t width) {
 }
 
 std::string summary(const FitResult& result) {
+  if (result.interrupted && result.records.empty())
+    return "fit: interrupted before the first run was done, so that there is nothing yet to write\n";
   const auto finished = std::count_if(result.starts.begin(), result.starts.end(),
                                       [](const FittedStart& start) { return start.finished; });
   std::size_t rows = 0;

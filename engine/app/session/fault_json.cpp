@@ -102,17 +102,6 @@ class FaultyFile {
   std::optional<Document> document_;
 };
 
-/// What is wrong, and what would be right, which stands behind the first semicolon that is not quoted.
-std::pair<std::string, std::string> parted(const std::string& message) {
-  bool quoted = false;
-  for (std::size_t i = 0; i + 1 < message.size(); ++i) {
-    if (message[i] == '\'') quoted = !quoted;
-    if (!quoted && message[i] == ';' && message[i + 1] == ' ')
-      return {message.substr(0, i), message.substr(i + 2)};
-  }
-  return {message, {}};
-}
-
 /// The block of a subject such as "rig.mount.stiffness", and what of it. The tree has the last name of the
 /// block below `blocks`, and behind that the key.
 std::pair<std::string, std::string> block_and_port(const std::string& subject, const FoundPlace& found) {
@@ -138,9 +127,15 @@ Json number_or_null(int number) {
   return number > 0 ? Json(number) : Json();
 }
 
+/// A setting stands in the call: "--set mass=2 kg".
+bool is_call(const Place& place) {
+  return place.mark.line == 0 && place.file.starts_with("--");
+}
+
 Json place_json(const Place& place) {
   return Json::object()
-      .set("file", text_or_null(place.file))
+      .set("file", text_or_null(is_call(place) ? "" : place.file))
+      .set("call", text_or_null(is_call(place) ? place.file : ""))
       .set("line", number_or_null(place.mark.line))
       .set("column", number_or_null(place.mark.column));
 }
@@ -158,7 +153,6 @@ Json faults_json(const std::vector<Fault>& faults) {
   for (const Fault& fault : faults) {
     const FaultyFile& file = files.try_emplace(fault.place.file, fault.place.file).first->second;
     const auto [block, port] = block_and_port(fault.subject, file.at(fault.place.mark));
-    const auto [text, cure] = parted(fault.message);
     Json users = Json::list();
     for (const Place& user : fault.used_by) users.push(place_json(user));
     list.push(place_json(fault.place)
@@ -166,8 +160,8 @@ Json faults_json(const std::vector<Fault>& faults) {
                   .set("subject", text_or_null(fault.subject))
                   .set("block", text_or_null(block))
                   .set("port", text_or_null(port))
-                  .set("text", text)
-                  .set("cure", text_or_null(cure))
+                  .set("text", fault.wrong())
+                  .set("cure", text_or_null(fault.cure()))
                   .set("used_by", std::move(users)));
   }
   return list;

@@ -164,6 +164,7 @@ LoadedModel load_model(Loader& loader, const std::string& file, const LoadOption
   LoadedModel model;
   model.file = file;
   model.options = options;
+  model.blocksets = loader.registry().blocksets();
   model.job = make_job(loader, file, options.settings, options.stop, options.of_points);
   SymbolTable names = names_of(model.job);
   Faults faults;

@@ -36,6 +36,7 @@ struct LoadedModel {
   std::shared_ptr<const Scene> scene{};  ///< null where the file shows none
   std::optional<StudyRequest> study{};   ///< whose trials are the runs of the file
   std::vector<NamedTable> tables{};      ///< that the study will make, for figures
+  std::vector<std::string> blocksets{};  ///< folders of the blocks from outside that were known
 };
 
 /// Loads, plans, and reads figures and claims. Throws Error with everything that is wrong, EnvironmentError.

@@ -24,9 +24,12 @@ void draw_value(const Distribution& one, FigureBuilder& figure) {
   if (p)
     for (double& value : values) value = std::log10(value);
   std::erase_if(values, [](double value) { return !std::isfinite(value); });
-  PlotBuilder& plot = figure.add({.title = fmt::format("thesis: {:.3g}", one.published),
-                                  .bins = bins,
-                                  .lines = {p ? std::log10(one.published) : one.published}});
+  Panel panel{.title = "", .bins = bins};
+  if (!std::isnan(one.published)) {
+    panel.title = fmt::format("thesis: {:.3g}", one.published);
+    panel.lines = {p ? std::log10(one.published) : one.published};
+  }
+  PlotBuilder& plot = figure.add(panel);
   name_axis(plot.spec.x, p ? "log10 of P, " + one.name.substr(2) : one.name, "1");
   draw_histogram(values, plot);
 }

@@ -15,8 +15,7 @@ std::unique_ptr<OwnedFolder> own_results(const std::string& folder, const Loaded
     if (model.study && !model.study->trials.empty()) files.insert(model.study->trials);
     return files;
   });
-  for (const char* name : {"signals.csv", "signals.mat", "claims.json", "run.json"})
-    note_written(folder + "/" + name);
+  owned->reserve({"signals.csv", "signals.mat", "claims.json", "run.json"});
   return owned;
 }
 

@@ -69,6 +69,12 @@ Json parameters_json(const Diagram& diagram) {
   return list;
 }
 
+Json fault_texts(const Outcome& outcome) {
+  Json faults = Json::list();
+  for (const RunFault& fault : outcome.result.faults) faults.push(fault.fault.text());
+  return faults;
+}
+
 void write_scene(const std::string& folder, const LoadedModel& model, const Outcome& outcome,
                  std::vector<std::string>& pictures) {
   pictures.emplace_back("scene.svg");
@@ -98,8 +104,6 @@ Json run_json(const LoadedModel& model, const Outcome& outcome) {
   Json notices = Json::list();
   for (const RaisedNotice& notice : outcome.result.notices)
     notices.push(Json::object().set("block", notice.block).set("time", notice.time).set("text", notice.text));
-  Json faults = Json::list();
-  for (const RunFault& fault : outcome.result.faults) faults.push(fault.fault.text());
   return Json::object()
       .set("file", model.file)
       .set("title", diagram.title)
@@ -113,8 +117,9 @@ Json run_json(const LoadedModel& model, const Outcome& outcome) {
       .set("ticks", outcome.result.ticks)
       .set("compiled_ticks", outcome.result.compiled_ticks)
       .set("blocks", diagram.blocks.size())
+      .set("block_folders", Json::list_of(model.blocksets))
       .set("notices", std::move(notices))
-      .set("faults", std::move(faults))
+      .set("faults", fault_texts(outcome))
       .set("interrupted", outcome.result.interrupted)
       .set("version", program_version())
       .set("compiler", compiler_version())

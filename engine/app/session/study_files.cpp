@@ -3,7 +3,6 @@
 
 #include "engine/analyse/study/comparison_tables.hpp"
 #include "engine/analyse/study/distribution.hpp"
-#include "engine/analyse/study/published.hpp"
 #include "engine/analyse/study/side_by_side.hpp"
 #include "engine/analyse/study/study_tables.hpp"
 #include "engine/app/session/recorded_study.hpp"
@@ -64,8 +63,7 @@ Json analysis_json(const TaskAnalysis& analysis, const StudyRequest& request, st
   Json means = Json::object();
   for (const NamedValue& mean : analysis.means) means.set(mean.name, mean.value);
   Json both = Json::list();
-  for (const SideBySide& one : compare(published_task(request.task), analysis))
-    both.push(side_by_side_json(one));
+  for (const SideBySide& one : compare(request.published, analysis)) both.push(side_by_side_json(one));
   return Json::object()
       .set("means", std::move(means))
       .set("anova", anova_json(analysis.additive))

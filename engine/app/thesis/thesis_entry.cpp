@@ -61,6 +61,17 @@ std::pair<int, int> place_of(const GalleryEntry& entry) {
   return {std::numeric_limits<int>::max(), entry.table.value_or(0)};
 }
 
+/// A part that is used several times assumes the same each time.
+void add_assumption(const DiagramParameter& parameter, std::vector<Assumption>& assumptions) {
+  const auto short_name = [](const std::string& name) { return name.substr(name.rfind('.') + 1); };
+  const auto is_same = [&](const Assumption& known) {
+    return short_name(known.name) == short_name(parameter.name) && known.value == parameter.text &&
+           known.doc == parameter.doc;
+  };
+  if (std::ranges::none_of(assumptions, is_same))
+    assumptions.push_back({parameter.name, parameter.text, parameter.doc});
+}
+
 void describe_entry(const LoadedModel& model, GalleryEntry& entry) {
   const Diagram& diagram = model.job.plan.diagram;
   entry.label = label_of(diagram);
@@ -73,7 +84,7 @@ void describe_entry(const LoadedModel& model, GalleryEntry& entry) {
   entry.source_says = diagram.thesis.says;
   entry.departures = diagram.thesis.departures;
   for (const DiagramParameter& parameter : diagram.parameters)
-    if (parameter.assumed) entry.assumptions.push_back({parameter.name, parameter.text, parameter.doc});
+    if (parameter.assumed) add_assumption(parameter, entry.assumptions);
 }
 
 GallerySource source_of(const std::string& file, const std::string& root) {

@@ -1,3 +1,5 @@
+// More than 300 lines with its header: one pass over the text of an expression with one stack, and the
+// program that it makes.
 #include "engine/base/expression/program.hpp"
 
 #include <fmt/format.h>
@@ -139,6 +141,7 @@ class Translator {
     if (token.is(":")) return answer(token);
     const Operation* const operation = find_operator(token.text);
     if (!operation) missing_operator(token);
+    if (operation->binding == Binding::comparison) refuse_chain(token);
     settle(operation->binding == Binding::power ? Binding::atom : operation->binding);
     waiting_.push_back({operation->binding, &token, operation, 2});
   }
@@ -147,6 +150,14 @@ class Translator {
     const bool power = token.text == "e" || token.text == "E";
     fail(token, fmt::format("an operator is missing before {}{}", shown(token),
                             power ? "; a power of ten has no blanks, as in 2e-3" : ""));
+  }
+
+  /// A second comparison would take the answer of the first one, 0 or 1, for a value.
+  void refuse_chain(const Token& token) {
+    settle(Binding::sum);
+    if (waiting_.back().binding == Binding::comparison)
+      fail(token,
+           fmt::format("'{}' follows on a comparison; write a < b && b < c, or parentheses", token.text));
   }
 
   void next_value(const Token& token) {

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,7 +12,6 @@
 #include <mutex>
 #include <regex>
 #include <sstream>
-#include <vector>
 
 #include "engine/base/io/file.hpp"
 #include "engine/base/io/temporary.hpp"
@@ -65,9 +65,9 @@ void remove_pieces(const fs::path& folder) {
 
 }  // namespace
 
-OwnedFolder::OwnedFolder(const std::string& path, const Spared& spared) : path_(normal(path)) {
+OwnedFolder::OwnedFolder(const std::string& path, const Spared& spared) : path_(normal(path)), shown_(path) {
   require_folder(path);
-  lock(path);
+  lock();
   try {
     clear(listed(), spared);
   } catch (...) {
@@ -83,17 +83,28 @@ OwnedFolder::~OwnedFolder() {
   Owned& owned = Owned::of_process();
   const std::lock_guard guard(owned.mutex);
   std::erase(owned.folders, this);
+  if (names_.empty()) ::unlink((path_ + "/" + list_name).c_str());
   ::close(list_);
 }
 
-void OwnedFolder::lock(const std::string& shown) {
+void OwnedFolder::reserve(const std::vector<std::string>& names) {
+  for (const std::string& name : names) refuse_foreign(name, shown_ + "/" + name);
+  for (const std::string& name : names) note(name);
+}
+
+void OwnedFolder::lock() {
   const std::string file = path_ + "/" + list_name;
-  list_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_APPEND | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
-  if (list_ < 0) refuse_file(shown + "/" + list_name, errno);
-  if (::flock(list_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;  // not all file systems lock
-  ::close(list_);
-  throw EnvironmentError(
-      fmt::format("{}: another run is writing into this folder; give --out another one, or wait", shown));
+  struct stat status {};
+  do {  // again where the run before has just removed it
+    if (list_ >= 0) ::close(list_);
+    list_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_APPEND | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
+    if (list_ < 0) refuse_file(shown_ + "/" + list_name, errno);
+    if (::flock(list_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {  // not all file systems lock
+      ::close(list_);
+      throw EnvironmentError(fmt::format(
+          "{}: another run is writing into this folder; give --out another one, or wait", shown_));
+    }
+  } while (::fstat(list_, &status) == 0 && status.st_nlink == 0);
 }
 
 OwnedFolder::Files OwnedFolder::listed() const {

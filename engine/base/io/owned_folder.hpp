@@ -3,6 +3,7 @@
 #include <functional>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace stepwire {
 
@@ -19,21 +20,27 @@ class OwnedFolder {
   /// Makes the folder, and those above it. Throws EnvironmentError where another run has it, or the system
   /// refuses.
   explicit OwnedFolder(const std::string& path, const Spared& spared = {});
+  /// Leaves no list behind of a run that wrote nothing.
   ~OwnedFolder();
   OwnedFolder(const OwnedFolder&) = delete;
   OwnedFolder& operator=(const OwnedFolder&) = delete;
 
+  /// Notes files that the run will write at its end. Throws EnvironmentError, and notes none of them, where a
+  /// file that no run wrote is in the place of one.
+  void reserve(const std::vector<std::string>& names);
+
  private:
   friend void note_written(const std::string& path);
-  void lock(const std::string& shown);
+  void lock();
   Files listed() const;
   void clear(const Files& listed, const Spared& spared);
   void note(const std::string& name);
   void refuse_foreign(const std::string& name, const std::string& shown) const;
 
-  std::string path_;  ///< from the root
-  int list_ = -1;     ///< the file ".stepwire", locked
-  Files names_;       ///< in it
+  std::string path_;   ///< from the root
+  std::string shown_;  ///< as the call names it
+  int list_ = -1;      ///< the file ".stepwire", locked
+  Files names_;        ///< in it
 };
 
 /// Notes a file that is about to be written, where it lies in a folder that a run owns. Throws

@@ -6,7 +6,7 @@
 
 namespace stepwire {
 
-/// A number that fills the whole text. What is too small to be a double is 0; nothing for what is too large.
+/// A number that fills the whole text; nothing for what is too large or too small to be a double.
 std::optional<double> csv_number(std::string_view text);
 
 /// A word as it stands in a cell: one that a spreadsheet would take for a formula, since it begins with = + -

@@ -66,9 +66,11 @@ std::optional<Quantity> parse_quantity(std::string_view text) {
   if (unit_text.empty()) return result;
   const auto unit = parse_unit(unit_text);
   if (!unit || unit_text == "1") return std::nullopt;
+  const double written = result.value;
   result.value = unit->to_si(result.value);
   result.dimension = unit->dimension;
-  if (!std::isfinite(result.value)) return std::nullopt;
+  const bool vanished = result.value == 0.0 && written != 0.0 && unit->offset == 0.0L;
+  if (!std::isfinite(result.value) || vanished) return std::nullopt;
   return result;
 }
 

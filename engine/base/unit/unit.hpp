@@ -49,7 +49,7 @@ struct Quantity {
 };
 
 /// Reads "5 mm", "-0.35 A", "2e-3", "1 kHz", "1 1/s"; nothing if the text is no number with an optional unit.
-/// "inf" and "nan", hexadecimals and what overflows are no numbers.
+/// "inf" and "nan", hexadecimals and what is too large or too small for a double are no numbers.
 std::optional<Quantity> parse_quantity(std::string_view text);
 
 /// Length of the longest start of `text` that is a unit ("mm/s" of "mm/s + x", "A" of "A/x" where x is no

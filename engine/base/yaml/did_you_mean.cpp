@@ -71,7 +71,7 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
     least = far;
     nearest = &name;
   }
-  return nearest ? "; did you mean '" + *nearest + "'?" : "";
+  return nearest ? cure_mark + ("did you mean '" + *nearest + "'?") : "";
 }
 
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& names,
@@ -86,7 +86,7 @@ std::string nearest_or_all(const std::string& word, const std::vector<std::strin
   if (!nearest.empty())
     what.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(what.front())));
   const auto end = names.begin() + static_cast<std::ptrdiff_t>(std::min(most, names.size()));
-  return fmt::format("{} {}: {}{}", nearest.empty() ? ";" : nearest, what,
+  return fmt::format("{}{}: {}{}", nearest.empty() ? std::string(1, cure_mark) : nearest + " ", what,
                      fmt::join(names.begin(), end, ", "), names.size() > most ? ", ..." : "");
 }
 
@@ -94,10 +94,11 @@ std::string unknown_key(const std::string& key, const std::vector<std::string>& 
                         const std::string& owner) {
   const std::string message = fmt::format("{} has no '{}'", owner, key);
   if (key.find_first_of("()+*/<>=&|?$") != std::string::npos)
-    return message +
-           "; it looks like a piece of an expression: put an expression with a comma or a colon in quotes";
+    return message + cure_mark +
+           "it looks like a piece of an expression: put an expression with a comma or a colon in quotes";
   if (key.find(' ') != std::string::npos)
-    return message + "; it looks like a piece of a sentence: put a text with a comma or a colon in quotes";
+    return message + cure_mark +
+           "it looks like a piece of a sentence: put a text with a comma or a colon in quotes";
   return message + nearest_or_all(key, known, "it has");
 }
 

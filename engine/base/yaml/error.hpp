@@ -8,13 +8,22 @@
 
 namespace stepwire {
 
+/// Stands between what is wrong and what would be right in a message that holds a text of a user, in which
+/// "; " may occur: a byte that no UTF-8 has. fault_text() puts it there.
+inline constexpr char cure_mark = '\xff';
+
 /// One thing that is wrong in what a user wrote: where, in which block and port, what is wrong and what would
 /// be right.
 struct Fault {
   Place place;
-  std::string subject;  ///< "lag.tau", "lag", or empty
-  std::string message;
+  std::string subject;         ///< "lag.tau", "lag", or empty
+  std::string message;         ///< "what is wrong; what would be right"
   std::vector<Place> used_by;  ///< innermost first: the lines that used the part in which the fault lies
+
+  /// What of the message stands before the mark, or else before the first "; " outside of quotes, and behind
+  /// it.
+  std::string wrong() const;
+  std::string cure() const;
 
   /// "file:line:col: subject: message", with "(used by file:line:col)" for each user.
   std::string text() const;
@@ -49,7 +58,11 @@ class Faults {
   std::vector<Fault> faults_;
 };
 
-/// "; did you mean 'tau'?" for the nearest of `names`, or "" if none is near.
+/// A message with the cure mark in the place of its "; ".
+std::string plain(std::string message);
+
+/// "; did you mean 'tau'?" for the nearest of `names`, or "" if none is near; with the cure mark for its ";
+/// ", as the next ones.
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& names);
 /// The same, and a sentence behind it: "; did you mean 'tau'? It has: tau, u", or ". It has: tau, u" if none
 /// is near.

@@ -1,3 +1,4 @@
+// More than 300 lines with its header: the forms that a key may have are read here once, for all sections.
 #include "engine/base/yaml/section.hpp"
 
 #include <fmt/format.h>
@@ -6,6 +7,8 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+
+#include "engine/base/yaml/fault_text.hpp"
 
 namespace stepwire {
 namespace {
@@ -23,7 +26,8 @@ std::string words_text(const std::string& written, const Key& key) {
   for (const Key::Word& word : key.words)
     all.push_back(word.doc.empty() ? word.word : fmt::format("{} ({})", word.word, word.doc));
   const std::string nearest = did_you_mean(written, words_of(key));
-  return fmt::format("{} one of: {}", nearest.empty() ? "; it is" : nearest + " It is", fmt::join(all, ", "));
+  return fmt::format("{} one of: {}", nearest.empty() ? cure_mark + std::string("it is") : nearest + " It is",
+                     fmt::join(all, ", "));
 }
 
 bool within(double value, const Key& key) {
@@ -94,7 +98,7 @@ std::optional<double> SectionReading::whole(const Node& node, const Key& key) co
 std::optional<double> SectionReading::number(const Node& node, const Key& key) const {
   const auto value = read_number(node, key);
   if (!value || within(*value, key)) return value;
-  fault(node.mark, fmt::format("{} is not allowed; it must be {}", node.text, limits_text(key)));
+  fault(node.mark, fault_text("{} is not allowed; it must be {}", node.text, limits_text(key)));
   return std::nullopt;
 }
 
@@ -138,7 +142,7 @@ void SectionReading::check_choices(const Node& map, const Key& keys, bool missin
       if (std::ranges::find(names, entry.key) == names.end()) continue;
       if (found)
         fault(entry.mark,
-              fmt::format("both '{}' and '{}'; {} has one {}", found->key, entry.key, keys.noun, choice));
+              fault_text("both '{}' and '{}'; {} has one {}", found->key, entry.key, keys.noun, choice));
       else
         found = &entry;
     }

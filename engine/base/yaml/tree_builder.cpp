@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "engine/base/yaml/fault_text.hpp"
+
 namespace stepwire {
 namespace {
 
@@ -84,8 +86,7 @@ void TreeBuilder::empty(Mark mark, bool written, std::size_t anchor) {
     const Entry& entry = open_.back().node->entries.back();
     node.mark = entry.mark;
     if (entry.key.find(':') != std::string::npos)
-      fault(entry.mark,
-            fmt::format("'{}' is a key without a value; a blank is missing after ':'", entry.key));
+      fault(entry.mark, fault_text("'{}' is a key without a value; a blank is missing after ':'", entry.key));
   }
   attach(std::move(node), anchor);
 }
@@ -181,8 +182,8 @@ void TreeBuilder::check_double_keys(const Node& map) {
     if (entry.key != original.key) {
       first = i;
     } else if (!entry.key.empty()) {
-      fault(entry.mark, fmt::format("'{}' is given twice; the first is at {}:{}", entry.key,
-                                    original.mark.line, original.mark.column));
+      fault(entry.mark, fault_text("'{}' is given twice, first at {}:{}; leave one out", entry.key,
+                                   original.mark.line, original.mark.column));
     }
   }
 }

@@ -5,11 +5,13 @@
 #include <yaml-cpp/mark.h>
 #include <yaml-cpp/parser.h>
 
+#include <algorithm>
 #include <exception>
 #include <istream>
 #include <string>
 #include <utility>
 
+#include "engine/base/text/characters.hpp"
 #include "engine/base/yaml/text_position.hpp"
 #include "engine/base/yaml/text_source.hpp"
 #include "engine/base/yaml/tree_builder.hpp"
@@ -22,6 +24,19 @@ namespace {
 TextPosition spot_of(const YAML::Mark& mark) {
   if (mark.is_null()) return {};
   return {static_cast<std::size_t>(mark.pos), mark.line, mark.column};
+}
+
+/// The library makes one byte each of the escapes \N and \_, which stand for U+0085 and U+00A0. What the file
+/// itself holds is UTF-8.
+std::string with_whole_escapes(const std::string& text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = utf8_length(std::string_view(text).substr(i));
+    if (length == 0) result += '\xc2';
+    result.append(text, i, std::max<std::size_t>(1, length));
+    i += std::max<std::size_t>(1, length);
+  }
+  return result;
 }
 
 // Everything that the library finds ends up in the tree. Its recursion is bounded by the depth of the tree,
@@ -63,7 +78,7 @@ class Events : public YAML::EventHandler {
     found(mark);
     refuse_tag(mark, tag);
     last_text_ = spots_.text_at(spot_of(mark));
-    tree_.scalar(place(mark), value, tag == "!", anchor);
+    tree_.scalar(place(mark), with_whole_escapes(value), tag == "!", anchor);
   }
   void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                        YAML::EmitterStyle::value) override {

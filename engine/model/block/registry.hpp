@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "engine/model/block/declare.hpp"
@@ -23,6 +24,10 @@ class Registry {
     add(std::move(type));
   }
   void add(BlockType type);
+  /// Notes a folder outside of the library whose blocks are among these.
+  void note_blockset(std::string folder) { blocksets_.push_back(std::move(folder)); }
+  /// Such folders, in the order in which they came.
+  const std::vector<std::string>& blocksets() const { return blocksets_; }
 
   const BlockType* find(std::string_view name) const;
   std::vector<std::string> names() const;
@@ -30,6 +35,7 @@ class Registry {
 
  private:
   std::map<std::string, std::unique_ptr<const BlockType>, std::less<>> types_;
+  std::vector<std::string> blocksets_;
 };
 
 }  // namespace stepwire

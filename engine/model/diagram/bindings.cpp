@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/base/yaml/fault_text.hpp"
 #include "engine/model/diagram/report.hpp"
 
 namespace stepwire {
@@ -53,8 +54,8 @@ class Acceptance {
       if (all_of_numbers(value.value, [&](double number) { return holds(bound.key, number, *limit); }))
         return true;
       report_.add(origin, full_name_,
-                  fmt::format("{} is not allowed; it must be {} {}", value.text, words_of(bound.key),
-                              bound.value.text));
+                  fault_text("{} is not allowed; it must be {} {}", value.text, words_of(bound.key),
+                             bound.value.text));
       return false;
     });
   }
@@ -83,6 +84,11 @@ class Acceptance {
 }  // namespace
 
 const std::vector<std::string> bound_keys = {"above", "at_least", "below", "at_most"};
+
+GivenBy given_by(const Definition& definition, const std::string& full_name, const Origin& origin) {
+  const Dimension dimension = definition.dimension.value_or(Dimension{});
+  return {origin, full_name, dimension == Dimension{} ? "" : " " + si_name(dimension)};
+}
 
 bool accepts(const Definition& definition, const ParameterScope& scope, WrittenValue& value,
              const Origin& origin, const std::string& full_name, ParameterUses& uses, FaultReport& report) {

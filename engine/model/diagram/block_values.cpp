@@ -4,8 +4,10 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <regex>
 
 #include "engine/base/io/environment_error.hpp"
+#include "engine/base/yaml/fault_text.hpp"
 #include "engine/model/diagram/parameters.hpp"
 #include "engine/model/diagram/report.hpp"
 
@@ -74,6 +76,20 @@ std::string other_word(const std::string& text, const std::vector<std::string>& 
   return fmt::format("'{}' is not allowed{}", text, did_you_mean(text, words, choice));
 }
 
+/// What is wrong with an angle per time where periods per time are meant, or the other way round. A radian
+/// counts as 1, so that both have one dimension, and a wire does not tell them apart; a number with its unit
+/// does.
+std::string mixed_rates(const std::string& written, const std::string& unit) {
+  static const std::regex angles(R"((?:^|[^A-Za-z])(?:rad|deg|rev|rpm)(?:$|[^A-Za-z]))");
+  static const std::regex periods(R"(Hz(?:$|[^A-Za-z]))");
+  if (written.starts_with('=')) return "";
+  if (unit == "Hz" && std::regex_search(written, angles))
+    return "is an angle per time, and a period has 2*pi rad";
+  if (unit == "rad/s" && std::regex_search(written, periods))
+    return "counts periods per time, of which each has 2*pi rad";
+  return "";
+}
+
 }  // namespace
 
 std::optional<Dimension> demanded_dimension(const ParameterSpec& spec) {
@@ -100,6 +116,8 @@ std::optional<WrittenValue> ValueReader::read_for(const ParameterSpec& spec,
   if (!written) return std::nullopt;
   const std::string complaint = unit_complaint(written->dimension, demanded);
   if (!complaint.empty()) return refuse(node, subject, fmt::format("{} {}", written->text, complaint));
+  if (const std::string mixed = mixed_rates(written->text, spec.unit); !mixed.empty())
+    return refuse(node, subject, fault_text("{} {}; write it in {}", written->text, mixed, spec.unit));
   auto value = convert(spec, *written, node, subject);
   if (!value) return std::nullopt;
   written->value = std::move(*value);
@@ -120,16 +138,17 @@ std::optional<Value> ValueReader::convert(const ParameterSpec& spec, const Writt
     if (auto vector = as_vector(value); vector && vector->size() > 0) return Value{std::move(*vector)};
   if (spec.kind == ParameterKind::matrix)
     if (auto matrix = as_matrix(value)) return matrix;
+  if (spec.kind != ParameterKind::flag && refuse_given(written)) return std::nullopt;
   if (node.quoted && parse_quantity(node.text))
     return refuse(node, subject,
-                  fmt::format("'{}' is text because of its quotes; leave them out for a number", node.text));
+                  fault_text("'{}' is text because of its quotes; leave them out for a number", node.text));
   if (const std::string unit = unknown_unit(written.text); !unit.empty())
     return refuse(node, subject,
-                  fmt::format("'{}' is no unit; a product of units is written N s or N.s", unit));
+                  fault_text("'{}' is no unit; a product of units is written N s or N.s", unit));
   if (node.is_list() && node.items.empty())
     return refuse(node, subject, fmt::format("the list is empty; it must be {}", wanted(spec.kind)));
   const std::string what = node.is_scalar() ? "'" + written.text + "'" : written.text;
-  return refuse(node, subject, fmt::format("{} is not allowed; it must be {}", what, wanted(spec.kind)));
+  return refuse(node, subject, fault_text("{} is not allowed; it must be {}", what, wanted(spec.kind)));
 }
 
 bool ValueReader::in_range(const ParameterSpec& spec, const WrittenValue& written, const Node& node,
@@ -147,7 +166,7 @@ bool ValueReader::in_range(const ParameterSpec& spec, const WrittenValue& writte
   const bool with_unit =
       !spec.unit.empty() && spec.unit != "1" && spec.unit != "*" && spec.unit.find('\'') == std::string::npos;
   const std::string unit = with_unit && !broken.ends_with(" 0") ? " " + spec.unit : "";
-  refuse(node, subject, fmt::format("{} is not allowed; it must be {}{}", written.text, broken, unit));
+  refuse(node, subject, fault_text("{} is not allowed; it must be {}{}", written.text, broken, unit));
   return false;
 }
 
@@ -221,7 +240,7 @@ std::string ValueReader::resolve_file(const std::string& text, const Node& node,
     const std::string why = folder.empty() ? "set STEPWIRE_DATA to that folder"
                                            : fmt::format("STEPWIRE_DATA is '{}', which is no folder", folder);
     throw EnvironmentError(
-        report_.fault(at(node.mark), subject, fmt::format("'{}' is in the data folder; {}", text, why))
+        report_.fault(at(node.mark), subject, fault_text("'{}' is in the data folder; {}", text, why))
             .text());
   }
   return (fs::path(report_.file_of(scope_)).parent_path() / path).string();

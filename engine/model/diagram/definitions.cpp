@@ -144,6 +144,7 @@ class Definitions {
       made.text = {node, names.index, origin.scope};
       made.uses.clear();
       written = ValueReader(names.parameters, report_, origin.scope, &made.uses).read(node, full);
+      if (written) written->given = given_by(made, full, origin);
     };
     if (const auto given = overrides_.values.find(entry.key); given != overrides_.values.end())
       read(*given->second, *overrides_.from, overrides_.from->at(given->second->mark));

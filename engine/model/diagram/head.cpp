@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/base/yaml/fault_text.hpp"
 #include "engine/model/diagram/head_keys.hpp"
 
 namespace stepwire {
@@ -20,7 +21,7 @@ void read_version(const Scope& scope, Report& report) {
                       "'stepwire: 1' is missing; it says that this is a diagram file of format 1");
   if (version->text != "1")
     report.add(scope.at(version->mark), "stepwire",
-               fmt::format("format '{}' is not known; this program reads format 1", version->text));
+               fault_text("format '{}' is not known; this program reads format 1", version->text));
 }
 
 /// Sets what a row has in the file, or what the call sets in its place.

@@ -1,6 +1,7 @@
 // What a file asks to be recorded, and the condition that ends its run.
 #include <fmt/format.h>
 
+#include "engine/base/yaml/fault_text.hpp"
 #include "engine/model/diagram/head.hpp"
 #include "engine/model/diagram/head_keys.hpp"
 #include "engine/model/diagram/keys.hpp"
@@ -32,9 +33,9 @@ void read_named(const Node& map, const Scope& scope, const Resolver& resolver, R
     const Origin origin = scope.at(entry.value.mark);
     if (!is_dotted_name(entry.key) || entry.key == "time") {
       report.add(scope.at(entry.mark), "record",
-                 fmt::format("'{}' is no name for a signal; use letters, digits, '_' and dots ('time' has a "
-                             "meaning of its own)",
-                             entry.key));
+                 fault_text("'{}' is no name for a signal; use letters, digits, '_' and dots ('time' has a "
+                            "meaning of its own)",
+                            entry.key));
     } else if (!entry.value.is_scalar()) {
       report.add(origin, "record", "a name is given to one signal, as {position: rig.x}");
     } else if (const auto signal = resolver.signal(entry.value.text, scope, origin, "record")) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/base/yaml/fault_text.hpp"
 #include "engine/model/diagram/head.hpp"
 #include "engine/model/diagram/head_keys.hpp"
 #include "engine/model/diagram/variation.hpp"
@@ -92,7 +93,7 @@ class RangeReading {
     if (!written) return std::nullopt;
     if (const double* number = std::get_if<double>(&written->value.content))
       return Number{*number, written->dimension};
-    refuse(node.mark, fmt::format("'{}' is no number; words are swept as a list", written->text));
+    refuse(node.mark, fault_text("'{}' is no number; words are swept as a list", written->text));
     return std::nullopt;
   }
 

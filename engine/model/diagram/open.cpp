@@ -1,3 +1,5 @@
+// More than 300 lines with its header: a file and the parts in it are opened by one recursion with one
+// report.
 #include "engine/model/diagram/open.hpp"
 
 #include <fmt/format.h>
@@ -5,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "engine/base/yaml/fault_text.hpp"
 #include "engine/model/diagram/block_keys.hpp"
 #include "engine/model/diagram/keys.hpp"
 
@@ -190,7 +193,7 @@ void Opener::read_period(const Scope& scope, const Node& node, DiagramBlock& blo
   if (!period) return;
   if (*period <= 0.0)
     return report_.add(scope.at(node.mark), block.name + ".every",
-                       fmt::format("{} is not allowed; it must be above 0", node.text));
+                       fault_text("{} is not allowed; it must be above 0", node.text));
   block.every = *period;
 }
 

@@ -1,3 +1,5 @@
+// More than 300 lines with its header: values, lists, expressions and inserted texts are read by each
+// other, and by the kind of what they are for.
 #include "engine/model/diagram/parameters.hpp"
 
 #include <fmt/format.h>
@@ -7,6 +9,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "engine/base/yaml/fault_text.hpp"
 #include "engine/model/diagram/report.hpp"
 
 namespace stepwire {
@@ -15,6 +18,10 @@ namespace {
 
 std::string no_parameter(const std::string& name, const ParameterScope& parameters) {
   return fmt::format("there is no parameter '{}'{}", name, did_you_mean(name, parameters.names()));
+}
+
+std::string no_single_number(const std::string& name) {
+  return fmt::format("'{}' is no single number", name);
 }
 
 /// The letters, digits and underscores from here on.
@@ -110,6 +117,14 @@ std::nullopt_t ValueReader::refuse(const Node& node, const std::string& subject,
   return std::nullopt;
 }
 
+bool ValueReader::refuse_given(const WrittenValue& written) const {
+  if (!written.given || !written.value.text()) return false;
+  report_.add(written.given->origin, written.given->name,
+              fault_text("'{}' is no number; write one, as 2{}, and '=' before what is computed",
+                         written.text, written.given->unit));
+  return true;
+}
+
 std::optional<WrittenValue> ValueReader::read(const Node& node, const std::string& subject) const {
   if (node.is_map()) return read_with_unit(node, subject);
   if (node.is_list()) return read_list(node, subject);
@@ -131,7 +146,7 @@ std::optional<WrittenValue> ValueReader::read_scalar(const Node& node, const std
     return WrittenValue{{quantity->value}, quantity->dimension, text};
   if (means_not_finite(text))
     return refuse(node, subject,
-                  fmt::format("'{}' is not a finite number; a bound that is absent is left out", text));
+                  fault_text("'{}' is not a finite number; a bound that is absent is left out", text));
   if (text == "true" || text == "false") return WrittenValue{{text == "true"}, {}, text};
   const auto filled = fill_in(node, subject);  // a path such as data/$name.csv
   return filled ? std::optional(WrittenValue{{*filled}, {}, *filled}) : std::nullopt;
@@ -146,10 +161,10 @@ std::optional<WrittenValue> ValueReader::read_expression(const Node& node, const
       if (parameters_.failed(name)) return std::nullopt;
       const WrittenValue& parameter = *parameters_.find(name, uses_);
       const double* number = std::get_if<double>(&parameter.value.content);
-      if (!number) return refuse(node, subject, fmt::format("'{}' is no single number", name));
+      if (!number)
+        return refuse_given(parameter) ? std::nullopt : refuse(node, subject, no_single_number(name));
       values.push_back(*number);
-      const auto& dimension = parameter.dimension;
-      measures.push_back({dimension, dimension.has_value()});
+      measures.push_back({parameter.dimension, parameter.dimension.has_value()});
     }
     const Measure measure = expression.measure(measures);
     expression.check_draws(std::vector<std::optional<double>>(values.begin(), values.end()));
@@ -233,6 +248,7 @@ std::optional<double> ValueReader::read_number(const Node& node, const Dimension
   const auto written = read(node, subject);
   if (!written) return std::nullopt;
   const double* number = std::get_if<double>(&written->value.content);
+  if (!number && refuse_given(*written)) return std::nullopt;
   if (!number)
     return refuse(
         node, subject,

@@ -12,12 +12,20 @@ namespace stepwire {
 
 class FaultReport;
 
+/// Who gave a parameter another value than its definition: the call, or the file that uses its part.
+struct GivenBy {
+  Origin origin;
+  std::string name;  ///< of the parameter: "rig.mass"
+  std::string unit;  ///< of its definition, with a blank in front: " kg"
+};
+
 /// A value as a file writes it, before it is known what it is for.
 struct WrittenValue {
   Value value;  ///< a number, vector or matrix in SI; a flag; text; a list of text
   std::optional<Dimension> dimension;
   std::string text;     ///< as written, for messages
   bool failed = false;  ///< stands for a definition that was refused; what uses it stays silent
+  std::optional<GivenBy> given{};
 };
 
 /// Parameters that a value was read from, by their index in Diagram::parameters.
@@ -92,6 +100,8 @@ class ValueReader {
                 const std::string& subject) const;
   std::string resolve_file(const std::string& text, const Node& node, const std::string& subject) const;
   std::nullopt_t refuse(const Node& node, const std::string& subject, std::string message) const;
+  /// Is it a text that somebody gave to a parameter of which a number is used? Then the fault is theirs.
+  bool refuse_given(const WrittenValue& written) const;
 
   const ParameterScope& parameters_;
   FaultReport& report_;

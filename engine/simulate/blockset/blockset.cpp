@@ -134,9 +134,12 @@ void load_blockset(const std::string& path, Registry& registry) {
            "no source here defines 'void register_blocks(stepwire::Registry&)', outside of any namespace");
   try {
     add(registry);
-  } catch (const std::logic_error& error) {
-    refuse(folder, error.what());
+  } catch (const std::exception& error) {
+    refuse(folder, fmt::format("register_blocks() of these blocks throws: {}", error.what()));
+  } catch (...) {
+    refuse(folder, "register_blocks() of these blocks throws what is no std::exception");
   }
+  registry.note_blockset(folder);
 }
 
 void load_blocksets_of_environment(Registry& registry) {

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "engine/base/table/table_file.hpp"
 #include "engine/simulate/codegen/cpp_words.hpp"
 #include "engine/simulate/codegen/groups.hpp"
@@ -45,8 +43,8 @@ constexpr char main_form[] =
     "  static Diagram d;\n  const char* fault = nullptr;\n"
     "  while (true) {{\n    d.evaluate();\n"
     "    if (!d.finite()) fault = \"a signal is no longer a finite number\";\n    if (fault) "
-    "break;\n{1}"
-    "    if (d.tick >= {2} || d.stops()) break;\n    d.advance();\n"
+    "break;\n    const bool last = d.tick >= {2} || d.stops();\n{1}"
+    "    if (last) break;\n    d.advance();\n"
     "    fault = d.fault();\n    if (fault) break;\n  }}\n{3}"
     "  if (!fault) return 0;\n"
     "  std::fprintf(stderr, \"%s (at %g s); the run ends here\\n\", fault, d.time());\n  "
@@ -79,10 +77,6 @@ std::string open_text(const RecordRequest& request, const Plan& plan, std::size_
                      cpp_string(numbered("signals", number, ".csv")), cpp_string(titles));
 }
 
-std::int64_t ticks_between(const RecordRequest& request, const Plan& plan) {
-  return request.every ? std::llround(*request.every / plan.diagram.step) : 1;
-}
-
 }  // namespace
 
 std::string main_text(const Plan& plan, const std::string& header, const std::string& space) {
@@ -97,9 +91,10 @@ std::string main_text(const Plan& plan, const std::string& header, const std::st
     const RecordRequest& request = plan.diagram.records[i];
     text += row_function(request, plan, i);
     opening += open_text(request, plan, i);
-    const std::int64_t every = ticks_between(request, plan);
-    rows += every == 1 ? fmt::format("    write_row_{0}(file_{0}, d);\n", i)
-                       : fmt::format("    if (d.tick % {1} == 0) write_row_{0}(file_{0}, d);\n", i, every);
+    const std::int64_t every = ticks_between_rows(plan, request);
+    rows += every == 1
+                ? fmt::format("    write_row_{0}(file_{0}, d);\n", i)
+                : fmt::format("    if (d.tick % {1} == 0 || last) write_row_{0}(file_{0}, d);\n", i, every);
     closing += fmt::format("  if (std::fclose(file_{0}) != 0) return 3;\n", i);
   }
   return text + fmt::format(main_form, opening, rows, plan.steps, closing);

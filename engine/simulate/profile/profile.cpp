@@ -1,11 +1,12 @@
+// More than 300 lines with its header: one measurement; its samples and counts mean something only
+// together.
 #include "engine/simulate/profile/profile.hpp"
 
 #include <algorithm>
 #include <map>
 
 #include "engine/simulate/profile/call_times.hpp"
-#include "engine/simulate/record/recorder.hpp"
-#include "engine/simulate/run/stop_condition.hpp"
+#include "engine/simulate/run/drive.hpp"
 
 namespace stepwire {
 
@@ -49,6 +50,22 @@ class NoEquations : public System {
   std::vector<double> x_, dot_;
 };
 
+/// Pauses a run at a tick, and counts the ticks that are evaluated before it.
+class Segment : public RunObserver {
+ public:
+  explicit Segment(std::int64_t end) : end_(end) {}
+  Flow before_tick(const ObservedRun& run) override {
+    if (run.simulation.tick() >= end_) return Flow::pause;
+    evaluated = run.simulation.tick() + 1;
+    return Flow::go_on;
+  }
+
+  std::int64_t evaluated = 0;
+
+ private:
+  std::int64_t end_;
+};
+
 /// Measures one run.
 class Profiler {
  public:
@@ -86,20 +103,15 @@ class Profiler {
     for (Recorder& recorder : recorders()) recorder.go_back_to(moment.tick);
   }
 
-  /// As run_plan() does, up to a tick.
+  /// Runs up to a tick.
   void go_on(std::int64_t tick) {
-    ended_ = true;
-    while (true) {
-      simulation_.evaluate();
-      for (Recorder& recorder : recorders())
-        if (simulation_.healthy()) recorder.record(simulation_.tick(), simulation_.values());
-      evaluated_ = simulation_.tick() + 1;
-      if (!simulation_.healthy() || simulation_.finished() || stopper_.stops(simulation_.values())) return;
-      simulation_.advance();
-      if (!simulation_.healthy()) return;
-      if (simulation_.tick() == tick) break;
-    }
-    ended_ = false;
+    Segment segment(tick);
+    RunObserver* const observer = &segment;
+    Drive drive(simulation_, recorders());
+    drive.observers = {&observer, 1};
+    drive.shows_rows = false;
+    ended_ = drive.run() != Drive::End::paused;
+    evaluated_ = segment.evaluated;
   }
 
   void sample(const Workspace& moment) {

@@ -25,7 +25,8 @@ std::int64_t ticks_between_rows(const Plan& plan, const RecordRequest& request) 
 }
 
 std::size_t max_rows(const Plan& plan, const RecordRequest& request) {
-  return static_cast<std::size_t>(plan.steps / ticks_between_rows(plan, request) + 1);
+  const std::int64_t every = ticks_between_rows(plan, request);
+  return static_cast<std::size_t>((plan.steps + every - 1) / every + 1);
 }
 
 std::vector<Column> empty_columns(const Plan& plan, const RecordRequest& request) {

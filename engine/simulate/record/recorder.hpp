@@ -21,7 +21,7 @@ std::vector<RecordedColumn> recorded_columns(const Plan& plan, const RecordReque
 
 /// Ticks between two rows of a recording.
 std::int64_t ticks_between_rows(const Plan& plan, const RecordRequest& request);
-/// Rows of a run that goes on to its stop time.
+/// Rows of a run that goes on to its stop time, whose last tick makes one, too, where the period skips it.
 std::size_t max_rows(const Plan& plan, const RecordRequest& request);
 /// Columns without rows, with names and units.
 std::vector<Column> empty_columns(const Plan& plan, const RecordRequest& request);
@@ -32,9 +32,9 @@ class Recorder {
   /// Writes from the first row of these columns on, which have room for max_rows().
   Recorder(const Plan& plan, const RecordRequest& request, std::vector<double*> columns);
 
-  /// Keeps the signals of this tick, if it is one of the recorder's.
-  void record(std::int64_t tick, const double* values) {
-    if (tick != next_tick_) return;
+  /// Keeps the signals of this tick, if it is one of the recorder's or the last one of the run.
+  void record(std::int64_t tick, const double* values, bool last = false) {
+    if (tick != next_tick_ && !last) return;
     next_tick_ += every_;
     for (std::size_t i = 0; i < offsets_.size(); ++i) columns_[i][filled_] = values[offsets_[i]];
     ++filled_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 #include "engine/base/table/table_file.hpp"
 #include "engine/simulate/replay/loop_replay.hpp"
@@ -40,6 +41,18 @@ class Verifier {
     std::error_code none;
     if (!std::filesystem::is_directory(folder_, none)) refuse(folder_, "there is no such folder");
     require_file("signals.csv");
+    try {
+      replay();
+    } catch (const Error& error) {
+      std::vector<Fault> faults = error.faults();
+      std::ranges::move(missing_blocksets(), std::back_inserter(faults));
+      throw Error(std::move(faults));
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void replay() {
     if (is_loop()) {
       verify_loop();
     } else if (const RunNote note = read_note(); note.swept.empty()) {
@@ -47,10 +60,8 @@ class Verifier {
     } else {
       verify_sweep(note);
     }
-    return std::move(result_);
   }
 
- private:
   std::string path(const std::string& name) const { return (std::filesystem::path(folder_) / name).string(); }
 
   bool has(const std::string& name) const {
@@ -69,6 +80,23 @@ class Verifier {
     require_file(name);
     Loader loader(registry_, wide_limits);
     return make_plan(loader.load(path(name)));
+  }
+
+  /// Folders of blocks that the run knew and this program does not.
+  std::vector<Fault> missing_blocksets() const {
+    std::vector<Fault> missing;
+    if (!has("run.json")) return missing;
+    const Document note = read_document(path("run.json"), wide_limits);
+    const Node* folders = note.root.find("block_folders");
+    if (!folders) return missing;
+    for (const Node& folder : folders->items)
+      if (std::ranges::find(registry_.blocksets(), folder.text) == registry_.blocksets().end())
+        missing.push_back(
+            {{path("run.json"), folder.mark},
+             "",
+             fmt::format("the run had the blocks of this folder; give --blocks {}", folder.text),
+             {}});
+    return missing;
   }
 
   /// A loop's table has the tick and the wall clock behind the time. So may that of a run whose signals have

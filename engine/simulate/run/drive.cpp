@@ -16,9 +16,10 @@ Drive::End Drive::run() {
         return flow == Flow::pause ? End::paused : end(End::stopped);
     simulation_.evaluate();
     if (!simulation_.healthy()) return end(End::finished);
-    if (!observers.empty()) watched_->evaluated();
-    for (Recorder& recorder : recorders_) recorder.record(simulation_.tick(), simulation_.values());
-    if (simulation_.finished() || stopper_.stops(simulation_.values())) return end(End::finished);
+    const bool last = simulation_.finished() || stopper_.stops(simulation_.values());
+    if (!observers.empty()) watched_->evaluated(last);
+    for (Recorder& recorder : recorders_) recorder.record(simulation_.tick(), simulation_.values(), last);
+    if (last) return end(End::finished);
     simulation_.advance();
     if (!simulation_.healthy()) return end(End::finished);
     if (simulation_.tick() % ticks_between_looks != 0) continue;

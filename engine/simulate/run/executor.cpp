@@ -1,3 +1,5 @@
+// More than 300 lines with its header: what steps, sets and explains a run shares its workspace and blocks,
+// which nobody else may change.
 #include "engine/simulate/run/executor.hpp"
 
 #include <fmt/format.h>

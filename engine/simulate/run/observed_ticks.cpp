@@ -28,11 +28,11 @@ Flow ObservedTicks::before_tick() const {
   return flow;
 }
 
-void ObservedTicks::evaluated() {
+void ObservedTicks::evaluated(bool last) {
   for (RunObserver* observer : observers_) observer->evaluated(run_);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     Row& row = rows_[i];
-    if (run_.simulation.tick() % row.every != 0) continue;
+    if (run_.simulation.tick() % row.every != 0 && !last) continue;
     for (std::size_t k = 0; k < row.offsets.size(); ++k)
       row.numbers[k] = run_.simulation.values()[row.offsets[k]];
     for (RunObserver* observer : observers_) observer->row(run_, i, row.numbers);

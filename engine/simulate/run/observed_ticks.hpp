@@ -17,8 +17,8 @@ class ObservedTicks {
   void begin() const;
   /// How the run goes on: as the strictest of the observers says.
   Flow before_tick() const;
-  /// After the outputs of the tick are computed; shows the rows that are due.
-  void evaluated();
+  /// After the outputs of the tick are computed; shows the rows that are due, at the last tick all.
+  void evaluated(bool last = false);
   void end() const;
 
  private:

@@ -9,6 +9,7 @@
 #include "engine/simulate/run/memory.hpp"
 #include "engine/simulate/run/pooling.hpp"
 #include "engine/simulate/run/run.hpp"
+#include "engine/simulate/solve/solver.hpp"
 
 namespace stepwire {
 
@@ -152,6 +153,28 @@ std::size_t member_for(PlanFamily& family, const std::vector<Setting>& settings)
   }
 }
 
+/// A tolerance beside a solver that has none. Where the call or the sweep names the solver, that of the file
+/// may be meant for another one.
+void refuse_idle_tolerance(const Document& document, const std::vector<Setting>& settings,
+                           const Diagram& diagram) {
+  if (find_implicit(diagram.solver)) return;
+  const auto setting = [&](const std::string& name) {
+    return std::ranges::find(settings, name, &Setting::name);
+  };
+  const auto refuse = [](const std::string& file, const Mark& mark) {
+    throw Error(Fault{{file, mark},
+                      "tolerance",
+                      "only rosenbrock and sdirk have one; take it out, or name one of these",
+                      {}});
+  };
+  if (const auto set = setting("tolerance"); set != settings.end()) refuse(set->written, set->mark);
+  const bool sweeps =
+      diagram.sweep &&
+      std::ranges::find(diagram.sweep->axes, "solver", &Sweep::Axis::parameter) != diagram.sweep->axes.end();
+  const Node* own = document.root.find("tolerance");
+  if (own && !sweeps && setting("solver") == settings.end()) refuse(document.file, own->mark);
+}
+
 }  // namespace
 
 std::vector<Setting> Job::settings_of(std::size_t point) const {
@@ -174,6 +197,7 @@ Job make_job(Loader& loader, const std::string& path, const std::vector<Setting>
   if (stop) all.push_back({"stop", *stop, "--stop " + *stop});
   Job job{make_plan(loader.load(path, all)), {}, {}};
   require_solver_memory(job.plan);
+  refuse_idle_tolerance(loader.document(path), all, job.plan.diagram);
   static_cast<void>(Executor(job.plan));  // a block's start() may find what no plan shows
   auto& sweep = job.plan.diagram.sweep;
   if (sweep) pin(*sweep, all);

@@ -2,6 +2,8 @@
 
 #include "engine/view/plot/panel_reading.hpp"
 
+#include "engine/base/yaml/fault_text.hpp"
+
 namespace stepwire {
 namespace {
 
@@ -57,8 +59,8 @@ class AxisChecks {
 
   void two_units(const std::string& key, const Series& series, const Series& first) {
     fault(series.formula.mark, key,
-          fmt::format("'{}' is drawn in {}, but '{}' in {}; one axis has one unit: give each a panel",
-                      first.formula.text, first.unit_text, series.formula.text, series.unit_text));
+          fault_text("'{}' is drawn in {}, but '{}' in {}; one axis has one unit: give each a panel",
+                     first.formula.text, first.unit_text, series.formula.text, series.unit_text));
   }
 
   /// Without `by` there is one curve for each y, however many runs there are.

@@ -80,6 +80,12 @@ const Key& rose_form() {
   return form;
 }
 
+PanelKey described_key(const Key& key) {
+  PanelKey described(key.name, key.doc, key);
+  static_cast<Key&>(described) = key;
+  return described;
+}
+
 PanelKey number_key(std::string name, std::string doc, std::optional<double> Panel::*member,
                     std::string axis) {
   return {std::move(name), std::move(doc), form::number(),

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "engine/analyse/query/number.hpp"
+#include "engine/base/yaml/fault_text.hpp"
 #include "engine/view/plot/overlay.hpp"
 
 namespace stepwire {
@@ -11,7 +12,7 @@ void read_heads(const Node& node, Motion& motion, const NamesReading& read) {
   const auto heads = read_number(node, read.names, read.subject, read.faults);
   if (heads) motion.heads = heads->value;
   if (heads && !(motion.heads >= 0.0 && motion.heads <= most))
-    read.fault(node.mark, fmt::format("{} arrow heads are not allowed; 0 to {} are", heads->text, most));
+    read.fault(node.mark, fault_text("{} arrow heads are not allowed; 0 to {} are", heads->text, most));
 }
 
 void read_motion(const Node& node, Panel& panel, const NamesReading& read) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "engine/base/yaml/fault_text.hpp"
+
 namespace stepwire {
 
 std::vector<Curve> overlay_rows(const std::optional<Formula>& where, const Recording& recording,
@@ -18,8 +20,8 @@ std::optional<Series> read_coordinate(const Node& node, const std::string& axis,
   if (!formula || !drawn) return std::nullopt;
   const auto &ours = formula->dimension, &theirs = drawn->formula.dimension;
   if (ours && theirs && *ours != *theirs)
-    read.fault(node.mark, fmt::format("'{}' is in {}, but '{}' in {}; both are drawn along {}", formula->text,
-                                      si_name(*ours), drawn->formula.text, si_name(*theirs), axis));
+    read.fault(node.mark, fault_text("'{}' is in {}, but '{}' in {}; both are drawn along {}", formula->text,
+                                     si_name(*ours), drawn->formula.text, si_name(*theirs), axis));
   return Series{*formula, drawn->unit, drawn->unit_text, formula->text};
 }
 

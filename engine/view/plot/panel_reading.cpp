@@ -83,7 +83,7 @@ class PanelReader {
                 panel_.kind->name));
       return std::nullopt;
     }
-    reading("").check_unknown(node_, plot_form(*panel_.kind, true));
+    reading("").check(node_, plot_form(*panel_.kind, true));
     panel_.content = panel_.kind->read(node_, names_, faults_);
     Faults told;  // by the plot already
     if (const Node* where = node_.find("where"))

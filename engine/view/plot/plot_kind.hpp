@@ -31,6 +31,9 @@ struct PanelKey : KeyRow<Panel, NamesReading> {
   KeyStage stage = KeyStage::options;
 };
 
+/// A key that its kind of plot reads.
+PanelKey described_key(const Key& key);
+
 /// A key of a plot whose value is an expression over recorded columns.
 struct Channel {
   std::string key;

@@ -87,32 +87,13 @@ PanelContent read_mechanism(const Node& node, const SymbolTable& names, Faults& 
   };
 }
 
-std::string elements_doc() {
-  std::string doc =
-      "list of {KIND: points, name: .., body: length of a housing, offset: of a dimension, direction: of a "
-      "force, an angle or shares along the axes}; in a name such as F_e what follows '_' stands lower; "
-      "kinds:";
-  for (const RigKind& kind : rig_kinds()) doc += (doc.ends_with(':') ? " " : ", ") + kind.name;
-  return doc;
-}
-
 }  // namespace
 
 PlotKind rig_plot() {
   PlotKind kind;
   kind.name = "rig";
   kind.doc = "a mechanism to scale, at one instant of the run";
-  kind.options = {
-      {"points",
-       "map of name: place; a place is a recorded vector, a row of a block's parameter "
-       "(rig.linkage.anchors.1), or [x, y]",
-       form::tree()},
-      {"elements", elements_doc(), form::tree()},
-      {"axes", "names of the axes that are drawn, [x, z] of a view from the side",
-       form::one_or_list(form::text())},
-      {"up", "the axis that points upwards in space (y)", form::word({"y", "z"})},
-      {"schematic", "without axes and scale", form::truth()},
-      {"where", "the first row for which this is true is drawn; without it the first of all", form::tree()}};
+  for (const Key& key : rig_form().of) kind.options.push_back(described_key(key));
   kind.plane = false;
   kind.read = read_mechanism;
   return kind;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/analyse/query/names_reading.hpp"
 #include "engine/analyse/query/number.hpp"
 #include "engine/analyse/query/run_rows.hpp"
 #include "engine/view/drawing/draw.hpp"
@@ -21,60 +22,51 @@ struct ChosenInstants {
   std::vector<std::string> words;
 };
 
-/// Reads the options; faults are gathered.
-class InstantsReader {
- public:
-  InstantsReader(const Node& node, const SymbolTable& names, Faults& faults)
-      : node_(node), names_(names), faults_(faults) {}
+using InstantsTable = KeyTable<ChosenInstants, NamesReading>;
 
-  ChosenInstants read() {
-    ChosenInstants instants{names_.scene, names_.file, node_.mark, {}, {}, {}};
-    if (!instants.scene)
-      fault(node_, "plot", "a plot 'scene' draws the section 'scene' of its file, and there is none");
-    if (const Node* at = node_.find("at")) read_times(*at, instants);
-    if (const Node* where = node_.find("where"))
-      instants.where = read_formula(*where, names_, "figure.where", faults_);
-    if (const Node* words = node_.find("words")) read_words(*words, instants);
-    check_recording(instants);
-    return instants;
+void read_times(ChosenInstants& instants, const Node& node, const NamesReading& read) {
+  for (const Node& item : node.as_list()) {
+    const auto time = read.number(item, form::number("s"));
+    if (!time) continue;
+    const double stop = read.names.diagram ? read.names.diagram->diagram().stop : *time;
+    if (*time < 0.0 || *time > stop)
+      read.fault(item.mark, fmt::format("{} is not within the run, which lasts {} s", item.text, stop));
+    instants.times.push_back(*time);
   }
+}
 
- private:
-  void fault(const Node& node, const std::string& key, std::string message) {
-    faults_.add({{names_.file, node.mark}, "figure." + key, std::move(message), {}});
-  }
+/// Behind the times, of which each has a text.
+void read_words(ChosenInstants& instants, const Node& node, const NamesReading& read) {
+  for (const Node& item : node.as_list()) instants.words.push_back(read.text(item));
+  const std::size_t count = std::max<std::size_t>(1, instants.times.size());
+  if (instants.words.size() != count)
+    read.fault(node.mark, fmt::format("there are {} texts for {} instants", instants.words.size(), count));
+}
 
-  void read_times(const Node& node, ChosenInstants& instants) {
-    for (const Node& item : node.as_list()) {
-      const auto time = read_number(item, names_, "figure.at", faults_);
-      if (!time) continue;
-      check_dimension(*time, Dimension{{0.0, 0.0, 1.0}}, "an instant", item, names_, "figure.at", faults_);
-      const double stop = names_.diagram ? names_.diagram->diagram().stop : time->value;
-      if (time->value < 0.0 || time->value > stop)
-        fault(item, "at", fmt::format("{} is not within the run, which lasts {} s", item.text, stop));
-      instants.times.push_back(time->value);
-    }
-  }
+const InstantsTable& instants_table() {
+  static const InstantsTable table(
+      "a picture of the scene", "{at: 2 s}",
+      {{"at", "times of the instants: 2 s, or a list", form::one_or_list(form::number("s")), read_times},
+       {"words", "texts below the instants, in their order", form::one_or_list(form::text()), read_words},
+       {"where",
+        "of several runs that with the first row for which this is true; without `at` that row is drawn",
+        form::expression(), &ChosenInstants::where}});
+  return table;
+}
 
-  void read_words(const Node& node, ChosenInstants& instants) {
-    for (const Node& item : node.as_list())
-      instants.words.push_back(read_text(item, names_, "figure.words", faults_));
-    const std::size_t count = std::max<std::size_t>(1, instants.times.size());
-    if (instants.words.size() != count)
-      fault(node, "words", fmt::format("there are {} texts for {} instants", instants.words.size(), count));
-  }
-
-  void check_recording(const ChosenInstants& instants) {
-    if (!instants.scene || !instants.where) return;
-    std::vector<const Formula*> formulas{&*instants.where};
-    for (const Formula& formula : instants.scene->formulas) formulas.push_back(&formula);
-    common_recording(formulas, names_, node_, "figure.where", faults_);
-  }
-
-  const Node& node_;
-  const SymbolTable& names_;
-  Faults& faults_;
-};
+ChosenInstants read_chosen(const Node& node, const SymbolTable& names, Faults& faults) {
+  ChosenInstants instants{names.scene, names.file, node.mark, {}, {}, {}};
+  const NamesReading read("figure", names, faults);
+  if (!instants.scene)
+    below(read, "plot")
+        .fault(node.mark, "a plot 'scene' draws the section 'scene' of its file, and there is none");
+  set_keys(node, instants_table().rows, instants, read);
+  if (!instants.scene || !instants.where) return instants;
+  std::vector<const Formula*> formulas{&*instants.where};
+  for (const Formula& formula : instants.scene->formulas) formulas.push_back(&formula);
+  common_recording(formulas, names, node, "figure.where", faults);
+  return instants;
+}
 
 /// The row of the run whose time is nearest to that instant.
 std::size_t row_at(double instant, const RunRows& rows, const std::vector<double>& time) {
@@ -106,7 +98,7 @@ SceneInstants drawn_instants(const ChosenInstants& instants, std::span<const Rec
 }
 
 PanelContent read_instants(const Node& node, const SymbolTable& names, Faults& faults) {
-  return [instants = InstantsReader(node, names, faults).read()](std::span<const Recording> recordings) {
+  return [instants = read_chosen(node, names, faults)](std::span<const Recording> recordings) {
     return drawn_instants(instants, recordings);
   };
 }
@@ -117,12 +109,7 @@ PlotKind scene_plot() {
   PlotKind kind;
   kind.name = "scene";
   kind.doc = "instants of the section `scene` side by side, as whoever is at the device sees them";
-  kind.options = {
-      {"at", "times of the instants: 2 s, or a list", form::one_or_list(form::number())},
-      {"words", "texts below the instants, in their order", form::one_or_list(form::text())},
-      {"where",
-       "of several runs that with the first row for which this is true; without `at` that row is drawn",
-       form::tree()}};
+  for (const Key& key : instants_table().form.of) kind.options.push_back(described_key(key));
   kind.plane = false;
   kind.read = read_instants;
   return kind;

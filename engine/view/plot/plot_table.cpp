@@ -55,16 +55,15 @@ PlotKind table_plot() {
   kind.options = {
       {"of",
        "which table: errors by condition, or by condition and subject; the analyses of variance; pairs "
-       "of conditions within subjects; means and significance beside the thesis'; or these over all "
+       "of conditions within subjects; means and significance beside the published ones; or these over all "
        "experiments",
        form::word({"errors", "subjects", "anova", "anova_with_subject", "repeated_measures", "intervals",
                    "comparisons", "effect_sizes", "power", "assumptions", "means", "significance",
-                   "experiments", "experiments_significance"})},
-      {"headings", "texts, the first above the names of the rows", form::one_or_list(form::text())},
-      {"rows", "map of name: an expression for each further column, or a list: {NAME: [rig.x in mm]}",
-       form::tree()},
-      {"where", "cells have the values of the first row for which this is true; without it of the first",
-       form::tree()}};
+                   "experiments", "experiments_significance"})}};
+  for (Key key : table_rows_form().of) {
+    key.required = false;  // `of` may stand in their place
+    kind.options.push_back(described_key(key));
+  }
   kind.plane = false;
   kind.read = read_table_plot;
   return kind;

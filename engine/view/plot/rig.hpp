@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/analyse/query/formula.hpp"
+#include "engine/base/yaml/key.hpp"
 
 namespace stepwire {
 
@@ -39,13 +40,17 @@ struct Rig {
   std::vector<std::string> axes{"x", "y", "z"};  ///< their names
   bool z_up = false;                             ///< z is drawn upwards, else y
   bool schematic = false;                        ///< without axes and scale
+  std::map<std::string, RigPoint> points;        ///< that have names
   std::vector<RigElement> elements;
   std::optional<Formula> where;  ///< the first row for which this is true is drawn
   std::size_t recording = 0;
   Mark mark;
 };
 
-/// Reads the keys `points`, `elements`, `where`, `axes`, `up`, `schematic` of a figure. Faults are gathered.
+/// The keys of a figure that a rig has.
+const Key& rig_form();
+
+/// Reads them; what is wrong goes to `faults`.
 Rig read_rig(const Node& node, const SymbolTable& names, Faults& faults);
 
 }  // namespace stepwire

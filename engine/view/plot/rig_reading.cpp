@@ -4,15 +4,13 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "engine/analyse/query/number.hpp"
+#include "engine/analyse/query/names_reading.hpp"
 #include "engine/analyse/query/place_reading.hpp"
 #include "engine/view/drawing/draw.hpp"
 #include "engine/view/plot/rig.hpp"
 
 namespace stepwire {
 namespace {
-
-using Keys = std::vector<std::string>;
 
 /// "anchors.1" of a block: a row of one of its parameters.
 std::optional<RigPoint> row_of(const DiagramBlock& block, const std::string& rest) {
@@ -29,183 +27,160 @@ std::optional<RigPoint> row_of(const DiagramBlock& block, const std::string& res
   return point;
 }
 
-/// Reads one rig; faults are gathered.
-class RigReader {
- public:
-  RigReader(const Node& node, const SymbolTable& names, Faults& faults)
-      : node_(node), names_(names), faults_(faults) {}
-
-  Rig read() {
-    rig_.mark = node_.mark;
-    if (const Node* points = node_.find("points")) read_points(*points);
-    const Node* elements = node_.find("elements");
-    if (!elements || !elements->is_list() || elements->items.empty())
-      fault(elements ? elements->mark : node_.mark, "elements",
-            "a plot 'rig' needs 'elements', a list such as [{damper: [anchor, pin]}, {ground: anchor}]");
-    else
-      for (const Node& element : elements->items) read_element(element);
-    read_view();
-    if (const Node* where = node_.find("where"))
-      rig_.where = read_formula(*where, names_, "figure.where", faults_);
-    rig_.recording = common_recording(formulas(), names_, node_, "figure", faults_);
-    return std::move(rig_);
-  }
-
- private:
-  void fault(const Mark& mark, const std::string& key, std::string message) {
-    faults_.add({{names_.file, mark}, "figure." + key, std::move(message), {}});
-  }
-
-  void read_view() {
-    rig_.z_up = word("up", {"y", "z"}) == "z";
-    rig_.schematic = word("schematic", {"false", "true"}) == "true";
-    const Node* axes = node_.find("axes");
-    if (!axes) return;
-    Keys names;
-    for (const Node& name : axes->items) names.push_back(name.text);
-    if (names.size() < 2 || names.size() > max_coordinates)
-      return fault(axes->mark, "axes", "axes are the names of two or three directions: [x, z]");
-    rig_.axes = std::move(names);
-  }
-
-  /// One of some words, the first where the file has none.
-  std::string word(const std::string& key, const Keys& words) {
-    const Node* node = node_.find(key);
-    if (!node) return words.front();
-    if (std::find(words.begin(), words.end(), node->text) == words.end())
-      fault(node->mark, key,
-            fmt::format("'{}' is not allowed; it is one of {}", node->text, fmt::join(words, ", ")));
-    return node->text;
-  }
-
-  void read_points(const Node& node) {
-    if (!node.is_map()) return fault(node.mark, "points", "points are a map of name: place");
-    for (const Entry& entry : node.entries)
-      if (auto point = read_point(entry.value)) points_[entry.key] = std::move(*point);
-  }
-
-  /// A place: [x, y], the name of a recorded vector, or a row of a block's parameter.
-  std::optional<RigPoint> read_point(const Node& node) {
-    if (auto row = row_of_parameter(node.text)) return row;
-    RigPoint point;
-    for (Formula& coordinate : read_place(node, names_, "figure.points", faults_))
-      point.emplace_back(std::move(coordinate));
-    return point.empty() ? std::nullopt : std::optional(std::move(point));
-  }
-
-  std::optional<RigPoint> row_of_parameter(const std::string& text) const {
-    if (!names_.diagram) return std::nullopt;
-    for (const DiagramBlock& block : names_.diagram->diagram().blocks)
-      if (text.starts_with(block.name + "."))
-        if (auto row = row_of(block, text.substr(block.name.size() + 1))) return row;
-    return std::nullopt;
-  }
-
-  void read_element(const Node& node) {
-    if (!node.is_map()) return fault(node.mark, "elements", "an element is a map: {damper: [anchor, pin]}");
-    const RigKind* kind = nullptr;
-    for (const RigKind& known : rig_kinds())
-      if (node.find(known.name)) kind = &known;
-    if (!kind) return unknown_kind(node);
-    RigElement element;
-    element.kind = kind->name;
-    read_ends(*node.find(kind->name), *kind, element);
-    if (element.points.size() < kind->min_points || element.points.size() > kind->max_points)
-      fault(node.mark, "elements",
-            fmt::format("'{}' has {} points here; {}", kind->name, element.points.size(), kind->doc));
-    read_details(node, *kind, element);
-    rig_.elements.push_back(std::move(element));
-  }
-
-  void unknown_kind(const Node& node) {
-    Keys kinds;
-    for (const RigKind& known : rig_kinds()) kinds.push_back(known.name);
-    const std::string word = node.entries.empty() ? "" : node.entries.front().key;
-    fault(node.mark, "elements",
-          fmt::format("there is no element '{}'{}", word, nearest_or_all(word, kinds, "there are")));
-  }
-
-  void read_ends(const Node& node, const RigKind& kind, RigElement& element) {
-    // Several things in the list of a kind that takes one point are its coordinates.
-    const bool is_point = kind.max_points == 1 && node.items.size() > 1;
-    for (const Node& item : is_point ? std::span(&node, 1) : node.as_list()) {
-      const auto named = item.is_scalar() ? points_.find(item.text) : points_.end();
-      if (named != points_.end())
-        element.points.push_back(named->second);
-      else if (auto point = read_point(item))
-        element.points.push_back(std::move(*point));
-    }
-  }
-
-  void read_details(const Node& node, const RigKind& kind, RigElement& element) {
-    for (const Entry& entry : node.entries) {
-      if (entry.key == kind.name) continue;
-      if (entry.key == "name")
-        element.name = read_text(entry.value, names_, "figure.name", faults_);
-      else if (entry.key == "body")
-        element.body = length(entry.value, "body");
-      else if (entry.key == "offset")
-        element.offset = length(entry.value, "offset").value_or(0.0);
-      else if (entry.key == "direction" && kind.directed)
-        element.direction = direction(entry.value);
-      else
-        add_unknown_key(entry, keys_of(kind), "an element", names_, "figure.elements", faults_);
-    }
-  }
-
-  static Keys keys_of(const RigKind& kind) {
-    Keys keys{kind.name, "name", "body", "offset"};
-    if (kind.directed) keys.push_back("direction");
-    return keys;
-  }
-
-  /// An angle from x towards y, or shares along the axes.
-  std::vector<double> direction(const Node& node) {
-    std::vector<double> along;
-    for (const Node& item : node.items)
-      if (const auto share = read_number(item, names_, "figure.direction", faults_))
-        along.push_back(share->value);
-    if (!node.is_list()) {
-      const auto angle = read_number(node, names_, "figure.direction", faults_);
-      if (!angle) return {};
-      check_dimension(*angle, Dimension{}, "an angle", node, names_, "figure.direction", faults_);
-      return {std::cos(angle->value), std::sin(angle->value)};
-    }
-    const bool any = std::any_of(along.begin(), along.end(), [](double share) { return share != 0.0; });
-    if (!any || along.size() < 2 || along.size() > max_coordinates)
-      fault(node.mark, "direction",
-            "a direction is an angle such as 60 deg, or shares along the axes: [0, 0, 1]");
-    return along;
-  }
-
-  std::optional<double> length(const Node& node, const std::string& key) {
-    const auto number = read_number(node, names_, "figure." + key, faults_);
-    if (!number) return std::nullopt;
-    check_dimension(*number, length_dimension, "a length", node, names_, "figure." + key, faults_);
-    return number->value;
-  }
-
-  std::vector<const Formula*> formulas() const {
-    std::vector<const Formula*> found;
-    if (rig_.where) found.push_back(&*rig_.where);
-    for (const RigElement& element : rig_.elements)
-      for (const RigPoint& point : element.points)
-        for (const auto& coordinate : point)
-          if (const auto* formula = std::get_if<Formula>(&coordinate)) found.push_back(formula);
-    return found;
-  }
-
-  const Node& node_;
-  const SymbolTable& names_;
-  Faults& faults_;
-  std::map<std::string, RigPoint> points_;
-  Rig rig_;
+/// What elements are read with: the places that have names.
+struct RigReading : NamesReading {
+  RigReading(const NamesReading& read, const std::map<std::string, RigPoint>& named)
+      : NamesReading(read), named(named) {}
+  const std::map<std::string, RigPoint>& named;
 };
+
+using ElementTable = KeyTable<RigElement, RigReading>;
+using RigTable = KeyTable<Rig, NamesReading>;
+
+std::optional<RigPoint> row_of_parameter(const std::string& text, const SymbolTable& names) {
+  if (!names.diagram) return std::nullopt;
+  for (const DiagramBlock& block : names.diagram->diagram().blocks)
+    if (text.starts_with(block.name + "."))
+      if (auto row = row_of(block, text.substr(block.name.size() + 1))) return row;
+  return std::nullopt;
+}
+
+/// A place: [x, y], the name of a recorded vector, or a row of a block's parameter.
+std::optional<RigPoint> read_point(const Node& node, const NamesReading& read) {
+  if (auto row = row_of_parameter(node.text, read.names)) return row;
+  RigPoint point;
+  for (Formula& coordinate : read_place(node, read.names, read.subject, read.faults))
+    point.emplace_back(std::move(coordinate));
+  return point.empty() ? std::nullopt : std::optional(std::move(point));
+}
+
+Key place_form() {
+  return form::either({form::text(), form::list(form::expression(), 1, max_coordinates)});
+}
+
+void read_ends(const RigKind& kind, RigElement& element, const Node& node, const RigReading& read) {
+  element.kind = kind.name;
+  // Several things in the list of a kind that takes one point are its coordinates.
+  const bool is_point = kind.max_points == 1 && node.items.size() > 1;
+  for (const Node& item : is_point ? std::span(&node, 1) : node.as_list()) {
+    const auto named = item.is_scalar() ? read.named.find(item.text) : read.named.end();
+    if (named != read.named.end())
+      element.points.push_back(named->second);
+    else if (auto point = read_point(item, read))
+      element.points.push_back(std::move(*point));
+  }
+  const std::size_t count = element.points.size();
+  if (count < kind.min_points || count > kind.max_points)
+    read.fault(node.mark, fmt::format("there are {} points here; {}", count, kind.doc));
+}
+
+/// An angle from x towards y, or shares along the axes.
+void read_direction(RigElement& element, const Node& node, const RigReading& read) {
+  const Key share = form::computed();
+  if (!node.is_list()) {
+    const auto angle = read.number(node, share);
+    if (angle) element.direction = {std::cos(*angle), std::sin(*angle)};
+    return;
+  }
+  for (const Node& item : node.items)
+    if (const auto one = read.number(item, share)) element.direction.push_back(*one);
+  const bool any = std::ranges::any_of(element.direction, [](double one) { return one != 0.0; });
+  if (!any || element.direction.size() < 2 || element.direction.size() > max_coordinates)
+    read.fault(node.mark, "a direction is an angle such as 60 deg, or shares along the axes: [0, 0, 1]");
+}
+
+std::vector<ElementTable::Row> element_rows() {
+  std::vector<ElementTable::Row> rows;
+  std::vector<std::string> directed;
+  for (const RigKind& kind : rig_kinds()) {
+    const Key points = form::either({place_form(), form::list(place_form())});
+    rows.push_back(one_of(
+        "kind", ElementTable::Row{kind.name, kind.doc, points,
+                                  [&kind](RigElement& element, const Node& node, const RigReading& read) {
+                                    read_ends(kind, element, node, read);
+                                  }}));
+    if (kind.directed) directed.push_back(kind.name);
+  }
+  rows.push_back(
+      {"name", "text beside it; what follows '_' stands lower: F_e", form::text(), &RigElement::name});
+  rows.push_back({"body", "length of the housing of a link", form::computed("m"), &RigElement::body});
+  rows.push_back({"offset", "of a dimension, to the left of the way between its points", form::computed("m"),
+                  &RigElement::offset});
+  rows.push_back(beside(
+      directed,
+      ElementTable::Row{"direction", "an angle from x towards y, or shares along the axes",
+                        form::either({form::computed(), form::list(form::computed(), 2, max_coordinates)}),
+                        read_direction}));
+  return rows;
+}
+
+const ElementTable& element_table() {
+  static const ElementTable table("an element", "{damper: [anchor, pin]}", element_rows());
+  return table;
+}
+
+void read_points(Rig& rig, const Node& node, const NamesReading& read) {
+  if (!node.is_map()) return read.fault(node.mark, "points are a map of name: place");
+  for (const Entry& entry : node.entries)
+    if (auto point = read_point(entry.value, read)) rig.points[entry.key] = std::move(*point);
+}
+
+void read_elements(Rig& rig, const Node& node, const NamesReading& read) {
+  if (!node.is_list() || node.items.empty())
+    return read.fault(node.mark, "elements are a list such as [{damper: [anchor, pin]}, {ground: anchor}]");
+  for (const Node& item : node.items)
+    element_table().read(item, rig.elements.emplace_back(), RigReading(read, rig.points));
+}
+
+void read_axes(Rig& rig, const Node& node, const NamesReading& read) {
+  if (!node.is_list() || node.items.size() < 2 || node.items.size() > max_coordinates)
+    return read.fault(node.mark, "axes are the names of two or three directions: [x, z]");
+  rig.axes.clear();
+  for (const Node& name : node.items) rig.axes.push_back(read.text(name));
+}
+
+const RigTable& rig_table() {
+  static const RigTable table(
+      "a rig", "{elements: [{damper: [anchor, pin]}, {ground: anchor}]}",
+      {{"points",
+        "places with names; a place is a recorded vector, a row of a block's parameter "
+        "(rig.linkage.anchors.1), "
+        "or [x, y]",
+        form::names(place_form()), read_points},
+       needed(RigTable::Row{"elements", "what is drawn: the kind of an element with its points",
+                            form::list(element_table().form, 1), read_elements}),
+       {"axes", "names of the axes that are drawn, [x, z] of a view from the side",
+        form::list(form::text(), 2, max_coordinates), read_axes},
+       {"up", "the axis that points upwards in space", form::word({"y", "z"}), &Rig::z_up},
+       {"schematic", "without axes and scale", form::truth(), &Rig::schematic},
+       {"where", "the first row for which this is true is drawn; without it the first of all",
+        form::expression(), &Rig::where}});
+  return table;
+}
+
+std::vector<const Formula*> formulas_of(const Rig& rig) {
+  std::vector<const Formula*> found;
+  if (rig.where) found.push_back(&*rig.where);
+  for (const RigElement& element : rig.elements)
+    for (const RigPoint& point : element.points)
+      for (const auto& coordinate : point)
+        if (const auto* formula = std::get_if<Formula>(&coordinate)) found.push_back(formula);
+  return found;
+}
 
 }  // namespace
 
+const Key& rig_form() {
+  return rig_table().form;
+}
+
 Rig read_rig(const Node& node, const SymbolTable& names, Faults& faults) {
-  return RigReader(node, names, faults).read();
+  Rig rig;
+  rig.mark = node.mark;
+  const NamesReading read("figure", names, faults);
+  set_keys(node, rig_table().rows, rig, read);
+  rig.recording = common_recording(formulas_of(rig), names, node, "figure", faults);
+  return rig;
 }
 
 }  // namespace stepwire

@@ -2,80 +2,63 @@
 
 #include <fmt/format.h>
 
-#include "engine/analyse/query/number.hpp"
+#include "engine/analyse/query/names_reading.hpp"
 #include "engine/analyse/query/run_rows.hpp"
 #include "engine/view/plot/panel_reading.hpp"
 
 namespace stepwire {
 namespace {
 
-/// Reads one table; faults are gathered.
-class TableRowsReader {
- public:
-  TableRowsReader(const Node& node, const SymbolTable& names, Faults& faults)
-      : node_(node), names_(names), faults_(faults) {}
+using RowsTable = KeyTable<TableRows, NamesReading>;
 
-  TableRows read() {
-    table_.file = names_.file;
-    table_.mark = node_.mark;
-    if (const Node* title = node_.find("title")) table_.title = title->text;
-    if (const Node* where = node_.find("where"))
-      table_.where = read_formula(*where, names_, "figure.where", faults_);
-    read_headings();
-    read_lines();
-    table_.recording = common_recording(formulas(), names_, node_, "figure.rows", faults_);
-    return std::move(table_);
-  }
+void read_headings(TableRows& table, const Node& node, const NamesReading& read) {
+  if (!node.is_list() || node.items.size() < 2)
+    return read.fault(node.mark,
+                      "'headings' is a list of texts, the first above the names of the rows: [of, found]");
+  for (const Node& item : node.items) table.columns.push_back(item.text.empty() ? "" : read.text(item));
+}
 
- private:
-  void fault(const Mark& mark, const std::string& key, std::string message) {
-    faults_.add({{names_.file, mark}, "figure." + key, std::move(message), {}});
-  }
+/// Behind the headings, of which each has a value.
+void read_line(TableRows& table, const Entry& entry, const NamesReading& read) {
+  const auto items = entry.value.as_list();
+  if (!table.columns.empty() && items.size() + 1 != table.columns.size())
+    return read.fault(entry.value.mark,
+                      fmt::format("'{}' has {} values, but there are {} headings behind that of the names",
+                                  entry.key, items.size(), table.columns.size() - 1));
+  TableRows::Line line{entry.key, {}};
+  for (const Node& item : items)
+    if (auto cell = read.series(item)) line.cells.push_back(std::move(*cell));
+  table.lines.push_back(std::move(line));
+}
 
-  void read_headings() {
-    const Node* headings = node_.find("headings");
-    if (!headings || !headings->is_list() || headings->items.size() < 2)
-      return fault(headings ? headings->mark : node_.mark, "headings",
-                   "'headings' is a list of texts, the first above the names of the rows: [of, found]");
-    for (const Node& item : headings->items)
-      table_.columns.push_back(item.text.empty() ? "" : read_text(item, names_, "figure.headings", faults_));
-  }
+void read_lines(TableRows& table, const Node& node, const NamesReading& read) {
+  if (!node.is_map() || node.entries.empty())
+    return read.fault(
+        node.mark,
+        "'rows' is a map of names, with an expression for each further column: {NAME: [rig.x in mm]}");
+  for (const Entry& entry : node.entries) read_line(table, entry, read);
+}
 
-  void read_lines() {
-    const Node* rows = node_.find("rows");
-    if (!rows || !rows->is_map() || rows->entries.empty())
-      return fault(
-          rows ? rows->mark : node_.mark, "rows",
-          "'rows' is a map of names, with an expression for each further column: {NAME: [rig.x in mm]}");
-    for (const Entry& entry : rows->entries) read_line(entry);
-  }
+const RowsTable& rows_table() {
+  static const RowsTable table(
+      "a table", "{headings: [of, found], rows: {NAME: [rig.x in mm]}}",
+      {needed(RowsTable::Row{"headings", "texts, the first above the names of the rows",
+                             form::list(form::text(), 2), read_headings}),
+       needed(RowsTable::Row{
+           "rows", "names, with an expression for each further column, or a list: {NAME: [rig.x in mm]}",
+           form::names(form::one_or_list(form::series()), 1), read_lines}),
+       {"where", "cells have the values of the first row for which this is true; without it of the first",
+        form::expression(), &TableRows::where}});
+  return table;
+}
 
-  void read_line(const Entry& entry) {
-    const auto items = entry.value.as_list();
-    if (!table_.columns.empty() && items.size() + 1 != table_.columns.size())
-      return fault(entry.value.mark, "rows",
-                   fmt::format("'{}' has {} values, but there are {} headings behind that of the names",
-                               entry.key, items.size(), table_.columns.size() - 1));
-    TableRows::Line line{entry.key, {}};
-    for (const Node& item : items)
-      if (auto cell = read_series(item, names_, "figure.rows", faults_))
-        line.cells.push_back(std::move(*cell));
-    table_.lines.push_back(std::move(line));
-  }
-
-  std::vector<const Formula*> formulas() const {
-    std::vector<const Formula*> all;
-    if (table_.where) all.push_back(&*table_.where);
-    for (const TableRows::Line& line : table_.lines)
-      for (const Series& cell : line.cells) all.push_back(&cell.formula);
-    return all;
-  }
-
-  const Node& node_;
-  const SymbolTable& names_;
-  Faults& faults_;
-  TableRows table_;
-};
+std::vector<const Formula*> formulas_of(const TableRows& table) {
+  std::vector<const Formula*> all;
+  if (table.where) all.push_back(&*table.where);
+  for (const TableRows::Line& line : table.lines)
+    for (const Series& cell : line.cells) all.push_back(&cell.formula);
+  return all;
+}
 
 std::string cell_text(const Series& cell, double value) {
   const bool bare = cell.unit_text.empty() || cell.unit_text == "1";
@@ -84,8 +67,22 @@ std::string cell_text(const Series& cell, double value) {
 
 }  // namespace
 
+const Key& table_rows_form() {
+  return rows_table().form;
+}
+
 TableRows read_table_rows(const Node& node, const SymbolTable& names, Faults& faults) {
-  return TableRowsReader(node, names, faults).read();
+  TableRows table;
+  table.file = names.file;
+  table.mark = node.mark;
+  if (const Node* title = node.find("title")) table.title = title->text;
+  const NamesReading read("figure", names, faults);
+  for (const Key& key : rows_table().form.of)
+    if (key.required && !node.find(key.name))
+      below(read, key.name).fault(node.mark, NamesReading::missing(key));
+  set_keys(node, rows_table().rows, table, read);
+  table.recording = common_recording(formulas_of(table), names, node, "figure.rows", faults);
+  return table;
 }
 
 TextTable filled(const TableRows& rows, std::span<const Recording> recordings) {

@@ -26,6 +26,9 @@ struct TableRows {
   std::size_t recording = 0;
 };
 
+/// The keys `headings`, `rows` and `where`.
+const Key& table_rows_form();
+
 /// Reads `headings`, `rows`, `where` and `title` of a plot `table`; what is wrong goes to `faults`.
 TableRows read_table_rows(const Node& node, const SymbolTable& names, Faults& faults);
 

@@ -22,7 +22,10 @@ std::string faults_of(const std::string& text) {
 TEST_CASE("the condition of a claim is told as text") {
   CHECK(check_of("max: abs(rig.x), at_most: 2 mm, where: rig.x > -4 mm && time > 1") ==
         "max abs(rig.x) <= 2 mm where rig.x > -4 mm && time > 1");
-  CHECK(check_of("final: rig.x, equals: 2/3, within: 1e-3") == "final rig.x = 2/3 within 1e-3");
+  CHECK(check_of("final: rig.x, equals: 2/3, within: 1e-3") == "final rig.x = 2/3 within 1e-3 m");
+  CHECK(check_of("final: rig.x, equals: 2") == "final rig.x = 2 m");
+  CHECK(check_of("final: rig.x/rig.x, equals: 2") == "final rig.x/rig.x = 2");
+  CHECK(check_of("max: rig.x, between: [1, 2 m]") == "max rig.x between 1 m and 2 m");
   CHECK(check_of("at: {time: 2 s, value: rig.x}, between: [1 mm, 2 mm]") ==
         "rig.x at 2 s between 1 mm and 2 mm");
   CHECK(check_of("rising: {value: rig.x, over: time}, at_least: 0.9") == "rising rig.x over time >= 0.9");

@@ -4,6 +4,7 @@
 
 #include "engine/app/session/repetition_figure.hpp"
 #include "engine/view/render/render.hpp"
+#include "tests/engine/analyse/study/samples.hpp"
 
 using namespace stepwire;
 using Catch::Contains;
@@ -28,6 +29,7 @@ std::vector<ExperimentOutcome> made_up() {
 StudyRequest task_1() {
   StudyRequest request;
   request.task = "1";
+  request.published = testing::published_task_1();
   return request;
 }
 
@@ -54,4 +56,10 @@ TEST_CASE("the picture has a panel with a line for each value that the thesis pr
   CHECK_THAT(svg,
              Contains("thesis: 0.698") && Contains("thesis: 2.02e-05") && Contains("log10 of P, haptic"));
   CHECK_THAT(svg, !Contains("thesis: 0.217"));
+}
+
+TEST_CASE("a study of which nothing is published has the distributions of its own means") {
+  const TextTable table = experiments_table(made_up(), {});
+  REQUIRE(table.rows.size() == 2);
+  CHECK(table.rows[0] == std::vector<std::string>{"mean.NO", "–", "0.5", "0.0545", "0.946", "–"});
 }

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "engine/base/io/file.hpp"
+#include "tests/engine/analyse/study/samples.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 
 using namespace stepwire;

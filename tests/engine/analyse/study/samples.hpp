@@ -7,10 +7,27 @@
 #include <vector>
 
 #include "engine/analyse/study/path_errors.hpp"
+#include "engine/analyse/study/published.hpp"
 
 namespace stepwire::testing {
 
 constexpr double mm = 1e-3, degree = std::numbers::pi / 180.0;
+
+/// What the thesis prints of its tasks: sections 4.3.1 and 4.3.2, tables 3 to 6.
+inline PublishedStudy published_task_1() {
+  return {{"section 4.3.1, mean of ten", {{"NO", 0.698}, {"H", 0.217}, {"V", 0.114}, {"HV", 0.079}}},
+          {"table 4", {{"haptic", 2.02e-5}, {"visual", 4.49e-8}}},
+          {{"table 3, participant a", {{"NO", 0.5139}, {"H", 0.1064}, {"V", 0.1155}, {"HV", 0.0546}}}},
+          {{"NO", "H", "V", "HV"}}};
+}
+
+inline PublishedStudy published_task_2() {
+  return {{"section 4.3.2, mean of ten",
+           {{"H", 0.421}, {"V", 0.547}, {"HV", 0.291}, {"V_gp", 0.288}, {"HV_gp", 0.185}}},
+          {"table 6", {{"haptic", 2.38e-3}, {"visual", 2.16e-1}, {"guiding path", 2.75e-3}}},
+          {},
+          {{"V", "H", "HV", "HV_gp"}, {"V", "V_gp", "HV_gp"}}};
+}
 
 /// 100 points about a circle of 50 mm at (20 mm, -10 mm): the radius is larger by `outwards`, and by `ripple`
 /// more or less at every other point [m].

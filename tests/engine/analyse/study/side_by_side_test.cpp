@@ -1,6 +1,7 @@
 #include "engine/analyse/study/side_by_side.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "tests/engine/analyse/study/samples.hpp"
 
@@ -19,7 +20,7 @@ const Agreement& agreement(const SideBySide& both, const std::string& start) {
 }  // namespace
 
 TEST_CASE("the published values agree with themselves") {
-  for (const PublishedTask& task : {published_task_1(), published_task_2()}) {
+  for (const PublishedStudy& task : {published_task_1(), published_task_2()}) {
     const SideBySide both = compare_errors(task.means, task.means.values, task.order);
     CHECK(both.values.size() == task.means.values.size());
     for (const Agreement& agreement : both.agreements) CHECK(agreement.agrees);
@@ -118,4 +119,20 @@ TEST_CASE("the words stand below the table, and in JSON") {
              Contains("2.02e-05") && Contains("Agrees: haptic is significant"));
   CHECK_THAT(side_by_side_json(all[1]).text(-1),
              Contains("\"published\":2.02e-05") && Contains("\"agrees\":true"));
+}
+
+TEST_CASE("a study beside which nothing is published has its own numbers alone") {
+  TaskAnalysis ours;
+  ours.means = {{"A", 0.5}, {"B", 0.25}};
+  ours.effects = {{"haptic", -0.25}};
+  const auto all = compare({}, ours);
+  CHECK(all[0].title == "Errors");
+  REQUIRE(all[0].values.size() == 2);
+  CHECK(all[0].values[1].name == "B");
+  CHECK(all[0].values[1].ours == 0.25);
+  CHECK(std::isnan(all[0].values[1].published));
+  CHECK(all[0].agreements.empty());
+  REQUIRE(all[1].effects.size() == 1);
+  CHECK(all[1].effects[0].ours == -0.25);
+  CHECK(all[1].agreements.empty());
 }

@@ -11,6 +11,7 @@ namespace {
 StudyRequest request_of_task_1() {
   StudyRequest request;
   request.task = "1";
+  request.published = published_task_1();
   request.subjects = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
   for (const FeedbackCondition& one : thesis_conditions())
     if (!one.guiding_path) request.conditions.push_back({one, {}});

@@ -62,7 +62,7 @@ TEST_CASE("a file above 8 MB is refused by its size unless --large is given") {
 
 TEST_CASE("double and unknown keys are refused with their places") {
   refused(with("step: 2 ms\nblocks: {a: {block: Clock}}\n"),
-          "a.yaml:5:1: 'step' is given twice; the first is at 3:1");
+          "a.yaml:5:1: 'step' is given twice, first at 3:1; leave one out");
   refused(with("blocks: {a: {block: Clock}}\ncolour: red\n"), "a.yaml:6:1: a diagram has no 'colour'");
 }
 

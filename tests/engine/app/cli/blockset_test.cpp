@@ -125,3 +125,27 @@ TEST_CASE("a folder whose sources register nothing is refused") {
   CHECK(done.code == 2);
   CHECK(done.err.find("void register_blocks(stepwire::Registry&)") != std::string::npos);
 }
+
+TEST_CASE("a replay without the blocks of a run is told their folder") {
+  const Outside folder;
+  REQUIRE(run_program(folder, {"run", "wave.yaml", "--blocks", "own", "--out", "out"}).code == 0);
+  const Done without = run_program(folder, {"verify", "out"});
+  CHECK(without.code == 2);
+  CHECK(without.err.find("there is no block 'Triple'") != std::string::npos);
+  CHECK(without.err.find("the run had the blocks of this folder; give --blocks " + folder.path("own")) !=
+        std::string::npos);
+}
+
+TEST_CASE("blocks whose registration throws are refused with their folder, as data where that is printed") {
+  const Outside folder;
+  folder.file(
+      "own/register.cpp",
+      "#include <stdexcept>\n#include <stepwire/registry.hpp>\nvoid register_blocks(stepwire::Registry&) { "
+      "throw std::runtime_error(\"no licence\"); }\n");
+  const Done done = run_program(folder, {"check", "wave.yaml", "--blocks", "own", "--json"});
+  CHECK(done.code == 2);
+  CHECK(done.err.find(folder.path("own") + ": register_blocks() of these blocks throws: no licence") !=
+        std::string::npos);
+  CHECK(done.out.find("\"call\": \"--blocks own\"") != std::string::npos);
+  CHECK(done.out.find("no licence") != std::string::npos);
+}

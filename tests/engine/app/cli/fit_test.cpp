@@ -134,3 +134,20 @@ TEST_CASE("an interrupted fit ends with 130 and writes the best so far") {
   CHECK(json_file(folder, "out/fit.json")["interrupted"] == true);
   CHECK_THAT(content_of(folder.path("out/parameters.yaml")), Contains("tau: "));
 }
+
+TEST_CASE("a fit that is interrupted in its first run says so, and blames no file") {
+  const Scratch folder;
+  std::string text = fit_yaml;
+  text.replace(text.find("step: 10 ms"), 11, "step: 1 us");
+  text.replace(text.find("until: {value: 2 s"), 18, "until: {value: 60 s");
+  text.replace(text.find("record: [lag, truth]"), 20, "record: {every: 10 ms, signals: [lag, truth]}");
+  folder.file("a.yaml", text);
+  Call call;
+  call.arguments = {"fit", "a.yaml", "--engine", "interpreted", "--out", "out"};
+  call.interrupt_after = 1.0;
+  const Done done = run_program(folder, call);
+  CHECK(done.code == 130);
+  CHECK(done.err.empty());
+  CHECK_THAT(done.out, StartsWith("fit: interrupted before the first run was done"));
+  CHECK(content_of(folder.path("out/fit.json")).empty());
+}

@@ -207,3 +207,30 @@ TEST_CASE(
   }
   CHECK_FALSE(std::filesystem::exists(folder.path("executed")));
 }
+
+TEST_CASE("what an older generate left goes from its folder, and a file of one's own stays") {
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml);
+  REQUIRE(run_program(folder, {"generate", "lag.yaml", "-o", "made", "--name", "first"}).code == 0);
+  folder.file("made/notes.txt", "mine");
+  REQUIRE_FALSE(content_of(folder.path("made/first.cpp")).empty());
+  REQUIRE(run_program(folder, {"generate", "lag.yaml", "-o", "made", "--name", "second"}).code == 0);
+  CHECK_FALSE(content_of(folder.path("made/second.cpp")).empty());
+  CHECK(content_of(folder.path("made/first.cpp")).empty());
+  CHECK(content_of(folder.path("made/notes.txt")) == "mine");
+}
+
+TEST_CASE("an option without its value is refused, and takes none of the next words for it") {
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml);
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"generate", "lag.yaml", "-o", "made", "--name=", "--c-api"},
+        {"generate", "lag.yaml", "-o", ""},
+        {"thesis", "--only", ""},
+        {"run", "lag.yaml", "--set", ""}}) {
+    const Done done = run_program(folder, words);
+    INFO(words.back() << done.out);
+    CHECK(done.code == 2);
+    CHECK_THAT(done.err, Contains("has no value"));
+  }
+}

@@ -4,10 +4,10 @@
 #include <set>
 
 #include "blocks/register.hpp"
-#include "engine/app/session/loaded_model.hpp"
 #include "engine/app/reference/diagram_schema.hpp"
 #include "engine/app/reference/format_page.hpp"
 #include "engine/app/reference/key_schema.hpp"
+#include "engine/app/session/loaded_model.hpp"
 #include "engine/base/yaml/section.hpp"
 #include "tests/support/json_schema.hpp"
 
@@ -117,36 +117,36 @@ Node& value_of(const Section& section, Document& file) {
   return file.root;
 }
 
-// A table of the test's own, as one for a section is written.
-struct Lamp {
-  double power = 5.0;
-  bool on = false;
-  std::size_t count = 2;
-  std::string name = "lamp";
-  enum class Color { white, red } color = Color::white;
-};
-
-using LampTable = KeyTable<Lamp, SectionReading>;
-
-LampTable lamp_table(std::vector<LampTable::Row> more) {
-  std::vector<LampTable::Row> rows{{"power", "what it takes", form::above_zero(form::number()), &Lamp::power},
-                                   {"on", "true: it shines", form::truth(), &Lamp::on},
-                                   {"count", "how many there are", form::whole(1, 9), &Lamp::count}};
-  rows.insert(rows.end(), more.begin(), more.end());
-  return {"a lamp", "{power: 3}", std::move(rows)};
+bool has_only(const Node& map, const Key& keys) {
+  return std::ranges::all_of(map.entries, [&](const Entry& entry) { return keys.find(entry.key); });
 }
 
-std::vector<std::string> read_lamp(const LampTable& table, const std::string& yaml, Lamp& lamp) {
-  std::vector<std::string> faults;
-  const SectionReading read("lamp", [&](const Mark&, const std::string& subject, const std::string& message) {
-    faults.push_back(subject + ": " + message);
-  });
-  table.read(parse_document(yaml, "test.yaml").root, lamp, read);
-  return faults;
+/// The maps of keys of a form that a value has, with those inside of them.
+void find_maps(Node& node, const Key& form, std::vector<Node*>& maps) {
+  using enum Key::Form;
+  if (form.form == keys && node.is_map() && form.rest.empty() && has_only(node, form)) {
+    maps.push_back(&node);
+    for (const Key& key : form.of)
+      for (Entry& entry : node.entries)
+        if (entry.key == key.name) find_maps(entry.value, key, maps);
+  }
+  if (form.form == list && node.is_list())
+    for (Node& item : node.items) find_maps(item, form.of.front(), maps);
+  if (form.form == names && node.is_map())
+    for (Entry& entry : node.entries) find_maps(entry.value, form.of.front(), maps);
+  if (form.form == either)
+    for (const Key& choice : form.of) find_maps(node, choice, maps);
 }
 
-const LampTable::Row name_row{"name", "text on it", form::text(), &Lamp::name};
-const LampTable::Row color_row{"color", "in which it shines", form::word({"white", "red"}), &Lamp::color};
+std::vector<Node*> maps_of(const Section& section, Document& file) {
+  std::vector<Node*> maps;
+  Node& value = value_of(section, file);
+  find_maps(value, section.form, maps);
+  for (Node& item : value.items) find_maps(item, section.form, maps);
+  for (Entry& entry : value.entries)
+    if (maps.empty() && section.form.form == Key::Form::either) find_maps(entry.value, section.form, maps);
+  return maps;
+}
 
 }  // namespace
 
@@ -182,6 +182,23 @@ TEST_CASE("the reader of each section refuses a key that its table has not") {
   }
 }
 
+TEST_CASE("the reader of each section refuses a key that no map inside of it has") {
+  std::size_t inner = 0;
+  for (const Section& section : format_sections()) {
+    Document counted = example_file(section);
+    const std::size_t count = maps_of(section, counted).size();
+    for (std::size_t i = 0; i < count; ++i) {
+      Document file = example_file(section);
+      Node& map = *maps_of(section, file)[i];
+      INFO(section.name << ": map " << i << " with '" << map.entries.front().key << "'");
+      map.entries.push_back(named("bogus_key"));
+      CHECK_THROWS_WITH(loaded(file), Contains("'bogus_key'"));
+      inner += i > 0;
+    }
+  }
+  CHECK(inner >= 12);  // of fits, scenes, rigs and claims
+}
+
 TEST_CASE("the reader of each section takes every key that its table has") {
   for (const Section& section : format_sections()) {
     const Key* map = map_in(section.form);
@@ -210,56 +227,4 @@ TEST_CASE("each page names all keys of its section, and the list all sections") 
                Contains("\n  " + section.name + " ") || Catch::StartsWith("  " + section.name));
     CHECK_THAT(formats_markdown(), Contains("\n## " + section.name + "\n"));
   }
-}
-
-TEST_CASE("a row that is added to a table is read, described by the schema and shown on the page") {
-  Lamp lamp;
-  CHECK_THAT(read_lamp(lamp_table({}), "{name: desk}", lamp).at(0), Contains("a lamp has no 'name'"));
-  const LampTable table = lamp_table({name_row, color_row});
-  CHECK(read_lamp(table, "{name: desk, color: red, power: 3, on: true, count: 4}", lamp).empty());
-  CHECK(lamp.name == "desk");
-  CHECK(lamp.color == Lamp::Color::red);
-  CHECK(lamp.power == 3.0);
-  CHECK(lamp.on);
-  CHECK(lamp.count == 4);
-  const json written = json::parse(key_schema(table.form).text());
-  CHECK(written.at("properties").at("color") ==
-        json{{"enum", {"white", "red"}}, {"description", "in which it shines"}, {"default", "white"}});
-  CHECK(written.at("properties").at("count") == json{{"type", "integer"},
-                                                     {"minimum", 1},
-                                                     {"maximum", 9},
-                                                     {"description", "how many there are"},
-                                                     {"default", 2}});
-  const std::string page = format_page({"lamp", "", "a light", table.form, "lamp: {power: 3}"});
-  CHECK_THAT(page, Contains("white | red") && Contains("in which it shines") && Contains("text on it"));
-  CHECK_THAT(page, Contains("1 to 9") && Contains("above 0"));
-}
-
-TEST_CASE("all faults of a map are found in one pass, each with what would be right") {
-  Lamp lamp;
-  const LampTable table = lamp_table({color_row, needed(name_row)});
-  const auto faults = read_lamp(table, "{power: 0, on: maybe, count: 10, color: rde}", lamp);
-  REQUIRE(faults.size() == 5);
-  CHECK(faults[0] == "lamp: 'name' is missing (text on it): {power: 3}");
-  CHECK(faults[1] == "lamp.power: 0 is not allowed; it must be above 0");
-  CHECK(faults[2] == "lamp.on: 'maybe' is neither true nor false");
-  CHECK(faults[3] == "lamp.count: '10' is no whole number from 1 to 9");
-  CHECK(faults[4] == "lamp.color: 'rde' is not allowed; did you mean 'red'? It is one of: white, red");
-  CHECK(lamp.count == 2);
-  CHECK(read_lamp(table, "[1]", lamp) == std::vector<std::string>{"lamp: a lamp is a map: {power: 3}"});
-  CHECK(read_lamp(table, "{pwoer: 3}", lamp).size() == 1);  // which may be what is missing
-}
-
-TEST_CASE("one key of a choice stands in a map, and what belongs to another stands beside it") {
-  Lamp lamp;
-  const LampTable table =
-      lamp_table({one_of("look", color_row), one_of("look", name_row),
-                  beside({"color"}, LampTable::Row{"shade", "of the colour", form::text()})});
-  CHECK(read_lamp(table, "{on: true}", lamp) ==
-        std::vector<std::string>{"lamp: a lamp needs one look: color, name"});
-  CHECK(read_lamp(table, "{color: red, name: desk}", lamp) ==
-        std::vector<std::string>{"lamp: both 'color' and 'name'; a lamp has one look"});
-  CHECK(read_lamp(table, "{name: desk, shade: deep}", lamp) ==
-        std::vector<std::string>{"lamp.shade: 'shade' goes with 'color' only"});
-  CHECK(read_lamp(table, "{color: red, shade: deep}", lamp).empty());
 }

@@ -7,6 +7,7 @@
 #include "engine/app/reference/block_markdown.hpp"
 #include "engine/app/reference/block_page.hpp"
 #include "engine/app/reference/example.hpp"
+#include "engine/app/reference/format_page.hpp"
 #include "engine/app/reference/words.hpp"
 
 using namespace stepwire;
@@ -159,4 +160,13 @@ TEST_CASE("the JSON of a block is complete, with numbers in SI") {
   CHECK(block.at("keys") ==
         json({"length", "open", "law", "order", "signs", "file", "u", "more", "initial", "preset"}));
   CHECK(json::parse(blocks_json(all).text()).size() == 1);
+}
+
+TEST_CASE("the keys of a map stand once where a list of such maps may stand in its place") {
+  const std::string page = format_page(*find_section("figure"));
+  for (const std::string title : {"Keys of motion", "Keys of rose"}) {
+    const std::size_t first = page.find(title);
+    REQUIRE(first != std::string::npos);
+    CHECK(page.find(title, first + 1) == std::string::npos);
+  }
 }

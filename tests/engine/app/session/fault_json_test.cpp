@@ -30,8 +30,8 @@ const std::string head = "stepwire: 1\ntitle: t\nstep: 1 ms\nstop: 1 s\nsolver: 
 TEST_CASE("a fault as data has the place and the end of what is wrong, the block, the port, and the cure") {
   const Scratch folder;
   folder.file("a.yaml", head +
-                             "blocks:\n  one: {block: Constant, value: 1}\n  gain:\n    block: Gain\n    "
-                             "gain: \"two\"\n    u: on\n");
+                            "blocks:\n  one: {block: Constant, value: 1}\n  gain:\n    block: Gain\n    "
+                            "gain: \"two\"\n    u: on\n");
   const json faults = faults_of(folder, "a.yaml");
   REQUIRE(faults.size() == 2);
   const json& gain = faults[0];
@@ -51,11 +51,12 @@ TEST_CASE("a fault as data has the place and the end of what is wrong, the block
 
 TEST_CASE("a fault in a part names the block by its whole name, and who uses the part") {
   const Scratch folder;
-  folder.file("spring.yaml",
-               "stepwire: 1\ntitle: a spring\ninputs: {x: {unit: m}}\noutputs: {force: k}\nblocks:\n  k: {block: "
-               "Gain, gain: -, u: x}\n");
+  folder.file(
+      "spring.yaml",
+      "stepwire: 1\ntitle: a spring\ninputs: {x: {unit: m}}\noutputs: {force: k}\nblocks:\n  k: {block: "
+      "Gain, gain: -, u: x}\n");
   folder.file("a.yaml",
-               head + "blocks:\n  x: {block: Constant, value: 1 m}\n  rig: {diagram: spring.yaml, x: x}\n");
+              head + "blocks:\n  x: {block: Constant, value: 1 m}\n  rig: {diagram: spring.yaml, x: x}\n");
   const json faults = faults_of(folder, "a.yaml");
   REQUIRE(faults.size() == 1);
   CHECK(faults[0]["file"] == folder.path("spring.yaml"));
@@ -75,7 +76,7 @@ TEST_CASE("characters, not bytes, are counted up to the end of what is wrong") {
 TEST_CASE("what stands outside of the blocks has no block, and a setting of a call no line") {
   const Scratch folder;
   folder.file("a.yaml",
-               "stepwire: 1\ntitle: t\nstep: 0 s\nstop: 1 s\nblocks:\n  a: {block: Constant, value: 1}\n");
+              "stepwire: 1\ntitle: t\nstep: 0 s\nstop: 1 s\nblocks:\n  a: {block: Constant, value: 1}\n");
   const json faults = faults_of(folder, "a.yaml");
   REQUIRE_FALSE(faults.empty());
   CHECK(faults[0]["block"].is_null());
@@ -84,4 +85,19 @@ TEST_CASE("what stands outside of the blocks has no block, and a setting of a ca
   CHECK(call[0]["line"].is_null());
   CHECK(call[0]["end"].is_null());
   CHECK(call[0]["cure"] == "that");
+}
+
+TEST_CASE("a fault of the call has that for its place") {
+  const Scratch folder;
+  folder.file("a.yaml", head + "parameters: {m: 1 kg}\nblocks:\n  a: {block: Constant, value: $m}\n");
+  const Done done = run_program(folder, {"check", "a.yaml", "--set", "m=2*3kg", "--json"});
+  CHECK(done.code == 2);
+  const json fault = json::parse(done.out)[0]["faults"][0];
+  CHECK(fault["call"] == "--set m=2*3kg");
+  CHECK(fault["file"].is_null());
+  CHECK(fault["text"] == "'2*3kg' is no number");
+  CHECK(fault["cure"] == "write one, as 2 kg, and '=' before what is computed");
+  const Done empty = run_program(folder, {"check", "a.yaml", "--set", "m=", "--json"});
+  CHECK(empty.code == 2);
+  CHECK(json::parse(empty.out)[0]["faults"][0]["call"] == "--set m=");
 }

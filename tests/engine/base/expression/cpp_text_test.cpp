@@ -40,7 +40,14 @@ class Maker {
 
   std::string terms(int depth) {
     std::string text = term(depth);
-    for (unsigned more = random_() % 4; more > 0; --more) text += any(operators_) + term(depth);
+    bool compares = false;  // comparisons do not stand in a row
+    for (unsigned more = random_() % 4; more > 0; --more) {
+      std::string sign = any(operators_);
+      const bool comparison = sign.find_first_of("<>=") != sign.npos;
+      if (comparison && compares) sign = " + ";
+      compares = comparison || (compares && sign.find_first_of("&|") == sign.npos);
+      text += sign + term(depth);
+    }
     return text;
   }
 
@@ -90,7 +97,7 @@ std::vector<std::string> texts() {
                                "-!x / !y",
                                "(x < y) / (y < z)",
                                "-(x < y)",
-                               "!x == y < z",
+                               "!x == (y < z)",
                                "x - y - z",
                                "x - (y - z)",
                                "x / y / z",
@@ -200,7 +207,7 @@ TEST_CASE("an expression reads as C++ does, with the parentheses that C++ needs"
   const auto cpp = [](const std::string& text) { return Expression(text).cpp(); };
   CHECK(cpp("u1 > 5 mm && after >= 2 s") == "v[0] > 0.005 && v[1] >= 2.0");
   CHECK(cpp("-2^2 + x*(y - 1)") == "-std::pow(2.0, 2.0) + v[0] * (v[1] - 1.0)");
-  CHECK(cpp("x < y < 1") == "language::number(v[0] < v[1]) < 1.0");
+  CHECK(cpp("(x < y) < 1") == "language::number(v[0] < v[1]) < 1.0");
   CHECK(cpp("x && y || z") == "(v[0] != 0.0 && v[1] != 0.0) || v[2] != 0.0");
   CHECK(cpp("- -x - !-y") == "v[0] - language::number(v[1] == 0.0)");
   CHECK(cpp("!!x + !(x < y)") == "language::number(!(v[0] == 0.0)) + language::number(!(v[0] < v[1]))");

@@ -73,6 +73,7 @@ TEST_CASE("an error says what is wrong and where") {
   CHECK(wrong("x == \"a\"") == Wrong{"unexpected \"; an expression has no text", 5});
   CHECK(wrong("x · tau") == Wrong{"unexpected '·'", 2});
   CHECK(wrong("x; tau") == Wrong{"unexpected ';'", 1});
+  CHECK(wrong("1e-400 + x") == Wrong{"'1e-400' is out of range", 0});
   CHECK(wrong("1e999 + x") == Wrong{"'1e999' is out of range", 0});
   CHECK(wrong("x + 1e308 km") == Wrong{"'1e308 km' is out of range", 4});
   CHECK(wrong("0x10") == Wrong{"an operator is missing before 'x10'", 1});
@@ -119,4 +120,13 @@ TEST_CASE("no text at all makes anything but a value or an error") {
     REQUIRE_FALSE(answer.message.empty());
   }
   CHECK(accepted > 100);
+}
+
+TEST_CASE("comparisons in a row are refused, since the second would compare 0 or 1") {
+  const std::string cure = " follows on a comparison; write a < b && b < c, or parentheses";
+  CHECK(wrong("1 < x < 3") == Wrong{"'<'" + cure, 6});
+  CHECK(wrong("x + 1 == tau == 3") == Wrong{"'=='" + cure, 13});
+  CHECK(wrong("tau < x && x < 3").message == "no error");
+  CHECK(wrong("(tau < x) == (x < 3)").message == "no error");
+  CHECK(wrong("tau < x ? x < 3 : x > 4").message == "no error");
 }

@@ -85,7 +85,8 @@ class Maker {
   template <class Value>
   Formula binary(const std::string& sign, int binding, int depth, Value value) {
     const Formula a = make(depth - 1), b = make(depth - 1);
-    return {in(a, binding) + " " + sign + " " + in(b, binding + 1), value(a.value, b.value), binding};
+    const int first = binding == 4 ? 5 : binding;  // comparisons do not stand in a row
+    return {in(a, first) + " " + sign + " " + in(b, binding + 1), value(a.value, b.value), binding};
   }
 
   std::mt19937 random_;

@@ -112,3 +112,18 @@ TEST_CASE("A list that names files outside of the folder removes none of them") 
   CHECK(there(folder, "beside.txt"));
   CHECK(there(folder, "far/away.txt"));
 }
+
+TEST_CASE("A folder whose run writes nothing, or is refused, is left without a list") {
+  const Scratch folder;
+  std::filesystem::create_directory(folder.path("out"));
+  folder.file("out/signals.mat", "mine");
+  {
+    OwnedFolder own(folder.path("out"));
+    CHECK_THROWS_WITH(own.reserve({"signals.csv", "signals.mat"}),
+                      Contains("signals.mat: there is one already"));
+  }
+  CHECK_FALSE(there(folder, "out/.stepwire"));
+  folder.file("out/signals.csv", "mine, too");
+  { const OwnedFolder own(folder.path("out")); }
+  CHECK(there(folder, "out/signals.csv"));
+}

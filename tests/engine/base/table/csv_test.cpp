@@ -70,8 +70,8 @@ TEST_CASE("semicolons, tabs, quotes, CRLF, a byte-order mark and empty last line
   CHECK(read("a\n1\n2").find("a")->values == Values{1.0, 2.0});
 }
 
-TEST_CASE("infinities, nan and numbers too small for a double are numbers in a file") {
-  const Values values = read("a\nnan\nNaN\ninf\n-Inf\n1e-400\n-0\n5e-324\n").columns[0].values;
+TEST_CASE("infinities, nan, -0 and numbers near the smallest double are numbers in a file") {
+  const Values values = read("a\nnan\nNaN\ninf\n-Inf\n0\n-0\n5e-324\n").columns[0].values;
   CHECK(std::isnan(values.at(0)));
   CHECK(std::isnan(values.at(1)));
   CHECK(values.at(2) == std::numeric_limits<double>::infinity());
@@ -201,15 +201,12 @@ TEST_CASE("ten megabytes are read within a second") {
 #endif
 }
 
-TEST_CASE("what is beyond a double is refused, and what is too small to be one is 0, however far") {
+TEST_CASE("what is too large or too small to be a double is refused, however far") {
   const Scratch scratch;
-  for (const char* large :
-       {"1e400", "1e5000", "-1e5000", "1e999999999999999999999", "0.001e404", "1234.5e308"})
-    CHECK_THROWS_AS(read_csv(scratch.file("a.csv", std::string("x\n") + large + "\n")), TableError);
-  for (const char* small : {"1e-400", "1e-5000", "-1e-5000", "1e-999999999999999999999", "1000e-404"}) {
-    const Table table = read_csv(scratch.file("a.csv", std::string("x\n") + small + "\n"));
-    CHECK(table.columns[0].values == std::vector<double>{0.0});
-  }
+  for (const char* number :
+       {"1e400", "1e5000", "-1e5000", "1e999999999999999999999", "0.001e404", "1234.5e308", "1e-400",
+        "1e-5000", "-1e-5000", "1e-999999999999999999999", "1000e-404"})
+    CHECK_THROWS_AS(read_csv(scratch.file("a.csv", std::string("x\n") + number + "\n")), TableError);
   // The smallest double, and one that rounds to it.
   CHECK(read_csv(scratch.file("a.csv", "x\n4.9e-324\n")).columns[0].values[0] == 4.9406564584124654e-324);
 }

@@ -1,6 +1,7 @@
 #include "engine/base/yaml/error.hpp"
 
 #include "engine/base/text/characters.hpp"
+#include "engine/base/yaml/fault_text.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -59,13 +60,14 @@ TEST_CASE("gathered faults are thrown together, and none throw nothing") {
 
 TEST_CASE("a near miss suggests the right name") {
   const std::vector<std::string> names{"tau", "gain", "u", "initial", "frequency"};
-  CHECK(did_you_mean("tua", names) == "; did you mean 'tau'?");
-  CHECK(did_you_mean("Tau", names) == "; did you mean 'tau'?");
-  CHECK(did_you_mean("gian", names) == "; did you mean 'gain'?");
-  CHECK(did_you_mean("intial", names) == "; did you mean 'initial'?");
-  CHECK(did_you_mean("freq", names) == "; did you mean 'frequency'?");
-  CHECK(did_you_mean("ZOH", {"Sum", "ZeroOrderHold"}) == "; did you mean 'ZeroOrderHold'?");
-  CHECK(did_you_mean("position", {"initial_position", "mass"}) == "; did you mean 'initial_position'?");
+  CHECK(plain(did_you_mean("tua", names)) == "; did you mean 'tau'?");
+  CHECK(plain(did_you_mean("Tau", names)) == "; did you mean 'tau'?");
+  CHECK(plain(did_you_mean("gian", names)) == "; did you mean 'gain'?");
+  CHECK(plain(did_you_mean("intial", names)) == "; did you mean 'initial'?");
+  CHECK(plain(did_you_mean("freq", names)) == "; did you mean 'frequency'?");
+  CHECK(plain(did_you_mean("ZOH", {"Sum", "ZeroOrderHold"})) == "; did you mean 'ZeroOrderHold'?");
+  CHECK(plain(did_you_mean("position", {"initial_position", "mass"})) ==
+        "; did you mean 'initial_position'?");
 }
 
 TEST_CASE("a word that is far from all names suggests nothing") {
@@ -74,4 +76,19 @@ TEST_CASE("a word that is far from all names suggests nothing") {
     CHECK(did_you_mean(word, names).empty());
   CHECK(did_you_mean(std::string(1'000'000, 'x'), names).empty());
   CHECK(did_you_mean("tau", {}).empty());
+}
+
+TEST_CASE("a fault knows its cure, whatever semicolons the texts of a user have") {
+  const Fault plain_one = fault("a.yaml", {1, 1}, "'x; y' is missing; x: 3");
+  CHECK(plain_one.wrong() == "'x; y' is missing");
+  CHECK(plain_one.cure() == "x: 3");
+  const Fault marked =
+      fault("a.yaml", {1, 1}, fault_text("{} is not allowed; it must be above {}; so", "it's; 1", 0));
+  CHECK(marked.text() == "a.yaml:1:1: it's; 1 is not allowed; it must be above 0; so");
+  CHECK(marked.wrong() == "it's; 1 is not allowed");
+  CHECK(marked.cure() == "it must be above 0; so");
+  CHECK(fault("a.yaml", {}, "no such file").cure().empty());
+  const Fault near = fault("a.yaml", {}, "there is no it's; x" + did_you_mean("its", {"it"}));
+  CHECK(near.wrong() == "there is no it's; x");
+  CHECK(near.cure() == "did you mean 'it'?");
 }

@@ -132,3 +132,11 @@ TEST_CASE("many entries of one map are read and told apart") {
   CHECK(root.entries.back().key == "b19999");
   CHECK(root.entries.back().mark.line == 20'000);
 }
+
+TEST_CASE("the escapes of a text in double quotes are UTF-8") {
+  CHECK(parse(R"("a\Nb\_c\L\u00e9")").text ==
+        "a\xc2\x85"
+        "b\xc2\xa0"
+        "c\xe2\x80\xa8\xc3\xa9");
+  CHECK(parse(R"({"\_": 1})").entries.at(0).key == "\xc2\xa0");
+}

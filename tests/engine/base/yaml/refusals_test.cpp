@@ -21,9 +21,9 @@ std::string error_of(const std::string& text) {
 
 TEST_CASE("all double keys are reported, each with both places") {
   CHECK(error_of("a: 1\nb: {x: 1, y: 2, x: 3}\na: 2\na: 3\n") ==
-        "a.yaml:2:17: 'x' is given twice; the first is at 2:5\n"
-        "a.yaml:3:1: 'a' is given twice; the first is at 1:1\n"
-        "a.yaml:4:1: 'a' is given twice; the first is at 1:1");
+        "a.yaml:2:17: 'x' is given twice, first at 2:5; leave one out\n"
+        "a.yaml:3:1: 'a' is given twice, first at 1:1; leave one out\n"
+        "a.yaml:4:1: 'a' is given twice, first at 1:1; leave one out");
 }
 
 TEST_CASE("double keys are still reported when the file breaks off later") {

@@ -63,7 +63,7 @@ record: [a, b, g]
 
 TEST_CASE("double keys, unknown head keys and an empty file are refused where they are") {
   CHECK(faults_of("blocks:\n  a: {block: Gain, u: 1, u: 2}\n") ==
-        std::vector<std::string>{"test.yaml:2:26: 'u' is given twice; the first is at 2:20"});
+        std::vector<std::string>{"test.yaml:2:26: 'u' is given twice, first at 2:20; leave one out"});
   const auto unknown = faults_of("sovler: rk4\nblocks:\n  a: {block: Gain, u: 1}\n");
   REQUIRE(unknown.size() == 1);
   CHECK_THAT(unknown[0],

@@ -137,7 +137,8 @@ TEST_CASE("a parameter that nothing uses is refused, unless a figure, a claim or
 }
 
 TEST_CASE("what is said about a parameter is text, a flag and a value, and its name no constant") {
-  CHECK(fault_of("{a: {doc: length}}") == "test.yaml:1:17: a: 'value' is missing (the default: a number with unit, a list, a word, = "
+  CHECK(fault_of("{a: {doc: length}}") ==
+        "test.yaml:1:17: a: 'value' is missing (the default: a number with unit, a list, a word, = "
         "expression): {value: 2 kg, doc: of the body}");
   CHECK(fault_of("{a: {value: 1, doc: [x]}}", "$a") == "test.yaml:1:33: a.doc: a text is wanted here");
   CHECK(fault_of("{a: {value: 1, assumed: maybe}}", "$a") ==
@@ -159,4 +160,26 @@ TEST_CASE("a parameter that is drawn by a seed that is not whole is refused wher
       "parameters: {reach: \"= lognormal(1, 0, -1)\"}\nblocks: {y: {block: Constant, value: $reach}}\n");
   REQUIRE(negative.size() == 1);
   CHECK_THAT(negative[0], Catch::Contains("'lognormal' takes a standard deviation, and -1 is below 0"));
+}
+
+TEST_CASE("a setting that is no number is refused where it is made, not where the file uses it") {
+  const std::string cure = "; write one, as 2 kg, and '=' before what is computed";
+  CHECK(fault_of("{mass: 1 kg}", "$mass", {{"mass", "2*3kg"}}) ==
+        "--set mass=2*3kg: mass: '2*3kg' is no number" + cure);
+  CHECK(fault_of("{mass: 1 kg}", "= 2*mass", {{"mass", "heavy"}}) ==
+        "--set mass=heavy: mass: 'heavy' is no number" + cure);
+  CHECK(fault_of("{a: 1}", "$a", {{"a", "b"}}) ==
+        "--set a=b: a: 'b' is no number; write one, as 2, and '=' before what is computed");
+  CHECK(value_of("$mass", "{mass: 1 kg}", {{"mass", "= 2*3 kg"}}) == Values{6});
+}
+
+TEST_CASE("an angle per time is no frequency in Hz, nor the other way round") {
+  const auto fault = [](const std::string& block) {
+    return error_lines("blocks:\n  b: {block: " + block + "}\n");
+  };
+  CHECK_THAT(fault("Sine, frequency: 3 rad/s"),
+             Catch::Contains("is an angle per time") && Catch::Contains("; write it in Hz"));
+  CHECK_THAT(fault("Sine, frequency: 60 rpm"), Catch::Contains("is an angle per time"));
+  CHECK(fault("Sine, frequency: 3 1/s").empty());
+  CHECK(fault("Sine, frequency: 3 kHz").empty());
 }

@@ -121,3 +121,13 @@ TEST_CASE("an interruption ends a run soon and keeps its rows") {
   CHECK(t.size() < 2000);
   CHECK(t.back() == static_cast<double>(t.size() - 1));
 }
+
+TEST_CASE("the last tick of a run is recorded where the period of a record skips it") {
+  const std::string blocks = "blocks:\n  t: {block: Clock}\nrecord: {every: 4 s, signals: t}\n";
+  CHECK(column(result_of(blocks + "stop: 9 s\n").recordings[0].table, "t") ==
+        std::vector<double>{0, 4, 8, 9});
+  const RunResult early = result_of(blocks + "stop: 100 s\nstop_when: t >= 6\n");
+  CHECK(column(early.recordings[0].table, "t") == std::vector<double>{0, 4, 6});
+  const RunResult met = result_of(blocks + "stop: 100 s\nstop_when: t >= 8\n");
+  CHECK(column(met.recordings[0].table, "t") == std::vector<double>{0, 4, 8});
+}

@@ -113,3 +113,18 @@ TEST_CASE("a mode that is infinitely fast is gone after one step of sdirk") {
     CHECK(std::abs(column(run, "x").back()) < most);
   }
 }
+
+TEST_CASE("a tolerance beside a solver that has none is refused, unless another solver may be meant") {
+  const DiagramFolder folder;
+  const std::string text = "stepwire: 1\n" + robertson("rk4", "1 ms", "tolerance: 1 %\n");
+  folder.write("a.yaml", text);
+  folder.write("swept.yaml", text + "sweep: {solver: [rk4, sdirk]}\n");
+  Loader loader(library());
+  const std::string cure = "tolerance: only rosenbrock and sdirk have one; take it out, or name one of these";
+  CHECK_THROWS_WITH(make_job(loader, folder.path("a.yaml")), Contains("a.yaml:5:1") && Contains(cure));
+  CHECK_NOTHROW(make_job(loader, folder.path("a.yaml"), {{"solver", "sdirk"}}));
+  CHECK_NOTHROW(make_job(loader, folder.path("a.yaml"), {{"solver", "heun"}}));
+  CHECK_NOTHROW(make_job(loader, folder.path("swept.yaml")));
+  CHECK_THROWS_WITH(make_job(loader, folder.path("a.yaml"), {{"solver", "heun"}, {"tolerance", "2 %"}}),
+                    Contains("--set tolerance=2 %") && Contains(cure));
+}

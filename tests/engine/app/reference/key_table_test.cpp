@@ -1,0 +1,98 @@
+// What a table of keys does for the section that it is of, its schema and its page.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "engine/app/reference/format_page.hpp"
+#include "engine/app/reference/key_schema.hpp"
+#include "engine/base/yaml/section.hpp"
+
+using namespace stepwire;
+using Catch::Contains;
+using nlohmann::json;
+
+namespace {
+
+// A table of the test's own, as one for a section is written.
+struct Lamp {
+  double power = 5.0;
+  bool on = false;
+  std::size_t count = 2;
+  std::string name = "lamp";
+  enum class Color { white, red } color = Color::white;
+};
+
+using LampTable = KeyTable<Lamp, SectionReading>;
+
+LampTable lamp_table(std::vector<LampTable::Row> more) {
+  std::vector<LampTable::Row> rows{{"power", "what it takes", form::above_zero(form::number()), &Lamp::power},
+                                   {"on", "true: it shines", form::truth(), &Lamp::on},
+                                   {"count", "how many there are", form::whole(1, 9), &Lamp::count}};
+  rows.insert(rows.end(), more.begin(), more.end());
+  return {"a lamp", "{power: 3}", std::move(rows)};
+}
+
+std::vector<std::string> read_lamp(const LampTable& table, const std::string& yaml, Lamp& lamp) {
+  std::vector<std::string> faults;
+  const SectionReading read("lamp", [&](const Mark&, const std::string& subject, const std::string& message) {
+    faults.push_back(subject + ": " + message);
+  });
+  table.read(parse_document(yaml, "test.yaml").root, lamp, read);
+  return faults;
+}
+
+const LampTable::Row name_row{"name", "text on it", form::text(), &Lamp::name};
+const LampTable::Row color_row{"color", "in which it shines", form::word({"white", "red"}), &Lamp::color};
+
+}  // namespace
+
+TEST_CASE("a row that is added to a table is read, described by the schema and shown on the page") {
+  Lamp lamp;
+  CHECK_THAT(read_lamp(lamp_table({}), "{name: desk}", lamp).at(0), Contains("a lamp has no 'name'"));
+  const LampTable table = lamp_table({name_row, color_row});
+  CHECK(read_lamp(table, "{name: desk, color: red, power: 3, on: true, count: 4}", lamp).empty());
+  CHECK(lamp.name == "desk");
+  CHECK(lamp.color == Lamp::Color::red);
+  CHECK(lamp.power == 3.0);
+  CHECK(lamp.on);
+  CHECK(lamp.count == 4);
+  const json written = json::parse(key_schema(table.form).text());
+  CHECK(written.at("properties").at("color") ==
+        json{{"enum", {"white", "red"}}, {"description", "in which it shines"}, {"default", "white"}});
+  CHECK(written.at("properties").at("count") == json{{"type", "integer"},
+                                                     {"minimum", 1},
+                                                     {"maximum", 9},
+                                                     {"description", "how many there are"},
+                                                     {"default", 2}});
+  const std::string page = format_page({"lamp", "", "a light", table.form, "lamp: {power: 3}"});
+  CHECK_THAT(page, Contains("white | red") && Contains("in which it shines") && Contains("text on it"));
+  CHECK_THAT(page, Contains("1 to 9") && Contains("above 0"));
+}
+
+TEST_CASE("all faults of a map are found in one pass, each with what would be right") {
+  Lamp lamp;
+  const LampTable table = lamp_table({color_row, needed(name_row)});
+  const auto faults = read_lamp(table, "{power: 0, on: maybe, count: 10, color: rde}", lamp);
+  REQUIRE(faults.size() == 5);
+  CHECK(faults[0] == "lamp: 'name' is missing (text on it): {power: 3}");
+  CHECK(faults[1] == "lamp.power: 0 is not allowed; it must be above 0");
+  CHECK(faults[2] == "lamp.on: 'maybe' is neither true nor false");
+  CHECK(faults[3] == "lamp.count: '10' is no whole number from 1 to 9");
+  CHECK(faults[4] == "lamp.color: 'rde' is not allowed; did you mean 'red'? It is one of: white, red");
+  CHECK(lamp.count == 2);
+  CHECK(read_lamp(table, "[1]", lamp) == std::vector<std::string>{"lamp: a lamp is a map: {power: 3}"});
+  CHECK(read_lamp(table, "{pwoer: 3}", lamp).size() == 1);  // which may be what is missing
+}
+
+TEST_CASE("one key of a choice stands in a map, and what belongs to another stands beside it") {
+  Lamp lamp;
+  const LampTable table =
+      lamp_table({one_of("look", color_row), one_of("look", name_row),
+                  beside({"color"}, LampTable::Row{"shade", "of the colour", form::text()})});
+  CHECK(read_lamp(table, "{on: true}", lamp) ==
+        std::vector<std::string>{"lamp: a lamp needs one look: color, name"});
+  CHECK(read_lamp(table, "{color: red, name: desk}", lamp) ==
+        std::vector<std::string>{"lamp: both 'color' and 'name'; a lamp has one look"});
+  CHECK(read_lamp(table, "{name: desk, shade: deep}", lamp) ==
+        std::vector<std::string>{"lamp.shade: 'shade' goes with 'color' only"});
+  CHECK(read_lamp(table, "{color: red, shade: deep}", lamp).empty());
+}
