@@ -96,6 +96,7 @@ std::string printed_probability(double p) {
 
 std::vector<NamedValue> feedback_effects(const std::vector<NamedValue>& means,
                                          const std::vector<FeedbackCondition>& conditions) {
+  if (means.empty()) return {};
   const auto rows = static_cast<Eigen::Index>(means.size());
   const std::vector<std::pair<const char*, bool FeedbackCondition::*>> kinds{
       {"haptic", &FeedbackCondition::haptic},

@@ -39,13 +39,30 @@ Json conditions_json(const StudyRequest& request) {
   return all;
 }
 
+Json published_json(const PublishedValues& published) {
+  Json values = Json::object();
+  for (const NamedValue& value : published.values) values.set(value.name, value.value);
+  return Json::object().set("source", published.source).set("values", std::move(values));
+}
+
+Json published_json(const PublishedStudy& published) {
+  Json json = Json::object(), examples = Json::list(), order = Json::list();
+  if (!published.means.values.empty()) json.set("means", published_json(published.means));
+  if (!published.probabilities.values.empty())
+    json.set("probabilities", published_json(published.probabilities));
+  for (const PublishedValues& one : published.examples) examples.push(published_json(one));
+  for (const auto& names : published.order) order.push(Json::list_of(names));
+  return json.set("examples", std::move(examples)).set("order", std::move(order));
+}
+
 /// The section of a diagram file that asks for the same study of the copied trials; what is JSON is YAML.
 Json section_json(const StudyRequest& request, const Diagram& diagram) {
   Json section = Json::object()
                      .set("task", request.task)
                      .set("trials", copy_name)
                      .set("conditions", conditions_json(request))
-                     .set("position", request.position);
+                     .set("position", request.position)
+                     .set("published", published_json(request.published));
   if (request.circle) section.set("circle", Json::object().set("of", request.circle->of));
   if (request.way_back)
     section.set("way_back", Json::object()

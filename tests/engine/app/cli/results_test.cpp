@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "engine/base/subprocess/process.hpp"
 #include "engine/base/mat/mat_file.hpp"
+#include "engine/base/subprocess/process.hpp"
 #include "engine/base/table/table_file.hpp"
 #include "tests/engine/app/cli/program.hpp"
 
@@ -94,10 +94,10 @@ TEST_CASE("claims.json and run.json have the fields that scripts read") {
   CHECK(claims[0]["holds"] == true);
   CHECK(claims[0]["check"] == "final lag >= 0.9");
   const json run = json::parse(content_of(folder.path("out/run.json")));
-  CHECK(keys_of(run) == std::vector<std::string>{"blocks", "compiled_ticks", "compiler", "duration", "faults",
-                                                 "file", "hash", "interrupted", "notices", "parameters",
-                                                 "runs", "solver", "step", "stop", "sweep", "ticks", "title",
-                                                 "version"});
+  CHECK(keys_of(run) == std::vector<std::string>{"block_folders", "blocks", "compiled_ticks", "compiler",
+                                                 "duration", "faults", "file", "hash", "interrupted",
+                                                 "notices", "parameters", "runs", "solver", "step", "stop",
+                                                 "sweep", "ticks", "title", "version"});
   CHECK(run["step"] == 0.001);
   CHECK(run["stop"] == 1.0);
   CHECK(run["solver"] == "rk4");

@@ -34,7 +34,7 @@ LampTable lamp_table(std::vector<LampTable::Row> more) {
 std::vector<std::string> read_lamp(const LampTable& table, const std::string& yaml, Lamp& lamp) {
   std::vector<std::string> faults;
   const SectionReading read("lamp", [&](const Mark&, const std::string& subject, const std::string& message) {
-    faults.push_back(subject + ": " + message);
+    faults.push_back(subject + ": " + plain(message));
   });
   table.read(parse_document(yaml, "test.yaml").root, lamp, read);
   return faults;

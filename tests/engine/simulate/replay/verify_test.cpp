@@ -31,7 +31,7 @@ TEST_CASE("what a run left is found equal, whatever became of the diagram and it
   folder.write("main.yaml", line + "stop_when: twice > 1.2 m\n");
   leave(folder, "main.yaml", "out");
   std::filesystem::remove(folder.path("main.yaml"));
-  CHECK(verdict_of(folder, "out") == "3 signals in 6 rows: all bits agree");
+  CHECK(verdict_of(folder, "out") == "3 signals in 7 rows: all bits agree");
 }
 
 TEST_CASE("a changed number is named with its line, signal, time and both values") {
