@@ -56,7 +56,7 @@ double cost(const Plan& plan, const std::vector<double>& numbers) {
   const std::clock_t start = std::clock();
   for (std::size_t i = 0; i < numbers.size(); i += 2) {
     type.inputs[0].bind(block.get(), numbers.data() + i, 2);
-    type.run_outputs[Known::nothing](block.get(), end);
+    type.run_outputs[Specialization::nothing](block.get(), end);
   }
   const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   return 1e9 * seconds / (0.5 * static_cast<double>(numbers.size()));

@@ -58,8 +58,8 @@ void Interlock::declare(Declare<Interlock>& is) {
   is.state<&Interlock::share>({.doc = "of the commands that is let through", .settable = false});
   is.state<&Interlock::last_reset>(
       {.doc = "1 where the reset was pressed at the last tick", .settable = false});
-  is.notice<&Interlock::tripped, first_cause>({.doc = "the commands are cut off"});
-  is.notice<&Interlock::stopped, first_cause>({.doc = "the commands are cut off", .ends_run = true});
+  is.diagnostic<&Interlock::tripped, first_cause>({.doc = "the commands are cut off"});
+  is.diagnostic<&Interlock::stopped, first_cause>({.doc = "the commands are cut off", .ends_run = true});
   is.clock<&Interlock::period>();
   is.clock<&Interlock::time>();
 }

@@ -21,7 +21,7 @@ struct Interlock {
   Output<> y{};
   Output<1> cause{};
   DiscreteState<1> latched{}, first{}, share{}, last_reset{};
-  Notice tripped{}, stopped{};
+  Diagnostic tripped{}, stopped{};
   Time time{};
   Period period{};
 

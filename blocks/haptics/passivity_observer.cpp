@@ -39,7 +39,7 @@ void PassivityObserver::declare(Declare<PassivityObserver>& is) {
       {.unit = "J", .doc = "most that was dissipated so far", .settable = false});
   is.state<&PassivityObserver::least>({.unit = "J", .doc = "smallest change so far", .settable = false});
   is.state<&PassivityObserver::begun>({.doc = "1 from the first step on", .settable = false});
-  is.notice<&PassivityObserver::gave_out>({.doc = "more energy came out than may"});
+  is.diagnostic<&PassivityObserver::gave_out>({.doc = "more energy came out than may"});
   is.clock<&PassivityObserver::time>();
 }
 

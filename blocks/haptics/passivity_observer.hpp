@@ -23,7 +23,7 @@ struct PassivityObserver {
   Output<1> supplied{}, dissipated{}, least_gain{}, broken{};
   State<1> energy{};
   DiscreteState<1> first_stored{}, before{}, highest{}, least{}, begun{};
-  Notice gave_out{};
+  Diagnostic gave_out{};
   Time time{};
 
   void outputs() {

@@ -1,6 +1,6 @@
 #include "blocks/haptics/region.hpp"
 
-#include "blocks/haptics/shape_reader.hpp"
+#include "blocks/haptics/region/shape_reader.hpp"
 #include "engine/model/block/declare.hpp"
 
 namespace stepwire {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "blocks/haptics/boundary_search.hpp"
-#include "blocks/haptics/space_search.hpp"
+#include "blocks/haptics/region/boundary_search.hpp"
+#include "blocks/haptics/region/space_search.hpp"
 #include "engine/model/block/block.hpp"
 #include "engine/model/block/tree.hpp"
 

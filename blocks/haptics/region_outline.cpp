@@ -2,7 +2,7 @@
 #include <numbers>
 
 #include "blocks/haptics/region.hpp"
-#include "blocks/haptics/shape_reader.hpp"
+#include "blocks/haptics/region/shape_reader.hpp"
 #include "engine/model/block/outline.hpp"
 
 namespace stepwire {

@@ -26,7 +26,8 @@ void Amplifier::declare(Declare<Amplifier>& is) {
                                  .optional = true});
   is.output<&Amplifier::current, &Amplifier::current_>({.unit = "A", .doc = "current in the load"});
   is.state<&Amplifier::current_>({.unit = "A", .doc = "current in the load"});
-  is.notice<&Amplifier::at_limit>({.doc = "the command asks for more current than the amplifier's limit"});
+  is.diagnostic<&Amplifier::at_limit>(
+      {.doc = "the command asks for more current than the amplifier's limit"});
   is.clock<&Amplifier::time>();
   is.preset<amc_16a20ac>("amc-16a20ac", "AMC 16A20AC, 16 A peak; its bandwidth of 2.5 kHz is assumed");
 }

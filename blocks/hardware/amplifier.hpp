@@ -15,7 +15,7 @@ struct Amplifier {
   Input<1> inhibit{};
   Output<> current{};
   State<> current_{};
-  Notice at_limit{};
+  Diagnostic at_limit{};
   Time time{};
 
   void derivatives() {

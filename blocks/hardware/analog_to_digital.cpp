@@ -17,7 +17,7 @@ void AnalogToDigital::declare(Declare<AnalogToDigital>& is) {
   is.parameter<&AnalogToDigital::bits>({.doc = "of the converter", .at_least = 2.0, .at_most = 32.0});
   is.input<&AnalogToDigital::u>({.unit = "V", .doc = "voltage"});
   is.output<&AnalogToDigital::counts>({.doc = "a whole number, -2^(bits - 1) to 2^(bits - 1) - 1"});
-  is.notice<&AnalogToDigital::out_of_range>({.doc = "a voltage leaves the range; it counts as its end"});
+  is.diagnostic<&AnalogToDigital::out_of_range>({.doc = "a voltage leaves the range; it counts as its end"});
   is.clock<&AnalogToDigital::time>();
   is.preset<sensoray_626>("sensoray-626", "14 bits over -10 to 10 V");
   is.prepared<&AnalogToDigital::most>();

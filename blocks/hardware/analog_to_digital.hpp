@@ -16,7 +16,7 @@ struct AnalogToDigital {
   std::int64_t bits = 14;
   Input<> u{};
   Output<> counts{};
-  Notice out_of_range{};
+  Diagnostic out_of_range{};
   Time time{};
   double most = 1.0;  ///< counts of a voltage of `range`
 

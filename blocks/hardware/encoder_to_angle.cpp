@@ -25,7 +25,8 @@ void EncoderToAngle::declare(Declare<EncoderToAngle>& is) {
   is.state<&EncoderToAngle::last>({.doc = "counts that were believed last"});
   is.state<&EncoderToAngle::total>({.doc = "counts since count 0, over all wraps"});
   is.state<&EncoderToAngle::begun>({.doc = "1 from the first tick on", .settable = false});
-  is.notice<&EncoderToAngle::jumped>({.doc = "the counts jump further than the encoder can turn in a tick"});
+  is.diagnostic<&EncoderToAngle::jumped>(
+      {.doc = "the counts jump further than the encoder can turn in a tick"});
   is.clock<&EncoderToAngle::time>();
   is.preset<rig_encoder_reading>("thesis-3.2", "4000 counts per revolution, counter of 24 bits");
   is.prepared<&EncoderToAngle::turn>();

@@ -21,7 +21,7 @@ struct EncoderToAngle {
   Output<> angle{}, fault{};
   DiscreteState<> last{}, total{};
   DiscreteState<1> begun{};
-  Notice jumped{};
+  Diagnostic jumped{};
   Time time{};
   PerElement turn = 1.0;  ///< angle of a count [rad]
   double levels = 2.0;    ///< of the counter

@@ -32,7 +32,8 @@ void LoadCell::declare(Declare<LoadCell>& is) {
   is.input<&LoadCell::torque>({.unit = "N m", .doc = "[x, y, z] about its origin"});
   is.output<&LoadCell::gauges>({.unit = "V", .doc = "of the six pairs of gauges"});
   is.state<&LoadCell::sample>({.doc = "number of the sample", .settable = false});
-  is.notice<&LoadCell::overloaded>({.doc = "the load is beyond the cell's range; its gauges show the end"});
+  is.diagnostic<&LoadCell::overloaded>(
+      {.doc = "the load is beyond the cell's range; its gauges show the end"});
   is.clock<&LoadCell::time>();
   is.preset<ati_mini40_si_80_4>("ati-mini40-si-80-4",
                                 "80 N across, 240 N along, 4 N m; the arrangement of its gauges is assumed");

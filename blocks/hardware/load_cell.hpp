@@ -22,7 +22,7 @@ struct LoadCell {
   Input<3> force{}, torque{};
   Output<6> gauges{};
   DiscreteState<1> sample{};
-  Notice overloaded{};
+  Diagnostic overloaded{};
   Time time{};
   Matrix response{};  ///< inverse of the calibration
 

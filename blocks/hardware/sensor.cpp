@@ -58,7 +58,7 @@ void Sensor::declare(Declare<Sensor>& is) {
   is.input<&Sensor::u>({.unit = "'u", .doc = "what is measured"});
   is.output<&Sensor::y>({.unit = "'u", .doc = "what is read"});
   is.state<&Sensor::sample>({.doc = "number of the sample", .settable = false});
-  is.notice<&Sensor::out_of_range>(
+  is.diagnostic<&Sensor::out_of_range>(
       {.doc = "what is measured leaves the sensor's range; it shows the end of it"});
   is.clock<&Sensor::time>();
   is.prepared<&Sensor::interval>();

@@ -24,7 +24,7 @@ struct Sensor {
   Input<> u{};
   Output<> y{};
   DiscreteState<1> sample{};
-  Notice out_of_range{};
+  Diagnostic out_of_range{};
   Time time{};
   PerElement interval = 0.0;  ///< between two levels of the converter; 0: none
 

@@ -32,7 +32,7 @@ struct LinkageCore {
   Output<> length{}, rate{}, angular_rate{};
   Output<1> kinetic_energy{};
   DiscreteState<1> strayed{}, strayed_length{};
-  Notice out_of_stroke{};
+  Diagnostic out_of_stroke{};
   Time time{};
 
   void configure(Configure& is);

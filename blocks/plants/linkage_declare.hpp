@@ -48,7 +48,7 @@ void declare_linkage(Declare<Block>& is, bool free_pin) {
   is.template state<&Block::strayed>(
       {.doc = "number of the link that first left its stroke, 0: none", .settable = false});
   is.template state<&Block::strayed_length>({.unit = "m", .doc = "its length then", .settable = false});
-  is.template notice<&Block::out_of_stroke, strayed_link>(
+  is.template diagnostic<&Block::out_of_stroke, strayed_link>(
       {.doc = "a link leaves its stroke", .ends_run = true});
   is.template clock<&Block::time>();
 }

@@ -32,7 +32,7 @@ struct MRDamperCore {
   State<1> evolution{}, loss{}, spring_work{};
   DiscreteState<1> last_time{}, last_velocity{}, last_current{}, earlier_current{}, first_stored{}, begun{};
   Time time{};
-  Notice outside_range{};
+  Diagnostic outside_range{};
   BoucWenFactors factors{};            ///< as they act, in SI
   Numbers scaled_alpha{}, scaled_c{};  ///< alpha and c in SI
 

@@ -109,7 +109,7 @@ void declare_mr_damper(Declare<Damper>& is, const MRDamperUnits& units) {
   is.template prepared<&Damper::factors>();
   is.template prepared<&Damper::scaled_alpha>();
   is.template prepared<&Damper::scaled_c>();
-  is.template notice<&Damper::outside_range>(
+  is.template diagnostic<&Damper::outside_range>(
       {.doc = "the current leaves the range at which the damper was identified (see 'extrapolate')"});
 }
 

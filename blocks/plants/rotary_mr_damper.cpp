@@ -44,7 +44,7 @@ void RotaryMRDamper::declare(Declare<RotaryMRDamper>& is) {
   is.parameter<&RotaryMRDamper::highest_temperature>({.unit = "K", .doc = "in operation" + rating});
   is.output<&RotaryMRDamper::torque>(
       {.unit = "N m", .doc = "torque that resists the motion, in the direction of v"});
-  is.notice<&RotaryMRDamper::assumed>(
+  is.diagnostic<&RotaryMRDamper::assumed>(
       {.doc = "below the lowest tested current (0.50 A) the identified polynomials are assumed to hold"});
   is.preset<rd_2087_01>(
       "rd-2087-01",

@@ -15,7 +15,7 @@ struct RotaryMRDamper : MRDamperCore {
          rated_torque = 0.0;  ///< ratings, on which no run depends
   double lowest_temperature = 0.0, highest_temperature = 0.0;
   Output<1> torque{};
-  Notice assumed{};
+  Diagnostic assumed{};
 
   RotaryMRDamper();
   void prepare() { scale(newton_metres(torque_unit), presliding_scale); }

@@ -11,7 +11,7 @@ void Assert::declare(Declare<Assert>& is) {
               "step, or at every tick of its period; feed it from Compare, Logic or Expression, and give "
               "it a name that says what must hold."});
   is.input<&Assert::u>({.doc = "condition: 0 is false, anything else true", .feedthrough = false});
-  is.notice<&Assert::failed>({.doc = "what is asserted does not hold", .ends_run = true});
+  is.diagnostic<&Assert::failed>({.doc = "what is asserted does not hold", .ends_run = true});
   is.clock<&Assert::t>();
 }
 

@@ -7,7 +7,7 @@ namespace stepwire {
 /// Ends the run when what it is fed is false (zero in any element).
 struct Assert {
   Input<> u{};
-  Notice failed{};
+  Diagnostic failed{};
   Time t{};
 
   void update() {

@@ -105,7 +105,7 @@ void FromFile::declare(Declare<FromFile>& is) {
               "follows one mean interval after the last; band_limited repeats always",
        .words = {"refuse", "hold", "repeat"}});
   is.output<&FromFile::y>({.unit = "'u", .doc = "the record"});
-  is.notice<&FromFile::ended>(
+  is.diagnostic<&FromFile::ended>(
       {.doc = "the record is over; give after_end or an earlier stop", .ends_run = true});
   is.clock<&FromFile::t>();
   is.derived<&FromFile::samples>();

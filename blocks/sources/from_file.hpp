@@ -28,7 +28,7 @@ struct FromFile {
   Interpolation interpolation = Interpolation::linear;
   AfterEnd after_end = AfterEnd::refuse;
   Output<> y{};
-  Notice ended{};
+  Diagnostic ended{};
   Time t{};
   Samples samples;
   BandLimited smooth;   ///< of the columns, where band-limited

@@ -68,7 +68,7 @@ Result simulate(const Model& model, const SimulateOptions& options) {
   RunResult result = run_job(model.content().job, run);
   return {std::move(result.recordings),
           std::move(result.faults),
-          std::move(result.notices),
+          std::move(result.diagnostics),
           result.interrupted,
           result.ticks,
           result.compiled_ticks,

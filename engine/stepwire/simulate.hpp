@@ -28,7 +28,7 @@ struct SimulateOptions {
 struct Result {
   std::vector<Recording> recordings;  ///< one for each period at which the file records
   std::vector<RunFault> faults;       ///< at most one for each run
-  std::vector<RaisedNotice> notices;
+  std::vector<RaisedDiagnostic> diagnostics;
   bool interrupted = false;         ///< by SimulateOptions::stop
   std::int64_t ticks = 0;           ///< of all runs together
   std::int64_t compiled_ticks = 0;  ///< of them, those that compiled code made

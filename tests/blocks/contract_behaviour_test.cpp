@@ -34,12 +34,13 @@ std::vector<double> region(const Executor& simulation, std::size_t first, std::s
   return {start, start + count};
 }
 
-/// All that lasts from tick to tick: states and notices.
+/// All that lasts from tick to tick: states and diagnostics.
 std::vector<double> memory_of(const Executor& simulation) {
   const Layout& layout = simulation.plan().layout;
   std::vector<double> memory = region(simulation, layout.states, layout.state_count);
   for (double number : region(simulation, layout.discrete, layout.discrete_count)) memory.push_back(number);
-  for (double number : region(simulation, layout.notices, layout.notice_count)) memory.push_back(number);
+  for (double number : region(simulation, layout.diagnostics, layout.diagnostic_count))
+    memory.push_back(number);
   return memory;
 }
 

@@ -98,7 +98,7 @@ TEST_CASE("a block and each of its members are explained, without stray blanks")
       INFO(member.name << ": '" << member.doc << "'");
       CHECK(is_clean(member.doc));
     }
-    for (const NoticeSpec& notice : type->notices) CHECK(is_clean(notice.doc));
+    for (const DiagnosticSpec& diagnostic : type->diagnostics) CHECK(is_clean(diagnostic.doc));
     for (const PresetSpec& preset : type->presets) CHECK(is_clean(preset.doc));
   }
 }
@@ -212,7 +212,7 @@ TEST_CASE("outputs are computed or are continuous states, and states have what m
       INFO(state.name);
       CHECK((state.continuous ? type->run_derivatives : type->run_update));
     }
-    if (!type->notices.empty()) CHECK(type->run_update);
+    if (!type->diagnostics.empty()) CHECK(type->run_update);
   }
 }
 

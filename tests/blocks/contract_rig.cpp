@@ -238,7 +238,7 @@ bool same_numbers(const Plan& plan, const double* a, const double* b) {
   };
   return same(layout.signals, layout.dots) &&
          same(layout.discrete, layout.discrete + layout.discrete_count) &&
-         same(layout.notices, layout.notices + layout.notice_count);
+         same(layout.diagnostics, layout.diagnostics + layout.diagnostic_count);
 }
 
 bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {

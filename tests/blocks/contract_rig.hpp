@@ -35,7 +35,7 @@ bool feeds_through(const Plan& plan, std::size_t input, std::size_t output);
 std::vector<double> numbers_of(const Executor& simulation);
 std::vector<double> output_of(const Executor& simulation, std::size_t output);
 
-/// Are signals, states and notices of two workspaces the same? Slopes are the solver's own affair.
+/// Are signals, states and diagnostics of two workspaces the same? Slopes are the solver's own affair.
 bool same_numbers(const Plan& plan, const double* a, const double* b);
 
 /// Are these the same bits?

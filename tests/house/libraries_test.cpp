@@ -16,7 +16,7 @@ struct Home {
 const std::vector<Home> homes{
     {"boost/math/", "engine/analyse/statistics"},
     {"boost/lockfree/", "engine/simulate/realtime"},
-    {"boost/geometry", "blocks/haptics"},
+    {"boost/geometry", "blocks/haptics/region"},
     {"boost/polygon/", "engine/view/geometry"},
     {"boost/", "engine/model/plan"},
     {"yaml-cpp/", "engine/base/yaml"},

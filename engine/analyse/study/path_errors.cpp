@@ -196,7 +196,7 @@ Recording error_recording(const PathErrors& errors) {
                              numbers(errors, "deviation", errors.deviation_unit, &PathError::deviation),
                              numbers(errors, "length", "m", &PathError::length),
                              numbers(errors, "duration", "s", &PathError::duration)};
-  recording.words = {{"subject", subject.levels}, {"condition", condition.levels}};
+  recording.categories = {{"subject", subject.levels}, {"condition", condition.levels}};
   if (errors.circles.empty()) return recording;
   for (const char* name : circle_columns) recording.table.columns.push_back({name, "m", {}});
   for (const PathError& row : errors.rows) {

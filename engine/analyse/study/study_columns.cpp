@@ -70,7 +70,7 @@ std::size_t place_in(const std::vector<std::string>& all, const std::string& nam
 /// Words of the request's own order, in place of those in the order of the rows.
 void number_words(const StudyRequest& request, const Experiment& experiment, Recording& recording) {
   const std::vector<std::string> subjects = request.subject_names(), conditions = request.condition_names();
-  recording.words = {{"subject", subjects}, {"condition", conditions}};
+  recording.categories = {{"subject", subjects}, {"condition", conditions}};
   for (Column& column : recording.table.columns) {
     if (column.name != "subject" && column.name != "condition") continue;
     const bool person = column.name == "subject";
@@ -93,7 +93,7 @@ Recording pooled(const Experiment& experiment, const StudyRequest& request, cons
     fill({"condition", "", {}}, rows, static_cast<double>(place_in(conditions, trial.condition)), one, 2);
     append_runs(all, std::move(one));
   }
-  all.words = {{"subject", subjects}, {"condition", conditions}};
+  all.categories = {{"subject", subjects}, {"condition", conditions}};
   return all;
 }
 

@@ -8,7 +8,7 @@ namespace stepwire {
 Monitor terminal_monitor(Progress* progress) {
   Monitor monitor;
   monitor.interrupt = &interrupted();
-  monitor.notice = [](const std::string& text) { complain("{}\n", text); };
+  monitor.diagnostic = [](const std::string& text) { complain("{}\n", text); };
   if (progress)
     monitor.progress = [progress](double fraction, const std::string& what) {
       progress->show(fraction, what);

@@ -7,8 +7,8 @@
 
 namespace stepwire {
 
-/// What the command line shows while something goes on: a bar on the terminal, notices on the standard error,
-/// and the signals that interrupt it. The progress may be null: then no bar.
+/// What the command line shows while something goes on: a bar on the terminal, diagnostics on the standard
+/// error, and the signals that interrupt it. The progress may be null: then no bar.
 Monitor terminal_monitor(Progress* progress);
 
 }  // namespace stepwire

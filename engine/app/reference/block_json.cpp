@@ -105,7 +105,7 @@ Json preset_json(const BlockType& type, const PresetSpec& preset) {
   return Json::object().set("name", preset.name).set("doc", preset.doc).set("values", std::move(values));
 }
 
-Json notice_json(const NoticeSpec& spec) {
+Json diagnostic_json(const DiagnosticSpec& spec) {
   return Json::object().set("name", spec.name).set("doc", spec.doc).set("ends_run", spec.ends_run);
 }
 
@@ -137,7 +137,7 @@ Json block_json(const BlockType& type) {
   json.set("outputs", list_json(type.outputs, output_json));
   json.set("states", list_json(type.states, [&](const auto& spec) { return state_json(type, spec); }));
   json.set("presets", list_json(type.presets, [&](const auto& spec) { return preset_json(type, spec); }));
-  json.set("notices", list_json(type.notices, notice_json));
+  json.set("notices", list_json(type.diagnostics, diagnostic_json));
   json.set("keys", Json::list_of(keys_of(type)));
   return json.set("example", block_example(type));
 }

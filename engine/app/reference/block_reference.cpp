@@ -67,10 +67,11 @@ ReferenceTable presets_of(const BlockType& type) {
   return table;
 }
 
-ReferenceTable notices_of(const BlockType& type) {
+ReferenceTable diagnostics_of(const BlockType& type) {
   ReferenceTable table{"Notices", {"name", "effect", "meaning"}, {}};
-  for (const NoticeSpec& notice : type.notices)
-    table.rows.push_back({notice.name, notice.ends_run ? "ends the run" : "is told once", notice.doc});
+  for (const DiagnosticSpec& diagnostic : type.diagnostics)
+    table.rows.push_back(
+        {diagnostic.name, diagnostic.ends_run ? "ends the run" : "is told once", diagnostic.doc});
   return table;
 }
 
@@ -103,7 +104,7 @@ BlockReference reference_of(const BlockType& type) {
   if (!type.not_real_time.empty())
     sheet.facts.emplace_back("real time", "not in a real-time loop: " + type.not_real_time);
   for (ReferenceTable table : {parameters_of(type), inputs_of(type), outputs_of(type), states_of(type),
-                               presets_of(type), notices_of(type)}) {
+                               presets_of(type), diagnostics_of(type)}) {
     if (table.rows.empty()) continue;
     drop_empty_columns(table);
     if (has_unit_variable(table))

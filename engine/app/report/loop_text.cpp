@@ -83,9 +83,9 @@ std::string rows_text(const LoopRows& rows) {
 
 std::string notes_text(const LoopOutcome& outcome) {
   std::string text;
-  for (const RaisedNotice& notice : outcome.loop.simulation().notices())
-    text += fmt::format("  note {}: {} (first at {:.6g} s)\n", visible(notice.block), visible(notice.text),
-                        notice.time);
+  for (const RaisedDiagnostic& diagnostic : outcome.loop.simulation().diagnostics())
+    text += fmt::format("  note {}: {} (first at {:.6g} s)\n", visible(diagnostic.block),
+                        visible(diagnostic.text), diagnostic.time);
   for (const std::string& line : outcome.served.refused) text += fmt::format("  note {}\n", line);
   if (diagram_of(outcome).stop < outcome.settings.duration)
     text += fmt::format("  note the file's stop of {:.6g} s does not end a loop\n", diagram_of(outcome).stop);

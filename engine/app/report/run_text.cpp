@@ -39,9 +39,9 @@ std::string outcome_text(const LoadedModel& model, const Outcome& outcome) {
   }
   if (held > 0)
     text += fmt::format("  ok   held throughout: {} {}\n", held, held == 1 ? "invariant" : "invariants");
-  for (const RaisedNotice& notice : outcome.result.notices)
-    text += fmt::format("  note {}: {} (first at {:.6g} s)\n", visible(notice.block), visible(notice.text),
-                        notice.time);
+  for (const RaisedDiagnostic& diagnostic : outcome.result.diagnostics)
+    text += fmt::format("  note {}: {} (first at {:.6g} s)\n", visible(diagnostic.block),
+                        visible(diagnostic.text), diagnostic.time);
   return text;
 }
 

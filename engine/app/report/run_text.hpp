@@ -6,7 +6,7 @@
 
 namespace stepwire {
 
-/// What a run has to tell, for people: title, claims with verdict and value, notices.
+/// What a run has to tell, for people: title, claims with verdict and value, diagnostics.
 std::string outcome_text(const LoadedModel& model, const Outcome& outcome);
 /// The unit of every wire: "rig.carriage.position  m".
 std::string units_text(const Diagram& diagram);

@@ -14,8 +14,8 @@ struct Monitor {
   const std::atomic<bool>* interrupt = nullptr;  ///< once true, what goes on ends and keeps what it has
   /// The fraction done, 0 to 1, and what a fit or a study says of it.
   std::function<void(double fraction, const std::string& what)> progress;
-  std::function<void(const std::string& text)> notice;  ///< such as why nothing is compiled
-  std::vector<RunObserver*> observers;                  ///< of every run and trial; must outlive the call
+  std::function<void(const std::string& text)> diagnostic;  ///< such as why nothing is compiled
+  std::vector<RunObserver*> observers;                      ///< of every run and trial; must outlive the call
 
   bool interrupted() const { return interrupt && *interrupt; }
   void show(double fraction, const std::string& what = {}) const {
@@ -23,7 +23,7 @@ struct Monitor {
   }
   /// Nothing where there was no problem.
   void note_interpreted(const std::string& problem) const {
-    if (notice && !problem.empty()) notice("interpreted, since " + problem);
+    if (diagnostic && !problem.empty()) diagnostic("interpreted, since " + problem);
   }
 };
 

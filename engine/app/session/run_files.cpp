@@ -18,7 +18,7 @@ namespace {
 
 ColumnWords words_of(const Recording& recording) {
   ColumnWords words;
-  for (const Words& column : recording.words)
+  for (const Categories& column : recording.categories)
     for (const std::string& text : column.texts) words[column.column].push_back(unquoted(text));
   return words;
 }
@@ -101,9 +101,12 @@ Json claims_json(const LoadedModel& model, const Outcome& outcome) {
 
 Json run_json(const LoadedModel& model, const Outcome& outcome) {
   const Diagram& diagram = model.job.plan.diagram;
-  Json notices = Json::list();
-  for (const RaisedNotice& notice : outcome.result.notices)
-    notices.push(Json::object().set("block", notice.block).set("time", notice.time).set("text", notice.text));
+  Json diagnostics = Json::list();
+  for (const RaisedDiagnostic& diagnostic : outcome.result.diagnostics)
+    diagnostics.push(Json::object()
+                         .set("block", diagnostic.block)
+                         .set("time", diagnostic.time)
+                         .set("text", diagnostic.text));
   return Json::object()
       .set("file", model.file)
       .set("title", diagram.title)
@@ -118,7 +121,7 @@ Json run_json(const LoadedModel& model, const Outcome& outcome) {
       .set("compiled_ticks", outcome.result.compiled_ticks)
       .set("blocks", diagram.blocks.size())
       .set("block_folders", Json::list_of(model.blocksets))
-      .set("notices", std::move(notices))
+      .set("notices", std::move(diagnostics))
       .set("faults", fault_texts(outcome))
       .set("interrupted", outcome.result.interrupted)
       .set("version", program_version())

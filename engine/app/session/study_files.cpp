@@ -140,7 +140,7 @@ std::string errors_csv(const LoadedModel& model, const Experiments& experiments,
   if (model.study->trials.empty()) add_sequence(model, experiments, table);
   const auto swept = recording.table.columns.begin() + 1;
   table.columns.insert(table.columns.begin(), swept, swept + swept_columns_of(recording));
-  for (const Words& one : recording.words)
+  for (const Categories& one : recording.categories)
     for (const std::string& text : one.texts)
       if (one.column != "subject" && one.column != "condition") words[one.column].push_back(unquoted(text));
   return csv_text(table, words);
@@ -154,7 +154,8 @@ Json add_experiment(Json json, const Experiment& experiment, const StudyRequest&
   if (!experiment.runs.empty())
     json.set("seed", experiment.seed).set("orders", orders_json(experiment, request));
   if (!experiment.others.empty()) json.set("experiments", experiments_json(experiment, request));
-  if (experiment.analysis) json.set("analysis", analysis_json(*experiment.analysis, request, experiment.seed));
+  if (experiment.analysis)
+    json.set("analysis", analysis_json(*experiment.analysis, request, experiment.seed));
   return json;
 }
 

@@ -41,7 +41,7 @@ struct BlockType {
   std::vector<InputSpec> inputs;
   std::vector<OutputSpec> outputs;
   std::vector<StateSpec> states;
-  std::vector<NoticeSpec> notices;
+  std::vector<DiagnosticSpec> diagnostics;
   std::vector<PresetSpec> presets;
   std::vector<MemberSpec> members;  ///< that a run reads and never changes
   std::vector<ClockSpec> clocks;

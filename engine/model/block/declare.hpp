@@ -198,14 +198,14 @@ class Declare {
   }
 
   /// `detail`, a std::string(const Block&), adds the names and numbers of the case; it may read parameters
-  /// and discrete states, which stay as they were when the notice was raised.
+  /// and discrete states, which stay as they were when the diagnostic was raised.
   template <auto member, auto detail = nullptr>
-  void notice(NoticeOptions is) {
-    type_.notices.push_back({std::string(member_name<member>()), is.doc,
-                             std::string(member_identifier<member>()), is.ends_run,
-                             [](void* block, double* first) { of<member>(block).bind(first); }});
+  void diagnostic(DiagnosticOptions is) {
+    type_.diagnostics.push_back({std::string(member_name<member>()), is.doc,
+                                 std::string(member_identifier<member>()), is.ends_run,
+                                 [](void* block, double* first) { of<member>(block).bind(first); }});
     if constexpr (!std::is_null_pointer_v<decltype(detail)>)
-      type_.notices.back().detail = [](const void* block) {
+      type_.diagnostics.back().detail = [](const void* block) {
         return detail(*static_cast<const Block*>(block));
       };
   }

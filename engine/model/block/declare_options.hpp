@@ -55,7 +55,7 @@ struct StateOptions {
   bool settable = true;
 };
 
-struct NoticeOptions {
+struct DiagnosticOptions {
   std::string doc;
   bool ends_run = false;
 };

@@ -12,7 +12,7 @@ using Kernel = void (*)(void* first, void* end);
 
 /// What a kernel may take for granted of its blocks. The more is known, the less has to be asked at every
 /// step.
-enum class Known {
+enum class Specialization {
   nothing,
   one_element,    ///< every port and state has one
   two_in_list,    ///< as well, and the list of inputs `u` has two
@@ -25,15 +25,19 @@ enum class Known {
 class Kernels {
  public:
   /// Null where the type has no such phase, or nothing of which that could be known.
-  Kernel operator[](Known known) const { return kernels_[static_cast<std::size_t>(known)]; }
-  Kernel& operator[](Known known) { return kernels_[static_cast<std::size_t>(known)]; }
-  explicit operator bool() const { return (*this)[Known::nothing] != nullptr; }
+  Kernel operator[](Specialization specialization) const {
+    return kernels_[static_cast<std::size_t>(specialization)];
+  }
+  Kernel& operator[](Specialization specialization) {
+    return kernels_[static_cast<std::size_t>(specialization)];
+  }
+  explicit operator bool() const { return (*this)[Specialization::nothing] != nullptr; }
   bool contains(Kernel kernel) const {
     return std::find(kernels_.begin(), kernels_.end(), kernel) != kernels_.end();
   }
 
  private:
-  std::array<Kernel, static_cast<std::size_t>(Known::count)> kernels_{};
+  std::array<Kernel, static_cast<std::size_t>(Specialization::count)> kernels_{};
 };
 
 namespace detail {
@@ -46,25 +50,25 @@ template <class Port>
 
 /// Tells the compiler what is known. The ports and the state that most blocks have, with the names that they
 /// have by custom, are enough: sizes are asked of what is written.
-template <Known known, class Block>
+template <Specialization specialization, class Block>
 [[gnu::always_inline]] inline void assume(const Block& block) {
-  if constexpr (known == Known::nothing) return;
+  if constexpr (specialization == Specialization::nothing) return;
   if constexpr (requires { block.u.size(); }) assume_one_element(block.u);
   if constexpr (requires { block.y.size(); }) assume_one_element(block.y);
   if constexpr (requires { block.x.dot.size(); }) assume_one_element(block.x.dot);
-  if constexpr (known == Known::two_in_list)
+  if constexpr (specialization == Specialization::two_in_list)
     if (block.u.count() != 2) __builtin_unreachable();
-  if constexpr (known == Known::three_in_list)
+  if constexpr (specialization == Specialization::three_in_list)
     if (block.u.count() != 3) __builtin_unreachable();
-  if constexpr (known == Known::plain_slope)
+  if constexpr (specialization == Specialization::plain_slope)
     if (!block.slope_is_input) __builtin_unreachable();
 }
 
-template <class Block, void (Block::*phase)(), Known known>
+template <class Block, void (Block::*phase)(), Specialization specialization>
 void run_phase(void* first, void* end) {
   Block* block = static_cast<Block*>(first);
   do {
-    assume<known>(*block);
+    assume<specialization>(*block);
     (block->*phase)();
   } while (++block != end);
 }
@@ -72,14 +76,14 @@ void run_phase(void* first, void* end) {
 template <class Block, void (Block::*phase)()>
 constexpr Kernels kernels_of() {
   Kernels kernels;
-  kernels[Known::nothing] = run_phase<Block, phase, Known::nothing>;
-  kernels[Known::one_element] = run_phase<Block, phase, Known::one_element>;
+  kernels[Specialization::nothing] = run_phase<Block, phase, Specialization::nothing>;
+  kernels[Specialization::one_element] = run_phase<Block, phase, Specialization::one_element>;
   if constexpr (requires(const Block& block) { block.u.count(); }) {
-    kernels[Known::two_in_list] = run_phase<Block, phase, Known::two_in_list>;
-    kernels[Known::three_in_list] = run_phase<Block, phase, Known::three_in_list>;
+    kernels[Specialization::two_in_list] = run_phase<Block, phase, Specialization::two_in_list>;
+    kernels[Specialization::three_in_list] = run_phase<Block, phase, Specialization::three_in_list>;
   }
   if constexpr (requires(const Block& block) { block.slope_is_input; })
-    kernels[Known::plain_slope] = run_phase<Block, phase, Known::plain_slope>;
+    kernels[Specialization::plain_slope] = run_phase<Block, phase, Specialization::plain_slope>;
   return kernels;
 }
 

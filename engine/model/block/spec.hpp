@@ -96,8 +96,8 @@ struct StateSpec {
   void (*bind)(void* block, double* data, double* dot, Eigen::Index size) = nullptr;
 };
 
-/// How a notice is declared.
-struct NoticeSpec {
+/// How a diagnostic is declared.
+struct DiagnosticSpec {
   std::string name, doc;
   std::string member;  ///< its name in C++
   bool ends_run = false;

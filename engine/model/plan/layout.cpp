@@ -36,20 +36,20 @@ class LayoutMaker {
     layout.states = end_;
     each([&](std::size_t b) { place_states(b, true); });
     layout.state_count = end_ - layout.states;
-    layout.dots = end_;
+    layout.derivatives = end_;
     each([&](std::size_t b) { place_dots(b); });
     end_ += layout.state_count;
     for (const auto& [source, state] : slopes_)
-      plan_.blocks[source.first].outputs[source.second] = plan_.blocks[state.first].dots[state.second];
+      plan_.blocks[source.first].outputs[source.second] = plan_.blocks[state.first].derivatives[state.second];
     layout.discrete = end_;
     each([&](std::size_t b) { place_states(b, false); });
     layout.discrete_count = end_ - layout.discrete;
-    layout.notices = end_;
+    layout.diagnostics = end_;
     each([&](std::size_t b) {
-      for (std::size_t n = 0; n < draft_.type(b).notices.size(); ++n)
-        plan_.blocks[b].notices.push_back(take(1));
+      for (std::size_t n = 0; n < draft_.type(b).diagnostics.size(); ++n)
+        plan_.blocks[b].diagnostics.push_back(take(1));
     });
-    layout.notice_count = end_ - layout.notices;
+    layout.diagnostic_count = end_ - layout.diagnostics;
     layout.constants = end_;
     each([&](std::size_t b) { place_inputs(b); });
     layout.report = end_;
@@ -90,7 +90,7 @@ class LayoutMaker {
     PlannedBlock& block = plan_.blocks[b];
     block.outputs.resize(draft_.type(b).outputs.size());
     block.states.resize(draft_.type(b).states.size());
-    block.dots.resize(draft_.type(b).states.size());
+    block.derivatives.resize(draft_.type(b).states.size());
     for (std::size_t o = 0; o < block.outputs.size(); ++o)
       if (!draft_.is_state(b, o) && !slopes_.contains({b, o}))
         block.outputs[o] = take(draft_.blocks[b].output_sizes[o]);
@@ -112,8 +112,8 @@ class LayoutMaker {
     PlannedBlock& block = plan_.blocks[b];
     for (std::size_t s = 0; s < block.states.size(); ++s)
       if (draft_.type(b).states[s].continuous)
-        block.dots[s] = {plan_.layout.dots + (block.states[s].offset - plan_.layout.states),
-                         block.states[s].size};
+        block.derivatives[s] = {plan_.layout.derivatives + (block.states[s].offset - plan_.layout.states),
+                                block.states[s].size};
   }
 
   void place_inputs(std::size_t b) {

@@ -38,11 +38,11 @@ struct Layout {
   std::size_t signals = first;
   std::size_t states = first;
   std::size_t state_count = 0;
-  std::size_t dots = first;
+  std::size_t derivatives = first;
   std::size_t discrete = first;
   std::size_t discrete_count = 0;
-  std::size_t notices = first;
-  std::size_t notice_count = 0;
+  std::size_t diagnostics = first;
+  std::size_t diagnostic_count = 0;
   std::size_t constants = first;
   std::size_t report = first;  ///< of an implicit solver; lies behind all else
   std::size_t size = first;
@@ -60,8 +60,8 @@ struct PlannedBlock {
   Rate rate;
   std::vector<SignalSlot> outputs;
   std::vector<SignalSlot> states;
-  std::vector<SignalSlot> dots;  ///< parallel to states; unused for discrete ones
-  std::vector<SignalSlot> notices;
+  std::vector<SignalSlot> derivatives;  ///< parallel to states; unused for discrete ones
+  std::vector<SignalSlot> diagnostics;
   std::vector<std::vector<SignalSlot>> inputs;
   bool slope_is_input = false;      ///< its input lies in the place of its slope: derivatives() is not called
   std::optional<AnyBlock> written;  ///< as its file gives it, where configure() or prepare() change it

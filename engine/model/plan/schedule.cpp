@@ -20,27 +20,29 @@ bool has_one_element_each(const Draft::Block& block) {
 }
 
 /// What is known of a block beyond its type.
-Known known_of(const Draft& draft, std::size_t block) {
-  if (!has_one_element_each(draft.blocks[block])) return Known::nothing;
-  if (!draft.blocks[block].says.slope_source.first.empty()) return Known::plain_slope;
+Specialization specialization_of(const Draft& draft, std::size_t block) {
+  if (!has_one_element_each(draft.blocks[block])) return Specialization::nothing;
+  if (!draft.blocks[block].says.slope_source.first.empty()) return Specialization::plain_slope;
   const int list = draft.type(block).input("u");
-  if (list < 0) return Known::one_element;
+  if (list < 0) return Specialization::one_element;
   switch (draft.plan.diagram.blocks[block].inputs[static_cast<std::size_t>(list)].size()) {
     case 0:
-      return Known::nothing;  // what is not fed is empty
+      return Specialization::nothing;  // what is not fed is empty
     case 2:
-      return Known::two_in_list;
+      return Specialization::two_in_list;
     case 3:
-      return Known::three_in_list;
+      return Specialization::three_in_list;
     default:
-      return Known::one_element;
+      return Specialization::one_element;
   }
 }
 
 /// The kernel that takes the most for granted of what is true of a block.
 Kernel kernel_of(const Draft& draft, std::size_t block, const Kernels& kernels) {
-  const Known known = known_of(draft, block);
-  return known == Known::nothing || kernels[known] ? kernels[known] : kernels[Known::one_element];
+  const Specialization specialization = specialization_of(draft, block);
+  return specialization == Specialization::nothing || kernels[specialization]
+             ? kernels[specialization]
+             : kernels[Specialization::one_element];
 }
 
 /// Appends a call, or lengthens the last one where the block lies right behind.

@@ -132,10 +132,11 @@ std::string fault_text(const Plan& plan) {
   std::string text;
   for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
     const DiagramBlock& block = plan.diagram.blocks[b];
-    for (std::size_t n = 0; n < block.type().notices.size(); ++n)
-      if (block.type().notices[n].ends_run)
-        text += fmt::format("  if (w_[{}] != Notice::never) return {};\n", plan.blocks[b].notices[n].offset,
-                            cpp_string(comment_of(plan, b) + ": " + block.type().notices[n].doc));
+    for (std::size_t n = 0; n < block.type().diagnostics.size(); ++n)
+      if (block.type().diagnostics[n].ends_run)
+        text += fmt::format("  if (w_[{}] != Diagnostic::never) return {};\n",
+                            plan.blocks[b].diagnostics[n].offset,
+                            cpp_string(comment_of(plan, b) + ": " + block.type().diagnostics[n].doc));
   }
   if (plan.layout.state_count > 0 && find_implicit(plan.diagram.solver))
     text += fmt::format("  if (w_[{}] != 0.0) return \"the step is too large for the solver\";\n",
@@ -233,7 +234,8 @@ std::string struct_definitions(const Plan& plan, const Tuning& tuning, const Gro
              "  return (bits << 1) == 0;\n}}\n\n"
              "const char* Diagram::fault() const {{\n{2}  return nullptr;\n}}\n\n"
              "bool Diagram::stops() const {{\n  return {3};\n}}\n\n}}  // namespace {4}\n",
-             layout.signals, layout.dots + layout.state_count, fault_text(plan), stop_text(plan), name);
+             layout.signals, layout.derivatives + layout.state_count, fault_text(plan), stop_text(plan),
+             name);
 }
 
 }  // namespace stepwire

@@ -60,12 +60,12 @@ void PlaceNames::add_block(const Plan& plan, std::size_t block) {
   for (std::size_t s = 0; s < type.states.size(); ++s) {
     add(plan, block, type.states[s].member, planned.states[s]);
     if (type.states[s].continuous && !planned.slope_is_input)
-      add(plan, block, type.states[s].member + "_dot", planned.dots[s]);
+      add(plan, block, type.states[s].member + "_dot", planned.derivatives[s]);
   }
   for (std::size_t o = 0; o < type.outputs.size(); ++o)
     add(plan, block, type.outputs[o].member, planned.outputs[o]);
-  for (std::size_t n = 0; n < type.notices.size(); ++n)
-    add(plan, block, type.notices[n].member, planned.notices[n]);
+  for (std::size_t n = 0; n < type.diagnostics.size(); ++n)
+    add(plan, block, type.diagnostics[n].member, planned.diagnostics[n]);
 }
 
 void PlaceNames::add_constants(const Plan& plan, std::size_t block) {

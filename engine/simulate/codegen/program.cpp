@@ -61,10 +61,10 @@ class Maker {
         fmt::format("inline void reset(double* w, const double* numbers) {{\n"
                     "  for (int i = 0; i < size; ++i) w[i] = 0.0;\n"
                     "  w[at::timed] = {3};\n"
-                    "  for (int i = {0}; i < {1}; ++i) w[i] = Notice::never;\n{2}"
+                    "  for (int i = {0}; i < {1}; ++i) w[i] = Diagnostic::never;\n{2}"
                     "  start(w, numbers);\n  once(w, numbers);\n}}\n",
-                    plan_.layout.notices, plan_.layout.notices + plan_.layout.notice_count, constants_text(),
-                    number_text(Layout::never)));
+                    plan_.layout.diagnostics, plan_.layout.diagnostics + plan_.layout.diagnostic_count,
+                    constants_text(), number_text(Layout::never)));
   }
 
   void add_follow() {
@@ -88,12 +88,13 @@ class Maker {
     for (const NamedPlace& place : names_.places())
       text += fmt::format("  {} = {},  // {}\n", place.name, place.offset, place.meaning);
     text += "};\n}  // namespace at\n\n";
-    return text + fmt::format(
-                      "constexpr double step = {};  // [s]\n"
-                      "constexpr int states = {}, dots = {};  // where the first state and slope lie\n"
-                      "constexpr int size = {};  // of the workspace\n\n",
-                      number_text(plan_.diagram.step), plan_.layout.states, plan_.layout.dots,
-                      plan_.layout.size);
+    return text +
+           fmt::format(
+               "constexpr double step = {};  // [s]\n"
+               "constexpr int states = {}, first_derivative = {};  // where the first state and slope lie\n"
+               "constexpr int size = {};  // of the workspace\n\n",
+               number_text(plan_.diagram.step), plan_.layout.states, plan_.layout.derivatives,
+               plan_.layout.size);
   }
 
   std::string table_text() const {
@@ -139,9 +140,9 @@ class Maker {
     Places places = at_tick();
     if (!small_) return places;
     places.fresh = "s";
-    places.is_fresh.assign(plan_.layout.dots + plan_.layout.state_count, false);
+    places.is_fresh.assign(plan_.layout.derivatives + plan_.layout.state_count, false);
     places.is_fresh[Layout::time] = true;
-    for (std::size_t i = plan_.layout.states; i < plan_.layout.dots; ++i) places.is_fresh[i] = true;
+    for (std::size_t i = plan_.layout.states; i < plan_.layout.derivatives; ++i) places.is_fresh[i] = true;
     for (const KernelCall& batch : plan_.stage)
       for (const PlannedBlock& block : plan_.blocks)
         if (block.memory >= batch.first && in(batch, block))
@@ -178,10 +179,11 @@ class Maker {
     std::vector<Code> code;
     if (!small_) return code;
     for (const PlannedBlock& block : plan_.blocks)
-      for (const SignalSlot& slot : block.dots)
+      for (const SignalSlot& slot : block.derivatives)
         for (std::size_t i = slot.offset; i < slot.offset + static_cast<std::size_t>(slot.size); ++i)
-          if (block.slope_is_input && i >= plan_.layout.dots)  // discrete states have no slopes
-            code.push_back({fmt::format("  dot[{0}] = w[dots + {0}];\n", i - plan_.layout.dots)});
+          if (block.slope_is_input && i >= plan_.layout.derivatives)  // discrete states have no slopes
+            code.push_back(
+                {fmt::format("  dot[{0}] = w[first_derivative + {0}];\n", i - plan_.layout.derivatives)});
     return code;
   }
 

@@ -18,8 +18,8 @@ class ExplicitText {
       : stages_(stages), states_(plan.layout.state_count), small_(small), timed_(!plan.timed.empty()) {}
 
   std::string text() const {
-    std::string text = small_ ? fmt::format("  double s[dots], dot[{}];\n", states_)
-                              : "  double* const s = w;\n  double* const dot = w + dots;\n";
+    std::string text = small_ ? fmt::format("  double s[first_derivative], dot[{}];\n", states_)
+                              : "  double* const s = w;\n  double* const dot = w + first_derivative;\n";
     for (int place = 0; place < places_of(stages_); ++place)
       text += fmt::format("  double {}[{}];\n", name(place), states_);
     text += each([](const std::string& i) { return fmt::format("start[{0}] = w[states + {0}];", i); });
@@ -77,7 +77,7 @@ class ExplicitText {
 
 std::string implicit_text(const ImplicitMethod& method, const Plan& plan) {
   return fmt::format(
-      "  double* const dot = w + dots;\n"
+      "  double* const dot = w + first_derivative;\n"
       "  derivatives(w, numbers, dot);\n"
       "  {0}<{1}> method({1});\n"
       "  method.advance(w + states, dot, w + at::time, now, end, step, {{w + {2}, {3}}}, [&] {{{4} slopes(w, "

@@ -75,8 +75,9 @@ Statements::Piece Statements::place(const std::string& before, std::size_t offse
                                     const Places& places) const {
   const bool fresh = offset < places.is_fresh.size() && places.is_fresh[offset];
   const auto at = static_cast<std::int64_t>(offset);
-  if (fresh && offset >= plan_.layout.dots)
-    return {fmt::format("{}{} + (", before, places.dot), names_.at(offset), " - dots)" + after, at};
+  if (fresh && offset >= plan_.layout.derivatives)
+    return {fmt::format("{}{} + (", before, places.dot), names_.at(offset), " - first_derivative)" + after,
+            at};
   return {fmt::format("{}{} + ", before, fresh ? places.fresh : "w"), names_.at(offset), after, at};
 }
 
@@ -127,9 +128,9 @@ void Statements::bind_states(std::size_t block, const Places& places, Pieces& pi
 void Statements::bind_rest(std::size_t block, const Places& places, Pieces& pieces) const {
   const BlockType& type = plan_.diagram.blocks[block].type();
   const PlannedBlock& planned = plan_.blocks[block];
-  for (std::size_t n = 0; n < type.notices.size(); ++n)
-    pieces.push_back(place(fmt::format("    b.{}.bind(", type.notices[n].member), planned.notices[n].offset,
-                           ");\n", places));
+  for (std::size_t n = 0; n < type.diagnostics.size(); ++n)
+    pieces.push_back(place(fmt::format("    b.{}.bind(", type.diagnostics[n].member),
+                           planned.diagnostics[n].offset, ");\n", places));
   const double period = static_cast<double>(planned.rate.ticks) * plan_.diagram.step;
   for (const ClockSpec& clock : type.clocks) {
     const std::string before = fmt::format("    b.{}.bind(", clock.member);

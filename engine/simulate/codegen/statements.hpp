@@ -15,7 +15,7 @@ namespace stepwire {
 struct Places {
   std::string fresh = "w";
   std::vector<bool> is_fresh;  ///< by offset; empty: nothing is
-  std::string dot = "w + dots";
+  std::string dot = "w + first_derivative";
   std::size_t min_in_loop = 6;  ///< fewer calls stand one by one
 };
 

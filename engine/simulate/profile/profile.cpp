@@ -40,7 +40,7 @@ class NoEquations : public System {
   /// Takes the numbers of a run: those of all zeros might cost less.
   void take(const double* values, const Layout& layout) {
     std::copy_n(values + layout.states, count, x_.begin());
-    std::copy_n(values + layout.dots, count, dot_.begin());
+    std::copy_n(values + layout.derivatives, count, dot_.begin());
   }
 
   std::int64_t evaluations = 0, times = 0;

@@ -10,7 +10,7 @@ namespace stepwire {
 
 /// A swept parameter whose values are words (or files): its column holds 0, 1, ..., which stand for these
 /// texts.
-struct Words {
+struct Categories {
   std::string column;
   std::vector<std::string> texts;
 };
@@ -20,7 +20,7 @@ struct Words {
 struct Recording {
   Table table;
   std::vector<std::size_t> starts{0};  ///< first row of each run; one element 0 for a single run
-  std::vector<Words> words;
+  std::vector<Categories> categories;
 };
 
 }  // namespace stepwire

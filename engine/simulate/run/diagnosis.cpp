@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "engine/model/signal/notice.hpp"
+#include "engine/model/signal/diagnostic.hpp"
 #include "engine/simulate/run/executor.hpp"
 
 namespace stepwire {
@@ -76,34 +76,34 @@ std::optional<RunFault> Executor::not_finite() const {
   return std::nullopt;
 }
 
-std::string Executor::notice_text(std::size_t block, std::size_t notice) const {
-  const NoticeSpec& spec = plan_.diagram.blocks[block].type().notices[notice];
+std::string Executor::diagnostic_text(std::size_t block, std::size_t diagnostic) const {
+  const DiagnosticSpec& spec = plan_.diagram.blocks[block].type().diagnostics[diagnostic];
   return spec.detail ? spec.doc + ": " + spec.detail(memory(block)) : spec.doc;
 }
 
 std::optional<RunFault> Executor::fault() const {
   if (healthy_) return std::nullopt;
   for (std::size_t b = 0; b < plan_.blocks.size(); ++b) {
-    const auto& specs = plan_.diagram.blocks[b].type().notices;
+    const auto& specs = plan_.diagram.blocks[b].type().diagnostics;
     for (std::size_t n = 0; n < specs.size(); ++n) {
-      const double first = workspace_.values[plan_.blocks[b].notices[n].offset];
-      if (specs[n].ends_run && first != Notice::never)
+      const double first = workspace_.values[plan_.blocks[b].diagnostics[n].offset];
+      if (specs[n].ends_run && first != Diagnostic::never)
         return make_fault(plan_, b, "", first,
-                          fmt::format("{} (at {:.12g} s); the run ends here", notice_text(b, n), first));
+                          fmt::format("{} (at {:.12g} s); the run ends here", diagnostic_text(b, n), first));
     }
   }
   if (auto wrong = wrong_step()) return wrong;
   return not_finite();
 }
 
-std::vector<RaisedNotice> Executor::notices() const {
-  std::vector<RaisedNotice> raised;
+std::vector<RaisedDiagnostic> Executor::diagnostics() const {
+  std::vector<RaisedDiagnostic> raised;
   for (std::size_t b = 0; b < plan_.blocks.size(); ++b) {
     const DiagramBlock& block = plan_.diagram.blocks[b];
-    for (std::size_t n = 0; n < block.type().notices.size(); ++n) {
-      const double first = workspace_.values[plan_.blocks[b].notices[n].offset];
-      if (!block.type().notices[n].ends_run && first != Notice::never)
-        raised.push_back({block.name, notice_text(b, n), first});
+    for (std::size_t n = 0; n < block.type().diagnostics.size(); ++n) {
+      const double first = workspace_.values[plan_.blocks[b].diagnostics[n].offset];
+      if (!block.type().diagnostics[n].ends_run && first != Diagnostic::never)
+        raised.push_back({block.name, diagnostic_text(b, n), first});
     }
   }
   return raised;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <new>
 
-#include "engine/model/signal/notice.hpp"
+#include "engine/model/signal/diagnostic.hpp"
 #include "engine/simulate/run/finite.hpp"
 
 namespace stepwire {
@@ -62,7 +62,7 @@ class Executor::Equations : public System {
     double* values = simulation.workspace_.values.data();
     time = values + Layout::time;
     x = values + layout.states;
-    dot = values + layout.dots;
+    dot = values + layout.derivatives;
     count = layout.state_count;
     report = {values + layout.report, simulation.plan_.diagram.tolerance};
   }
@@ -118,9 +118,9 @@ void Executor::bind() {
   list_elements_.resize(elements);
   for (int block : plan_.memory_order) bind_block(static_cast<std::size_t>(block));
   for (std::size_t b = 0; b < plan_.blocks.size(); ++b) {
-    const auto& specs = plan_.diagram.blocks[b].type().notices;
+    const auto& specs = plan_.diagram.blocks[b].type().diagnostics;
     for (std::size_t n = 0; n < specs.size(); ++n)
-      if (specs[n].ends_run) ending_notices_.push_back(plan_.blocks[b].notices[n].offset);
+      if (specs[n].ends_run) ending_diagnostics_.push_back(plan_.blocks[b].diagnostics[n].offset);
   }
 }
 
@@ -133,10 +133,10 @@ void Executor::bind_block(std::size_t index) {
   for (std::size_t o = 0; o < type.outputs.size(); ++o)
     type.outputs[o].bind(block, values + planned.outputs[o].offset, planned.outputs[o].size);
   for (std::size_t s = 0; s < type.states.size(); ++s)
-    type.states[s].bind(block, values + planned.states[s].offset, values + planned.dots[s].offset,
+    type.states[s].bind(block, values + planned.states[s].offset, values + planned.derivatives[s].offset,
                         planned.states[s].size);
-  for (std::size_t n = 0; n < type.notices.size(); ++n)
-    type.notices[n].bind(block, values + planned.notices[n].offset);
+  for (std::size_t n = 0; n < type.diagnostics.size(); ++n)
+    type.diagnostics[n].bind(block, values + planned.diagnostics[n].offset);
   for (const ClockSpec& clock : type.clocks)
     if (clock.bind_time) clock.bind_time(block, values + Layout::time);
 }
@@ -148,8 +148,8 @@ void Executor::reset() {
   std::fill(values.begin(), values.end(), 0.0);
   values[Layout::timed] = Layout::never;
   write_constants();
-  std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(plan_.layout.notices), plan_.layout.notice_count,
-              Notice::never);
+  std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(plan_.layout.diagnostics),
+              plan_.layout.diagnostic_count, Diagnostic::never);
   for (int block : plan_.memory_order) {
     const auto index = static_cast<std::size_t>(block);
     const DiagramBlock& from = plan_.diagram.blocks[index];
@@ -261,7 +261,7 @@ void Executor::advance() {
   } else {
     take_step();
   }
-  if (!ending_notices_.empty() && notice_ends_run()) healthy_ = false;
+  if (!ending_diagnostics_.empty() && diagnostic_ends_run()) healthy_ = false;
   if (workspace_.values[plan_.layout.report] != StepReport::fine) healthy_ = false;
   ++workspace_.tick;
 }
@@ -276,12 +276,12 @@ void Executor::take_step() {
 
 bool Executor::is_finite() const {
   const Layout& layout = plan_.layout;
-  return all_finite(values() + layout.signals, layout.dots + layout.state_count - layout.signals);
+  return all_finite(values() + layout.signals, layout.derivatives + layout.state_count - layout.signals);
 }
 
-bool Executor::notice_ends_run() const {
-  for (std::size_t offset : ending_notices_)
-    if (workspace_.values[offset] != Notice::never) return true;
+bool Executor::diagnostic_ends_run() const {
+  for (std::size_t offset : ending_diagnostics_)
+    if (workspace_.values[offset] != Diagnostic::never) return true;
   return false;
 }
 

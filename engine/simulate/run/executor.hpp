@@ -71,7 +71,7 @@ class Executor {
   /// Goes on to the next tick: updates, then the solver. evaluate() comes first.
   void advance();
   /// May the run go on? False after a value that is not finite, a step that the solver finds wrong or a
-  /// notice that ends the run.
+  /// diagnostic that ends the run.
   bool healthy() const { return healthy_; }
   bool finished() const { return workspace_.tick >= plan_.steps; }
   std::int64_t tick() const { return workspace_.tick; }
@@ -95,7 +95,7 @@ class Executor {
 
   /// What ended the run, once healthy() is false.
   std::optional<RunFault> fault() const;
-  std::vector<RaisedNotice> notices() const;
+  std::vector<RaisedDiagnostic> diagnostics() const;
 
  private:
   class Equations;
@@ -132,10 +132,10 @@ class Executor {
   void run_range(const Table& table, std::size_t first, std::size_t end);
   void find_due();
   void take_step();
-  bool notice_ends_run() const;
+  bool diagnostic_ends_run() const;
   std::optional<RunFault> wrong_step() const;
   std::optional<RunFault> not_finite() const;
-  std::string notice_text(std::size_t block, std::size_t notice) const;
+  std::string diagnostic_text(std::size_t block, std::size_t diagnostic) const;
 
   struct FreeBlocks {
     void operator()(std::byte* memory) const;
@@ -153,7 +153,7 @@ class Executor {
   Table timed_, outputs_, stage_, derivatives_, updates_;
   std::unique_ptr<Equations> equations_;
   std::vector<char> due_;  ///< for each of the plan's periods
-  std::vector<std::size_t> ending_notices_;
+  std::vector<std::size_t> ending_diagnostics_;
   ScheduleProbe* watcher_ = nullptr;
   bool healthy_ = true;
   const CompiledPlan* code_ = nullptr;        ///< none while interpreted

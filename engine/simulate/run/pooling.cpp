@@ -66,10 +66,10 @@ bool has_words(const Sweep::Axis& axis) {
 }
 
 std::vector<std::string> words_of(const Sweep::Axis& axis) {
-  std::vector<std::string> words;
+  std::vector<std::string> categories;
   for (const std::string& word : axis.values)
-    if (std::ranges::find(words, word) == words.end()) words.push_back(word);
-  return words;
+    if (std::ranges::find(categories, word) == categories.end()) categories.push_back(word);
+  return categories;
 }
 
 SweptColumns::SweptColumns(const Job& job) : job_(job) {
@@ -85,11 +85,12 @@ SweptColumns::SweptColumns(const Job& job) : job_(job) {
     const bool is_words = has_words(axis);
     columns_.push_back({axis.parameter, dimension && !is_words ? si_name(*dimension) : "", {}});
     if (!is_words) continue;
-    words_.push_back({axis.parameter, words_of(axis)});
-    const auto& words = words_.back().texts;
+    categories_.push_back({axis.parameter, words_of(axis)});
+    const auto& categories = categories_.back().texts;
     numbers_.back().clear();
     for (const std::string& word : axis.values)
-      numbers_.back().push_back(static_cast<double>(std::ranges::find(words, word) - words.begin()));
+      numbers_.back().push_back(
+          static_cast<double>(std::ranges::find(categories, word) - categories.begin()));
   }
 }
 
@@ -134,7 +135,7 @@ std::vector<Column> SweptColumns::of(std::size_t point) const {
 void SweptColumns::add(Recording& recording, std::size_t point) const {
   std::vector<Column> columns = of(point);
   for (Column& column : columns) column.values.assign(recording.table.rows(), column.values.front());
-  recording.words.insert(recording.words.end(), words_.begin(), words_.end());
+  recording.categories.insert(recording.categories.end(), categories_.begin(), categories_.end());
   recording.table.columns.insert(recording.table.columns.begin() + 1, columns.begin(), columns.end());
 }
 
@@ -165,7 +166,7 @@ PooledRecording::PooledRecording(const Job& job, const SweptColumns& swept, unsi
     auto& columns = rows.recording.table.columns;
     columns = empty_columns(job.plan, request);
     columns.insert(columns.begin() + 1, swept.columns().begin(), swept.columns().end());
-    rows.recording.words = swept.words();
+    rows.recording.categories = swept.categories();
     in_parallel(columns.size(), threads, [&](std::size_t c) { lengthen(columns[c].values, all); });
     all_.push_back(std::move(rows));
   }

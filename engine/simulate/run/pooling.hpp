@@ -28,7 +28,7 @@ class SweptColumns {
   /// Columns without rows.
   const std::vector<Column>& columns() const { return columns_; }
   /// Where columns hold the numbers of words.
-  const std::vector<Words>& words() const { return words_; }
+  const std::vector<Categories>& categories() const { return categories_; }
   /// The numbers of one point, parallel to the columns.
   std::vector<double> numbers(std::size_t point) const;
   /// The same as columns of one row.
@@ -42,7 +42,7 @@ class SweptColumns {
 
   const Job& job_;
   std::vector<Column> columns_;
-  std::vector<Words> words_;
+  std::vector<Categories> categories_;
   std::vector<std::vector<double>> numbers_;  ///< [axis][value]; empty where they hang on the point
 };
 

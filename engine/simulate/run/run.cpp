@@ -13,7 +13,7 @@ RunEnd end_of(const Executor& simulation, Drive::End how) {
   end.interrupted = how == Drive::End::interrupted;
   end.stopped = how == Drive::End::stopped || how == Drive::End::paused;
   if (auto fault = simulation.fault()) end.faults.push_back(std::move(*fault));
-  end.notices = simulation.notices();
+  end.diagnostics = simulation.diagnostics();
   end.ticks = simulation.tick();
   return end;
 }

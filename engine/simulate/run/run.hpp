@@ -29,7 +29,7 @@ struct RunOptions {
 /// How a run ended, beside what it recorded.
 struct RunEnd {
   std::vector<RunFault> faults;  ///< at most one for each run
-  std::vector<RaisedNotice> notices;
+  std::vector<RaisedDiagnostic> diagnostics;
   bool interrupted = false;
   bool stopped = false;             ///< by an observer, at least one run
   std::int64_t ticks = 0;           ///< of all runs together

@@ -14,7 +14,7 @@ struct RunFault {
 };
 
 /// What a block had to say during a run.
-struct RaisedNotice {
+struct RaisedDiagnostic {
   std::string block, text;
   double time = 0.0;  ///< when first [s]
 };

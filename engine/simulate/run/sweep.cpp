@@ -40,10 +40,11 @@ class Ends {
       faults_.emplace(point, std::move(fault));
     }
     std::size_t order = 0;
-    for (RaisedNotice& notice : end.notices) {
+    for (RaisedDiagnostic& diagnostic : end.diagnostics) {
       const std::pair place{point, order++};
-      const auto [known, is_new] = notices_.try_emplace({notice.block, notice.text}, place, notice);
-      if (!is_new && place < known->second.first) known->second = {place, std::move(notice)};
+      const auto [known, is_new] =
+          diagnostics_.try_emplace({diagnostic.block, diagnostic.text}, place, diagnostic);
+      if (!is_new && place < known->second.first) known->second = {place, std::move(diagnostic)};
     }
     all_.interrupted = all_.interrupted || end.interrupted;
     all_.stopped = all_.stopped || end.stopped;
@@ -53,21 +54,21 @@ class Ends {
 
   RunEnd take() {
     for (auto& [point, fault] : faults_) all_.faults.push_back(std::move(fault));
-    std::vector<std::pair<Place, RaisedNotice>> notices;
-    for (auto& [key, notice] : notices_) notices.push_back(std::move(notice));
-    std::ranges::stable_sort(notices, {}, [](const auto& notice) { return notice.first; });
-    for (auto& [point, notice] : notices) all_.notices.push_back(std::move(notice));
+    std::vector<std::pair<Place, RaisedDiagnostic>> diagnostics;
+    for (auto& [key, diagnostic] : diagnostics_) diagnostics.push_back(std::move(diagnostic));
+    std::ranges::stable_sort(diagnostics, {}, [](const auto& diagnostic) { return diagnostic.first; });
+    for (auto& [point, diagnostic] : diagnostics) all_.diagnostics.push_back(std::move(diagnostic));
     return std::move(all_);
   }
 
  private:
-  using Place = std::pair<std::size_t, std::size_t>;  ///< point, and which of its notices
+  using Place = std::pair<std::size_t, std::size_t>;  ///< point, and which of its diagnostics
 
   const Job& job_;
   std::mutex mutex_;
   RunEnd all_;
   std::map<std::size_t, RunFault> faults_;
-  std::map<std::pair<std::string, std::string>, std::pair<Place, RaisedNotice>> notices_;
+  std::map<std::pair<std::string, std::string>, std::pair<Place, RaisedDiagnostic>> diagnostics_;
 };
 
 /// All points of a job.

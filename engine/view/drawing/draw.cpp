@@ -72,8 +72,9 @@ std::string hash_of_picture(const std::string& module, const std::string& drawn)
   return hash.add(drawn).text();
 }
 
-void add_names(const Sheet& sheet, const std::string& above, bool signals, std::vector<std::string>& names) {
-  for (const SheetChild& child : sheet.children) {
+void add_names(const Hierarchy& hierarchy, const std::string& above, bool signals,
+               std::vector<std::string>& names) {
+  for (const BlockReference& child : hierarchy.children) {
     const std::string name = above + child.name;
     names.push_back(name);
     if (signals)
@@ -96,27 +97,27 @@ std::vector<std::string> DiagramView::parts() const {
 Json DiagramView::graph(const GraphOptions& options) const {
   const std::string& file = diagram_.scopes[static_cast<std::size_t>(scope_)].file;
   const Node* title = loader_.document(file).root.find("title");
-  Json graph = graph_of(diagram_, *reference_of(diagram_, loader_, scope_), options);
+  Json graph = graph_of(diagram_, *hierarchy_of(diagram_, loader_, scope_), options);
   return graph.set("title", title ? title->text : "");
 }
 
 std::vector<std::string> DiagramView::blocks(bool signals) const {
   std::vector<std::string> names;
-  const auto sheet = reference_of(diagram_, loader_, scope_);
-  add_names(*sheet, "", signals, names);
-  if (signals) names.insert(names.end(), sheet->outputs.begin(), sheet->outputs.end());
+  const auto hierarchy = hierarchy_of(diagram_, loader_, scope_);
+  add_names(*hierarchy, "", signals, names);
+  if (signals) names.insert(names.end(), hierarchy->outputs.begin(), hierarchy->outputs.end());
   return names;
 }
 
 std::vector<std::string> DiagramView::children() const {
   std::vector<std::string> names;
-  const auto sheet = reference_of(diagram_, loader_, scope_);
-  for (const SheetChild& child : sheet->children) names.push_back(child.name);
+  const auto hierarchy = hierarchy_of(diagram_, loader_, scope_);
+  for (const BlockReference& child : hierarchy->children) names.push_back(child.name);
   return names;
 }
 
 std::vector<std::string> DiagramView::signals(const GraphOptions& options) const {
-  return drawn_signals(diagram_, *reference_of(diagram_, loader_, scope_), options);
+  return drawn_signals(diagram_, *hierarchy_of(diagram_, loader_, scope_), options);
 }
 
 DrawnFile::DrawnFile(Loader& loader, const std::string& path)

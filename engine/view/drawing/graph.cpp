@@ -36,13 +36,13 @@ constexpr std::size_t max_drawn = 2000;  // a layout of more takes minutes
 
 class GraphWriter {
  public:
-  GraphWriter(const Diagram& diagram, const Sheet& sheet, const GraphOptions& options)
-      : diagram_(diagram), options_(options), selection_(diagram, sheet, options) {}
+  GraphWriter(const Diagram& diagram, const Hierarchy& hierarchy, const GraphOptions& options)
+      : diagram_(diagram), options_(options), selection_(diagram, hierarchy, options) {}
 
   /// The whole, with the groups of its blocks.
-  Json whole(const Sheet& sheet) {
-    for (const std::string& input : sheet.inputs) signals_.push_back(input);
-    Json drawn = graph(sheet, sheet.inputs, selection_.own_outputs(sheet), 0);
+  Json whole(const Hierarchy& hierarchy) {
+    for (const std::string& input : hierarchy.inputs) signals_.push_back(input);
+    Json drawn = graph(hierarchy, hierarchy.inputs, selection_.own_outputs(hierarchy), 0);
     if (options_.groups.empty()) return drawn;
     Json groups = Json::list();
     for (const NodeGroup& group : options_.groups)
@@ -54,8 +54,8 @@ class GraphWriter {
   const std::vector<std::string>& signals() const { return signals_; }
 
  private:
-  void require_few(const Sheet& sheet) {
-    drawn_ += sheet.children.size();
+  void require_few(const Hierarchy& hierarchy) {
+    drawn_ += hierarchy.children.size();
     if (drawn_ > max_drawn)
       throw Error(Fault{{diagram_.file, {}},
                         "",
@@ -64,22 +64,22 @@ class GraphWriter {
   }
 
   /// `outputs` are those of the file itself that are drawn.
-  Json graph(const Sheet& sheet, const std::vector<std::string>& inputs, const std::vector<int>& outputs,
-             int depth) {
-    const auto shown = selection_.shown(sheet, outputs);
+  Json graph(const Hierarchy& hierarchy, const std::vector<std::string>& inputs,
+             const std::vector<int>& outputs, int depth) {
+    const auto shown = selection_.shown(hierarchy, outputs);
     Json own_inputs = Json::list(), own_outputs = Json::list(), nodes = Json::list(), wires = Json::list();
-    for (const std::string& input : inputs) own_inputs.push(marked(port(input, input), sheet, input));
-    require_few(sheet);
-    for (std::size_t i = 0; i < sheet.children.size(); ++i) {
+    for (const std::string& input : inputs) own_inputs.push(marked(port(input, input), hierarchy, input));
+    require_few(hierarchy);
+    for (std::size_t i = 0; i < hierarchy.children.size(); ++i) {
       if (shown[i].hidden) continue;
-      nodes.push(node(sheet, i, shown[i].outputs, depth));
-      add_wires(sheet, sheet.children[i], depth, wires);
+      nodes.push(node(hierarchy, i, shown[i].outputs, depth));
+      add_wires(hierarchy, hierarchy.children[i], depth, wires);
     }
     for (const int output : outputs) {
       const auto index = static_cast<std::size_t>(output);
-      const std::string& name = sheet.outputs[index];
+      const std::string& name = hierarchy.outputs[index];
       own_outputs.push(port(name, name));
-      wires.push(wire(sheet, {sheet.output_sources[index], {}}, end("", name)));
+      wires.push(wire(hierarchy, {hierarchy.output_sources[index], {}}, end("", name)));
     }
     return Json::object()
         .set("inputs", std::move(own_inputs))
@@ -89,8 +89,8 @@ class GraphWriter {
   }
 
   /// A port of the file itself, with the text on its wire; inside of a part that stands outside.
-  Json marked(Json port, const Sheet& sheet, const std::string& name) const {
-    const auto label = sheet.parent ? options_.labels.end() : options_.labels.find(name);
+  Json marked(Json port, const Hierarchy& hierarchy, const std::string& name) const {
+    const auto label = hierarchy.parent ? options_.labels.end() : options_.labels.find(name);
     if (label != options_.labels.end()) port.set("mark", label->second);
     return port;
   }
@@ -106,7 +106,7 @@ class GraphWriter {
   }
 
   /// "u" for an input, "u.1" for the first of a list.
-  static std::string input_name(const SheetInput& input, std::size_t feed) {
+  static std::string input_name(const ReferenceInput& input, std::size_t feed) {
     return input.feeds.size() == 1 ? input.name : input.name + "." + std::to_string(feed + 1);
   }
 
@@ -115,23 +115,23 @@ class GraphWriter {
     return declared > 1 && !(names.size() == 1 && (names.front() == "u" || names.front() == "y"));
   }
 
-  Json node(const Sheet& sheet, std::size_t index, const std::vector<int>& shown, int depth) {
-    const SheetChild& child = sheet.children[index];
-    const std::string id = selection_.name_in(sheet, child.name);
+  Json node(const Hierarchy& hierarchy, std::size_t index, const std::vector<int>& shown, int depth) {
+    const BlockReference& child = hierarchy.children[index];
+    const std::string id = selection_.name_in(hierarchy, child.name);
     const auto other = options_.names.find(id);
     Json node = Json::object().set("id", id);
     node.set("name", other == options_.names.end() ? child.name : other->second);
     if (child.part)
-      add_part(node, sheet, child, id, shown, depth);
+      add_part(node, hierarchy, child, id, shown, depth);
     else
       add_block(node, child);
-    node.set("inputs", inputs_of(sheet, child, depth));
-    return node.set("outputs", outputs_of(sheet, index, id, shown));
+    node.set("inputs", inputs_of(hierarchy, child, depth));
+    return node.set("outputs", outputs_of(hierarchy, index, id, shown));
   }
 
-  Json outputs_of(const Sheet& sheet, std::size_t index, const std::string& id,
+  Json outputs_of(const Hierarchy& hierarchy, std::size_t index, const std::string& id,
                   const std::vector<int>& shown) {
-    const SheetChild& child = sheet.children[index];
+    const BlockReference& child = hierarchy.children[index];
     std::vector<std::string> names;
     for (const int output : shown) names.push_back(child.outputs[static_cast<std::size_t>(output)]);
     const bool labelled = child.part || are_telling(names, block_of(child).type().outputs.size());
@@ -139,7 +139,7 @@ class GraphWriter {
     for (const int output : shown) {
       const std::string& name = child.outputs[static_cast<std::size_t>(output)];
       Json drawn = port(name, labelled ? name : "");
-      if (selection_.is_recorded(sheet, {static_cast<int>(index), output})) drawn.set("recorded", true);
+      if (selection_.is_recorded(hierarchy, {static_cast<int>(index), output})) drawn.set("recorded", true);
       if (const std::string* label = label_of(id, name, child.outputs.size())) drawn.set("mark", *label);
       signals_.push_back(id + "." + name);
       if (child.outputs.size() == 1) signals_.push_back(id);
@@ -155,14 +155,14 @@ class GraphWriter {
     return found == options_.labels.end() ? nullptr : &found->second;
   }
 
-  Json inputs_of(const Sheet& sheet, const SheetChild& child, int depth) const {
+  Json inputs_of(const Hierarchy& hierarchy, const BlockReference& child, int depth) const {
     std::vector<std::string> names;
-    for (const SheetInput& input : child.inputs) names.push_back(input.name);
+    for (const ReferenceInput& input : child.inputs) names.push_back(input.name);
     const bool labelled = child.part || are_telling(names, block_of(child).type().inputs.size());
     const std::string signs = child.part ? "" : signs_of(block_of(child));
     const bool has_signs = !child.part && !block_of(child).type().symbol.signs.empty();
     Json inputs = Json::list();
-    for (const auto& [input, i] : selection_.feeds(sheet, child, depth)) {
+    for (const auto& [input, i] : selection_.feeds(hierarchy, child, depth)) {
       Json drawn = port(input_name(*input, i), labelled ? input->name : "");
       if (has_signs) drawn.set("sign", std::string(1, i < signs.size() ? signs[i] : '+'));
       inputs.push(std::move(drawn));
@@ -170,11 +170,11 @@ class GraphWriter {
     return inputs;
   }
 
-  const DiagramBlock& block_of(const SheetChild& child) const {
+  const DiagramBlock& block_of(const BlockReference& child) const {
     return diagram_.blocks[static_cast<std::size_t>(child.block)];
   }
 
-  void add_block(Json& node, const SheetChild& child) const {
+  void add_block(Json& node, const BlockReference& child) const {
     const DiagramBlock& block = block_of(child);
     const Symbol& symbol = block.type().symbol;
     const SymbolText text = symbol_text(block, *child.written);
@@ -186,41 +186,41 @@ class GraphWriter {
     if (block.type().has_continuous_state()) node.set("state", true);
   }
 
-  void add_part(Json& node, const Sheet& sheet, const SheetChild& child, const std::string& id,
+  void add_part(Json& node, const Hierarchy& hierarchy, const BlockReference& child, const std::string& id,
                 const std::vector<int>& shown, int depth) {
     const std::string& file = diagram_.scopes[static_cast<std::size_t>(child.part->scope)].file;
     node.set("type", std::filesystem::path(file).stem().string()).set("part", true).set("outline", "box");
     node.set("lines", Json::list());
     if (!selection_.is_open(id, depth)) return;
     std::vector<std::string> inputs;
-    for (const auto& feed : selection_.feeds(sheet, child, depth)) inputs.push_back(feed.input->name);
+    for (const auto& feed : selection_.feeds(hierarchy, child, depth)) inputs.push_back(feed.input->name);
     node.set("graph", graph(*child.part, inputs, shown, depth + 1));
   }
 
-  void add_wires(const Sheet& sheet, const SheetChild& child, int depth, Json& wires) const {
-    for (const auto& [input, i] : selection_.feeds(sheet, child, depth))
-      wires.push(
-          wire(sheet, input->feeds[i], end(selection_.name_in(sheet, child.name), input_name(*input, i))));
+  void add_wires(const Hierarchy& hierarchy, const BlockReference& child, int depth, Json& wires) const {
+    for (const auto& [input, i] : selection_.feeds(hierarchy, child, depth))
+      wires.push(wire(hierarchy, input->feeds[i],
+                      end(selection_.name_in(hierarchy, child.name), input_name(*input, i))));
   }
 
-  Json wire(const Sheet& sheet, const SheetFeed& feed, Json to) const {
+  Json wire(const Hierarchy& hierarchy, const WireFeed& feed, Json to) const {
     Json wire = Json::object();
     if (!feed.source)
       return wire.set("from", Json::object().set("constant", feed.constant)).set("to", std::move(to));
     const auto port = static_cast<std::size_t>(feed.source->port);
     if (feed.source->child < 0) {
-      wire.set("from", end("", sheet.inputs[port]));
+      wire.set("from", end("", hierarchy.inputs[port]));
     } else {
-      const SheetChild& child = sheet.children[static_cast<std::size_t>(feed.source->child)];
-      wire.set("from", end(selection_.name_in(sheet, child.name), child.outputs[port]));
+      const BlockReference& child = hierarchy.children[static_cast<std::size_t>(feed.source->child)];
+      wire.set("from", end(selection_.name_in(hierarchy, child.name), child.outputs[port]));
     }
     wire.set("to", std::move(to));
-    const std::string unit = options_.units ? unit_of(sheet, *feed.source) : "";
+    const std::string unit = options_.units ? unit_of(hierarchy, *feed.source) : "";
     return unit.empty() ? wire : wire.set("unit", unit);
   }
 
-  std::string unit_of(const Sheet& sheet, const SheetSource& source) const {
-    const auto signal = sheet.signal(source);
+  std::string unit_of(const Hierarchy& hierarchy, const WireSource& source) const {
+    const auto signal = hierarchy.signal(source);
     if (!signal) return {};
     const auto block = static_cast<std::size_t>(signal->block),
                output = static_cast<std::size_t>(signal->output);
@@ -238,14 +238,14 @@ class GraphWriter {
 
 }  // namespace
 
-Json graph_of(const Diagram& diagram, const Sheet& sheet, const GraphOptions& options) {
-  return GraphWriter(diagram, sheet, options).whole(sheet);
+Json graph_of(const Diagram& diagram, const Hierarchy& hierarchy, const GraphOptions& options) {
+  return GraphWriter(diagram, hierarchy, options).whole(hierarchy);
 }
 
-std::vector<std::string> drawn_signals(const Diagram& diagram, const Sheet& sheet,
+std::vector<std::string> drawn_signals(const Diagram& diagram, const Hierarchy& hierarchy,
                                        const GraphOptions& options) {
-  GraphWriter writer(diagram, sheet, options);
-  writer.whole(sheet);
+  GraphWriter writer(diagram, hierarchy, options);
+  writer.whole(hierarchy);
   return writer.signals();
 }
 

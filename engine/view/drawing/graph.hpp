@@ -5,7 +5,7 @@
 
 #include "engine/base/json/json.hpp"
 #include "engine/view/drawing/graph_options.hpp"
-#include "engine/view/drawing/sheet.hpp"
+#include "engine/view/drawing/hierarchy.hpp"
 
 namespace stepwire {
 
@@ -19,10 +19,10 @@ namespace stepwire {
 ///   or recorded has one wire: {from: end, to: end, unit} end: {node, port} or {constant}; the node "" is the
 ///   file itself.
 /// What is to be opened and is not there is passed over.
-Json graph_of(const Diagram& diagram, const Sheet& sheet, const GraphOptions& options);
+Json graph_of(const Diagram& diagram, const Hierarchy& hierarchy, const GraphOptions& options);
 
 /// The signals that are drawn: those that labels can be on.
-std::vector<std::string> drawn_signals(const Diagram& diagram, const Sheet& sheet,
+std::vector<std::string> drawn_signals(const Diagram& diagram, const Hierarchy& hierarchy,
                                        const GraphOptions& options);
 
 }  // namespace stepwire

@@ -1,8 +1,8 @@
 // One layout of nodes and wires with the layered algorithm of elk, in pixels.
 
-import {clearance, leadBelow} from "./below.mjs";
-import {slide} from "./slide.mjs";
-import {smooth} from "./smooth.mjs";
+import {clearance, routeFeedback} from "./route_feedback.mjs";
+import {alignPorts} from "./align_ports.mjs";
+import {removeJogs} from "./remove_jogs.mjs";
 import {markGap, openLength, portPitch, sizes} from "./symbol.mjs";
 import {widthOf, widthOfPieces} from "./text.mjs";
 import {straightened} from "./wires.mjs";
@@ -139,10 +139,10 @@ export async function layOut({nodes, wires, reversed}, elk, style, apart = new S
   });
   const places = placesOf(nodes, laid), lines = linesOf(laid, wires, reversed);
   reachWords(nodes, places, lines);
-  const bounds = leadBelow(nodes, places, lines, [...apart], {width: Math.ceil(laid.width), height: Math.ceil(laid.height)});
+  const bounds = routeFeedback(nodes, places, lines, [...apart], {width: Math.ceil(laid.width), height: Math.ceil(laid.height)});
   if (bounds.abreast > abreast) return layOut({nodes, wires, reversed}, elk, style, apart, bounds.abreast);
   for (const [wire, points] of lines) lines.set(wire, straightened(points));
-  slide(nodes, wires, places, lines);
-  smooth(nodes, wires, places, lines);
+  alignPorts(nodes, wires, places, lines);
+  removeJogs(nodes, wires, places, lines);
   return {...bounds, places, notes: notesOf(laid), wires: wires.map((wire) => ({...wire, points: lines.get(wire)}))};
 }

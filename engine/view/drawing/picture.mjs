@@ -1,6 +1,6 @@
 // The picture of a graph: blocks and wires with places, in pixels.
 
-import {layOutLoops, sizeOfLayout} from "./best.mjs";
+import {searchLayout, sizeOfLayout} from "./search_layout.mjs";
 import {grouped} from "./groups.mjs";
 import {outputId} from "./layout.mjs";
 import {mirrored} from "./mirror.mjs";
@@ -110,7 +110,7 @@ async function sizedNodes(graph, isRoot, elk, known, room) {
 
 /** The picture of what has its sizes, in one row. */
 async function inOneRow({nodes, wires}, elk) {
-  const laid = await layOutLoops(nodes, wires, elk);
+  const laid = await searchLayout(nodes, wires, elk);
   const blocks = nodes.map((node) => Object.assign(node, laid.places.get(node.id)));
   for (const node of nodes)
     for (const port of node.outputs) port.noteAt = laid.notes.get(outputId({node: node.id, port: port.port}));

@@ -1,7 +1,7 @@
 // A picture in two rows, for what is too wide for one: the second row lies below the first and goes from right to left, as a
 // way back does. Wires from row to row go around the ends of the rows.
 
-import {startsOf} from "./flow.mjs";
+import {startsOf} from "./feedback_edges.mjs";
 import {mirrored} from "./mirror.mjs";
 import {netOf, straightened} from "./wires.mjs";
 

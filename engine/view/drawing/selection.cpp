@@ -25,15 +25,15 @@ bool follows_pattern(const std::string& name, const std::string& pattern) {
   return pattern.find_first_not_of('*', in_pattern) == std::string::npos;
 }
 
-Selection::Selection(const Diagram& diagram, const Sheet& sheet, const GraphOptions& options)
-    : diagram_(diagram), options_(options), above_(scope_prefix(sheet).size()) {
+Selection::Selection(const Diagram& diagram, const Hierarchy& hierarchy, const GraphOptions& options)
+    : diagram_(diagram), options_(options), above_(scope_prefix(hierarchy).size()) {
   for (const RecordRequest& request : diagram.records)
     for (const RecordedSignal& recorded : request.signals) add_recorded(recorded.signal);
   for (const DiagramOutput& output : diagram.outputs) add_recorded(output.signal);
 }
 
-std::string Selection::name_in(const Sheet& sheet, const std::string& name) const {
-  return scope_prefix(sheet).substr(above_) + name;
+std::string Selection::name_in(const Hierarchy& hierarchy, const std::string& name) const {
+  return scope_prefix(hierarchy).substr(above_) + name;
 }
 
 bool Selection::hides(const std::string& name) const {
@@ -41,24 +41,25 @@ bool Selection::hides(const std::string& name) const {
                              [&](const auto& pattern) { return follows_pattern(name, pattern); });
 }
 
-bool Selection::hides(const Sheet& sheet, const SheetSource& source) const {
+bool Selection::hides(const Hierarchy& hierarchy, const WireSource& source) const {
   const auto port = static_cast<std::size_t>(source.port);
   if (source.child < 0) {
-    if (!sheet.parent) return false;
-    for (const SheetInput& input : sheet.parent->children[static_cast<std::size_t>(sheet.place)].inputs)
-      if (input.name == sheet.inputs[port])
-        return input.feeds.front().source && hides(*sheet.parent, *input.feeds.front().source);
+    if (!hierarchy.parent) return false;
+    for (const ReferenceInput& input :
+         hierarchy.parent->children[static_cast<std::size_t>(hierarchy.place)].inputs)
+      if (input.name == hierarchy.inputs[port])
+        return input.feeds.front().source && hides(*hierarchy.parent, *input.feeds.front().source);
     return false;
   }
-  const SheetChild& from = sheet.children[static_cast<std::size_t>(source.child)];
-  const std::string name = name_in(sheet, from.name);
+  const BlockReference& from = hierarchy.children[static_cast<std::size_t>(source.child)];
+  const std::string name = name_in(hierarchy, from.name);
   if (hides(name) || hides(name + "." + from.outputs[port])) return true;
   const auto inner = from.part ? from.part->output_sources[port] : std::nullopt;
   return inner && inner->child >= 0 && hides(*from.part, *inner);
 }
 
-bool Selection::is_recorded(const Sheet& sheet, const SheetSource& source) const {
-  const auto signal = sheet.signal(source);
+bool Selection::is_recorded(const Hierarchy& hierarchy, const WireSource& source) const {
+  const auto signal = hierarchy.signal(source);
   return signal && recorded_.contains({signal->block, signal->output});
 }
 
@@ -68,15 +69,15 @@ bool Selection::is_open(const std::string& name, int depth) const {
          });
 }
 
-bool Selection::feeds_hidden_only(const Sheet& part, const std::string& input) const {
+bool Selection::feeds_hidden_only(const Hierarchy& part, const std::string& input) const {
   bool feeds_any = false;
-  const auto is_source = [&](const std::optional<SheetSource>& source) {
+  const auto is_source = [&](const std::optional<WireSource>& source) {
     return source && source->child < 0 && part.inputs[static_cast<std::size_t>(source->port)] == input;
   };
-  const auto is_input = [&](const SheetFeed& feed) { return is_source(feed.source); };
+  const auto is_input = [&](const WireFeed& feed) { return is_source(feed.source); };
   if (std::ranges::any_of(part.output_sources, is_source)) return false;
-  for (const SheetChild& child : part.children)
-    for (const SheetInput& one : child.inputs) {
+  for (const BlockReference& child : part.children)
+    for (const ReferenceInput& one : child.inputs) {
       if (std::ranges::none_of(one.feeds, is_input)) continue;
       if (!hides_child(part, child)) return false;
       feeds_any = true;
@@ -84,53 +85,56 @@ bool Selection::feeds_hidden_only(const Sheet& part, const std::string& input) c
   return feeds_any;
 }
 
-std::vector<Selection::Feed> Selection::feeds(const Sheet& sheet, const SheetChild& child, int depth) const {
-  const bool opened = child.part && is_open(name_in(sheet, child.name), depth);
+std::vector<Selection::Feed> Selection::feeds(const Hierarchy& hierarchy, const BlockReference& child,
+                                              int depth) const {
+  const bool opened = child.part && is_open(name_in(hierarchy, child.name), depth);
   std::vector<Feed> found;
-  for (const SheetInput& input : child.inputs) {
+  for (const ReferenceInput& input : child.inputs) {
     if (opened && feeds_hidden_only(*child.part, input.name)) continue;
     for (std::size_t i = 0; i < input.feeds.size(); ++i)
-      if (!input.feeds[i].source || !hides(sheet, *input.feeds[i].source)) found.push_back({&input, i});
+      if (!input.feeds[i].source || !hides(hierarchy, *input.feeds[i].source)) found.push_back({&input, i});
   }
   return found;
 }
 
-std::vector<int> Selection::own_outputs(const Sheet& sheet) const {
+std::vector<int> Selection::own_outputs(const Hierarchy& hierarchy) const {
   std::vector<int> found;
-  for (int i = 0; i < static_cast<int>(sheet.outputs.size()); ++i) {
-    const auto& source = sheet.output_sources[static_cast<std::size_t>(i)];
-    const bool hidden = hides(name_in(sheet, sheet.outputs[static_cast<std::size_t>(i)]));
-    if (!hidden && !(source && hides(sheet, *source))) found.push_back(i);
+  for (int i = 0; i < static_cast<int>(hierarchy.outputs.size()); ++i) {
+    const auto& source = hierarchy.output_sources[static_cast<std::size_t>(i)];
+    const bool hidden = hides(name_in(hierarchy, hierarchy.outputs[static_cast<std::size_t>(i)]));
+    if (!hidden && !(source && hides(hierarchy, *source))) found.push_back(i);
   }
   return found;
 }
 
 /// The outputs that lead somewhere; where none does, all that are not hidden, unless what they lead to is.
-std::vector<int> Selection::outputs_of(const Sheet& sheet, int child,
+std::vector<int> Selection::outputs_of(const Hierarchy& hierarchy, int child,
                                        const std::set<std::pair<int, int>>& used) const {
-  const int count = static_cast<int>(sheet.children[static_cast<std::size_t>(child)].outputs.size());
+  const int count = static_cast<int>(hierarchy.children[static_cast<std::size_t>(child)].outputs.size());
   std::vector<int> some, all;
   for (int i = 0; i < count; ++i) {
-    if (hides(sheet, SheetSource{child, i})) continue;
+    if (hides(hierarchy, WireSource{child, i})) continue;
     all.push_back(i);
-    if (used.contains({child, i}) || is_recorded(sheet, {child, i})) some.push_back(i);
+    if (used.contains({child, i}) || is_recorded(hierarchy, {child, i})) some.push_back(i);
   }
   return some.empty() ? all : some;
 }
 
-std::vector<Selection::Shown> Selection::shown(const Sheet& sheet, const std::vector<int>& own) const {
+std::vector<Selection::Shown> Selection::shown(const Hierarchy& hierarchy,
+                                               const std::vector<int>& own) const {
   std::set<std::pair<int, int>> used;
-  for (const SheetChild& child : sheet.children)
-    for (const SheetInput& input : child.inputs)
-      for (const SheetFeed& feed : input.feeds)
-        if (feed.source && !hides_child(sheet, child)) used.insert({feed.source->child, feed.source->port});
+  for (const BlockReference& child : hierarchy.children)
+    for (const ReferenceInput& input : child.inputs)
+      for (const WireFeed& feed : input.feeds)
+        if (feed.source && !hides_child(hierarchy, child))
+          used.insert({feed.source->child, feed.source->port});
   for (const int output : own)
-    if (const auto& source = sheet.output_sources[static_cast<std::size_t>(output)])
+    if (const auto& source = hierarchy.output_sources[static_cast<std::size_t>(output)])
       used.insert({source->child, source->port});
   std::vector<Shown> shown;
-  for (int child = 0; child < static_cast<int>(sheet.children.size()); ++child) {
-    const bool hidden = hides_child(sheet, sheet.children[static_cast<std::size_t>(child)]);
-    shown.push_back({hidden, hidden ? std::vector<int>{} : outputs_of(sheet, child, used)});
+  for (int child = 0; child < static_cast<int>(hierarchy.children.size()); ++child) {
+    const bool hidden = hides_child(hierarchy, hierarchy.children[static_cast<std::size_t>(child)]);
+    shown.push_back({hidden, hidden ? std::vector<int>{} : outputs_of(hierarchy, child, used)});
   }
   return shown;
 }

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "engine/view/drawing/graph_options.hpp"
-#include "engine/view/drawing/sheet.hpp"
+#include "engine/view/drawing/hierarchy.hpp"
 
 namespace stepwire {
 
-/// What of a diagram's sheets is drawn: all but what is hidden, and of each child the outputs that lead
+/// What of a diagram's hierarchies is drawn: all but what is hidden, and of each child the outputs that lead
 /// somewhere.
 class Selection {
  public:
@@ -22,37 +22,38 @@ class Selection {
 
   /// One thing that an input is fed by.
   struct Feed {
-    const SheetInput* input = nullptr;
+    const ReferenceInput* input = nullptr;
     std::size_t index = 0;  ///< in its list
   };
 
-  /// `sheet` is the file that is drawn.
-  Selection(const Diagram& diagram, const Sheet& sheet, const GraphOptions& options);
+  /// `hierarchy` is the file that is drawn.
+  Selection(const Diagram& diagram, const Hierarchy& hierarchy, const GraphOptions& options);
 
   /// Full name of a file's block, seen from the file that is drawn.
-  std::string name_in(const Sheet& sheet, const std::string& name) const;
+  std::string name_in(const Hierarchy& hierarchy, const std::string& name) const;
   /// For each child of a file, of whose own outputs `own` are drawn.
-  std::vector<Shown> shown(const Sheet& sheet, const std::vector<int>& own) const;
+  std::vector<Shown> shown(const Hierarchy& hierarchy, const std::vector<int>& own) const;
   /// The outputs of the file itself that are drawn.
-  std::vector<int> own_outputs(const Sheet& sheet) const;
+  std::vector<int> own_outputs(const Hierarchy& hierarchy) const;
   /// What is drawn of all that a child is fed by: not what is hidden, nor what an opened part needs for
   /// hidden blocks only.
-  std::vector<Feed> feeds(const Sheet& sheet, const SheetChild& child, int depth) const;
-  bool is_recorded(const Sheet& sheet, const SheetSource& source) const;
+  std::vector<Feed> feeds(const Hierarchy& hierarchy, const BlockReference& child, int depth) const;
+  bool is_recorded(const Hierarchy& hierarchy, const WireSource& source) const;
   bool is_open(const std::string& name, int depth) const;
 
  private:
   bool hides(const std::string& name) const;
   /// Is this signal left out, itself or with the block that gives it?
-  bool hides(const Sheet& sheet, const SheetSource& source) const;
-  bool feeds_hidden_only(const Sheet& part, const std::string& input) const;
-  bool hides_child(const Sheet& sheet, const SheetChild& child) const {
-    return hides(name_in(sheet, child.name));
+  bool hides(const Hierarchy& hierarchy, const WireSource& source) const;
+  bool feeds_hidden_only(const Hierarchy& part, const std::string& input) const;
+  bool hides_child(const Hierarchy& hierarchy, const BlockReference& child) const {
+    return hides(name_in(hierarchy, child.name));
   }
-  std::vector<int> outputs_of(const Sheet& sheet, int child, const std::set<std::pair<int, int>>& used) const;
+  std::vector<int> outputs_of(const Hierarchy& hierarchy, int child,
+                              const std::set<std::pair<int, int>>& used) const;
   void add_recorded(const SignalRef& signal) { recorded_.insert({signal.block, signal.output}); }
-  const std::string& scope_prefix(const Sheet& sheet) const {
-    return diagram_.scopes[static_cast<std::size_t>(sheet.scope)].prefix;
+  const std::string& scope_prefix(const Hierarchy& hierarchy) const {
+    return diagram_.scopes[static_cast<std::size_t>(hierarchy.scope)].prefix;
   }
 
   const Diagram& diagram_;

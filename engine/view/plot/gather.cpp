@@ -142,7 +142,7 @@ std::vector<std::string> labels_of(const Series& by, const std::vector<double>& 
     std::string label = short_number(group);
     if (!by.unit_text.empty() && by.unit_text != "1") label += " " + by.unit_text;
     if (by.label != by.formula.text) label = by.label + " " + label;
-    for (const auto& words : recording.words)
+    for (const auto& words : recording.categories)
       if (by.formula.text == words.column && group >= 0.0 && group < static_cast<double>(words.texts.size()))
         label = words.texts[static_cast<std::size_t>(group)];
     labels.push_back(label);

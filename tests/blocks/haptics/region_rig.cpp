@@ -44,7 +44,7 @@ Answer RegionRig::at(std::vector<double> position) {
   type.outputs[0].bind(block_.get(), &distance_, 1);
   type.outputs[1].bind(block_.get(), nearest_.data(), size);
   type.outputs[2].bind(block_.get(), direction_.data(), size);
-  type.run_outputs[Known::nothing](block_.get(), static_cast<std::byte*>(block_.get()) + type.bytes);
+  type.run_outputs[Specialization::nothing](block_.get(), static_cast<std::byte*>(block_.get()) + type.bytes);
   return {distance_, nearest_, direction_};
 }
 

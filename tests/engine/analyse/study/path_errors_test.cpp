@@ -122,8 +122,8 @@ TEST_CASE("figures read the errors, with the words of their conditions") {
   const Recording recording = error_recording(circle_errors(drawings()));
   CHECK(recording.table.rows() == 4);
   CHECK(recording.table.find("normalised")->values[0] == 1.0);
-  REQUIRE(recording.words.size() == 2);
-  CHECK(recording.words[1].texts == std::vector<std::string>{"NO", "V"});
+  REQUIRE(recording.categories.size() == 2);
+  CHECK(recording.categories[1].texts == std::vector<std::string>{"NO", "V"});
   if (!has_gnuplot()) return;
   const SymbolTable names{"d.yaml", {{"condition", Dimension{}, 0}, {"normalised", Dimension{}, 0}}};
   Faults faults;

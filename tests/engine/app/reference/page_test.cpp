@@ -27,7 +27,7 @@ struct OneOfAll2D {
   Output<1> y{};
   State<1> level{};
   DiscreteState<1> held{};
-  Notice late{};
+  Diagnostic late{};
 
   void outputs() {}
   void derivatives() {}
@@ -53,7 +53,7 @@ void OneOfAll2D::declare(Declare<OneOfAll2D>& is) {
   is.output<&OneOfAll2D::y, &OneOfAll2D::level>({.unit = "'u", .doc = "value"});
   is.state<&OneOfAll2D::level>({.unit = "'u", .doc = "memory", .initial = 3.0});
   is.state<&OneOfAll2D::held>({.doc = "what was", .settable = false});
-  is.notice<&OneOfAll2D::late>({.doc = "too late", .ends_run = true});
+  is.diagnostic<&OneOfAll2D::late>({.doc = "too late", .ends_run = true});
   is.preset<shorten>("short", "a shorter one");
 }
 

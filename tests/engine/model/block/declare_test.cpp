@@ -105,7 +105,7 @@ TEST_CASE("a kernel runs its phase for blocks that lie side by side") {
     blocks[i].x.bind(numbers + 2 + i, 1);
     blocks[i].x.dot.bind(numbers + 4 + i, 1);
   }
-  type.run_derivatives[Known::nothing](blocks, blocks + 2);
+  type.run_derivatives[Specialization::nothing](blocks, blocks + 2);
   CHECK(numbers[4] == (1.0 - 10.0) / 0.5);
   CHECK(numbers[5] == (2.0 - 20.0) / 0.5);
 }

@@ -17,8 +17,8 @@ std::size_t offset(const Plan& plan, const std::string& block) {
 }
 
 bool is_slope(const Plan& plan, const std::string& block) {
-  return offset(plan, block) >= plan.layout.dots &&
-         offset(plan, block) < plan.layout.dots + plan.layout.state_count;
+  return offset(plan, block) >= plan.layout.derivatives &&
+         offset(plan, block) < plan.layout.derivatives + plan.layout.state_count;
 }
 
 }  // namespace

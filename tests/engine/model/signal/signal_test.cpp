@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
+#include "engine/model/signal/diagnostic.hpp"
 #include "engine/model/signal/input.hpp"
-#include "engine/model/signal/notice.hpp"
 #include "engine/model/signal/numbers.hpp"
 #include "engine/model/signal/signal.hpp"
 
@@ -52,12 +52,12 @@ TEST_CASE("an element of a list that is a single number stands for every element
 }
 
 TEST_CASE("a notice keeps the time at which it was raised first") {
-  double first = Notice::never;
-  Notice notice;
-  notice.bind(&first);
-  CHECK_FALSE(notice.raised());
-  notice.raise(2.0);
-  notice.raise(3.0);
-  CHECK(notice.raised());
+  double first = Diagnostic::never;
+  Diagnostic diagnostic;
+  diagnostic.bind(&first);
+  CHECK_FALSE(diagnostic.raised());
+  diagnostic.raise(2.0);
+  diagnostic.raise(3.0);
+  CHECK(diagnostic.raised());
   CHECK(first == 2.0);
 }

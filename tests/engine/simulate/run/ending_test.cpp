@@ -79,9 +79,9 @@ solver: rk4
 record: current
 )");
   CHECK(result.faults.empty());
-  REQUIRE(result.notices.size() == 1);
-  CHECK(result.notices[0].block == "damper");
-  CHECK(result.notices[0].time == Approx(3.5).margin(1.1e-3));
+  REQUIRE(result.diagnostics.size() == 1);
+  CHECK(result.diagnostics[0].block == "damper");
+  CHECK(result.diagnostics[0].time == Approx(3.5).margin(1.1e-3));
 }
 
 TEST_CASE("stop_when ends a run at the tick at which it holds, which is recorded") {

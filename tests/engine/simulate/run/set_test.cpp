@@ -54,7 +54,7 @@ std::vector<std::uint64_t> next(Executor& run, int ticks) {
   };
   for (int i = 0; i < ticks; ++i) {
     run.evaluate();
-    add(layout.signals, layout.dots);
+    add(layout.signals, layout.derivatives);
     add(layout.discrete, layout.discrete + layout.discrete_count);
     run.advance();
   }

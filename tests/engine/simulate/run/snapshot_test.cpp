@@ -6,7 +6,7 @@ using namespace stepwire;
 
 namespace {
 
-/// Everything that has a memory: continuous and discrete states, noise, delays, notices, several rates.
+/// Everything that has a memory: continuous and discrete states, noise, delays, diagnostics, several rates.
 const std::string everything = R"(step: 1 ms
 stop: 0.5 s
 solver: rk4

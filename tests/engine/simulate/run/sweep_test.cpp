@@ -74,9 +74,9 @@ TEST_CASE("words are swept as numbers that stand for them") {
       "sweep: {kind: {values: [normal, uniform]}}\n");
   const Recording& all = result.recordings.at(0);
   CHECK(column(all.table, "kind") == std::vector<double>{0, 0, 1, 1});
-  REQUIRE(all.words.size() == 1);
-  CHECK(all.words[0].column == "kind");
-  CHECK(all.words[0].texts == std::vector<std::string>{"normal", "uniform"});
+  REQUIRE(all.categories.size() == 1);
+  CHECK(all.categories[0].column == "kind");
+  CHECK(all.categories[0].texts == std::vector<std::string>{"normal", "uniform"});
 }
 
 TEST_CASE("a sweep gives the same bits at any number of threads") {

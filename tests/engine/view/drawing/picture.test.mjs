@@ -9,8 +9,8 @@ import {fileURLToPath} from "node:url";
 
 const root = join(dirname(fileURLToPath(import.meta.url)), "../../../..");
 const {arrange, svgOf} = await import(join(root, "engine/view/drawing/draw.mjs"));
-const {slide} = await import(join(root, "engine/view/drawing/slide.mjs"));
-const {smooth} = await import(join(root, "engine/view/drawing/smooth.mjs"));
+const {alignPorts} = await import(join(root, "engine/view/drawing/align_ports.mjs"));
+const {removeJogs} = await import(join(root, "engine/view/drawing/remove_jogs.mjs"));
 const {widthOf} = await import(join(root, "engine/view/drawing/text.mjs"));
 const {default: ELK} = await import(join(root, "engine/view/drawing/node_modules/elkjs/lib/elk.bundled.js"));
 const elk = new ELK();
@@ -247,7 +247,7 @@ const linesOf = (points, more = []) => new Map([[aWire, points], ...(more.length
 test("a port of the file moves to where its wire goes on, unless something is in the way", () => {
   const slid = (more) => {
     const lines = linesOf([[0, 0], [20, 0], [20, 30], [50, 30]], more), places = new Map([[oval.id, {x: 50, y: 20}]]);
-    slide([oval], [aWire], places, lines);
+    alignPorts([oval], [aWire], places, lines);
     return [places.get(oval.id), lines.get(aWire)];
   };
   assert.deepEqual(slid([]), [{x: 50, y: -10}, [[0, 0], [50, 0]]]);
@@ -258,7 +258,7 @@ test("a port of the file moves to where its wire goes on, unless something is in
 test("a small step is taken out of a wire, unless it then lay on another", () => {
   const smoothed = (more) => {
     const lines = linesOf([[0, 0], [20, 0], [20, 5], [60, 5], [60, 40]], more);
-    smooth([], [aWire], new Map(), lines);
+    removeJogs([], [aWire], new Map(), lines);
     return lines.get(aWire);
   };
   assert.deepEqual(smoothed([]), [[0, 0], [60, 0], [60, 40]]);

@@ -42,7 +42,7 @@ TEST_CASE("a swept parameter tells curves apart, and runs with the same value be
 
 TEST_CASE("swept words are the labels of their curves") {
   Recording recording = sample_recording({0, 1}, 4);
-  recording.words = {{"current", {"off", "on"}}};
+  recording.categories = {{"current", {"off", "on"}}};
   CHECK(curves_of("{plot: lines, x: time, y: rig.x, by: current}", recording).labels ==
         std::vector<std::string>{"off", "on"});
 }

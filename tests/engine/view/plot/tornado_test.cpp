@@ -20,7 +20,7 @@ SymbolTable tornado_names() {
 Recording tornado_recording() {
   Recording recording;
   recording.starts.clear();
-  recording.words = {{"differs", which}, {"differs_to", what}};
+  recording.categories = {{"differs", which}, {"differs_to", what}};
   auto& columns = recording.table.columns;
   columns = {column("time", "s", {}), column("differs", "", {}), column("differs_to", "", {}),
              column("push.force", "N", {})};

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "blocks/haptics/space.hpp"
+#include "blocks/haptics/region/space.hpp"
 #include "engine/model/signal/index.hpp"
 
 namespace stepwire {

@@ -1,6 +1,6 @@
 // Of several layouts the one that reads best.
 
-import {flowOf} from "./flow.mjs";
+import {feedbackEdges} from "./feedback_edges.mjs";
 import {inputId, layOut, outputId, portsOf} from "./layout.mjs";
 import {enterSums, nameSide, placePorts} from "./ports.mjs";
 import {costOf} from "./wires.mjs";
@@ -105,16 +105,16 @@ const forwardCost = 4;
 
 /** How large a picture becomes, by one layout. */
 export async function sizeOfLayout(nodes, wires, elk) {
-  const task = {nodes, wires, ...flowOf(nodes, wires, true)};
+  const task = {nodes, wires, ...feedbackEdges(nodes, wires, true)};
   await settlePorts(task, elk);
   const {width, height} = await layOut(task, elk, styles[0]);
   return {width, height};
 }
 
 /** Lays out with ways back from right to left; where these find no good place, also without, and takes the better. */
-export async function layOutLoops(nodes, wires, elk) {
+export async function searchLayout(nodes, wires, elk) {
   const attempt = async (flip) => {
-    const task = {nodes, wires, ...flowOf(nodes, wires, flip)};
+    const task = {nodes, wires, ...feedbackEdges(nodes, wires, flip)};
     await settlePorts(task, elk);
     return {flipped: task.flipped, laid: await reenterSums(task, elk, await bestLayout(task, elk))};
   };

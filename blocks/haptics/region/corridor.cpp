@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "blocks/haptics/plane_shape.hpp"
+#include "blocks/haptics/region/plane_shape.hpp"
 
 namespace stepwire {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "blocks/haptics/plane.hpp"
+#include "blocks/haptics/region/plane.hpp"
 #include "engine/model/signal/index.hpp"
 
 namespace stepwire {

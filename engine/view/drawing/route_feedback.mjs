@@ -57,7 +57,7 @@ function shift(dx, places, lines) {
  * Adds the lines of `wires`, the shortest way innermost. Returns what the picture measures with them, and how many of
  * them lie beside each other.
  */
-export function leadBelow(nodes, places, lines, wires, size) {
+export function routeFeedback(nodes, places, lines, wires, size) {
   const byId = new Map(nodes.map((node) => [node.id, node])), columns = columnsOf(nodes, places);
   const point = (end, ports) => {
     const port = byId.get(end.node)[ports].find((one) => one.port === end.port), {x, y} = places.get(end.node);

@@ -1,10 +1,10 @@
-#include "blocks/haptics/space_shape.hpp"
+#include "blocks/haptics/region/space_shape.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "blocks/haptics/plane_chain.hpp"
+#include "blocks/haptics/region/plane_chain.hpp"
 
 namespace stepwire {
 

@@ -5,8 +5,8 @@
 namespace stepwire {
 
 /// Something a block has to say during a run: raised in update(), told once, with the time at which it
-/// happened first. A notice declared with `ends_run` ends the run at that tick.
-class Notice {
+/// happened first. A diagnostic declared with `ends_run` ends the run at that tick.
+class Diagnostic {
  public:
   static constexpr double never = std::numeric_limits<double>::infinity();
 

@@ -1,4 +1,4 @@
-#include "engine/view/drawing/sheet.hpp"
+#include "engine/view/drawing/hierarchy.hpp"
 
 #include <algorithm>
 #include <map>
@@ -24,17 +24,17 @@ class OutlineReader {
       scopes_[diagram.scopes[i].prefix] = static_cast<int>(i);
   }
 
-  std::unique_ptr<Sheet> read(int scope) {
-    auto sheet = std::make_unique<Sheet>();
-    sheet->scope = scope;
+  std::unique_ptr<Hierarchy> read(int scope) {
+    auto hierarchy = std::make_unique<Hierarchy>();
+    hierarchy->scope = scope;
     const ScopeInfo& info = diagram_.scopes[static_cast<std::size_t>(scope)];
     const Node& root = loader_.document(info.file).root;
-    sheet->inputs = keys(root, "inputs");
-    sheet->outputs = keys(root, "outputs");
+    hierarchy->inputs = keys(root, "inputs");
+    hierarchy->outputs = keys(root, "outputs");
     if (const Node* blocks = root.find("blocks"))
-      for (const Entry& entry : blocks->entries) sheet->children.push_back(child(entry, info.prefix));
-    connect(*sheet, root);
-    return sheet;
+      for (const Entry& entry : blocks->entries) hierarchy->children.push_back(child(entry, info.prefix));
+    connect(*hierarchy, root);
+    return hierarchy;
   }
 
  private:
@@ -45,8 +45,8 @@ class OutlineReader {
     return names;
   }
 
-  SheetChild child(const Entry& entry, const std::string& prefix) {
-    SheetChild child;
+  BlockReference child(const Entry& entry, const std::string& prefix) {
+    BlockReference child;
     child.name = entry.key;
     child.written = &entry.value;
     if (const auto scope = scopes_.find(prefix + entry.key + "."); scope != scopes_.end()) {
@@ -59,59 +59,59 @@ class OutlineReader {
     return child;
   }
 
-  const BlockType& type_of(const SheetChild& child) const {
+  const BlockType& type_of(const BlockReference& child) const {
     return diagram_.blocks[static_cast<std::size_t>(child.block)].type();
   }
 
   /// Finds what feeds what, once all children are known.
-  void connect(Sheet& sheet, const Node& root) {
+  void connect(Hierarchy& hierarchy, const Node& root) {
     Scope names;
-    for (const SheetChild& child : sheet.children) names.names[child.name];
-    for (std::size_t i = 0; i < sheet.children.size(); ++i) {
-      SheetChild& child = sheet.children[i];
+    for (const BlockReference& child : hierarchy.children) names.names[child.name];
+    for (std::size_t i = 0; i < hierarchy.children.size(); ++i) {
+      BlockReference& child = hierarchy.children[i];
       if (child.part) {
-        child.part->parent = &sheet;
+        child.part->parent = &hierarchy;
         child.part->place = static_cast<int>(i);
-        for (const std::string& input : child.part->inputs) add_input(sheet, names, child, input, false);
+        for (const std::string& input : child.part->inputs) add_input(hierarchy, names, child, input, false);
       } else {
         for (const InputSpec& input : type_of(child).inputs)
-          add_input(sheet, names, child, input.name, input.list);
+          add_input(hierarchy, names, child, input.name, input.list);
       }
     }
-    for (const std::string& output : sheet.outputs) {
+    for (const std::string& output : hierarchy.outputs) {
       const Node& port = *root.find("outputs")->find(output);
-      sheet.output_sources.push_back(
-          source(sheet, names, port.is_map() ? port.find("signal")->text : port.text));
+      hierarchy.output_sources.push_back(
+          source(hierarchy, names, port.is_map() ? port.find("signal")->text : port.text));
     }
   }
 
-  void add_input(const Sheet& sheet, const Scope& names, SheetChild& child, const std::string& name,
-                 bool list) {
+  void add_input(const Hierarchy& hierarchy, const Scope& names, BlockReference& child,
+                 const std::string& name, bool list) {
     const Node* node = child.written->find(name);
     if (!node) return;
-    SheetInput input{name, {}};
+    ReferenceInput input{name, {}};
     if (list && node->is_list()) {
-      for (const Node& item : node->items) input.feeds.push_back(feed(sheet, names, item));
+      for (const Node& item : node->items) input.feeds.push_back(feed(hierarchy, names, item));
     } else {
-      input.feeds.push_back(feed(sheet, names, *node));
+      input.feeds.push_back(feed(hierarchy, names, *node));
     }
     child.inputs.push_back(std::move(input));
   }
 
-  SheetFeed feed(const Sheet& sheet, const Scope& names, const Node& node) {
+  WireFeed feed(const Hierarchy& hierarchy, const Scope& names, const Node& node) {
     if (!names_signal(node)) return {{}, printed_value(node)};
-    const auto found = source(sheet, names, node.text);
+    const auto found = source(hierarchy, names, node.text);
     if (!found || found->child >= 0) return {found, {}};
     // An input that nobody feeds has the part's own default.
-    const std::string& port = sheet.inputs[static_cast<std::size_t>(found->port)];
-    const Node* fallback = unfed_default(sheet, port);
-    return fallback ? feed(sheet, names, *fallback) : SheetFeed{found, {}};
+    const std::string& port = hierarchy.inputs[static_cast<std::size_t>(found->port)];
+    const Node* fallback = unfed_default(hierarchy, port);
+    return fallback ? feed(hierarchy, names, *fallback) : WireFeed{found, {}};
   }
 
   /// The default of an input of a part that the using file leaves out; null otherwise.
-  const Node* unfed_default(const Sheet& sheet, const std::string& port) {
-    if (sheet.scope == 0) return nullptr;
-    const ScopeInfo& info = diagram_.scopes[static_cast<std::size_t>(sheet.scope)];
+  const Node* unfed_default(const Hierarchy& hierarchy, const std::string& port) {
+    if (hierarchy.scope == 0) return nullptr;
+    const ScopeInfo& info = diagram_.scopes[static_cast<std::size_t>(hierarchy.scope)];
     const Node& user = user_of(info);
     if (user.find(port)) return nullptr;
     const Node& declared = *loader_.document(info.file).root.find("inputs")->find(port);
@@ -126,16 +126,17 @@ class OutlineReader {
     return *loader_.document(user.file).root.find("blocks")->find(name);
   }
 
-  std::optional<SheetSource> source(const Sheet& sheet, const Scope& names, const std::string& text) const {
-    if (const int port = index_of(sheet.inputs, text); port >= 0) return SheetSource{-1, port};
+  std::optional<WireSource> source(const Hierarchy& hierarchy, const Scope& names,
+                                   const std::string& text) const {
+    if (const int port = index_of(hierarchy.inputs, text); port >= 0) return WireSource{-1, port};
     const std::string_view name = names.start_of(text);
-    for (std::size_t i = 0; i < sheet.children.size(); ++i) {
-      const SheetChild& child = sheet.children[i];
+    for (std::size_t i = 0; i < hierarchy.children.size(); ++i) {
+      const BlockReference& child = hierarchy.children[i];
       if (child.name != name) continue;
       const int port = name.size() == text.size()
                            ? 0
                            : index_of(child.outputs, std::string_view(text).substr(name.size() + 1));
-      if (port >= 0) return SheetSource{static_cast<int>(i), port};
+      if (port >= 0) return WireSource{static_cast<int>(i), port};
     }
     return std::nullopt;
   }
@@ -147,22 +148,22 @@ class OutlineReader {
 
 }  // namespace
 
-std::optional<SignalRef> Sheet::signal(const SheetSource& source) const {
+std::optional<SignalRef> Hierarchy::signal(const WireSource& source) const {
   const auto port = static_cast<std::size_t>(source.port);
   if (source.child >= 0) {
-    const SheetChild& from = children[static_cast<std::size_t>(source.child)];
+    const BlockReference& from = children[static_cast<std::size_t>(source.child)];
     if (!from.part) return SignalRef{from.block, source.port, -1};
     const auto& inner = from.part->output_sources[port];
     return inner ? from.part->signal(*inner) : std::nullopt;
   }
   if (!parent) return std::nullopt;
-  for (const SheetInput& input : parent->children[static_cast<std::size_t>(place)].inputs)
+  for (const ReferenceInput& input : parent->children[static_cast<std::size_t>(place)].inputs)
     if (input.name == inputs[port] && input.feeds.front().source)
       return parent->signal(*input.feeds.front().source);
   return std::nullopt;
 }
 
-std::unique_ptr<Sheet> reference_of(const Diagram& diagram, Loader& loader, int scope) {
+std::unique_ptr<Hierarchy> hierarchy_of(const Diagram& diagram, Loader& loader, int scope) {
   return OutlineReader(diagram, loader).read(scope);
 }
 

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "blocks/haptics/plane_shape.hpp"
+#include "blocks/haptics/region/plane_shape.hpp"
 
 namespace stepwire {
 

@@ -1,7 +1,7 @@
 // Takes small steps out of wires, which look like a slip: of two parallel pieces one moves onto the line of the other.
 
 import {areaOf, grown, overlap} from "./area.mjs";
-import {extent} from "./below.mjs";
+import {extent} from "./route_feedback.mjs";
 import {segmentsOf, smallestStep, straightened} from "./wires.mjs";
 
 const apart = 6, shortest = 10;
@@ -40,7 +40,7 @@ function withoutStep(points, step, wire, picture) {
 }
 
 /** Takes out of all wires the small steps that can be taken out. */
-export function smooth(nodes, wires, places, lines) {
+export function removeJogs(nodes, wires, places, lines) {
   for (const wire of wires)
     for (let step = 1; step + 2 < lines.get(wire).length; ++step) {
       const points = lines.get(wire);

@@ -1,7 +1,7 @@
 // Moves ports of the file and constants up or down to where their wire goes on, so that it needs no step.
 
 import {areaOf, grown, overlap} from "./area.mjs";
-import {extent} from "./below.mjs";
+import {extent} from "./route_feedback.mjs";
 import {portPitch} from "./symbol.mjs";
 import {netOf, segmentsOf} from "./wires.mjs";
 
@@ -50,7 +50,7 @@ function isFree(node, wire, {piece, by}, {nodes, places, lines}) {
 }
 
 /** Moves what can be moved, until nothing moves any more; each move takes two bends away. */
-export function slide(nodes, wires, places, lines) {
+export function alignPorts(nodes, wires, places, lines) {
   const ends = movable(nodes, wires);
   for (let moved = true; moved;) {
     moved = false;

@@ -83,7 +83,7 @@ export function startsOf(nodes, wires) {
  * The wires that close circles, and where `flip` is true the nodes in ways back, which are drawn from right to left as
  * their wires are.
  */
-export function flowOf(nodes, wires, flip) {
+export function feedbackEdges(nodes, wires, flip) {
   const byId = new Map(nodes.map((node) => [node.id, node]));
   const index = indexWires(nodes, wires);
   const back = backWires(nodes, index), reversed = new Set(back), flipped = new Set();

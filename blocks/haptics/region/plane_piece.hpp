@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "blocks/haptics/plane.hpp"
+#include "blocks/haptics/region/plane.hpp"
 
 namespace stepwire {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <variant>
 
-#include "blocks/haptics/plane_shape.hpp"
-#include "blocks/haptics/space_shape.hpp"
+#include "blocks/haptics/region/plane_shape.hpp"
+#include "blocks/haptics/region/space_shape.hpp"
 #include "engine/base/expression/expression.hpp"
 #include "engine/model/block/value.hpp"
 

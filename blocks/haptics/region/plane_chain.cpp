@@ -1,4 +1,4 @@
-#include "blocks/haptics/plane_chain.hpp"
+#include "blocks/haptics/region/plane_chain.hpp"
 
 #include <fmt/format.h>
 

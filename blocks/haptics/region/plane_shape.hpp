@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "blocks/haptics/boundary_search.hpp"
-#include "blocks/haptics/plane_chain.hpp"
+#include "blocks/haptics/region/boundary_search.hpp"
+#include "blocks/haptics/region/plane_chain.hpp"
 
 namespace stepwire {
 

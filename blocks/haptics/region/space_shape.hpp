@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "blocks/haptics/space.hpp"
+#include "blocks/haptics/region/space.hpp"
 
 namespace stepwire {
 

@@ -3,7 +3,7 @@
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/polygon.hpp>
 
-#include "blocks/haptics/plane_shape.hpp"
+#include "blocks/haptics/region/plane_shape.hpp"
 
 namespace stepwire {
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "blocks/haptics/shape_reader.hpp"
+#include "blocks/haptics/region/shape_reader.hpp"
 #include "engine/base/unit/unit.hpp"
 
 namespace stepwire {

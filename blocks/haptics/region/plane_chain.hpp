@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "blocks/haptics/plane_piece.hpp"
+#include "blocks/haptics/region/plane_piece.hpp"
 
 namespace stepwire {
 

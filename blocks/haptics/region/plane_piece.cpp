@@ -1,4 +1,4 @@
-#include "blocks/haptics/plane_piece.hpp"
+#include "blocks/haptics/region/plane_piece.hpp"
 
 #include <algorithm>
 #include <limits>
