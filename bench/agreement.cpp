@@ -44,14 +44,14 @@ bool agrees(const std::string& what, double value, double reference) {
   return good;
 }
 
-double state(const Executor& simulation, const std::string& name) {
+double state(const run::Executor& simulation, const std::string& name) {
   const auto& blocks = simulation.plan().diagram.blocks;
   for (std::size_t b = 0; b < blocks.size(); ++b)
     if (blocks[b].name == name) return simulation.values()[simulation.plan().blocks[b].states[0].offset];
   return std::nan("");
 }
 
-void go(Executor& simulation, int steps) {
+void go(run::Executor& simulation, int steps) {
   for (int i = 0; i < steps; ++i) {
     simulation.evaluate();
     simulation.advance();
@@ -59,17 +59,17 @@ void go(Executor& simulation, int steps) {
 }
 
 /// The same with compiled code.
-void go_compiled(Executor& simulation, int steps) {
-  static GeneratedCode source;
-  const std::optional<CompiledPlan> code = source.compile(simulation.plan(), {}, {});
+void go_compiled(run::Executor& simulation, int steps) {
+  static codegen::GeneratedCode source;
+  const std::optional<plan::CompiledPlan> code = source.compile(simulation.plan(), {}, {});
   if (code) simulation.use(*code);
   go(simulation, steps);
 }
 
 bool w1_agrees(const ReferenceW1& reference) {
-  const Plan plan = w1_plan();
-  Executor simulation(plan);
-  Executor generated(plan);
+  const plan::Plan plan = w1_plan();
+  run::Executor simulation(plan);
+  run::Executor generated(plan);
   go(simulation, reference.steps);
   go_compiled(generated, reference.steps);
   HandWrittenW1<> by_hand;
@@ -85,16 +85,16 @@ bool w1_agrees(const ReferenceW1& reference) {
   return good;
 }
 
-double sum_of_states(const Executor& simulation, int blocks) {
+double sum_of_states(const run::Executor& simulation, int blocks) {
   double sum = 0.0;
   for (int j = 0; j < blocks / 5; ++j) sum += state(simulation, fmt::format("x{}", j));
   return sum;
 }
 
 bool w2_agrees(const ReferenceW2& reference) {
-  const Plan plan = w2_plan(reference.blocks, reference.steps);
-  Executor simulation(plan);
-  Executor generated(plan);
+  const plan::Plan plan = w2_plan(reference.blocks, reference.steps);
+  run::Executor simulation(plan);
+  run::Executor generated(plan);
   go(simulation, reference.steps);
   go_compiled(generated, reference.steps);
   HandWrittenW2<> by_hand(reference.blocks);

@@ -25,7 +25,7 @@ struct Call {
 };
 
 double number_of(const std::string& text) {
-  const auto quantity = parse_quantity(text);
+  const auto quantity = unit::parse_quantity(text);
   if (!quantity) throw std::invalid_argument(fmt::format("'{}' is no number with a unit", text));
   return quantity->value;
 }
@@ -54,7 +54,7 @@ struct Tally {
   int fits = 0, held = 0;
   double sum = 0.0, squares = 0.0, errors = 0.0;
 
-  void add(const FittedNumber& number, double truth) {
+  void add(const estimation::FittedNumber& number, double truth) {
     const double error = number.value - truth;
     ++fits;
     held += number.low <= truth && truth <= number.high;
@@ -65,18 +65,19 @@ struct Tally {
   double share() const { return 100.0 * held / fits; }
 };
 
-std::map<std::string, Tally> study(const Call& call) {
+std::map<std::string, Tally> tallies_of(const Call& call) {
   const Registry registry = blocks();
-  GeneratedCode code;
+  codegen::GeneratedCode code;
   std::map<std::string, Tally> tallies;
   for (int seed = 1; seed <= call.repetitions; ++seed) {
-    LoadOptions options;
+    session::LoadOptions options;
     options.settings.push_back({call.seed, std::to_string(seed), "repetition"});
-    Loader loader(registry);
-    const LoadedModel model = load_model(loader, call.file, options);
+    diagram::Loader loader(registry);
+    const session::LoadedModel model = session::load_model(loader, call.file, options);
     if (!model.fit) throw std::invalid_argument(call.file + " has no section 'fit'");
-    const FitResult result = fit({loader, call.file, options.settings, &code}, model.job, *model.fit);
-    for (const FittedNumber& number : result.numbers)
+    const estimation::FitResult result =
+        estimation::fit({loader, call.file, options.settings, &code}, model.job, *model.fit);
+    for (const estimation::FittedNumber& number : result.numbers)
       if (const auto truth = call.truth.find(number.title()); truth != call.truth.end())
         tallies[number.title()].add(number, truth->second);
     fmt::print(stderr, "\r{} of {}{}", seed, call.repetitions, result.compiled ? "" : " (not compiled)");
@@ -108,7 +109,7 @@ bool tell(const Call& call, const std::map<std::string, Tally>& tallies) {
 int main(int count, char** words) {
   try {
     const stepwire::Call call = stepwire::call_of(count, words);
-    return stepwire::tell(call, stepwire::study(call)) ? 0 : 1;
+    return stepwire::tell(call, stepwire::tallies_of(call)) ? 0 : 1;
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
     return 2;

@@ -16,9 +16,9 @@ namespace {
 
 double milliseconds_to_first_step(const Registry& registry, const std::string& text) {
   const std::clock_t start = std::clock();
-  Loader loader(registry);
-  const Plan plan = make_plan(loader.load_text(text, "w2.yaml"));
-  Executor simulation(plan);
+  diagram::Loader loader(registry);
+  const plan::Plan plan = plan::make_plan(loader.load_text(text, "w2.yaml"));
+  run::Executor simulation(plan);
   simulation.evaluate();
   return 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }

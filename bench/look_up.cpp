@@ -21,7 +21,7 @@ double height(double x) {
   return 10e-3 * std::sin(x / 15e-3);
 }
 
-Plan corridor(const Registry& registry, const std::string& kind) {
+plan::Plan corridor(const Registry& registry, const std::string& kind) {
   std::string text =
       "stepwire: 1\nstep: 1\nstop: 1\nblocks:\n  map:\n    block: Region\n    position: [0, 0]\n";
   text += fmt::format("    shape: {{half_width: 2e-3, {}: [", kind);
@@ -29,7 +29,7 @@ Plan corridor(const Registry& registry, const std::string& kind) {
     const double x = 0.2 * i / (points - 1);
     text += fmt::format("{}[{}, {}]", i > 0 ? ", " : "", x, height(x));
   }
-  return make_plan(Loader(registry).load_text(text + "]}\n", "corridor.yaml"));
+  return plan::make_plan(diagram::Loader(registry).load_text(text + "]}\n", "corridor.yaml"));
 }
 
 /// Places beside the wave, two coordinates each.
@@ -45,7 +45,7 @@ std::vector<double> places(std::size_t count) {
 }
 
 /// Nanoseconds of one call of the block.
-double cost(const Plan& plan, const std::vector<double>& numbers) {
+double cost(const plan::Plan& plan, const std::vector<double>& numbers) {
   AnyBlock block(plan.diagram.blocks.front().block);
   const BlockType& type = block.type();
   double distance = 0.0, nearest[2], direction[2];
@@ -69,7 +69,7 @@ std::vector<Result> measure_look_up(int times) {
   const std::vector<double> numbers = places(100000);
   std::vector<Result> results;
   for (const char* kind : {"corridor", "spline"}) {
-    const Plan plan = corridor(registry, kind);
+    const plan::Plan plan = corridor(registry, kind);
     const std::string what = fmt::format("nearest point of a {} of {} points", kind, points);
     for (int i = 0; i < times; ++i) results.push_back({what, "interpreted", "ns", cost(plan, numbers), 1});
   }

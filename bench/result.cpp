@@ -9,7 +9,7 @@ namespace stepwire {
 bool write_json_lines(const std::vector<Result>& results, const std::string& path) {
   std::ofstream file(path);
   for (const Result& result : results)
-    file << Json::object()
+    file << json::Json::object()
                 .set("workload", result.workload)
                 .set("blocks", result.blocks)
                 .set("by", result.by)

@@ -18,12 +18,12 @@ namespace stepwire {
 namespace {
 
 /// Steps a diagram with its 8 signals recorded and the finite check on; with compiled code if there is any.
-void run_diagram(benchmark::State& bench, const Plan& plan, const CompiledPlan* code = nullptr) {
-  Executor simulation(plan);
+void run_diagram(benchmark::State& bench, const plan::Plan& plan, const plan::CompiledPlan* code = nullptr) {
+  run::Executor simulation(plan);
   if (code) simulation.use(*code);
-  RunRecording recording(plan);
-  Recorder& recorder = recording.recorders().front();
-  const Workspace start = simulation.workspace();
+  record::RunRecording recording(plan);
+  record::Recorder& recorder = recording.recorders().front();
+  const run::Workspace start = simulation.workspace();
   for (auto _ : bench) {
     if (simulation.finished()) {
       bench.PauseTiming();
@@ -50,7 +50,7 @@ class Steps : public benchmark::ConsoleReporter {
  public:
   /// One workload by all means.
   template <class HandWritten2, class HandWritten3>
-  void add(const std::string& workload, const Plan& plan, const HandWritten2& by_hand,
+  void add(const std::string& workload, const plan::Plan& plan, const HandWritten2& by_hand,
            const HandWritten3& by_hand_O3) {
     const std::size_t blocks = plan.diagram.blocks.size();
     add_loop({workload, "by hand", "ns per step", 0.0, blocks},
@@ -59,7 +59,7 @@ class Steps : public benchmark::ConsoleReporter {
              [by_hand_O3](benchmark::State& bench) { run_by_hand(bench, by_hand_O3); });
     add_loop({workload, "interpreted", "ns per step", 0.0, blocks},
              [&plan](benchmark::State& bench) { run_diagram(bench, plan); });
-    const std::optional<CompiledPlan> code = source_.compile(plan, {}, {});
+    const std::optional<plan::CompiledPlan> code = source_.compile(plan, {}, {});
     if (!code) fmt::print(stderr, "{} is not generated: {}\n", workload, source_.take_problem());
     if (code)
       add_loop({workload, "generated", "ns per step", 0.0, blocks},
@@ -85,7 +85,7 @@ class Steps : public benchmark::ConsoleReporter {
     }
   }
 
-  GeneratedCode source_;
+  codegen::GeneratedCode source_;
   std::map<std::string, Result> loops_;  ///< by the names of benchmarks
   std::vector<Result> results_;
 };
@@ -94,7 +94,7 @@ class Steps : public benchmark::ConsoleReporter {
 
 std::vector<Result> measure_steps() {
   Steps steps;
-  std::deque<Plan> plans{w1_plan()};  // they stay where they are
+  std::deque<plan::Plan> plans{w1_plan()};  // they stay where they are
   steps.add("W1", plans.back(), HandWrittenW1<2>(), HandWrittenW1<3>());
   for (const int blocks : {10, 100, 1000, 10000})
     steps.add(fmt::format("W2 {}", blocks), plans.emplace_back(w2_plan(blocks, 1000)),

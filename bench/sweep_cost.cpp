@@ -62,25 +62,25 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-RunOptions options_for(GeneratedCode& code, unsigned threads) {
-  RunOptions options;
-  options.engine = ExecutionMode::compiled;
+run::RunOptions options_for(codegen::GeneratedCode& code, unsigned threads) {
+  run::RunOptions options;
+  options.engine = run::ExecutionMode::compiled;
   options.code = &code;
   options.threads = threads;
   return options;
 }
 
 /// One run of as many seconds as the sweep has runs of one.
-Plan long_plan(const Registry& registry, std::size_t points) {
+plan::Plan long_plan(const Registry& registry, std::size_t points) {
   const std::string seconds = std::to_string(points) + " s";
-  return make_plan(Loader(registry).load_point(file, {{"stop", seconds}}));
+  return plan::make_plan(diagram::Loader(registry).load_point(file, {{"stop", seconds}}));
 }
 
 /// What the peak of memory grows by in the sweep, in a process of its own: in this one an earlier peak hides
 /// it.
 double memory_in_own_process() {
-  const ProcessResult result =
-      run_process({.command = {std::filesystem::read_symlink(program).string(), sweep_memory_option}});
+  const subprocess::ProcessResult result = subprocess::run_process(
+      {.command = {std::filesystem::read_symlink(program).string(), sweep_memory_option}});
   if (!result.succeeded()) throw std::runtime_error(result.problem(sweep_memory_option));
   return std::stod(result.output);
 }
@@ -89,31 +89,32 @@ double memory_in_own_process() {
 
 double sweep_memory() {
   const Registry registry = blocks();
-  GeneratedCode code;
+  codegen::GeneratedCode code;
   const double before = present_megabytes();
-  Loader loader(registry);
-  const Job job = make_job(loader, file);
-  const RunResult result = run_job(job, options_for(code, 1));
+  diagram::Loader loader(registry);
+  const run::Job job = run::make_job(loader, file);
+  const run::RunResult result = run::run_job(job, options_for(code, 1));
   double rows = 0.0;
-  for (const Column& column : result.recordings.front().table.columns)
+  for (const table::Column& column : result.recordings.front().table.columns)
     rows += static_cast<double>(column.values.size() * sizeof(double)) / (1024.0 * 1024.0);
   return peak_megabytes() - before - rows;
 }
 
 std::vector<Result> measure_sweep() {
   const Registry registry = blocks();
-  GeneratedCode code;
-  Loader loader(registry);
-  const Job job = make_job(loader, file);
-  if (run_job(job, options_for(code, 1)).compiled_ticks == 0) return {};
+  codegen::GeneratedCode code;
+  diagram::Loader loader(registry);
+  const run::Job job = run::make_job(loader, file);
+  if (run::run_job(job, options_for(code, 1)).compiled_ticks == 0) return {};
   const double memory = memory_in_own_process();
-  const Plan one = long_plan(registry, job.points.size());
+  const plan::Plan one = long_plan(registry, job.points.size());
   std::vector<double> sweep, single, once, twice;
   for (int i = 0; i < tries; ++i) {
-    sweep.push_back(processor_seconds([&] { run_job(make_job(loader, file), options_for(code, 1)); }));
-    single.push_back(processor_seconds([&] { run_plan(one, options_for(code, 1)); }));
-    once.push_back(wall_seconds([&] { run_job(job, options_for(code, 1)); }));
-    twice.push_back(wall_seconds([&] { run_job(job, options_for(code, 2)); }));
+    sweep.push_back(
+        processor_seconds([&] { run::run_job(run::make_job(loader, file), options_for(code, 1)); }));
+    single.push_back(processor_seconds([&] { run::run_plan(one, options_for(code, 1)); }));
+    once.push_back(wall_seconds([&] { run::run_job(job, options_for(code, 1)); }));
+    twice.push_back(wall_seconds([&] { run::run_job(job, options_for(code, 2)); }));
   }
   const auto points = static_cast<double>(job.points.size());
   const double beside = 1e6 * (median(sweep) - median(single)) / points;
@@ -129,16 +130,16 @@ std::vector<Result> measure_sweep() {
 namespace {
 
 /// W1 with a sweep of one of its gains.
-Job w1_sweep(Loader& loader, const std::string& folder, std::size_t points) {
+run::Job w1_sweep(diagram::Loader& loader, const std::string& folder, std::size_t points) {
   const std::string path = folder + "/w1-sweep.yaml";
-  write_file(path, read_file(STEPWIRE_BENCH_DIR "/w1.yaml") +
-                       fmt::format("sweep: {{gA.gain: {{from: 36, to: 36.25, count: {}}}}}\n", points));
-  return make_job(loader, path, {}, "10 s");
+  io::write_file(path, io::read_file(STEPWIRE_BENCH_DIR "/w1.yaml") +
+                           fmt::format("sweep: {{gA.gain: {{from: 36, to: 36.25, count: {}}}}}\n", points));
+  return run::make_job(loader, path, {}, "10 s");
 }
 
 /// The same steps as all runs make, one behind the other.
-void step_alone(const Plan& plan, const CompiledPlan& code, std::size_t runs) {
-  Executor run(plan);
+void step_alone(const plan::Plan& plan, const plan::CompiledPlan& code, std::size_t runs) {
+  run::Executor run(plan);
   run.use(code);
   for (std::size_t i = 0; i < runs; ++i) {
     run.reset();
@@ -153,16 +154,16 @@ void step_alone(const Plan& plan, const CompiledPlan& code, std::size_t runs) {
 
 std::vector<Result> measure_w1_sweep() {
   const Registry registry = blocks();
-  GeneratedCode source;
-  Loader loader(registry);
-  const ScratchFolder folder;
-  const Job job = w1_sweep(loader, folder.path(), 256);
-  const Plan& plan = job.family->plan(0);
+  codegen::GeneratedCode source;
+  diagram::Loader loader(registry);
+  const subprocess::ScratchFolder folder;
+  const run::Job job = w1_sweep(loader, folder.path(), 256);
+  const plan::Plan& plan = job.family->plan(0);
   const auto code = source.compile(plan, job.family->variable(0), {});
   if (!code) return {};
   std::vector<double> ratios;
   for (int i = 0; i < tries; ++i) {
-    const double all = processor_seconds([&] { run_job(job, options_for(source, 2)); });
+    const double all = processor_seconds([&] { run::run_job(job, options_for(source, 2)); });
     const double steps = processor_seconds([&] { step_alone(plan, *code, job.points.size()); });
     ratios.push_back(all / steps);
   }

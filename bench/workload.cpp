@@ -16,9 +16,9 @@ const Registry& registry() {
 
 }  // namespace
 
-Plan w1_plan() {
-  Loader loader(registry());
-  return make_plan(loader.load(STEPWIRE_BENCH_DIR "/w1.yaml"));
+plan::Plan w1_plan() {
+  diagram::Loader loader(registry());
+  return plan::make_plan(loader.load(STEPWIRE_BENCH_DIR "/w1.yaml"));
 }
 
 std::string w2_text(int blocks, int steps) {
@@ -39,9 +39,9 @@ std::string w2_text(int blocks, int steps) {
   return text + "record: [" + recorded + "]\n";
 }
 
-Plan w2_plan(int blocks, int steps) {
-  Loader loader(registry());
-  return make_plan(loader.load_text(w2_text(blocks, steps), "w2.yaml"));
+plan::Plan w2_plan(int blocks, int steps) {
+  diagram::Loader loader(registry());
+  return plan::make_plan(loader.load_text(w2_text(blocks, steps), "w2.yaml"));
 }
 
 }  // namespace stepwire

@@ -7,13 +7,13 @@
 namespace stepwire {
 
 /// W1 as a plan, from its file w1.yaml.
-Plan w1_plan();
+plan::Plan w1_plan();
 
 /// W2, a graph of `blocks` blocks (and 2 for the source), as the text of a diagram file that records 8 of its
 /// signals.
 std::string w2_text(int blocks, int steps);
 
 /// W2 as a plan.
-Plan w2_plan(int blocks, int steps);
+plan::Plan w2_plan(int blocks, int steps);
 
 }  // namespace stepwire

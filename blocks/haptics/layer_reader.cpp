@@ -20,13 +20,13 @@ const std::string event_examples =
 
 /// A number with a unit of this kind or none, or a formula of numbers; not finite where it is neither.
 double quantity_in(const std::string& text, const std::string& unit) {
-  if (const auto quantity = parse_quantity(text)) {
-    const bool fits = !quantity->dimension || *quantity->dimension == parse_unit(unit)->dimension;
+  if (const auto quantity = unit::parse_quantity(text)) {
+    const bool fits = !quantity->dimension || *quantity->dimension == unit::parse_unit(unit)->dimension;
     return fits ? quantity->value : std::nan("");
   }
   try {
-    return Expression(text, [](std::string_view) { return false; })({});
-  } catch (const ExpressionError&) {
+    return expression::Expression(text, [](std::string_view) { return false; })({});
+  } catch (const expression::ExpressionError&) {
     return std::nan("");
   }
 }

@@ -76,8 +76,9 @@ std::vector<double> StageReader::read_output(const std::string& name, const Valu
 double StageReader::read_number(const std::string& name, const Value& tree) const {
   double number = std::nan("");
   try {
-    if (tree.text()) number = Expression(*tree.text(), [](std::string_view) { return false; })({});
-  } catch (const ExpressionError&) {
+    if (tree.text())
+      number = expression::Expression(*tree.text(), [](std::string_view) { return false; })({});
+  } catch (const expression::ExpressionError&) {
   }
   if (!std::isfinite(number))
     refuse_(fmt::format("'{}' in the output of state '{}' is no finite number", shown(tree), name), tree);
@@ -96,10 +97,11 @@ Transition StageReader::read_transition(const std::string& name, const ValueEntr
 Guard StageReader::read_guard(const std::string& subject, const Value& tree) const {
   if (!tree.text()) refuse_(fmt::format("the guard {} must be a formula, as \"u > 5 mm\"", subject), tree);
   try {
-    Guard guard{Expression(*tree.text(), [&](std::string_view n) { return variable(n) != none; }), {}};
+    Guard guard{expression::Expression(*tree.text(), [&](std::string_view n) { return variable(n) != none; }),
+                {}};
     for (const std::string& name : guard.formula.variables()) guard.places.push_back(variable(name));
     return guard;
-  } catch (const ExpressionError& error) {
+  } catch (const expression::ExpressionError& error) {
     const std::string inputs = inputs_ == 0   ? "no inputs"
                                : inputs_ == 1 ? "u"
                                               : fmt::format("u1 to u{}", inputs_);

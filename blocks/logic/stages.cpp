@@ -8,7 +8,8 @@ namespace stepwire {
 namespace {
 
 std::string cpp_of(const Guard& guard) {
-  return guard.formula.cpp_condition([&](std::size_t i) { return element_of_v(guard.places[i]); });
+  return guard.formula.cpp_condition(
+      [&](std::size_t i) { return expression::element_of_v(guard.places[i]); });
 }
 
 /// Guards are read in the order of the file; the first that holds decides.
@@ -30,7 +31,7 @@ class Successor final : public Function::Source {
   std::string cpp() const override {
     std::string text;
     for (std::size_t i = 0; i + 1 < to_.size(); ++i)
-      text += fmt::format("{} == {}.0 ? ({}) : ", element_of_v(place_of_stage_), i, following(i));
+      text += fmt::format("{} == {}.0 ? ({}) : ", expression::element_of_v(place_of_stage_), i, following(i));
     return text + following(to_.size() - 1);
   }
 

@@ -11,7 +11,7 @@ namespace stepwire {
 /// A formula of the inputs of a StateMachine and, behind them, the time in the state: variable i is the
 /// number at places[i].
 struct Guard {
-  Expression formula;
+  expression::Expression formula;
   std::vector<std::size_t> places;
 };
 

@@ -46,12 +46,13 @@ class InputNames {
 Function read_formula(const ExpressionBlock& block, Index inputs, const Configure& is) {
   const InputNames names(block.variables, inputs);
   try {
-    Expression expression(block.expression, [&](std::string_view name) { return names(name) >= 0; });
+    expression::Expression expression(block.expression,
+                                      [&](std::string_view name) { return names(name) >= 0; });
     std::vector<std::size_t> places;
     for (const std::string& name : expression.variables())
       places.push_back(static_cast<std::size_t>(names(name)));
-    return function_of(std::move(expression), std::move(places));
-  } catch (const ExpressionError& error) {
+    return expression::function_of(std::move(expression), std::move(places));
+  } catch (const expression::ExpressionError& error) {
     is.refuse<&ExpressionBlock::expression>(fmt::format(
         "'{}', character {}: {}; it may use {}, and for the time the output of a Clock among them",
         block.expression.view(), error.position + 1, error.what(), names.text()));

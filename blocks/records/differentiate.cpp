@@ -31,7 +31,7 @@ void differentiate(Record& record, const StepOptions& given) {
   for (RecordColumn& column : record.columns) {
     column.values = (times == 1 ? slopes : bends)(column.values, record.interval());
     if (column.dimension)
-      column.dimension = *column.dimension / power(time_dimension, static_cast<double>(times));
+      column.dimension = *column.dimension / unit::power(time_dimension, static_cast<double>(times));
   }
 }
 

@@ -12,7 +12,7 @@ constexpr int usual_order = 4, highest_order = 12;
 }  // namespace
 
 void low_pass(Record& record, const StepOptions& given) {
-  const double frequency = given.positive("low_pass", Dimension{} / time_dimension);
+  const double frequency = given.positive("low_pass", unit::Dimension{} / time_dimension);
   const int order =
       given.has("order") ? static_cast<int>(given.whole("order", 1, highest_order)) : usual_order;
   given.require_rows(record, rows_beyond_ends(order) + 1, fmt::format("order {}", order));

@@ -22,11 +22,11 @@ std::string place_in_file(const std::string& file, const std::string& column, st
                    : fmt::format("{}: element {} of {}", file, row + 1, column);
 }
 
-std::string no_column(const std::string& file, const Table& table, const std::string& name) {
+std::string no_column(const std::string& file, const table::Table& table, const std::string& name) {
   std::vector<std::string> names;
-  for (const Column& column : table.columns) names.push_back(column.name);
+  for (const table::Column& column : table.columns) names.push_back(column.name);
   return fmt::format("{} has no column '{}'{}", file, name,
-                     did_you_mean(name, names, fmt::format("It has: {}", fmt::join(names, ", "))));
+                     yaml::did_you_mean(name, names, fmt::format("It has: {}", fmt::join(names, ", "))));
 }
 
 }  // namespace stepwire

@@ -11,12 +11,12 @@
 
 namespace stepwire {
 
-inline constexpr Dimension time_dimension{{0.0, 0.0, 1.0}};
+inline constexpr unit::Dimension time_dimension{{0.0, 0.0, 1.0}};
 
 /// One column of a record in SI, and what it is, where its unit is known.
 struct RecordColumn {
   std::string name;
-  std::optional<Dimension> dimension;
+  std::optional<unit::Dimension> dimension;
   std::vector<double> values;
 };
 
@@ -28,9 +28,9 @@ struct Record {
   std::vector<double> time;           ///< of each row [s], increasing; two rows or more
   std::vector<RecordColumn> columns;  ///< as long as `time` each
 
-  const RecordTable* table = nullptr;  ///< the whole file
-  Index first = 0;                     ///< row of the table that was the record's first one
-  std::vector<double> file_times;      ///< of the rows from there on that the record was made of [s]
+  const table::RecordTable* table = nullptr;  ///< the whole file
+  Index first = 0;                            ///< row of the table that was the record's first one
+  std::vector<double> file_times;             ///< of the rows from there on that the record was made of [s]
 
   Index rows() const { return static_cast<Index>(time.size()); }
   /// Mean time between rows [s].
@@ -47,6 +47,6 @@ std::string place_in_file(const std::string& file, const std::string& column, st
 
 /// What to tell where a file has no such column: "press.csv has no column 'F'; did you mean 'F_N'? It has:
 /// t_s, F_N".
-std::string no_column(const std::string& file, const Table& table, const std::string& name);
+std::string no_column(const std::string& file, const table::Table& table, const std::string& name);
 
 }  // namespace stepwire

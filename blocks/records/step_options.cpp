@@ -13,12 +13,12 @@ namespace stepwire {
 namespace {
 
 /// A number with or without a unit, or, as parameters come in, a formula of numbers in SI.
-std::optional<Quantity> read_number(const std::string& text) {
-  if (const auto quantity = parse_quantity(text)) return quantity;
+std::optional<unit::Quantity> read_number(const std::string& text) {
+  if (const auto quantity = unit::parse_quantity(text)) return quantity;
   try {
-    const double value = Expression(text, [](std::string_view) { return false; })({});
-    return std::isfinite(value) ? std::optional<Quantity>({value, std::nullopt}) : std::nullopt;
-  } catch (const ExpressionError&) {
+    const double value = expression::Expression(text, [](std::string_view) { return false; })({});
+    return std::isfinite(value) ? std::optional<unit::Quantity>({value, std::nullopt}) : std::nullopt;
+  } catch (const expression::ExpressionError&) {
     return std::nullopt;
   }
 }
@@ -32,24 +32,24 @@ std::string StepOptions::text(std::string_view key) const {
   return *value->text();
 }
 
-double StepOptions::number(std::string_view key, const std::optional<Dimension>& dimension) const {
+double StepOptions::number(std::string_view key, const std::optional<unit::Dimension>& dimension) const {
   const std::string given = text(key);
   const auto quantity = read_number(given);
   if (!quantity) refuse(key, fmt::format("'{}' is no number; write it as in {}", given, example_));
   if (quantity->dimension && dimension && *quantity->dimension != *dimension)
-    refuse(key, fmt::format("{} is in {}, but must be in {}", given, si_name(*quantity->dimension),
-                            si_name(*dimension)));
+    refuse(key, fmt::format("{} is in {}, but must be in {}", given, unit::si_name(*quantity->dimension),
+                            unit::si_name(*dimension)));
   return quantity->value;
 }
 
-double StepOptions::positive(std::string_view key, const Dimension& dimension) const {
+double StepOptions::positive(std::string_view key, const unit::Dimension& dimension) const {
   const double value = number(key, dimension);
   if (!(value > 0.0)) refuse(key, fmt::format("{} is not allowed; it must be above 0", text(key)));
   return value;
 }
 
 Index StepOptions::whole(std::string_view key, Index least, Index most) const {
-  const double value = number(key, Dimension{});
+  const double value = number(key, unit::Dimension{});
   if (value != std::round(value) || value < static_cast<double>(least) || value > static_cast<double>(most))
     refuse(key,
            fmt::format("{} is not allowed; it must be a whole number from {} to {}", text(key), least, most));

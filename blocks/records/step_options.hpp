@@ -26,8 +26,8 @@ class StepOptions {
   std::string text(std::string_view key) const;
   /// A number in SI, whose unit must be of this dimension if it has one. Where there is none to compare with,
   /// any unit goes.
-  double number(std::string_view key, const std::optional<Dimension>& dimension) const;
-  double positive(std::string_view key, const Dimension& dimension) const;
+  double number(std::string_view key, const std::optional<unit::Dimension>& dimension) const;
+  double positive(std::string_view key, const unit::Dimension& dimension) const;
   /// A whole number from `least` to `most`.
   Index whole(std::string_view key, Index least, Index most) const;
   /// Index of the word that stands there.

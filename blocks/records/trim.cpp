@@ -12,7 +12,7 @@ namespace {
 /// The record's part of a column of the file, in the file's unit.
 std::vector<double> rows_of(const Record& record, const StepOptions& given) {
   const std::string name = given.text("trim");
-  const Column* column = record.table->find(name);
+  const table::Column* column = record.table->find(name);
   if (!column) given.refuse("trim", no_column(record.file, *record.table, name));
   if (const auto problem = record.table->problems.find(name); problem != record.table->problems.end())
     given.refuse("trim", problem->second);
@@ -49,7 +49,7 @@ void keep(std::vector<double>& values, std::ptrdiff_t first, std::ptrdiff_t end)
 void trim(Record& record, const StepOptions& given) {
   const std::vector<double> y = rows_of(record, given);
   const auto [low, high] = std::minmax_element(y.begin(), y.end());
-  const double share = given.has("threshold") ? given.positive("threshold", Dimension{}) : 0.02;
+  const double share = given.has("threshold") ? given.positive("threshold", unit::Dimension{}) : 0.02;
   if (!(share < 1.0))
     given.refuse("threshold", "it is a share of the column's range and must be below 100 %");
   if (!(*high > *low))

@@ -21,23 +21,23 @@ namespace {
 constexpr double longest = 1e12,
                  shortest = 1e-12;  // [s]; far beyond, places in the record would not be numbers
 
-std::shared_ptr<const RecordTable> read_file(const FromFile& asked, const Configure& is) {
+std::shared_ptr<const table::RecordTable> read_file(const FromFile& asked, const Configure& is) {
   std::error_code none;
   if (!std::filesystem::exists(asked.file.view(), none))
     is.refuse<&FromFile::file>(fmt::format("there is no file {}", asked.file.string()));
   if (!std::filesystem::is_regular_file(asked.file.view(), none))
     is.refuse<&FromFile::file>(fmt::format("{} is no file that holds a table", asked.file.string()));
   try {
-    return TableCache::of_process().read(asked.file.string());
-  } catch (const TableError& error) {
+    return data_file::TableCache::of_process().read(asked.file.string());
+  } catch (const table::TableError& error) {
     is.refuse<&FromFile::file>(error.what());
   }
 }
 
 template <auto parameter>
-const Column& find_column(const FromFile& asked, const Configure& is, const RecordTable& table,
-                          const std::string& name, const char* cure) {
-  const Column* column = table.find(name);
+const table::Column& find_column(const FromFile& asked, const Configure& is, const table::RecordTable& table,
+                                 const std::string& name, const char* cure) {
+  const table::Column* column = table.find(name);
   if (!column) is.refuse<parameter>(no_column(asked.file.string(), table, name) + cure);
   if (const auto problem = table.problems.find(name); problem != table.problems.end())
     is.refuse<parameter>(problem->second);
@@ -49,8 +49,8 @@ const Column& find_column(const FromFile& asked, const Configure& is, const Reco
 }
 
 template <auto parameter>
-Unit read_unit(const Configure& is, const std::string& text) {
-  const auto unit = parse_unit(text);
+unit::Unit read_unit(const Configure& is, const std::string& text) {
+  const auto unit = unit::parse_unit(text);
   if (!unit)
     is.refuse<parameter>(fmt::format("'{}' is no unit; name the one of the column, as `unit: mm`", text));
   return *unit;
@@ -65,30 +65,30 @@ bool is_other_word(std::string_view ending) {
 std::string unit_in_name(const std::string& name) {
   const std::string ending = name.substr(name.rfind('_') + 1);
   if (ending.size() == name.size() || is_other_word(ending)) return "";
-  const auto unit = parse_unit(ending);
+  const auto unit = unit::parse_unit(ending);
   return unit && (unit->scale != 1.0L || unit->offset != 0.0L) ? ending : "";
 }
 
 /// The column with the times: as the block says, else `time`, or `t` where there is none.
-std::string time_name(const FromFile& asked, const RecordTable& table) {
+std::string time_name(const FromFile& asked, const table::RecordTable& table) {
   const std::string name(asked.time);
   return name == "time" && !table.find(name) && table.find("t") ? "t" : name;
 }
 
 /// Times of all rows [s]. A column without a unit is in seconds.
-std::vector<double> times(const FromFile& asked, const Configure& is, const RecordTable& table,
+std::vector<double> times(const FromFile& asked, const Configure& is, const table::RecordTable& table,
                           std::size_t rows) {
   std::vector<double> result(rows);
   for (std::size_t row = 0; row < rows; ++row) result[row] = asked.sample_time * static_cast<double>(row);
   if (asked.sample_time > 0.0) return result;
-  const Column& column = find_column<&FromFile::time>(asked, is, table, time_name(asked, table),
-                                                      "; name the one with the times, or give sample_time");
+  const table::Column& column = find_column<&FromFile::time>(
+      asked, is, table, time_name(asked, table), "; name the one with the times, or give sample_time");
   if (const std::string told = unit_in_name(column.name); column.unit.empty() && !told.empty())
     is.refuse<&FromFile::time>(
         fmt::format("in {} the header gives no unit of '{}', which would be seconds, but its name says {}; "
                     "write `{} [{}]` there",
                     asked.file.string(), column.name, told, column.name, told));
-  const Unit unit = read_unit<&FromFile::time>(is, column.unit.empty() ? "s" : column.unit);
+  const unit::Unit unit = read_unit<&FromFile::time>(is, column.unit.empty() ? "s" : column.unit);
   if (unit.dimension != time_dimension)
     is.refuse<&FromFile::time>(
         fmt::format("column '{}' is in {}, not in a unit of time", column.name, column.unit));
@@ -104,7 +104,8 @@ std::vector<double> times(const FromFile& asked, const Configure& is, const Reco
 
 /// The unit of a column: as the block says, else as the header says, else SI. A name that says another one is
 /// not passed over.
-std::string unit_of(const FromFile& asked, const Configure& is, const Column& column, std::size_t index) {
+std::string unit_of(const FromFile& asked, const Configure& is, const table::Column& column,
+                    std::size_t index) {
   if (!asked.unit.empty()) return asked.unit.size() == 1 ? asked.unit.front() : asked.unit[index];
   if (const std::string told = unit_in_name(column.name); column.unit.empty() && !told.empty())
     is.refuse<&FromFile::column>(fmt::format(
@@ -114,11 +115,11 @@ std::string unit_of(const FromFile& asked, const Configure& is, const Column& co
 }
 
 /// Rows of a column from `first` on, in SI.
-RecordColumn read_column(const FromFile& asked, const Configure& is, const Column& column, std::size_t index,
-                         Index first, Index rows) {
+RecordColumn read_column(const FromFile& asked, const Configure& is, const table::Column& column,
+                         std::size_t index, Index first, Index rows) {
   const std::string text = unit_of(asked, is, column, index);
-  const Unit unit = read_unit<&FromFile::unit>(is, text);
-  if (const auto header = parse_unit(column.unit);
+  const unit::Unit unit = read_unit<&FromFile::unit>(is, text);
+  if (const auto header = unit::parse_unit(column.unit);
       !column.unit.empty() && header && header->dimension != unit.dimension)
     is.refuse<&FromFile::unit>(fmt::format("'{}' is not what the header of {} says of '{}', which is in {}",
                                            text, asked.file.string(), column.name, column.unit));
@@ -147,8 +148,8 @@ void cut(const FromFile& asked, const Configure& is, const std::vector<double>& 
 }
 
 /// What the file holds, cut to its range.
-Record read_record(const FromFile& asked, const Configure& is, const RecordTable& table) {
-  std::vector<const Column*> columns;
+Record read_record(const FromFile& asked, const Configure& is, const table::RecordTable& table) {
+  std::vector<const table::Column*> columns;
   for (const std::string& name : asked.column)
     columns.push_back(&find_column<&FromFile::column>(asked, is, table, name, ""));
   const std::vector<double> time = times(asked, is, table, columns.front()->values.size());
@@ -156,7 +157,7 @@ Record read_record(const FromFile& asked, const Configure& is, const RecordTable
   record.file = asked.file.string();
   record.time_name = time_name(asked, table);
   record.table = &table;
-  for (const Column* column : columns)
+  for (const table::Column* column : columns)
     if (column->values.size() != time.size())
       is.refuse<&FromFile::column>(fmt::format("{}: {} has {} rows, but there are {} times", record.file,
                                                column->name, column->values.size(), time.size()));
@@ -172,7 +173,7 @@ std::optional<std::string> unit_of(const Record& record) {
   const auto& dimension = record.columns.front().dimension;
   for (const RecordColumn& column : record.columns)
     if (!column.dimension || column.dimension != dimension) return std::nullopt;
-  return si_name(*dimension);
+  return unit::si_name(*dimension);
 }
 
 Samples samples_of(const Record& record) {
@@ -195,7 +196,7 @@ void require_even(const FromFile& asked, const Configure& is, const Record& reco
 }
 
 PlayedRecord played(const FromFile& asked, const Configure& is,
-                    const std::shared_ptr<const RecordTable>& table) {
+                    const std::shared_ptr<const table::RecordTable>& table) {
   Record record = read_record(asked, is, *table);
   prepare_record(record, asked.prepare_.value(), [&](const std::string& message, const Value& where) {
     is.refuse<&FromFile::prepare_>(message, where);
@@ -254,15 +255,15 @@ class Name {
   std::string text_;
 };
 
-Recent<PlayedRecord>& records_of_process() {
-  static Recent<PlayedRecord> records(8'000'000);
+data_file::Recent<PlayedRecord>& records_of_process() {
+  static data_file::Recent<PlayedRecord> records(8'000'000);
   return records;
 }
 
 }  // namespace
 
 std::shared_ptr<const PlayedRecord> read_samples(const FromFile& asked, Configure& is) {
-  const std::shared_ptr<const RecordTable> table = read_file(asked, is);
+  const std::shared_ptr<const table::RecordTable> table = read_file(asked, is);
   const std::string name = Name(asked).text();
   auto record =
       records_of_process().find(name, [&](const PlayedRecord& known) { return known.table.lock() == table; });

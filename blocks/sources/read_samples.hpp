@@ -11,7 +11,7 @@ namespace stepwire {
 
 /// A record as a FromFile plays it: in SI, cut to its range and prepared.
 struct PlayedRecord {
-  std::weak_ptr<const RecordTable> table;  ///< that it was made of
+  std::weak_ptr<const table::RecordTable> table;  ///< that it was made of
   Samples samples;
   BandLimited smooth;               ///< of the columns, where band-limited
   std::optional<std::string> unit;  ///< where all columns have one and the same

@@ -11,26 +11,26 @@
 namespace stepwire {
 
 struct Model::Content {
-  Content(const std::string& path, Registry blocks, const std::vector<Setting>& settings);
+  Content(const std::string& path, Registry blocks, const std::vector<diagram::Setting>& settings);
 
   Registry registry;
-  Loader loader;
-  Job job;
+  diagram::Loader loader;
+  run::Job job;
   std::vector<SignalInfo> signals;
   std::vector<InputInfo> inputs;
-  std::vector<SignalSlot> slots;  ///< of the signals, in the plan of the job
+  std::vector<plan::SignalSlot> slots;  ///< of the signals, in the plan of the job
 
   /// Throw std::logic_error for what another model has made.
   std::size_t index(SignalId signal) const;
   std::size_t index(InputId input) const;
   /// Where the signals lie in the plan of another structure, which a sweep may have; of size 0 where it has
   /// none of the name.
-  std::vector<SignalSlot> slots_in(const Plan& plan) const;
+  std::vector<plan::SignalSlot> slots_in(const plan::Plan& plan) const;
 };
 
 /// Sets a value of a run between two ticks. Throws Error where it is refused, or where it calls for another
 /// plan.
-void set_value(Executor& run, const std::string& name, Node value);
+void set_value(run::Executor& run, const std::string& name, yaml::Node value);
 
 /// Throws Error where an input does not have so many numbers.
 void check_size(const InputInfo& input, std::size_t count);

@@ -11,12 +11,12 @@ namespace stepwire {
 
 namespace {
 
-std::string unit_of(const std::optional<Dimension>& dimension) {
-  return dimension && *dimension != Dimension{} ? si_name(*dimension) : "";
+std::string unit_of(const std::optional<unit::Dimension>& dimension) {
+  return dimension && *dimension != unit::Dimension{} ? unit::si_name(*dimension) : "";
 }
 
-std::vector<Setting> settings_of(const NamedTexts& texts) {
-  std::vector<Setting> settings;
+std::vector<diagram::Setting> settings_of(const NamedTexts& texts) {
+  std::vector<diagram::Setting> settings;
   for (const auto& [name, text] : texts) settings.push_back({name, text, name + "=" + text});
   return settings;
 }
@@ -29,8 +29,11 @@ std::size_t find(const std::vector<Info>& all, const std::string& name, const ch
   if (found != all.end()) return static_cast<std::size_t>(found - all.begin());
   std::vector<std::string> names;
   for (const Info& info : all) names.push_back(info.name);
-  throw Error(Fault{
-      {file, {}}, name, fmt::format("there is no {} of this name{}", kind, did_you_mean(name, names)), {}});
+  throw yaml::Error(
+      yaml::Fault{{file, {}},
+                  name,
+                  fmt::format("there is no {} of this name{}", kind, yaml::did_you_mean(name, names)),
+                  {}});
 }
 
 template <class Id>
@@ -41,15 +44,16 @@ std::size_t index_of(Id id, const Model::Content* model) {
 
 }  // namespace
 
-Model::Content::Content(const std::string& path, Registry blocks, const std::vector<Setting>& settings)
-    : registry(std::move(blocks)), loader(registry), job(make_job(loader, path, settings)) {
-  const Plan& plan = job.plan;
-  for (const auto& [name, signal] : named_signals(plan.diagram)) {
+Model::Content::Content(const std::string& path, Registry blocks,
+                        const std::vector<diagram::Setting>& settings)
+    : registry(std::move(blocks)), loader(registry), job(run::make_job(loader, path, settings)) {
+  const plan::Plan& plan = job.plan;
+  for (const auto& [name, signal] : diagram::named_signals(plan.diagram)) {
     slots.push_back(plan.slot(signal));
     signals.push_back({name, unit_of(plan.dimension(signal)), static_cast<std::size_t>(slots.back().size)});
   }
-  for (const DiagramInput& input : plan.diagram.inputs) {
-    const SignalRef signal{input.block, 0, -1};
+  for (const diagram::DiagramInput& input : plan.diagram.inputs) {
+    const diagram::SignalRef signal{input.block, 0, -1};
     inputs.push_back({input.name, unit_of(plan.dimension(signal)),
                       static_cast<std::size_t>(plan.slot(signal).size), input.doc});
   }
@@ -63,21 +67,21 @@ std::size_t Model::Content::index(InputId input) const {
   return index_of(input, this);
 }
 
-std::vector<SignalSlot> Model::Content::slots_in(const Plan& plan) const {
-  const auto named = named_signals(plan.diagram);
-  std::vector<SignalSlot> found;
+std::vector<plan::SignalSlot> Model::Content::slots_in(const plan::Plan& plan) const {
+  const auto named = diagram::named_signals(plan.diagram);
+  std::vector<plan::SignalSlot> found;
   for (const SignalInfo& signal : signals) {
     const auto known = named.find(signal.name);
-    found.push_back(known == named.end() ? SignalSlot{0, 0} : plan.slot(known->second));
+    found.push_back(known == named.end() ? plan::SignalSlot{0, 0} : plan.slot(known->second));
   }
   return found;
 }
 
-void set_value(Executor& run, const std::string& name, Node value) {
-  const Diagram& diagram = run.plan().diagram;
-  const Assignment assignment{name, std::move(value), "set " + name};
-  if (run.set(Variation(diagram, {name}), {&assignment, 1}) == Executor::Setting::done) return;
-  throw Error(Fault{
+void set_value(run::Executor& run, const std::string& name, yaml::Node value) {
+  const diagram::Diagram& diagram = run.plan().diagram;
+  const diagram::Assignment assignment{name, std::move(value), "set " + name};
+  if (run.set(diagram::Variation(diagram, {name}), {&assignment, 1}) == run::Executor::Setting::done) return;
+  throw yaml::Error(yaml::Fault{
       {diagram.file, {}},
       name,
       fmt::format("cannot be set in a run ({}); load the model with this value", run.structure_change()),
@@ -86,7 +90,8 @@ void set_value(Executor& run, const std::string& name, Node value) {
 
 void check_size(const InputInfo& input, std::size_t count) {
   if (count == input.size) return;
-  throw Error(Fault{{}, input.name, fmt::format("takes {} numbers, not {}", input.size, count), {}});
+  throw yaml::Error(
+      yaml::Fault{{}, input.name, fmt::format("takes {} numbers, not {}", input.size, count), {}});
 }
 
 const std::string& Model::file() const {
@@ -123,7 +128,7 @@ InputId Model::input(const std::string& name) const {
 
 std::vector<ParameterInfo> Model::parameters() const {
   std::vector<ParameterInfo> all;
-  for (const DiagramParameter& parameter : content_->job.plan.diagram.parameters)
+  for (const diagram::DiagramParameter& parameter : content_->job.plan.diagram.parameters)
     all.push_back({parameter.name, parameter.text, unit_of(parameter.dimension), parameter.doc});
   return all;
 }

@@ -14,9 +14,12 @@ namespace stepwire {
 
 class Registry;
 
+using io::EnvironmentError;
+using yaml::Error;
+
 #ifdef STEPWIRE_PACKAGE  // by the target of the installed package: its folder share/stepwire
 namespace detail {
-inline const bool package_is_noted = (note_package(STEPWIRE_PACKAGE), true);
+inline const bool package_is_noted = (io::note_package(STEPWIRE_PACKAGE), true);
 }
 #endif
 

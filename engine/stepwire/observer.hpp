@@ -12,10 +12,17 @@
 
 #include "engine/simulate/run/flow.hpp"
 
+namespace stepwire::plan {
+struct SignalSlot;
+}
+
+namespace stepwire::run {
+class Executor;
+}
+
 namespace stepwire {
 
-class Executor;
-struct SignalSlot;
+using run::Flow;
 
 /// A run of simulate() as an observer sees it.
 class Running {
@@ -23,8 +30,8 @@ class Running {
   /// What it looks at; for the library itself.
   struct View {
     const Model::Content& model;
-    Executor& run;
-    const std::vector<SignalSlot>& slots;
+    run::Executor& run;
+    const std::vector<plan::SignalSlot>& slots;
     std::size_t index;
   };
   explicit Running(const View& view) : view_(view) {}

@@ -16,16 +16,16 @@ double Running::time() const {
 }
 
 std::span<const double> Running::operator[](SignalId signal) const {
-  const SignalSlot& slot = view_.slots[view_.model.index(signal)];
+  const plan::SignalSlot& slot = view_.slots[view_.model.index(signal)];
   return {view_.run.values() + slot.offset, static_cast<std::size_t>(slot.size)};
 }
 
 void Running::set(const std::string& name, double value) {
-  set_value(view_.run, name, value_of_number(value, {}));
+  set_value(view_.run, name, diagram::value_of_number(value, {}));
 }
 
 void Running::set(const std::string& name, const std::string& text) {
-  set_value(view_.run, name, value_of_text(text, "set " + name));
+  set_value(view_.run, name, diagram::value_of_text(text, "set " + name));
 }
 
 void Running::set(InputId input, double value) {

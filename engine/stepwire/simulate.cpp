@@ -14,28 +14,28 @@ namespace stepwire {
 namespace {
 
 /// Shows the runs to an observer of a user.
-class Shown : public RunObserver {
+class Shown : public run::RunObserver {
  public:
   Shown(const Model::Content& model, Observer& to) : model_(model), to_(to) {}
 
-  void begin(const ObservedRun& run) override { to_.begin(running(run)); }
-  Flow before_tick(const ObservedRun& run) override {
+  void begin(const run::ObservedRun& run) override { to_.begin(running(run)); }
+  run::Flow before_tick(const run::ObservedRun& run) override {
     Running now = running(run);
     return to_.before_tick(now);
   }
-  void evaluated(const ObservedRun& run) override { to_.evaluated(running(run)); }
-  void row(const ObservedRun& run, std::size_t recording, std::span<const double> numbers) override {
+  void evaluated(const run::ObservedRun& run) override { to_.evaluated(running(run)); }
+  void row(const run::ObservedRun& run, std::size_t recording, std::span<const double> numbers) override {
     to_.row(running(run), recording, numbers);
   }
-  void end(const ObservedRun& run) override { to_.end(running(run)); }
+  void end(const run::ObservedRun& run) override { to_.end(running(run)); }
 
  private:
-  Running running(const ObservedRun& run) {
+  Running running(const run::ObservedRun& run) {
     return Running({model_, run.simulation, slots_of(run.simulation.plan()), run.index});
   }
 
   /// Points of a sweep may have plans of other structures, in which signals lie elsewhere.
-  const std::vector<SignalSlot>& slots_of(const Plan& plan) {
+  const std::vector<plan::SignalSlot>& slots_of(const plan::Plan& plan) {
     if (&plan == &model_.job.plan) return model_.slots;
     const std::lock_guard lock(mutex_);
     const auto known = slots_.find(&plan);
@@ -45,7 +45,7 @@ class Shown : public RunObserver {
   const Model::Content& model_;
   Observer& to_;
   std::mutex mutex_;
-  std::map<const Plan*, std::vector<SignalSlot>> slots_;
+  std::map<const plan::Plan*, std::vector<plan::SignalSlot>> slots_;
 };
 
 }  // namespace
@@ -54,8 +54,8 @@ Result simulate(const Model& model, const SimulateOptions& options) {
   std::atomic<bool> interrupt = false;
   const std::stop_callback stop(options.stop, [&] { interrupt = true; });
   std::vector<std::unique_ptr<Shown>> shown;
-  GeneratedCode code;
-  RunOptions run;
+  codegen::GeneratedCode code;
+  run::RunOptions run;
   run.interrupt = &interrupt;
   run.progress = options.progress;
   run.threads = options.threads;
@@ -65,7 +65,7 @@ Result simulate(const Model& model, const SimulateOptions& options) {
     shown.push_back(std::make_unique<Shown>(model.content(), *observer));
     run.observers.push_back(shown.back().get());
   }
-  RunResult result = run_job(model.content().job, run);
+  run::RunResult result = run::run_job(model.content().job, run);
   return {std::move(result.recordings),
           std::move(result.faults),
           std::move(result.diagnostics),
@@ -77,12 +77,12 @@ Result simulate(const Model& model, const SimulateOptions& options) {
 
 std::span<const double> Result::operator[](const std::string& column) const {
   std::vector<std::string> names;
-  for (const Recording& recording : recordings) {
-    if (const Column* found = recording.table.find(column)) return found->values;
-    for (const Column& known : recording.table.columns) names.push_back(known.name);
+  for (const record::Recording& recording : recordings) {
+    if (const table::Column* found = recording.table.find(column)) return found->values;
+    for (const table::Column& known : recording.table.columns) names.push_back(known.name);
   }
-  throw Error(
-      Fault{{}, column, fmt::format("nothing of this name is recorded{}", did_you_mean(column, names)), {}});
+  throw yaml::Error(yaml::Fault{
+      {}, column, fmt::format("nothing of this name is recorded{}", yaml::did_you_mean(column, names)), {}});
 }
 
 }  // namespace stepwire

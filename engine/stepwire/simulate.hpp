@@ -16,6 +16,11 @@
 
 namespace stepwire {
 
+using record::Recording;
+using run::ExecutionMode;
+using run::RaisedDiagnostic;
+using run::RunFault;
+
 struct SimulateOptions {
   std::vector<Observer*> observers{};  ///< of every run; must outlive the call
   std::stop_token stop{};              ///< ends the runs, which keep what they have

@@ -24,7 +24,7 @@ class WaitingInputs {
     std::ranges::copy(values, waiting_[input].values.begin());
     waiting_[input].fresh = true;
   }
-  void write_to(Executor& run) {
+  void write_to(run::Executor& run) {
     for (std::size_t i = 0; i < waiting_.size(); ++i)
       if (std::exchange(waiting_[i].fresh, false)) run.write_input(i, waiting_[i].values.data());
   }
@@ -42,7 +42,7 @@ class WaitingInputs {
 
 }  // namespace
 
-void check_plan(const Snapshot& snapshot, const Plan& plan) {
+void check_plan(const Snapshot& snapshot, const plan::Plan& plan) {
   if (snapshot.content().plan != &plan) throw std::logic_error("a snapshot of another model is restored");
 }
 
@@ -53,15 +53,15 @@ struct Simulation::State {
         stopper(plan()),
         inputs(model.inputs()),
         shown(plan().layout.size) {
-    const Variation tuned(plan().diagram, options.tuned);
-    if (options.engine == ExecutionMode::interpreted) return;
-    GeneratedCode source;
-    code = source.compile(plan(), variable_blocks(plan(), tuned), {});
+    const diagram::Variation tuned(plan().diagram, options.tuned);
+    if (options.engine == run::ExecutionMode::interpreted) return;
+    codegen::GeneratedCode source;
+    code = source.compile(plan(), plan::variable_blocks(plan(), tuned), {});
     problem = source.take_problem();
     if (code) run.use(*code);
   }
 
-  const Plan& plan() const { return model.content().job.plan; }
+  const plan::Plan& plan() const { return model.content().job.plan; }
 
   /// Leaves a tick that is shown, whose numbers stay to be looked at.
   void leave_tick() {
@@ -73,7 +73,7 @@ struct Simulation::State {
   }
 
   void step() {
-    if (ended) throw Error(Fault{{model.file(), {}}, "", "the run has ended", {}});
+    if (ended) throw yaml::Error(yaml::Fault{{model.file(), {}}, "", "the run has ended", {}});
     if (at_tick) run.advance();
     at_tick = true;
     require_health();
@@ -86,16 +86,16 @@ struct Simulation::State {
   void require_health() {
     if (run.healthy()) return;
     ended = true;
-    if (auto fault = run.fault()) throw Error(std::move(fault->fault));
+    if (auto fault = run.fault()) throw yaml::Error(std::move(fault->fault));
   }
 
   const double* values() const { return at_tick ? run.values() : shown.data(); }
 
   Model model;
-  std::optional<CompiledPlan> code;
+  std::optional<plan::CompiledPlan> code;
   std::string problem;
-  Executor run;
-  StopConditionEvaluator stopper;
+  run::Executor run;
+  run::StopConditionEvaluator stopper;
   WaitingInputs inputs;
   bool at_tick = false;  ///< are outputs computed, and updates not yet?
   bool ended = false;
@@ -111,11 +111,11 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 void Simulation::set(const std::string& name, double value) {
   state_->leave_tick();
-  set_value(state_->run, name, value_of_number(value, {}));
+  set_value(state_->run, name, diagram::value_of_number(value, {}));
 }
 
 void Simulation::set(const std::string& name, const std::string& text) {
-  Node value = value_of_text(text, "set " + name);
+  yaml::Node value = diagram::value_of_text(text, "set " + name);
   state_->leave_tick();
   set_value(state_->run, name, std::move(value));
 }
@@ -144,7 +144,7 @@ double Simulation::time() const {
 
 std::span<const double> Simulation::operator[](SignalId signal) const {
   const Model::Content& content = state_->model.content();
-  const SignalSlot& slot = content.slots[content.index(signal)];
+  const plan::SignalSlot& slot = content.slots[content.index(signal)];
   return {state_->values() + slot.offset, static_cast<std::size_t>(slot.size)};
 }
 

@@ -14,6 +14,8 @@
 
 namespace stepwire {
 
+using run::ExecutionMode;
+
 struct SimulationOptions {
   ExecutionMode engine = ExecutionMode::interpreted;  ///< automatic is as compiled here
   /// Names that set() will set; compiled code goes on to be used after these alone.

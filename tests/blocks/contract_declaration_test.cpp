@@ -45,7 +45,7 @@ bool is_clean(const std::string& doc) {
 
 Words unit_variables(const std::string& unit) {
   Words names;
-  if (const auto expression = parse_unit_expression(unit))
+  if (const auto expression = diagram::parse_unit_expression(unit))
     for (const auto& [name, exponent] : expression->variables) names.insert(name);
   return names;
 }
@@ -84,7 +84,8 @@ TEST_CASE("a block's name is in Pascal case and its file is named alike") {
   for (const BlockType* type : library().types()) {
     INFO(type->name);
     CHECK(std::regex_match(type->name, std::regex("[A-Z][A-Za-z0-9]*")));
-    const auto file = std::filesystem::path("blocks") / type->folder / (snake_case(type->name) + ".hpp");
+    const auto file =
+        std::filesystem::path("blocks") / type->folder / (reference::snake_case(type->name) + ".hpp");
     CHECK(std::filesystem::exists(STEPWIRE_SOURCE_DIR / file));
   }
 }
@@ -109,7 +110,7 @@ TEST_CASE(
     Words bound;
     for (const Member& member : members_of(*type)) {
       INFO(type->name << "." << member.name << " [" << member.unit << "]");
-      CHECK(parse_unit_expression(member.unit).has_value());
+      CHECK(diagram::parse_unit_expression(member.unit).has_value());
     }
     for (const auto& spec : type->inputs) bound.merge(unit_variables(spec.unit));
     for (const auto& spec : type->parameters) bound.merge(unit_variables(spec.unit));
@@ -144,7 +145,7 @@ TEST_CASE("sizes of outputs and states are numbers, or letters that inputs or pa
 TEST_CASE("no two keys of a block are the same, and none is one that every block has") {
   for (const BlockType* type : library().types()) {
     Words keys{"block", "diagram"};
-    for (const std::string& key : keys_of(*type)) {
+    for (const std::string& key : diagram::keys_of(*type)) {
       INFO(type->name << "." << key);
       CHECK(std::regex_match(key, std::regex("[A-Za-z][A-Za-z0-9_]*")));
       CHECK(keys.insert(key).second);
@@ -177,7 +178,8 @@ TEST_CASE("the default of a parameter is in its range and survives being set") {
       if (!spec.required)
         for (double number : numbers_in(value)) CHECK(is_allowed(spec.range, number));
       spec.set(block.get(), value);
-      CHECK(value_json(spec, spec.get(block.get())).text() == value_json(spec, value).text());
+      CHECK(reference::value_json(spec, spec.get(block.get())).text() ==
+            reference::value_json(spec, value).text());
     }
 }
 
@@ -224,7 +226,8 @@ TEST_CASE("a block can be made, copied, moved and destroyed") {
     AnyBlock moved = std::move(block);
     copy = moved;
     for (const ParameterSpec& spec : type->parameters)
-      CHECK(value_json(spec, spec.get(copy.get())).text() == value_json(spec, spec.get(moved.get())).text());
+      CHECK(reference::value_json(spec, spec.get(copy.get())).text() ==
+            reference::value_json(spec, spec.get(moved.get())).text());
     for (const PresetSpec& preset : type->presets) preset.apply(copy.get());
   }
 }

@@ -12,7 +12,7 @@ namespace {
 /// A moment of a run in which what feeds one input of the tested block can be put to another value.
 class Bench {
  public:
-  explicit Bench(const Plan& plan) : plan_(plan), simulation_(plan) {
+  explicit Bench(const plan::Plan& plan) : plan_(plan), simulation_(plan) {
     for (int tick = 0; tick < 7; ++tick) {
       simulation_.evaluate();
       simulation_.advance();
@@ -24,10 +24,10 @@ class Bench {
 
   /// All outputs, with the numbers that feed an input moved by this.
   std::vector<std::vector<double>> outputs(std::size_t input, double by) {
-    Workspace moved = kept_;
-    const DiagramBlock& tested = plan_.diagram.blocks[tested_in(plan_)];
-    for (const Source& source : tested.inputs[input]) {
-      const SignalSlot& state = plan_.blocks[static_cast<std::size_t>(source.block)].states.front();
+    run::Workspace moved = kept_;
+    const diagram::DiagramBlock& tested = plan_.diagram.blocks[tested_in(plan_)];
+    for (const diagram::Source& source : tested.inputs[input]) {
+      const plan::SignalSlot& state = plan_.blocks[static_cast<std::size_t>(source.block)].states.front();
       for (Eigen::Index k = 0; k < state.size; ++k)
         moved.values[state.offset + static_cast<std::size_t>(k)] += by * static_cast<double>(k + 1);
       by *= 0.5;  // else a difference of inputs would not show it
@@ -40,9 +40,9 @@ class Bench {
   }
 
  private:
-  const Plan& plan_;
-  Executor simulation_;
-  Workspace kept_;
+  const plan::Plan& plan_;
+  run::Executor simulation_;
+  run::Workspace kept_;
 };
 
 /// By how much inputs are moved: far, little, to the other side, and as far as a sign changes.
@@ -51,7 +51,7 @@ constexpr double moves[] = {0.3, -0.3, 2.0, -2.0, 1e-6};
 /// Pairs of input and output, "u -> y".
 using Pairs = std::map<std::string, bool>;
 
-void look_at(const Plan& plan, Pairs& declared) {
+void look_at(const plan::Plan& plan, Pairs& declared) {
   Bench bench(plan);
   if (!bench.healthy()) return;
   const BlockType& type = plan.diagram.blocks[tested_in(plan)].type();
@@ -75,7 +75,7 @@ Pairs pairs_of(const BlockType& type) {
   Pairs declared;
   for (const Wiring& wiring : wirings_of(type)) {
     INFO(wiring.text);
-    std::optional<Plan> plan;
+    std::optional<plan::Plan> plan;
     REQUIRE_NOTHROW(plan = plan_of(wiring));
     if (plan) look_at(*plan, declared);
   }

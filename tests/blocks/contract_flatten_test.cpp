@@ -11,13 +11,13 @@ TEST_CASE("every block is the same after it was written into a flattened file") 
       INFO(wiring.text);
       const auto plan = plan_of(wiring);
       if (!plan) continue;
-      const std::string text = flattened_text(plan->diagram);
+      const std::string text = diagram::flattened_text(plan->diagram);
       INFO(text);
       const auto flat = plan_of({text});
       REQUIRE(flat);
-      CHECK(flattened_text(flat->diagram) == text);
-      CHECK(diagram_hash(flat->diagram) == diagram_hash(plan->diagram));
-      Executor one(*plan), other(*flat);
+      CHECK(diagram::flattened_text(flat->diagram) == text);
+      CHECK(diagram::diagram_hash(flat->diagram) == diagram::diagram_hash(plan->diagram));
+      run::Executor one(*plan), other(*flat);
       while (one.tick() < 10 && one.healthy()) {
         one.evaluate();
         other.evaluate();

@@ -11,37 +11,37 @@ using namespace stepwire;
 
 namespace {
 
-Plan plan_beside(const std::string& yaml) {
-  Loader loader(library());
+plan::Plan plan_beside(const std::string& yaml) {
+  diagram::Loader loader(library());
   const auto beside = std::filesystem::path(STEPWIRE_SOURCE_DIR) / "tests" / "blocks" / "contract.yaml";
-  return make_plan(loader.load_text(yaml, beside.string()));
+  return plan::make_plan(loader.load_text(yaml, beside.string()));
 }
 
 /// Sets a parameter in a run of the plan; false where that is refused, or takes another plan.
-bool takes(Executor& run, const std::string& name, const Value& value) {
+bool takes(run::Executor& run, const std::string& name, const Value& value) {
   try {
-    return run.set(name, yaml_of(value)) == Executor::Setting::done;
-  } catch (const Error&) {
+    return run.set(name, yaml_of(value)) == run::Executor::Setting::done;
+  } catch (const yaml::Error&) {
     return false;
   }
 }
 
 /// All numbers of a block by its members.
 std::vector<double> numbers_in(const AnyBlock& block) {
-  return MemberItems(block.type(), block.get()).numbers();
+  return plan::MemberItems(block.type(), block.get()).numbers();
 }
 
 /// Sets each parameter of the tested block to other values. How many numbers moved.
-std::size_t check_followers(const Plan& plan) {
+std::size_t check_followers(const plan::Plan& plan) {
   std::size_t moved = 0;
   const std::size_t tested = tested_in(plan);
   const AnyBlock& block = plan.diagram.blocks[tested].block;
-  for (const DiagramParameter& parameter : plan.diagram.parameters) {
+  for (const diagram::DiagramParameter& parameter : plan.diagram.parameters) {
     const ParameterSpec* spec = block.type().parameter(parameter.name.substr(2));
-    const auto variable = variable_blocks(plan, Variation(plan.diagram, {parameter.name}));
+    const auto variable = plan::variable_blocks(plan, diagram::Variation(plan.diagram, {parameter.name}));
     for (const auto& [factor, more] : std::vector<std::pair<double, double>>{
              {1.001, 0.0}, {1.25, 0.0}, {0.7, 0.1}, {2.0, 3.0}, {0.0, 1.0}}) {
-      Executor run(plan);
+      run::Executor run(plan);
       const Value value = changed(parameter.value, factor, more, spec->kind == ParameterKind::integer);
       INFO(parameter.name << ": " << yaml_of(value));
       if (!takes(run, parameter.name, value)) continue;

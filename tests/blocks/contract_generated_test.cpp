@@ -22,8 +22,8 @@ constexpr std::int64_t ticks = 20;
 
 struct Made {
   std::string yaml;
-  Plan plan;
-  GeneratedProgram program;
+  plan::Plan plan;
+  codegen::GeneratedProgram program;
 };
 
 /// A program for each way to use each block. A block that no program can have says so by having no header.
@@ -34,9 +34,9 @@ std::vector<Made> all_made() {
       auto plan = plan_of(wiring);
       if (!plan) continue;
       try {
-        GeneratedProgram program = make_program(*plan);
+        codegen::GeneratedProgram program = codegen::make_program(*plan);
         all.push_back({wiring.text, std::move(*plan), std::move(program)});
-      } catch (const Error& error) {
+      } catch (const yaml::Error& error) {
         INFO(error.what());
         CHECK(type->header.empty());
       }
@@ -64,7 +64,7 @@ std::string source_of(const std::vector<Made>& all) {
 }
 
 /// The library with all of them; null where it cannot be compiled.
-void* compiled(const Compiler& compiler, const std::string& source) {
+void* compiled(const codegen::Compiler& compiler, const std::string& source) {
   const fs::path folder = fs::temp_directory_path() / fmt::format("stepwire-blocks-{}", ::getpid());
   fs::create_directories(folder);
   const std::string stem = (folder / "all").string();
@@ -78,7 +78,7 @@ void* compiled(const Compiler& compiler, const std::string& source) {
 }
 
 /// The tick from which on the two differ; nothing where they never do.
-std::optional<std::int64_t> first_difference(const Plan& plan, void* library, std::size_t index) {
+std::optional<std::int64_t> first_difference(const plan::Plan& plan, void* library, std::size_t index) {
   const auto find = [&]<class Function>(const char* name, Function*& function) {
     function = reinterpret_cast<Function*>(::dlsym(library, fmt::format("{}_{}", name, index).c_str()));
   };
@@ -88,7 +88,7 @@ std::optional<std::int64_t> first_difference(const Plan& plan, void* library, st
   find("reset", reset);
   find("evaluate", evaluate);
   find("advance", advance);
-  Executor interpreted(plan);
+  run::Executor interpreted(plan);
   std::vector<double> w(plan.layout.size, -1.0);
   reset(w.data());
   for (std::int64_t tick = 0; tick < ticks && interpreted.healthy(); ++tick) {
@@ -104,7 +104,7 @@ std::optional<std::int64_t> first_difference(const Plan& plan, void* library, st
 }  // namespace
 
 TEST_CASE("every block gives the interpreter's bits in generated code, however it is used") {
-  const Compiler compiler;
+  const codegen::Compiler compiler;
   if (!compiler.found()) {
     WARN("there is no C++ compiler here; nothing was compared");
     return;

@@ -186,25 +186,25 @@ std::vector<Wiring> wirings_of(const BlockType& type) {
   return wirings;
 }
 
-std::optional<Plan> plan_of(const Wiring& wiring) {
-  Loader loader(library());
+std::optional<plan::Plan> plan_of(const Wiring& wiring) {
+  diagram::Loader loader(library());
   const auto beside = std::filesystem::path(STEPWIRE_SOURCE_DIR) / "tests" / "blocks" / "contract.yaml";
   try {
-    return make_plan(loader.load_text(wiring.text, beside.string()));
-  } catch (const Error&) {
+    return plan::make_plan(loader.load_text(wiring.text, beside.string()));
+  } catch (const yaml::Error&) {
     if (!wiring.may_be_refused) throw;
     return std::nullopt;
   }
 }
 
-std::size_t tested_in(const Plan& plan) {
+std::size_t tested_in(const plan::Plan& plan) {
   for (std::size_t i = 0; i < plan.diagram.blocks.size(); ++i)
     if (plan.diagram.blocks[i].name == "tested") return i;
   throw std::logic_error("the diagram has no block 'tested'");
 }
 
-bool feeds_through(const Plan& plan, std::size_t input, std::size_t output) {
-  const DiagramBlock& block = plan.diagram.blocks[tested_in(plan)];
+bool feeds_through(const plan::Plan& plan, std::size_t input, std::size_t output) {
+  const diagram::DiagramBlock& block = plan.diagram.blocks[tested_in(plan)];
   const BlockType& type = block.type();
   if (!type.configure) return type.inputs[input].feedthrough;
   std::set<std::string> connected;
@@ -220,19 +220,19 @@ bool feeds_through(const Plan& plan, std::size_t input, std::size_t output) {
   return said == is.answers().feedthrough.end() ? type.inputs[input].feedthrough : said->second;
 }
 
-std::vector<double> numbers_of(const Executor& simulation) {
+std::vector<double> numbers_of(const run::Executor& simulation) {
   return simulation.workspace().values;
 }
 
-std::vector<double> output_of(const Executor& simulation, std::size_t output) {
-  const Plan& plan = simulation.plan();
-  const SignalSlot& slot = plan.blocks[tested_in(plan)].outputs[output];
+std::vector<double> output_of(const run::Executor& simulation, std::size_t output) {
+  const plan::Plan& plan = simulation.plan();
+  const plan::SignalSlot& slot = plan.blocks[tested_in(plan)].outputs[output];
   const double* first = simulation.values() + slot.offset;
   return {first, first + slot.size};
 }
 
-bool same_numbers(const Plan& plan, const double* a, const double* b) {
-  const Layout& layout = plan.layout;
+bool same_numbers(const plan::Plan& plan, const double* a, const double* b) {
+  const plan::Layout& layout = plan.layout;
   const auto same = [&](std::size_t first, std::size_t end) {
     return std::memcmp(a + first, b + first, (end - first) * sizeof(double)) == 0;
   };

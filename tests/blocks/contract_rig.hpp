@@ -23,20 +23,20 @@ struct Wiring {
 std::vector<Wiring> wirings_of(const BlockType& type);
 
 /// Plans a wiring; nothing where it is refused and may be. Throws Error where it must not be.
-std::optional<Plan> plan_of(const Wiring& wiring);
+std::optional<plan::Plan> plan_of(const Wiring& wiring);
 
 /// Index of the block `tested` in its plan.
-std::size_t tested_in(const Plan& plan);
+std::size_t tested_in(const plan::Plan& plan);
 
 /// Does this output follow this input at the same instant, as declaration and configure() say?
-bool feeds_through(const Plan& plan, std::size_t input, std::size_t output);
+bool feeds_through(const plan::Plan& plan, std::size_t input, std::size_t output);
 
 /// All numbers of a run, and of one output of the tested block.
-std::vector<double> numbers_of(const Executor& simulation);
-std::vector<double> output_of(const Executor& simulation, std::size_t output);
+std::vector<double> numbers_of(const run::Executor& simulation);
+std::vector<double> output_of(const run::Executor& simulation, std::size_t output);
 
 /// Are signals, states and diagnostics of two workspaces the same? Slopes are the solver's own affair.
-bool same_numbers(const Plan& plan, const double* a, const double* b);
+bool same_numbers(const plan::Plan& plan, const double* a, const double* b);
 
 /// Are these the same bits?
 bool same_bits(const std::vector<double>& a, const std::vector<double>& b);

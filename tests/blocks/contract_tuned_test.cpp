@@ -26,14 +26,14 @@ constexpr std::int64_t ticks = 20, change_at = 5;
 
 struct Made {
   std::string yaml;
-  Plan plan;
-  Tuning tuning;
+  plan::Plan plan;
+  codegen::Tuning tuning;
 };
 
 /// Each block as it is used least, and with all of its inputs.
 std::vector<Made> all_made() {
   std::vector<Made> all;
-  Loader loader(library());
+  diagram::Loader loader(library());
   const auto beside = fs::path(STEPWIRE_SOURCE_DIR) / "tests" / "blocks" / "contract.yaml";
   for (const BlockType* type : library().types()) {
     if (type->header.empty() || type->file_output) continue;
@@ -42,8 +42,8 @@ std::vector<Made> all_made() {
       const std::string yaml = with_parameters(wiring);
       if (yaml.empty()) continue;
       INFO(yaml);
-      Plan plan = make_plan(loader.load_text(yaml, beside.string()));
-      Tuning tuning = tuning_of(plan);
+      plan::Plan plan = plan::make_plan(loader.load_text(yaml, beside.string()));
+      codegen::Tuning tuning = codegen::tuning_of(plan);
       if (!tuning.parameters.empty()) all.push_back({yaml, std::move(plan), std::move(tuning)});
     }
   }
@@ -55,15 +55,15 @@ std::string source_of(const std::vector<Made>& all) {
   std::string body;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto& [yaml, plan, tuning] = all[i];
-    const GeneratedProgram program = make_program(plan, tuning);
+    const codegen::GeneratedProgram program = codegen::make_program(plan, tuning);
     headers.insert(program.headers.begin(), program.headers.end());
-    const Groups groups(plan, tuning);
+    const codegen::Groups groups(plan, tuning);
     const std::string space = fmt::format("tuned_{}", i), made = fmt::format("made_{}", i);
-    std::string text = struct_definitions(plan, tuning, groups, space);
+    std::string text = codegen::struct_definitions(plan, tuning, groups, space);
     // Here several programs stand in one source.
     text = std::regex_replace(text, std::regex(R"( ::(reset|evaluate|advance)\()"), " " + made + "::$1(");
     text.insert(text.find("{\n") + 2, "using namespace " + made + ";\n");
-    body += struct_text(plan, tuning, groups, space) +
+    body += codegen::struct_text(plan, tuning, groups, space) +
             fmt::format("namespace {} {{\nnamespace {{\nusing namespace stepwire;\n{}}}\n}}\n", made,
                         program.text) +
             text +
@@ -87,7 +87,7 @@ std::string source_of(const std::vector<Made>& all) {
   return source + "using namespace stepwire;\n" + body;
 }
 
-void* compiled(const Compiler& compiler, const std::string& source) {
+void* compiled(const codegen::Compiler& compiler, const std::string& source) {
   const fs::path folder = fs::temp_directory_path() / fmt::format("stepwire-tuned-{}", ::getpid());
   fs::create_directories(folder);
   const std::string stem = (folder / "all").string();
@@ -140,23 +140,23 @@ void write(const Value& value, double* place) {
       for (Eigen::Index c = 0; c < matrix->cols(); ++c) *place++ = (*matrix)(r, c);
     return;
   }
-  for (const double number : numbers_of(value)) *place++ = number;
+  for (const double number : codegen::numbers_of(value)) *place++ = number;
 }
 
 enum class Outcome { same, differs, refused, structure };
 
 /// What becomes of a change of one parameter that is written before a tick.
-Outcome outcome(const Plan& plan, void* library, std::size_t index, std::size_t place, int parameter,
+Outcome outcome(const plan::Plan& plan, void* library, std::size_t index, std::size_t place, int parameter,
                 const Value& value) {
-  Executor interpreted(plan);
+  run::Executor interpreted(plan);
   Instance generated(library, index);
   std::vector<double> numbers(plan.layout.size);
   for (std::int64_t tick = 0; tick < ticks && interpreted.healthy(); ++tick) {
     if (tick == change_at) {
       try {
         const auto& name = plan.diagram.parameters[static_cast<std::size_t>(parameter)].name;
-        if (interpreted.set(name, yaml_of(value)) != Executor::Setting::done) return Outcome::structure;
-      } catch (const Error&) {
+        if (interpreted.set(name, yaml_of(value)) != run::Executor::Setting::done) return Outcome::structure;
+      } catch (const yaml::Error&) {
         return Outcome::refused;
       }
       write(value, generated.parameters() + place);
@@ -174,7 +174,7 @@ Outcome outcome(const Plan& plan, void* library, std::size_t index, std::size_t 
 }  // namespace
 
 TEST_CASE("a generated program follows each number of each block as the interpreter follows set()") {
-  const Compiler compiler;
+  const codegen::Compiler compiler;
   if (!compiler.found()) {
     WARN("there is no C++ compiler here; nothing was compared");
     return;
@@ -184,7 +184,7 @@ TEST_CASE("a generated program follows each number of each block as the interpre
   REQUIRE(library);
   std::size_t followed = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const Groups groups(all[i].plan, all[i].tuning);
+    const codegen::Groups groups(all[i].plan, all[i].tuning);
     std::size_t place = 0;
     for (std::size_t p = 0; p < all[i].tuning.parameters.size(); ++p) {
       const int parameter = all[i].tuning.parameters[p];

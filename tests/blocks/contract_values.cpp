@@ -55,7 +55,7 @@ std::string with_parameters(const Wiring& wiring) {
   std::string text = wiring.text, parameters;
   for (const ParameterSpec& spec : block.type().parameters) {
     const Value value = spec.get(block.get());
-    if (spec.kind == ParameterKind::word || !all_finite(numbers_of(value))) continue;
+    if (spec.kind == ParameterKind::word || !all_finite(codegen::numbers_of(value))) continue;
     parameters += fmt::format("  p_{}: {}\n", spec.name, yaml_of(value));
     const std::size_t line = text.rfind("  tested: ");
     const std::string key = ", " + spec.name + ": ";

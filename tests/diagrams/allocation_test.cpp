@@ -11,7 +11,7 @@ namespace {
 constexpr std::int64_t min_steps = 10'000;
 
 /// Requests for memory by the steps of one run; adds its steps to `steps`.
-long requests_of_run(Executor& simulation, std::int64_t& steps) {
+long requests_of_run(run::Executor& simulation, std::int64_t& steps) {
   simulation.reset();
   const long before = allocations();
   while (!simulation.finished() && simulation.healthy() && steps < min_steps) {
@@ -34,8 +34,8 @@ TEST_CASE("requests for memory are counted, those of matrices too") {
 }
 
 TEST_CASE("no diagram asks for memory in ten thousand steps") {
-  for_every_diagram([](const Plan& plan) {
-    Executor simulation(plan);
+  for_every_diagram([](const plan::Plan& plan) {
+    run::Executor simulation(plan);
     std::int64_t steps = 0;
     long requests = 0;
     while (steps < min_steps) requests += requests_of_run(simulation, steps);

@@ -8,15 +8,15 @@ using namespace stepwire;
 namespace {
 
 /// Enough for every rate to have its turn.
-std::int64_t end_of(const Plan& plan) {
+std::int64_t end_of(const plan::Plan& plan) {
   return std::min<std::int64_t>(plan.steps, 2000);
 }
 
 }  // namespace
 
 TEST_CASE("a diagram that is run twice gives the same bits") {
-  for_every_diagram([](const Plan& plan) {
-    Executor one(plan), other(plan);
+  for_every_diagram([](const plan::Plan& plan) {
+    run::Executor one(plan), other(plan);
     const std::uint64_t first = fingerprint(one, end_of(plan));
     CHECK(fingerprint(other, end_of(plan)) == first);
     other.reset();
@@ -25,11 +25,11 @@ TEST_CASE("a diagram that is run twice gives the same bits") {
 }
 
 TEST_CASE("a diagram that goes on from a kept moment gives the same bits") {
-  for_every_diagram([](const Plan& plan) {
-    Executor simulation(plan), fresh(plan);
+  for_every_diagram([](const plan::Plan& plan) {
+    run::Executor simulation(plan), fresh(plan);
     fingerprint(simulation, end_of(plan) / 3);
     REQUIRE(simulation.healthy());
-    const Workspace kept = simulation.workspace();
+    const run::Workspace kept = simulation.workspace();
     const std::uint64_t rest = fingerprint(simulation, end_of(plan));
     simulation.restore(kept);
     CHECK(fingerprint(simulation, end_of(plan)) == rest);

@@ -25,13 +25,13 @@ std::vector<std::string> files_to_run() {
 
 }  // namespace
 
-Plan plan_at(const Job& job, std::size_t point) {
+plan::Plan plan_at(const run::Job& job, std::size_t point) {
   static const Registry registry = blocks();
-  return make_plan(Loader(registry).load_point(job.plan.diagram.file, job.settings_of(point)));
+  return plan::make_plan(diagram::Loader(registry).load_point(job.plan.diagram.file, job.settings_of(point)));
 }
 
-void for_every_diagram(const std::function<void(const Plan& plan)>& check) {
-  for_every_job([&](const Job& job) {
+void for_every_diagram(const std::function<void(const plan::Plan& plan)>& check) {
+  for_every_job([&](const run::Job& job) {
     check(job.plan);
     if (job.points.empty()) return;
     check(plan_at(job, 0));
@@ -39,20 +39,20 @@ void for_every_diagram(const std::function<void(const Plan& plan)>& check) {
   });
 }
 
-void for_every_job(const std::function<void(Job job)>& check) {
+void for_every_job(const std::function<void(run::Job job)>& check) {
   static const Registry registry = blocks();
   for (const std::string& file : files_to_run()) {
     INFO(file);
     try {
-      Loader loader(registry);
-      check(make_job(loader, file));
-    } catch (const EnvironmentError& error) {
+      diagram::Loader loader(registry);
+      check(run::make_job(loader, file));
+    } catch (const io::EnvironmentError& error) {
       WARN("skipped: " << error.what());
     }
   }
 }
 
-std::uint64_t fingerprint(Executor& simulation, std::int64_t last) {
+std::uint64_t fingerprint(run::Executor& simulation, std::int64_t last) {
   std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a over all numbers of all ticks
   while (simulation.healthy() && simulation.tick() < last) {
     simulation.evaluate();

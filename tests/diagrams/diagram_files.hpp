@@ -9,15 +9,15 @@ namespace stepwire {
 
 /// Calls `check` for every diagram file under diagrams/examples and diagrams/thesis, ready to run. Files
 /// whose data are not on this machine are passed over with a warning.
-void for_every_job(const std::function<void(Job job)>& check);
+void for_every_job(const std::function<void(run::Job job)>& check);
 
 /// The plan of a point of a sweep, loaded with the values of the point.
-Plan plan_at(const Job& job, std::size_t point);
+plan::Plan plan_at(const run::Job& job, std::size_t point);
 
 /// The same with the plan of each, and those of the first and the last point of its sweep.
-void for_every_diagram(const std::function<void(const Plan& plan)>& check);
+void for_every_diagram(const std::function<void(const plan::Plan& plan)>& check);
 
 /// A number that stands for all bits of a run from its present tick to `last`.
-std::uint64_t fingerprint(Executor& simulation, std::int64_t last);
+std::uint64_t fingerprint(run::Executor& simulation, std::int64_t last);
 
 }  // namespace stepwire

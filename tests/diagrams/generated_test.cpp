@@ -24,18 +24,18 @@ constexpr std::int64_t ticks = 10'000;
 struct Loaded {
   using Reset = void (*)(double*, const double*);
   Reset reset = nullptr;
-  StepFunctions step;
+  plan::StepFunctions step;
   std::string problem;
 };
 
-Loaded load(const Job& job, const Compiler& compiler, const std::string& stem) {
+Loaded load(const run::Job& job, const codegen::Compiler& compiler, const std::string& stem) {
   Loaded loaded;
-  const Plan& plan = job.plan;
-  const GeneratedProgram program = make_program(plan);
-  std::string source = library_source(program);
+  const plan::Plan& plan = job.plan;
+  const codegen::GeneratedProgram program = codegen::make_program(plan);
+  std::string source = codegen::library_source(program);
   source += "extern \"C\" void stepwire_reset(double* w, const double* p) { reset(w, p); }\n";
   std::ofstream(stem + ".cpp") << source;
-  std::vector<std::string> flags = flags_for_this_machine(program.headers);
+  std::vector<std::string> flags = codegen::flags_for_this_machine(program.headers);
   if (!job.points.empty())
     flags.push_back("-O0");  // sweeps are compared as the compiler optimises them below
   loaded.problem = compiler.compile(stem + ".cpp", stem + ".so", flags, {});
@@ -49,12 +49,12 @@ Loaded load(const Job& job, const Compiler& compiler, const std::string& stem) {
 }
 
 /// Are these numbers those of a run? Slopes are the solver's own affair, but for those that outputs write.
-std::vector<bool> compared(const Plan& plan) {
-  const Layout& layout = plan.layout;
+std::vector<bool> compared(const plan::Plan& plan) {
+  const plan::Layout& layout = plan.layout;
   std::vector<bool> all(layout.size, true);
   std::fill_n(all.begin() + static_cast<std::ptrdiff_t>(layout.dots), layout.state_count, false);
-  for (const PlannedBlock& block : plan.blocks)
-    for (const SignalSlot& slot : block.outputs)
+  for (const plan::PlannedBlock& block : plan.blocks)
+    for (const plan::SignalSlot& slot : block.outputs)
       std::fill_n(all.begin() + static_cast<std::ptrdiff_t>(slot.offset), slot.size, true);
   return all;
 }
@@ -67,8 +67,8 @@ std::size_t first_difference(const std::vector<bool>& compared, const double* a,
 }
 
 /// Where and when the two part; empty where they never do.
-std::string difference(const Plan& plan, const Loaded& loaded) {
-  Executor interpreted(plan);
+std::string difference(const plan::Plan& plan, const Loaded& loaded) {
+  run::Executor interpreted(plan);
   std::vector<double> w(plan.layout.size, -1.0);
   loaded.reset(w.data(), nullptr);
   const std::vector<bool> of_run = compared(plan);
@@ -90,8 +90,8 @@ std::string difference(const Plan& plan, const Loaded& loaded) {
 
 /// Does a run give the bits of a plan for a thousand ticks, if compiled code takes over at tick 100, and does
 /// it?
-bool same_bits(const Plan& plan, Executor& run, const std::optional<CompiledPlan>& code) {
-  Executor own(plan);
+bool same_bits(const plan::Plan& plan, run::Executor& run, const std::optional<plan::CompiledPlan>& code) {
+  run::Executor own(plan);
   const std::vector<bool> of_run = compared(plan);
   while (own.tick() < 1000 && own.healthy()) {
     if (run.tick() == 100 && code) run.use(*code);
@@ -115,21 +115,21 @@ void in_parallel(std::size_t count, const std::function<void(std::size_t)>& work
     });
 }
 
-std::vector<Job> all_jobs() {
-  std::vector<Job> jobs;
-  for_every_job([&](Job job) { jobs.push_back(std::move(job)); });
+std::vector<run::Job> all_jobs() {
+  std::vector<run::Job> jobs;
+  for_every_job([&](run::Job job) { jobs.push_back(std::move(job)); });
   return jobs;
 }
 
 }  // namespace
 
 TEST_CASE("every diagram that can be generated gives the interpreter's bits and asks for no memory") {
-  const Compiler compiler;
+  const codegen::Compiler compiler;
   if (!compiler.found()) {
     WARN("there is no C++ compiler here; nothing was compared");
     return;
   }
-  const std::vector<Job> jobs = all_jobs();
+  const std::vector<run::Job> jobs = all_jobs();
   const fs::path folder = fs::temp_directory_path() / ("stepwire-generated-" + std::to_string(::getpid()));
   fs::create_directories(folder);
   std::vector<Loaded> loaded(jobs.size());
@@ -137,7 +137,7 @@ TEST_CASE("every diagram that can be generated gives the interpreter's bits and 
   in_parallel(jobs.size(), [&](std::size_t i) {
     try {
       loaded[i] = load(jobs[i], compiler, (folder / std::to_string(i)).string());
-    } catch (const Error& error) {
+    } catch (const yaml::Error& error) {
       refused[i] = error.what();
     }
   });
@@ -154,24 +154,24 @@ TEST_CASE("every diagram that can be generated gives the interpreter's bits and 
 }
 
 TEST_CASE("the runs of a sweep are those of plans of their own, compiled or not") {
-  const bool has_compiler = Compiler().found();
+  const bool has_compiler = codegen::Compiler().found();
   if (!has_compiler) WARN("there is no C++ compiler here; compiled runs are not compared");
-  std::vector<Job> jobs = all_jobs();
-  std::erase_if(jobs, [](const Job& job) { return job.points.empty(); });
+  std::vector<run::Job> jobs = all_jobs();
+  std::erase_if(jobs, [](const run::Job& job) { return job.points.empty(); });
   in_parallel(jobs.size(), [&](std::size_t i) {
-    const Job& job = jobs[i];
-    GeneratedCode source;
-    std::vector<std::optional<CompiledPlan>> code(job.family->size());
+    const run::Job& job = jobs[i];
+    codegen::GeneratedCode source;
+    std::vector<std::optional<plan::CompiledPlan>> code(job.family->size());
     for (std::size_t m = 0; has_compiler && m < code.size(); ++m)
       code[m] = source.compile(job.family->plan(m), job.family->variable(m), {});
     static std::mutex mutex;  // of the checks
     for (std::size_t point : {std::size_t{0}, job.points.size() - 1}) {
       const std::size_t member = job.points[point].member;
-      Executor run(job.family->plan(member));
+      run::Executor run(job.family->plan(member));
       if (job.points[0].member == member)
         job.family->begin(member, job.settings_of(0), run);  // what it had before leaves no trace
       job.family->begin(member, job.settings_of(point), run);
-      const Plan own = plan_at(job, point);
+      const plan::Plan own = plan_at(job, point);
       const bool same = same_bits(own, run, code[member]);
       const std::lock_guard lock(mutex);
       INFO(job.plan.diagram.file << ", point " << point << " " << source.take_problem());

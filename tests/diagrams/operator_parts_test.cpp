@@ -9,7 +9,7 @@ using namespace stepwire;
 namespace {
 
 /// A hand that leads a free mass as heavy as itself, or what else is written as `body`.
-Table led(const std::string& body, const std::string& keys, const std::string& stop) {
+table::Table led(const std::string& body, const std::string& keys, const std::string& stop) {
   return run_text("step: 0.5 ms\nstop: " + stop +
                   "\nsolver: rk4\nblocks:\n  hand: {diagram: ../diagrams/parts/hand.yaml, x: 0 mm, "
                   "equilibrium: [0 mm, 0 mm], position: body.position, velocity: body.velocity, " +
@@ -27,7 +27,7 @@ double rms(const std::vector<double>& x, std::size_t from) {
   return std::sqrt(sum / static_cast<double>(x.size() - from));
 }
 
-Table circle(const std::string& keys) {
+table::Table circle(const std::string& keys) {
   return run_text(
       "step: 0.125 ms\nstop: 1.2 s\nsolver: bogacki_shampine\nblocks:\n  task: {diagram: "
       "../diagrams/parts/circle-task.yaml, subject: 5, " +
@@ -38,7 +38,7 @@ Table circle(const std::string& keys) {
 }  // namespace
 
 TEST_CASE("A hand that is pulled gives way by the force over its stiffness, which rises with its force") {
-  const Table run =
+  const table::Table run =
       led(mass, "noise: 0, tremor: 0 mm, rest: 100 N/m, per_force: 50 N/m/N, precision: 2", "5 s");
   CHECK(column(run, "hand.stiffness").back() == Approx(2.0 * (100.0 + 50.0 * 0.27)).epsilon(1e-4));
   CHECK(column(run, "body.position.1").back() == Approx(0.27 / 227.0).epsilon(1e-3));
@@ -47,14 +47,14 @@ TEST_CASE("A hand that is pulled gives way by the force over its stiffness, whic
 
 TEST_CASE("A free hand trembles by the tremor that is asked for") {
   // A second-order band lets through some of what is below it, and there the hand yields more.
-  const Table run = led(free_mass, "noise: 0, tremor: 0.05 mm, precision: 1, seed: 4", "120 s");
+  const table::Table run = led(free_mass, "noise: 0, tremor: 0.05 mm, precision: 1, seed: 4", "120 s");
   for (const std::string axis : {"1", "2"})
     CHECK(rms(column(run, "body.position." + axis), 2000) == Approx(0.05e-3).epsilon(0.25));
 }
 
 TEST_CASE("The force of a hand is unsteady by a share of itself") {
   // a pin that is held 20 mm from where the hand means to be: 2.7 N
-  const Table run = run_text(R"(
+  const table::Table run = run_text(R"(
 step: 1 ms
 stop: 100 s
 solver: rk4
@@ -71,13 +71,13 @@ record: {every: 10 ms, signals: [hand.force, hand.push]}
 }
 
 TEST_CASE("What was learnt in the trial before is there after the rest, as far as it is not forgotten") {
-  const Table run = circle("visual: 0, haptic: 0, slow: 2 N, break: 30 s");
+  const table::Table run = circle("visual: 0, haptic: 0, slow: 2 N, break: 30 s");
   CHECK(column(run, "task.slow").front() == Approx(2.0 * std::exp(-30.0 / 75.0)));
 }
 
 TEST_CASE("What is seen has no effect before the operator begins, and has one then") {
   // on position: 0.3 s, and what the first movement needs to show
-  const Table without = circle("visual: 0, haptic: 0"), with = circle("visual: 1, haptic: 0");
+  const table::Table without = circle("visual: 0, haptic: 0"), with = circle("visual: 1, haptic: 0");
   const auto &a = column(without, "task.position.2"), &b = column(with, "task.position.2");
   for (std::size_t k = 0; k <= 30; ++k) REQUIRE(a[k] == b[k]);
   CHECK(a.back() != b.back());
@@ -85,8 +85,8 @@ TEST_CASE("What is seen has no effect before the operator begins, and has one th
 }
 
 TEST_CASE("Resistance has no effect while the hand is inside of the corridor") {
-  const Table without = circle("visual: 1, haptic: 0, half_width: 15 mm"),
-              with = circle("visual: 1, haptic: 1, half_width: 15 mm");
+  const table::Table without = circle("visual: 1, haptic: 0, half_width: 15 mm"),
+                     with = circle("visual: 1, haptic: 1, half_width: 15 mm");
   CHECK(column(without, "task.position.1") == column(with, "task.position.1"));
   CHECK(column(without, "task.position.2") == column(with, "task.position.2"));
 }

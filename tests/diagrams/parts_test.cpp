@@ -8,7 +8,7 @@ using namespace stepwire;
 
 namespace {
 
-double largest_difference(const Table& table, const std::string& a, const std::string& b) {
+double largest_difference(const table::Table& table, const std::string& a, const std::string& b) {
   double worst = 0.0;
   for (std::size_t k = 0; k < column(table, a).size(); ++k)
     worst = std::max(worst, std::abs(column(table, a)[k] - column(table, b)[k]));
@@ -20,7 +20,7 @@ double largest_difference(const Table& table, const std::string& a, const std::s
 TEST_CASE("The sensors of the planar rig find the pin from the lengths of both dampers") {
   // A reading is off by half a level of its converter, 150 mm / 2^14 / 2; at 45 degrees two of them add up to
   // sqrt(2) of one.
-  const Table table = run_text(R"yaml(
+  const table::Table table = run_text(R"yaml(
 step: 1 ms
 stop: 3 s
 blocks:
@@ -40,7 +40,7 @@ record: [pin.position, measured.position]
 }
 
 TEST_CASE("A blocked motor pushes with its limit, and lets go as soon as it is faster than it should be") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 ms
 stop: 4 s
 solver: rk4
@@ -56,7 +56,7 @@ record: [motor.force]
 }
 
 TEST_CASE("A damper that is shaken and switched out of time gives out no energy in any step") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 0.1 ms
 stop: 2 s
 solver: rk4
@@ -74,7 +74,7 @@ record: [damper.least_gain, damper.current, damper.work, damper.dissipated, damp
 
 TEST_CASE(
     "The off-state of a damper is a share of the friction that it has without current, with any current") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 0.1 ms
 stop: 2 s
 solver: rk4
@@ -100,7 +100,7 @@ record: [once.resistance, thrice.resistance, slow.resistance, tight.resistance]
 }
 
 TEST_CASE("A damper that is taken out neither moves nor resists") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 ms
 stop: 0.5 s
 solver: rk4
@@ -116,7 +116,7 @@ TEST_CASE(
     "A platform that is pushed along one damper meets that damper alone, on a line, in the plane, in space") {
   // Away from the left anchor at 45 degrees. The other dampers turn, by so little that they stay in their
   // pre-sliding: 0.1 mm along them would be 1 N.
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 0.25 ms
 stop: 0.4 s
 solver: rk4

@@ -8,12 +8,12 @@ using namespace stepwire;
 
 namespace {
 
-double last(const Table& table, const std::string& name) {
+double last(const table::Table& table, const std::string& name) {
   return column(table, name).back();
 }
 
 /// The controller without feedback, at an angle of 0.3 rad and a length of 0.2 m; forces as [x, y].
-Table commanded(const std::string& wanted, const std::string& measured) {
+table::Table commanded(const std::string& wanted, const std::string& measured) {
   return run_text("step: 1 ms\nstop: 10 ms\nblocks:\n  wanted: {block: Rotate, u: " + wanted +
                   ", angle: 0.3}\n  measured: {block: Rotate, u: " + measured + R"(, angle: 0.3}
   control: {diagram: ../diagrams/parts/force-feedback-controller.yaml, wanted: wanted, measured: measured, length: 200 mm,
@@ -33,7 +33,7 @@ double friction_of_rotary(double i) {
 }  // namespace
 
 TEST_CASE("The controller's currents make the wanted force at each joint by the dampers' friction") {
-  const Table table = commanded("[-12 N, 6 N]", "[5 N, -3 N]");
+  const table::Table table = commanded("[-12 N, 6 N]", "[5 N, -3 N]");
   CHECK(friction_of_linear(last(table, "control.linear")) == Approx(12.0).epsilon(1e-4));
   CHECK(friction_of_rotary(last(table, "control.rotary")) == Approx(6.0 * 0.2).epsilon(1e-4));
   for (const std::string what : {"control.wanted", "control.realisable"}) {
@@ -46,25 +46,25 @@ TEST_CASE("The controller's currents make the wanted force at each joint by the 
 
 TEST_CASE(
     "What the dampers cannot make is not realisable: more than their friction at full current, or a push") {
-  const Table much = commanded("[-50 N, 20 N]", "[5 N, -3 N]");
+  const table::Table much = commanded("[-50 N, 20 N]", "[5 N, -3 N]");
   CHECK(last(much, "control.linear") == Approx(0.35).epsilon(1e-3));
   CHECK(last(much, "control.rotary") == Approx(0.75).epsilon(1e-3));
   CHECK(last(much, "control.realisable.1") == Approx(-friction_of_linear(0.35)).epsilon(1e-4));
   CHECK(last(much, "control.realisable.2") == Approx(friction_of_rotary(0.75) / 0.2).epsilon(1e-4));
-  const Table push = commanded("[-12 N, 6 N]", "[-5 N, -3 N]");  // the hand itself goes inward
+  const table::Table push = commanded("[-12 N, 6 N]", "[-5 N, -3 N]");  // the hand itself goes inward
   CHECK(last(push, "control.linear") == 0.0);
   CHECK(last(push, "control.realisable.1") == 0.0);
   CHECK(last(push, "control.rotary") > 0.1);
 }
 
 TEST_CASE("Where nothing is wanted no current flows") {
-  const Table table = commanded("[0 N, 0 N]", "[5 N, -3 N]");
+  const table::Table table = commanded("[0 N, 0 N]", "[5 N, -3 N]");
   CHECK(last(table, "control.linear") == 0.0);
   CHECK(last(table, "control.rotary") == 0.0);
 }
 
 TEST_CASE("The sensors of the polar interface find pin and force from what is measured at its joints") {
-  const Table table = run_text(R"yaml(
+  const table::Table table = run_text(R"yaml(
 step: 1 ms
 stop: 3 s
 blocks:
@@ -100,7 +100,7 @@ record: [pin.position, sensors.position, sensors.force]
 
 TEST_CASE(
     "A polar platform that is pulled about and switched out of time gives out no energy and loses none") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 0.1 ms
 stop: 3 s
 solver: rk4
@@ -122,7 +122,7 @@ TEST_CASE(
     "Pushed around the base at full current the rotary damper is felt with its torque over the length") {
   // rigs that are brake-like: 10.0, 8.9 and 8.0 N at 200, 224 and 250 mm, and 1.09 N off at 224 mm
   const auto felt = [](const std::string& radius, const std::string& current) {
-    const Table table = run_text(
+    const table::Table table = run_text(
         "step: 0.25 ms\nstop: 2 s\nsolver: rk4\nblocks:\n  phase: {block: Ramp, slope: 0.05 rad/s}\n  arm: "
         "{block: Constant, value: [" +
         radius + R"(, 0 mm]}
@@ -145,7 +145,7 @@ TEST_CASE(
 namespace {
 
 /// What the polar interface commands against a force that wants both dampers on; `pin` says what moves it.
-Table held(const std::string& pin) {
+table::Table held(const std::string& pin) {
   return run_text(
       "step: 0.1 ms\nstop: 1.1 s\nsolver: rk4\nblocks:\n  held: {block: Step, time: 1 s, before: 1, after: "
       "0}\n" +
@@ -160,7 +160,7 @@ TEST_CASE("Letting go of the dead-man switch takes the current from both dampers
        {"diagram: ../diagrams/parts/polar-rig.yaml, points: [[212 mm, -15 mm], [240 mm, 15 mm]]",
         "diagram: ../diagrams/parts/polar-interface.yaml, external: [10 N, 4 N]"}) {
     INFO(pin);
-    const Table table = held(pin);
+    const table::Table table = held(pin);
     const auto linear = column(table, "rig.linear"), rotary = column(table, "rig.rotary");
     CHECK(linear[990] > 0.05);
     CHECK(rotary[990] > 0.05);
@@ -186,7 +186,7 @@ TEST_CASE("The ramp of the polar rig brings the current in by parts of its time,
 namespace {
 
 /// Measured force under a load of [6, -4] N from 0.1 s on, with gauges that show something without any.
-Table tared(const std::string& time) {
+table::Table tared(const std::string& time) {
   return run_text(R"(
 step: 1 ms
 stop: 0.3 s
@@ -203,12 +203,12 @@ TEST_CASE("A tare before the run takes out of the measured force what the gauges
   // gauges at 0, 120 and 240 degrees, a level of the board of 1.22 mV
   const double level = 20.0 * 20.0 / 16384.0;
   for (const std::string& time : {"1 ms", "50 ms"}) {
-    const Table table = tared(time);
+    const table::Table table = tared(time);
     CHECK(std::abs(column(table, "sensors.joint_force.1")[90]) < 1e-9);
     CHECK(last(table, "sensors.joint_force.1") == Approx(6.0).margin(level * 2.0));
     CHECK(last(table, "sensors.joint_force.2") == Approx(-4.0).margin(level * 2.0));
   }
-  const Table without = tared("0 s");
+  const table::Table without = tared("0 s");
   CHECK(std::hypot(last(without, "sensors.joint_force.1") - 6.0,
                    last(without, "sensors.joint_force.2") + 4.0) > 1.0);
 }

@@ -41,7 +41,7 @@ std::string held(const std::string& what) {
 }
 
 /// Time from which on no current flows; what flows before it is what was asked.
-double cut_off(const Table& table, double cause) {
+double cut_off(const table::Table& table, double cause) {
   const auto &time = column(table, "time"), &first = column(table, "amplifiers.linear"),
              &second = column(table, "amplifiers.rotary");
   std::size_t k = time.size();
@@ -65,8 +65,8 @@ std::string from_anywhere(std::string text) {
 }
 
 /// What the interlock lets through to the linear damper.
-double command_of(const Executor& simulation) {
-  const Plan& plan = simulation.plan();
+double command_of(const run::Executor& simulation) {
+  const plan::Plan& plan = simulation.plan();
   for (std::size_t b = 0; b < plan.blocks.size(); ++b)
     if (plan.diagram.blocks[b].name == "safety.interlock")
       return simulation.values()[plan.blocks[b].outputs[0].offset];
@@ -78,7 +78,7 @@ const std::string healthy = "position: pin, force: hand, length: length, angle: 
 }  // namespace
 
 TEST_CASE("As long as nothing is wrong the amplifiers give what is asked, after a ramp from 0") {
-  const Table table = run_text(rig(healthy));
+  const table::Table table = run_text(rig(healthy));
   CHECK(cut_off(table, 0.0) == 1.0);
   const auto &time = column(table, "time"), &current = column(table, "amplifiers.linear");
   for (std::size_t k = 0; k < time.size() && time[k] < 0.1; ++k)
@@ -86,7 +86,7 @@ TEST_CASE("As long as nothing is wrong the amplifiers give what is asked, after 
 }
 
 TEST_CASE("An excessive force leaves no current after one sample") {
-  const Table table =
+  const table::Table table =
       run_text(rig("position: pin, force: blow, length: length, angle: angle",
                    "  hit: {block: Gain, u: fault, gain: 70 N}\n  blow: {block: Sum, u: [hand, hit]}\n"));
   CHECK(cut_off(table, 2.0) <= fault + sample);
@@ -94,7 +94,7 @@ TEST_CASE("An excessive force leaves no current after one sample") {
 
 TEST_CASE(
     "An excessive speed leaves no current one sample after it is seen, within the window of the speed") {
-  const Table table = run_text(
+  const table::Table table = run_text(
       rig("position: flight, force: hand, length: length, angle: angle",
           "  away: {block: Ramp, slope: 2 m/s, start: 0.5 s}\n  flight: {block: Sum, u: [pin, away]}\n"));
   CHECK(cut_off(table, 3.0) <= fault + 41.0 * sample + sample);
@@ -133,7 +133,7 @@ TEST_CASE("A device that drives the hand leaves no current once it has given out
 TEST_CASE(
     "Letting go of the dead-man switch leaves no current after one sample, and pressing it brings it back "
     "slowly") {
-  const Table table = run_text(
+  const table::Table table = run_text(
       rig(healthy + ", dead_man: pressed",
           "  pressed: {block: Pulse, amplitude: -1, bias: 1, delay: 0.5 s, period: 10 s, width: 0.02}\n"));
   const auto &time = column(table, "time"), &current = column(table, "amplifiers.rotary");
@@ -145,10 +145,11 @@ TEST_CASE(
 }
 
 TEST_CASE("A reset after a fault brings the currents back by the ramp") {
-  const Table table = run_text(rig("position: pin, force: blow, length: length, angle: angle, reset: button",
-                                   "  hit: {block: Pulse, amplitude: 70 N, delay: 0.3 s, period: 10 s, "
-                                   "width: 0.001}\n  blow: {block: Sum, u: "
-                                   "[hand, hit]}\n  button: {block: Step, time: 0.6 s, after: 1}\n"));
+  const table::Table table =
+      run_text(rig("position: pin, force: blow, length: length, angle: angle, reset: button",
+                   "  hit: {block: Pulse, amplitude: 70 N, delay: 0.3 s, period: 10 s, "
+                   "width: 0.001}\n  blow: {block: Sum, u: "
+                   "[hand, hit]}\n  button: {block: Step, time: 0.6 s, after: 1}\n"));
   const auto &time = column(table, "time"), &current = column(table, "amplifiers.linear");
   for (std::size_t k = 0; k < time.size(); ++k) {
     if (time[k] > 0.3 + sample && time[k] < 0.6) CHECK(current[k] < 1e-6);
@@ -165,11 +166,11 @@ TEST_CASE("With stop the first fault ends the experiment, and is named") {
 
 TEST_CASE(
     "A sensor whose number is none leaves no command at the tick that shows it, with which the run ends") {
-  const Plan plan = plan_text(from_anywhere(
+  const plan::Plan plan = plan_text(from_anywhere(
       rig("position: pin, force: hand, length: broken, angle: angle",
           "  clock: {block: Clock}\n  broken: {block: Expression, u: [length, clock], expression: \"u1 + "
           "0*sqrt(0.4995 - u2)\", every: 1 ms}\n")));
-  Executor simulation(plan);
+  run::Executor simulation(plan);
   double last = 0.0;
   while (simulation.healthy()) {
     last = command_of(simulation);

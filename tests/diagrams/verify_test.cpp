@@ -17,29 +17,29 @@ constexpr std::size_t max_runs = 3;
 constexpr std::int64_t max_steps = 100;
 
 /// Ends runs early.
-class Hurry : public RunObserver {
+class Hurry : public run::RunObserver {
  public:
-  Flow before_tick(const ObservedRun& run) override {
-    return run.simulation.tick() > max_steps ? Flow::stop : Flow::go_on;
+  run::Flow before_tick(const run::ObservedRun& run) override {
+    return run.simulation.tick() > max_steps ? run::Flow::stop : run::Flow::go_on;
   }
 };
 
 }  // namespace
 
 TEST_CASE("what every diagram leaves in its folder can be verified there") {
-  for_every_job([](Job job) {
+  for_every_job([](run::Job job) {
     const Scratch folder;
     const std::string out = folder.path("out");
     if (job.points.size() > max_runs) job.points.resize(max_runs);
-    write_replay(out, job);
-    LoadedModel model;
+    replay::write_replay(out, job);
+    session::LoadedModel model;
     model.file = job.plan.diagram.file;
     model.job = std::move(job);
     Hurry hurry;
-    RunOptions options;
+    run::RunOptions options;
     options.observers = {&hurry};
-    write_outputs(out, model, run_model(model, options));
-    const Verification verification = verify(out, library());
+    session::write_outputs(out, model, session::run_model(model, options));
+    const replay::Verification verification = replay::verify(out, library());
     CHECK(verification.difference == "");
     CHECK(verification.rows > 1);
     CHECK(verification.signals > 0);

@@ -17,27 +17,28 @@ namespace fs = std::filesystem;
 const std::string folder = "/nonexistent/stepwire-fuzz/";
 constexpr std::size_t max_runs = 8, max_numbers = 1 << 20;
 
-std::vector<Document> read_parts() {
-  std::vector<Document> parts;
+std::vector<yaml::Document> read_parts() {
+  std::vector<yaml::Document> parts;
   for (const auto& entry : fs::directory_iterator(STEPWIRE_SOURCE_DIR "/diagrams/parts")) {
     if (entry.path().extension() != ".yaml") continue;
-    parts.push_back(read_document(entry.path().string()));
+    parts.push_back(yaml::read_document(entry.path().string()));
     parts.back().file = folder + "parts/" + entry.path().filename().string();
   }
   return parts;
 }
 
 /// Would making all its runs only take long?
-bool is_large(const Diagram& diagram) {
+bool is_large(const diagram::Diagram& diagram) {
   std::size_t runs = 1;
   if (diagram.sweep)
-    for (const Sweep::Axis& axis : diagram.sweep->axes) runs *= std::min(axis.values.size(), max_runs + 1);
+    for (const diagram::Sweep::Axis& axis : diagram.sweep->axes)
+      runs *= std::min(axis.values.size(), max_runs + 1);
   return runs > max_runs;
 }
 
-void step(const Plan& plan) {
+void step(const plan::Plan& plan) {
   if (plan.layout.size > max_numbers) return;
-  Executor simulation(plan);
+  run::Executor simulation(plan);
   for (int tick = 0; tick < 3; ++tick) {
     simulation.evaluate();
     if (!simulation.healthy() || simulation.finished()) break;
@@ -57,16 +58,16 @@ extern "C" int LLVMFuzzerInitialize(int*, char***) {
 // program, and that is a find.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const Registry registry = blocks();
-  static const std::vector<Document> parts = read_parts();
+  static const std::vector<yaml::Document> parts = read_parts();
   const std::string file = folder + "fuzz/fuzz.yaml";
   try {
-    Loader loader(registry);
-    for (const Document& part : parts) loader.add(part);
-    loader.add(parse_document({reinterpret_cast<const char*>(data), size}, file));
+    diagram::Loader loader(registry);
+    for (const yaml::Document& part : parts) loader.add(part);
+    loader.add(yaml::parse_document({reinterpret_cast<const char*>(data), size}, file));
     if (is_large(loader.load(file))) return 0;
-    step(load_model(loader, file, {}).job.plan);
-  } catch (const Error&) {
-  } catch (const EnvironmentError&) {
+    step(session::load_model(loader, file, {}).job.plan);
+  } catch (const yaml::Error&) {
+  } catch (const io::EnvironmentError&) {
   }
   return 0;
 }

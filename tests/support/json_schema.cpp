@@ -14,7 +14,7 @@ using nlohmann::json;
 
 namespace {
 
-json scalar_of(const Node& node) {
+json scalar_of(const yaml::Node& node) {
   if (node.quoted) return node.text;
   if (node.text == "true" || node.text == "false") return node.text == "true";
   const json number = json::parse(node.text, nullptr, false);
@@ -183,13 +183,13 @@ class Check {
 
 }  // namespace
 
-json json_of(const Node& node) {
+json json_of(const yaml::Node& node) {
   if (node.is_scalar()) return scalar_of(node);
   json result;
   if (node.is_list()) result = json::array();
-  for (const Node& item : node.items) result.push_back(json_of(item));
+  for (const yaml::Node& item : node.items) result.push_back(json_of(item));
   if (node.is_map()) result = json::object();
-  for (const Entry& entry : node.entries) result[entry.key] = json_of(entry.value);
+  for (const yaml::Entry& entry : node.entries) result[entry.key] = json_of(entry.value);
   return result;
 }
 

@@ -8,7 +8,7 @@
 namespace stepwire {
 
 /// A YAML value as JSON, with numbers and flags told from text as YAML 1.2 does.
-nlohmann::json json_of(const Node& node);
+nlohmann::json json_of(const yaml::Node& node);
 
 /// What is wrong with a value by a JSON schema, one line each; empty if it fits. Knows the part of draft
 /// 2020-12 that the schema of diagram files uses, and throws std::logic_error for any other keyword.

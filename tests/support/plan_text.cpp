@@ -26,10 +26,10 @@ template <class Make>
 std::vector<std::string> faults_in(const Make& make) {
   std::vector<std::string> lines;
   try {
-    const Plan plan = make();
-    const Executor simulation(plan);
-  } catch (const Error& error) {
-    for (const Fault& fault : error.faults()) lines.push_back(fault.text());
+    const plan::Plan plan = make();
+    const run::Executor simulation(plan);
+  } catch (const yaml::Error& error) {
+    for (const yaml::Fault& fault : error.faults()) lines.push_back(fault.text());
   }
   return lines;
 }
@@ -41,17 +41,19 @@ const Registry& library() {
   return registry;
 }
 
-Plan plan_text(const std::string& yaml, const std::vector<Setting>& settings, const Registry& registry) {
-  Loader loader(registry);
-  return make_plan(loader.load_text(with_tail(yaml), "test.yaml", settings));
+plan::Plan plan_text(const std::string& yaml, const std::vector<diagram::Setting>& settings,
+                     const Registry& registry) {
+  diagram::Loader loader(registry);
+  return plan::make_plan(loader.load_text(with_tail(yaml), "test.yaml", settings));
 }
 
-RunResult result_of(const std::string& yaml, const std::vector<Setting>& settings, const Registry& registry) {
-  const Plan plan = plan_text(yaml, settings, registry);
-  return run_plan(plan);
+run::RunResult result_of(const std::string& yaml, const std::vector<diagram::Setting>& settings,
+                         const Registry& registry) {
+  const plan::Plan plan = plan_text(yaml, settings, registry);
+  return run::run_plan(plan);
 }
 
-std::vector<std::string> faults_of(const std::string& yaml, const std::vector<Setting>& settings,
+std::vector<std::string> faults_of(const std::string& yaml, const std::vector<diagram::Setting>& settings,
                                    const Registry& registry) {
   return faults_in([&] { return plan_text(yaml, settings, registry); });
 }
@@ -73,21 +75,22 @@ void DiagramFolder::write(const std::string& name, const std::string& yaml) cons
   std::ofstream(folder_ / name) << yaml;
 }
 
-Plan DiagramFolder::plan(const std::string& name, const std::vector<Setting>& settings) const {
-  Loader loader(library());
-  return make_plan(loader.load(path(name), settings));
+plan::Plan DiagramFolder::plan(const std::string& name, const std::vector<diagram::Setting>& settings) const {
+  diagram::Loader loader(library());
+  return plan::make_plan(loader.load(path(name), settings));
 }
 
-Table DiagramFolder::run(const std::string& name, const std::vector<Setting>& settings) const {
-  const Plan planned = plan(name, settings);
-  RunResult result = run_plan(planned);
-  for (const RunFault& fault : result.faults) FAIL(fault.fault.text());
+table::Table DiagramFolder::run(const std::string& name,
+                                const std::vector<diagram::Setting>& settings) const {
+  const plan::Plan planned = plan(name, settings);
+  run::RunResult result = run::run_plan(planned);
+  for (const run::RunFault& fault : result.faults) FAIL(fault.fault.text());
   REQUIRE(!result.recordings.empty());
   return std::move(result.recordings.front().table);
 }
 
 std::vector<std::string> DiagramFolder::faults(const std::string& name,
-                                               const std::vector<Setting>& settings) const {
+                                               const std::vector<diagram::Setting>& settings) const {
   std::vector<std::string> lines = faults_in([&] { return plan(name, settings); });
   const std::string folder = folder_.string() + "/";
   for (std::string& line : lines)

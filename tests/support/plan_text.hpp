@@ -14,15 +14,16 @@ const Registry& library();
 /// Loads and plans a diagram given as text, which is called test.yaml in messages. The head keys "stepwire",
 /// "title", "step" (1 s) and "stop" (3 s) may be left out: they are added behind the text, so that its lines
 /// stay what they are.
-Plan plan_text(const std::string& yaml, const std::vector<Setting>& settings = {},
-               const Registry& registry = library());
+plan::Plan plan_text(const std::string& yaml, const std::vector<diagram::Setting>& settings = {},
+                     const Registry& registry = library());
 
 /// Runs such a text in one go.
-RunResult result_of(const std::string& yaml, const std::vector<Setting>& settings = {},
-                    const Registry& registry = library());
+run::RunResult result_of(const std::string& yaml, const std::vector<diagram::Setting>& settings = {},
+                         const Registry& registry = library());
 
 /// What is wrong with such a text, one line for each fault; empty where nothing is.
-std::vector<std::string> faults_of(const std::string& yaml, const std::vector<Setting>& settings = {},
+std::vector<std::string> faults_of(const std::string& yaml,
+                                   const std::vector<diagram::Setting>& settings = {},
                                    const Registry& registry = library());
 
 /// A folder of its own for diagrams that use each other, removed at the end.
@@ -35,10 +36,11 @@ class DiagramFolder {
 
   void write(const std::string& name, const std::string& yaml) const;
   /// The plan of a file in it.
-  Plan plan(const std::string& name, const std::vector<Setting>& settings = {}) const;
-  Table run(const std::string& name, const std::vector<Setting>& settings = {}) const;
+  plan::Plan plan(const std::string& name, const std::vector<diagram::Setting>& settings = {}) const;
+  table::Table run(const std::string& name, const std::vector<diagram::Setting>& settings = {}) const;
   /// Its faults, with names of files as they are in this folder.
-  std::vector<std::string> faults(const std::string& name, const std::vector<Setting>& settings = {}) const;
+  std::vector<std::string> faults(const std::string& name,
+                                  const std::vector<diagram::Setting>& settings = {}) const;
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
  private:

@@ -17,25 +17,25 @@ std::string with_head(const std::string& yaml) {
   return head + yaml;
 }
 
-RunResult run(const std::string& yaml) {
+run::RunResult run_of(const std::string& yaml) {
   static const Registry registry = blocks();
-  Loader loader(registry);
+  diagram::Loader loader(registry);
   const std::string beside = (std::filesystem::path(STEPWIRE_SOURCE_DIR) / "tests" / "test.yaml").string();
-  const Plan plan = make_plan(loader.load_text(with_head(yaml), beside));
-  return run_plan(plan);
+  const plan::Plan plan = plan::make_plan(loader.load_text(with_head(yaml), beside));
+  return run::run_plan(plan);
 }
 
 }  // namespace
 
-Table run_text(const std::string& yaml) {
-  RunResult result = run(yaml);
-  for (const RunFault& fault : result.faults) FAIL(fault.fault.text());
+table::Table run_text(const std::string& yaml) {
+  run::RunResult result = run_of(yaml);
+  for (const run::RunFault& fault : result.faults) FAIL(fault.fault.text());
   REQUIRE(!result.recordings.empty());
   return std::move(result.recordings.front().table);
 }
 
-const std::vector<double>& column(const Table& table, const std::string& name) {
-  const Column* found = table.find(name);
+const std::vector<double>& column(const table::Table& table, const std::string& name) {
+  const table::Column* found = table.find(name);
   INFO("column " << name);
   REQUIRE(found != nullptr);
   return found->values;
@@ -43,9 +43,9 @@ const std::vector<double>& column(const Table& table, const std::string& name) {
 
 std::string error_of(const std::string& yaml) {
   try {
-    const RunResult result = run(yaml);
+    const run::RunResult result = run_of(yaml);
     return result.faults.empty() ? "" : result.faults.front().fault.text();
-  } catch (const Error& error) {
+  } catch (const yaml::Error& error) {
     return error.what();
   }
 }

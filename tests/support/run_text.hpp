@@ -9,10 +9,10 @@ namespace stepwire {
 /// Runs a diagram given as text, with every block of the library, and returns what it recorded (its first
 /// recording). `head` keys that a test does not care about may be left out: "stepwire: 1" and "title" are
 /// added.
-Table run_text(const std::string& yaml);
+table::Table run_text(const std::string& yaml);
 
 /// A recorded column; fails the test if it is not there.
-const std::vector<double>& column(const Table& table, const std::string& name);
+const std::vector<double>& column(const table::Table& table, const std::string& name);
 
 /// The message with which loading or running the text is refused; empty if it is not.
 std::string error_of(const std::string& yaml);

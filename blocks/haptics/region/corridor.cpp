@@ -41,7 +41,7 @@ std::vector<Stretch> stretches_of(const PlaneChain& chain, double half_width) {
   return stretches;
 }
 
-double distance_to(const PlanePiece& line, Vector2 point) {
+double distance_to_stretch(const PlanePiece& line, Vector2 point) {
   const double s = std::clamp(dot(point - line.start, line.along), 0.0, line.extent);
   return length(point - line.at(s));
 }
@@ -52,8 +52,8 @@ double distance_between(const PlanePiece& a, const PlanePiece& b) {
     const double s = cross(b.start - a.start, b.along) / sine, t = cross(b.start - a.start, a.along) / sine;
     if (s >= 0.0 && s <= a.extent && t >= 0.0 && t <= b.extent) return 0.0;
   }
-  return std::min(
-      {distance_to(a, b.start), distance_to(a, b.end()), distance_to(b, a.start), distance_to(b, a.end())});
+  return std::min({distance_to_stretch(a, b.start), distance_to_stretch(a, b.end()),
+                   distance_to_stretch(b, a.start), distance_to_stretch(b, a.end())});
 }
 
 /// Do two stretches belong to one bend? The edges of a turn on the spot meet half a circle further on, and at

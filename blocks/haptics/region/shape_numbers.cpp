@@ -12,13 +12,13 @@ namespace {
 
 /// A number, with a unit of length or none, or a formula of numbers.
 double length_in(const std::string& text) {
-  if (const auto quantity = parse_quantity(text)) {
-    const bool fits = !quantity->dimension || *quantity->dimension == parse_unit("m")->dimension;
+  if (const auto quantity = unit::parse_quantity(text)) {
+    const bool fits = !quantity->dimension || *quantity->dimension == unit::parse_unit("m")->dimension;
     return fits ? quantity->value : std::nan("");
   }
   try {
-    return Expression(text, [](std::string_view) { return false; })({});
-  } catch (const ExpressionError&) {
+    return expression::Expression(text, [](std::string_view) { return false; })({});
+  } catch (const expression::ExpressionError&) {
     return std::nan("");
   }
 }

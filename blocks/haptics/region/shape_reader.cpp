@@ -171,12 +171,12 @@ BandSide ShapeReader::side_of_points(const Value& tree, double low, double high)
 BandSide ShapeReader::side_of_formula(const Value& tree, double low, double high) const {
   if (!tree.text()) refuse("a boundary is a formula of y, as \"8 mm + 0.1*y\", or a list of points", tree);
   try {
-    const Expression formula(*tree.text(), [](std::string_view name) { return name == "y"; });
+    const expression::Expression formula(*tree.text(), [](std::string_view name) { return name == "y"; });
     const auto x = [formula](double y) {
       return formula(std::span<const double>(&y, formula.variables().size()));
     };
     return {chain_along([&](double y) { return Vector2{x(y), y}; }, low, high, fit_tolerance), x};
-  } catch (const ExpressionError& error) {
+  } catch (const expression::ExpressionError& error) {
     refuse(
         fmt::format("'{}', character {}: {}; it may use y", *tree.text(), error.position + 1, error.what()),
         tree);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace stepwire {
+namespace stepwire::claim {
 
 double Comparison::margin(double value) const {
   if (std::isnan(value)) return -std::numeric_limits<double>::infinity();
@@ -27,4 +27,4 @@ std::string Verdict::word() const {
   return holds ? "holds after all" : "does not hold (known)";
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::claim

@@ -11,7 +11,7 @@
 #include "engine/base/yaml/document.hpp"
 #include "engine/simulate/record/recording.hpp"
 
-namespace stepwire {
+namespace stepwire::claim {
 
 /// How a claim makes one number of a column.
 enum class Reduction { final, max, min, mean, rms, spread, fraction, count, at, quantile, rising, fit };
@@ -41,8 +41,8 @@ struct Claim {
   std::string that;
   std::string check;  ///< the condition as text: "max abs(limit) <= 0 A where rig.x > -4 mm"
   Reduction reduction = Reduction::final;
-  std::vector<Formula> values;  ///< one; two for rising (value, over) and fit (model, measured)
-  std::optional<Formula> where;
+  std::vector<query::Formula> values;  ///< one; two for rising (value, over) and fit (model, measured)
+  std::optional<query::Formula> where;
   double time = 0.0;      ///< for at, in s
   double share = 0.5;     ///< for quantile, 0 to 1
   bool each_run = false;  ///< judged for every run of a sweep, the worst is shown; always so for final and at
@@ -51,7 +51,7 @@ struct Claim {
   std::string
       disagrees;  ///< why this statement of the source is known not to hold; empty: it is expected to hold
   std::size_t recording = 0;
-  Place place;
+  yaml::Place place;
 };
 
 /// What became of a claim.
@@ -74,13 +74,14 @@ struct Verdict {
 };
 
 /// The keys of a claim.
-const Key& claim_form();
+const yaml::Key& claim_form();
 
 /// Reads the value under the key `claims` or `invariants`: a list of claims. Everything that is wrong goes to
 /// `faults`.
-std::vector<Claim> read_claims(const Node& node, Claim::Kind kind, const SymbolTable& names, Faults& faults);
+std::vector<Claim> read_claims(const yaml::Node& node, Claim::Kind kind, const query::SymbolTable& names,
+                               yaml::Faults& faults);
 
 /// Judges a claim on what was recorded.
-Verdict judge(const Claim& claim, std::span<const Recording> recordings);
+Verdict judge(const Claim& claim, std::span<const record::Recording> recordings);
 
-}  // namespace stepwire
+}  // namespace stepwire::claim

@@ -9,7 +9,7 @@
 #include "engine/analyse/claim/claim_words.hpp"
 #include "engine/analyse/claim/reduce.hpp"
 
-namespace stepwire {
+namespace stepwire::claim {
 namespace {
 
 /// Why a claim has no value.
@@ -17,11 +17,11 @@ struct Unjudged : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-Rows rows_of(const Claim& claim, const Recording& recording) {
+Rows rows_of(const Claim& claim, const record::Recording& recording) {
   Rows rows;
-  rows.value = evaluate(claim.values.at(0), recording);
-  if (claim.values.size() > 1) rows.other = evaluate(claim.values[1], recording);
-  if (const Column* time = recording.table.find("time"))
+  rows.value = query::evaluate(claim.values.at(0), recording);
+  if (claim.values.size() > 1) rows.other = query::evaluate(claim.values[1], recording);
+  if (const table::Column* time = recording.table.find("time"))
     rows.time = time->values;
   else
     throw Unjudged("no time was recorded");
@@ -30,7 +30,7 @@ Rows rows_of(const Claim& claim, const Recording& recording) {
   rows.free_offset = claim.free_offset;
   rows.share = claim.share;
   if (!claim.where) return rows;
-  const auto where = evaluate(*claim.where, recording);
+  const auto where = query::evaluate(*claim.where, recording);
   // A condition that is nan is not met.
   for (std::size_t i = 0; i < where.size(); ++i) rows.selected[i] = where[i] != 0.0 && !std::isnan(where[i]);
   return rows;
@@ -96,14 +96,14 @@ double value_of(const Claim& claim, const Rows& rows) {
 }
 
 /// How large the recorded quantities of the reduced one's kind are.
-double magnitude_of(const Claim& claim, const Recording& recording) {
+double magnitude_of(const Claim& claim, const record::Recording& recording) {
   const auto dimension = reduced_dimension(claim);
   double largest = 0.0;
   if (!dimension) return largest;
-  for (const Formula& formula : claim.values)
+  for (const query::Formula& formula : claim.values)
     for (const std::string& name : formula.columns) {
-      const Column* column = recording.table.find(name);
-      const auto unit = column ? parse_unit(column->unit) : std::nullopt;
+      const table::Column* column = recording.table.find(name);
+      const auto unit = column ? unit::parse_unit(column->unit) : std::nullopt;
       if (!unit || unit->dimension != *dimension) continue;
       for (const double value : column->values)
         if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
@@ -119,7 +119,8 @@ std::string count_text(const Claim& claim, double value, const Rows& rows) {
   return fmt::format(", {} of {}", std::lround(value * static_cast<double>(count)), count);
 }
 
-std::string shown_text(const Claim& claim, double value, const Rows& rows, const Recording& recording) {
+std::string shown_text(const Claim& claim, double value, const Rows& rows,
+                       const record::Recording& recording) {
   std::string text =
       value_text(claim, value, magnitude_of(claim, recording)) + count_text(claim, value, rows);
   const std::size_t runs = recording.starts.size();
@@ -129,7 +130,7 @@ std::string shown_text(const Claim& claim, double value, const Rows& rows, const
 
 }  // namespace
 
-Verdict judge(const Claim& claim, std::span<const Recording> recordings) {
+Verdict judge(const Claim& claim, std::span<const record::Recording> recordings) {
   Verdict verdict{claim.kind, claim.that, claim.check,     std::numeric_limits<double>::quiet_NaN(),
                   "none",     false,      claim.disagrees, ""};
   try {
@@ -147,4 +148,4 @@ Verdict judge(const Claim& claim, std::span<const Recording> recordings) {
   return verdict;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::claim

@@ -7,81 +7,85 @@
 #include "engine/analyse/claim/claim_words.hpp"
 #include "engine/analyse/query/number.hpp"
 
-namespace stepwire {
+namespace stepwire::claim {
+
+using yaml::form;
+
 namespace {
 
-using ClaimRow = KeyRow<Claim, NamesReading>;
+using ClaimRow = yaml::KeyRow<Claim, query::NamesReading>;
 
-void add_value(const Node& node, Claim& claim, const NamesReading& read) {
+void add_value(const yaml::Node& node, Claim& claim, const query::NamesReading& read) {
   auto value = read.formula(node);
   if (!value) return;
   const bool counts = claim.reduction == Reduction::fraction || claim.reduction == Reduction::count;
-  if (counts && value->dimension && *value->dimension != Dimension{})
+  if (counts && value->dimension && *value->dimension != unit::Dimension{})
     return read.fault(node.mark,
                       fmt::format("'{}' is in {} and no condition; write what has to hold, such as '{} > 0'",
-                                  node.text, si_name(*value->dimension), node.text));
+                                  node.text, unit::si_name(*value->dimension), node.text));
   claim.values.push_back(std::move(*value));
 }
 
-void read_model_and_measured(const Node& node, Claim& claim, const NamesReading& read) {
+void read_model_and_measured(const yaml::Node& node, Claim& claim, const query::NamesReading& read) {
   if (!node.is_list() || node.items.size() != 2) return read.fault(node.mark, "fit takes [MODEL, MEASURED]");
   for (const auto& item : node.items) add_value(item, claim, read);
   if (claim.values.size() != 2) return;
   const auto &model = claim.values[0].dimension, &measured = claim.values[1].dimension;
   if (model && measured && *model != *measured)
     read.fault(node.mark, fmt::format("'{}' is in {}, but '{}' is in {}", claim.values[0].text,
-                                      si_name(*model), claim.values[1].text, si_name(*measured)));
+                                      unit::si_name(*model), claim.values[1].text, unit::si_name(*measured)));
 }
 
 /// Reads a map of two, of which `time` is a number.
-void read_two(const Node& node, const Key& form, Claim& claim, const NamesReading& read) {
+void read_two(const yaml::Node& node, const yaml::Key& form, Claim& claim, const query::NamesReading& read) {
   if (!read.check(node, form)) return;
-  for (const Key& key : form.of) {
-    const Node* value = node.find(key.name);
+  for (const yaml::Key& key : form.of) {
+    const yaml::Node* value = node.find(key.name);
     if (value && key.name == "time")
-      below(read, key.name).take(*value, key, claim.time);
+      yaml::below(read, key.name).take(*value, key, claim.time);
     else if (value && key.name == "share")
-      below(read, key.name).take(*value, key, claim.share);
+      yaml::below(read, key.name).take(*value, key, claim.share);
     else if (value)
-      add_value(*value, claim, below(read, key.name));
+      add_value(*value, claim, yaml::below(read, key.name));
   }
 }
 
-ClaimRow reduction(Reduction kind, std::string name, std::string doc, Key form = form::expression()) {
-  return one_of("reduction", ClaimRow{std::move(name), std::move(doc), form,
-                                      [kind, form](Claim& claim, const Node& node, const NamesReading& read) {
-                                        claim.reduction = kind;
-                                        if (kind == Reduction::fit)
-                                          read_model_and_measured(node, claim, read);
-                                        else if (form.form == Key::Form::keys)
-                                          read_two(node, form, claim, read);
-                                        else
-                                          add_value(node, claim, read);
-                                      }});
+ClaimRow reduction(Reduction kind, std::string name, std::string doc, yaml::Key form = form::expression()) {
+  return yaml::one_of("reduction", ClaimRow{std::move(name), std::move(doc), form,
+                                            [kind, form](Claim& claim, const yaml::Node& node,
+                                                         const query::NamesReading& read) {
+                                              claim.reduction = kind;
+                                              if (kind == Reduction::fit)
+                                                read_model_and_measured(node, claim, read);
+                                              else if (form.form == yaml::Key::Form::keys)
+                                                read_two(node, form, claim, read);
+                                              else
+                                                add_value(node, claim, read);
+                                            }});
 }
 
-std::optional<double> compared(const Node& node, Claim& claim, const NamesReading& read) {
-  auto number = read_number(node, read.names, read.subject, read.faults);
+std::optional<double> compared(const yaml::Node& node, Claim& claim, const query::NamesReading& read) {
+  auto number = query::read_number(node, read.names, read.subject, read.faults);
   if (!number) return std::nullopt;
   if (claim.reduction == Reduction::fit && number->unit == "%") return 100.0 * number->value;
-  check_dimension(*number, reduced_dimension(claim), "the claim's value", node, read.names, read.subject,
-                  read.faults);
+  query::check_dimension(*number, reduced_dimension(claim), "the claim's value", node, read.names,
+                         read.subject, read.faults);
   if (claim.comparison.unit.empty()) claim.comparison.unit = number->unit;
   return number->value;
 }
 
 /// A number as it is written, with the SI unit that one without a unit has.
-std::string text_of(const Node& node, const Claim& claim) {
-  const auto number = parse_quantity(node.text);
+std::string text_of(const yaml::Node& node, const Claim& claim) {
+  const auto number = unit::parse_quantity(node.text);
   const auto dimension = reduced_dimension(claim);
-  if (!number || number->dimension || !dimension || *dimension == Dimension{}) return node.text;
-  return node.text + " " + si_name(*dimension);
+  if (!number || number->dimension || !dimension || *dimension == unit::Dimension{}) return node.text;
+  return node.text + " " + unit::si_name(*dimension);
 }
 
-void read_between(const Node& node, Claim& claim, const NamesReading& read) {
-  const auto* ends = read.pair(node, like("[3.1 N, 3.3 N]", {}));
+void read_between(const yaml::Node& node, Claim& claim, const query::NamesReading& read) {
+  const auto* ends = read.pair(node, yaml::like("[3.1 N, 3.3 N]", {}));
   if (!ends) return;
-  const Node &first = ends->front(), &second = ends->back();
+  const yaml::Node &first = ends->front(), &second = ends->back();
   const auto low = compared(first, claim, read), high = compared(second, claim, read);
   if (low && high && *low > *high)
     read.fault(node.mark,
@@ -92,22 +96,23 @@ void read_between(const Node& node, Claim& claim, const NamesReading& read) {
 }
 
 ClaimRow comparison(Comparison::Kind kind, std::string name, std::string sign, std::string doc) {
-  return one_of("comparison", ClaimRow{std::move(name), std::move(doc), form::computed(),
-                                       [=](Claim& claim, const Node& node, const NamesReading& read) {
-                                         claim.comparison.kind = kind;
-                                         claim.comparison.low = compared(node, claim, read).value_or(0.0);
-                                         claim.comparison.text = sign + " " + text_of(node, claim);
-                                       }});
+  return yaml::one_of("comparison",
+                      ClaimRow{std::move(name), std::move(doc), form::computed(),
+                               [=](Claim& claim, const yaml::Node& node, const query::NamesReading& read) {
+                                 claim.comparison.kind = kind;
+                                 claim.comparison.low = compared(node, claim, read).value_or(0.0);
+                                 claim.comparison.text = sign + " " + text_of(node, claim);
+                               }});
 }
 
-void read_within(Claim& claim, const Node& node, const NamesReading& read) {
+void read_within(Claim& claim, const yaml::Node& node, const query::NamesReading& read) {
   Comparison& comparison = claim.comparison;
-  const auto number = read_number(node, read.names, read.subject, read.faults);
+  const auto number = query::read_number(node, read.names, read.subject, read.faults);
   if (!number || comparison.kind != Comparison::Kind::equals) return;
   const bool relative = number->unit == "%";
   if (!relative)
-    check_dimension(*number, reduced_dimension(claim), "the claim's value", node, read.names, read.subject,
-                    read.faults);
+    query::check_dimension(*number, reduced_dimension(claim), "the claim's value", node, read.names,
+                           read.subject, read.faults);
   comparison.within = relative ? number->value * std::abs(comparison.low) : number->value;
   comparison.text += " within " + text_of(node, claim);
   if (relative && comparison.low == 0.0)
@@ -116,18 +121,19 @@ void read_within(Claim& claim, const Node& node, const NamesReading& read) {
   if (comparison.within < 0.0) read.fault(node.mark, "a tolerance is not negative");
 }
 
-void read_disagreement(Claim& claim, const Node& node, const NamesReading& read) {
+void read_disagreement(Claim& claim, const yaml::Node& node, const query::NamesReading& read) {
   if (claim.kind == Claim::Kind::invariant)
     return read.fault(node.mark, "an invariant always holds; what a source says stands under 'claims'");
   claim.disagrees = read.text(node);
 }
 
-Key two(std::string example, Key first, Key second) {
-  return form::keys("it", std::move(example), {needed(std::move(first)), needed(std::move(second))});
+yaml::Key two(std::string example, yaml::Key first, yaml::Key second) {
+  return form::keys("it", std::move(example),
+                    {yaml::needed(std::move(first)), yaml::needed(std::move(second))});
 }
 
-Key share_form() {
-  Key share = form::computed();
+yaml::Key share_form() {
+  yaml::Key share = form::computed();
   share.least = 0.0;
   share.most = 1.0;
   return share;
@@ -135,7 +141,7 @@ Key share_form() {
 
 std::vector<ClaimRow> claim_rows() {
   return {
-      needed(ClaimRow{"that", "the statement, for people", form::text(), &Claim::that}),
+      yaml::needed(ClaimRow{"that", "the statement, for people", form::text(), &Claim::that}),
       {"where", "only rows for which this is true count", form::expression(), &Claim::where},
       reduction(Reduction::final, "final",
                 "its last value; over a sweep that of every run, of which the worst is shown"),
@@ -147,70 +153,74 @@ std::vector<ClaimRow> claim_rows() {
       reduction(Reduction::fraction, "fraction", "the share of rows where it is true, 0 to 1"),
       reduction(Reduction::count, "count", "how often it becomes true"),
       reduction(Reduction::at, "at", "its value at a time: {time: 2 s, value: x}",
-                two("{time: 2 s, value: ...}", key("time", "when", form::computed("s")),
-                    key("value", "what", form::expression()))),
+                two("{time: 2 s, value: ...}", yaml::key("time", "when", form::computed("s")),
+                    yaml::key("value", "what", form::expression()))),
       reduction(Reduction::quantile, "quantile",
                 "what this share of its rows lies below, after Hazen: {share: 5 %, value: x}",
-                two("{share: 5 %, value: ...}", key("share", "0 to 1, or in %", share_form()),
-                    key("value", "what", form::expression()))),
+                two("{share: 5 %, value: ...}", yaml::key("share", "0 to 1, or in %", share_form()),
+                    yaml::key("value", "what", form::expression()))),
       reduction(Reduction::rising, "rising",
                 "rank correlation, 1 where it rises strictly: {value: x, over: y}",
-                two("{value: ..., over: ...}", key("value", "what rises", form::expression()),
-                    key("over", "with what", form::expression()))),
+                two("{value: ..., over: ...}", yaml::key("value", "what rises", form::expression()),
+                    yaml::key("over", "with what", form::expression()))),
       reduction(Reduction::fit, "fit",
                 "agreement of [MODEL, MEASURED] in percent: 100 (1 - |e| / |y - mean y|)",
                 form::pair(form::expression())),
       comparison(Comparison::Kind::equals, "equals", "=", "the reduced value is this; see within"),
       comparison(Comparison::Kind::at_most, "at_most", "<=", "the reduced value is this or less"),
       comparison(Comparison::Kind::at_least, "at_least", ">=", "the reduced value is this or more"),
-      one_of("comparison", ClaimRow{"between", "the reduced value lies in this interval: [3.1 N, 3.3 N]",
-                                    form::pair(form::computed()),
-                                    [](Claim& claim, const Node& node, const NamesReading& read) {
-                                      claim.comparison.kind = Comparison::Kind::between;
-                                      read_between(node, claim, read);
-                                    }}),
-      beside({"equals"}, ClaimRow{"within", "tolerance of `equals`: 0.1 N, or relative: 1 %",
-                                  form::computed(), read_within}),
+      yaml::one_of("comparison",
+                   ClaimRow{"between", "the reduced value lies in this interval: [3.1 N, 3.3 N]",
+                            form::pair(form::computed()),
+                            [](Claim& claim, const yaml::Node& node, const query::NamesReading& read) {
+                              claim.comparison.kind = Comparison::Kind::between;
+                              read_between(node, claim, read);
+                            }}),
+      yaml::beside({"equals"}, ClaimRow{"within", "tolerance of `equals`: 0.1 N, or relative: 1 %",
+                                        form::computed(), read_within}),
       {"each_run", "true: judged for every run of a sweep, the worst is shown; always so for final and at",
        form::truth(), &Claim::each_run},
-      beside({"fit"}, ClaimRow{"offset", "beside fit: the mean difference is no error", form::word({"free"}),
-                               [](Claim& claim, const Node& node, const NamesReading& read) {
-                                 claim.free_offset = read.word(node, form::word({"free"})).has_value();
-                               }}),
+      yaml::beside({"fit"},
+                   ClaimRow{"offset", "beside fit: the mean difference is no error", form::word({"free"}),
+                            [](Claim& claim, const yaml::Node& node, const query::NamesReading& read) {
+                              claim.free_offset = read.word(node, form::word({"free"})).has_value();
+                            }}),
       {"disagrees", "why a statement of the thesis is known not to hold", form::text(), read_disagreement}};
 }
 
-const KeyTable<Claim, NamesReading>& claim_table() {
-  static const KeyTable<Claim, NamesReading> table("a claim", "{that: ..., final: ..., equals: ...}",
-                                                   claim_rows());
+const yaml::KeyTable<Claim, query::NamesReading>& claim_table() {
+  static const yaml::KeyTable<Claim, query::NamesReading> table(
+      "a claim", "{that: ..., final: ..., equals: ...}", claim_rows());
   return table;
 }
 
-Claim read_claim(const Node& node, Claim::Kind kind, const NamesReading& read) {
+Claim read_claim(const yaml::Node& node, Claim::Kind kind, const query::NamesReading& read) {
   Claim claim;
   claim.kind = kind;
   claim.place = {read.names.file, node.mark};
   if (!claim_table().read(node, claim, read)) return claim;
   claim.each_run = claim.each_run || claim.reduction == Reduction::final || claim.reduction == Reduction::at;
-  std::vector<const Formula*> all;
+  std::vector<const query::Formula*> all;
   for (const auto& value : claim.values) all.push_back(&value);
   if (claim.where) all.push_back(&*claim.where);
   const std::string& reduced = reduction_names()[static_cast<std::size_t>(claim.reduction)];
-  claim.recording = common_recording(all, read.names, node, below(read, reduced).subject, read.faults);
-  const Node* at = node.find("at");
-  const Node* time = at ? at->find("time") : nullptr;
+  claim.recording =
+      query::common_recording(all, read.names, node, yaml::below(read, reduced).subject, read.faults);
+  const yaml::Node* at = node.find("at");
+  const yaml::Node* time = at ? at->find("time") : nullptr;
   claim.check = check_text(claim, time ? time->text : "");
   return claim;
 }
 
 }  // namespace
 
-const Key& claim_form() {
+const yaml::Key& claim_form() {
   return claim_table().form;
 }
 
-std::vector<Claim> read_claims(const Node& node, Claim::Kind kind, const SymbolTable& names, Faults& faults) {
-  const NamesReading read(kind == Claim::Kind::invariant ? "invariants" : "claims", names, faults);
+std::vector<Claim> read_claims(const yaml::Node& node, Claim::Kind kind, const query::SymbolTable& names,
+                               yaml::Faults& faults) {
+  const query::NamesReading read(kind == Claim::Kind::invariant ? "invariants" : "claims", names, faults);
   std::vector<Claim> claims;
   if (!node.is_list())
     read.fault(node.mark, fmt::format("{} are a list: - {}", read.subject, claim_form().example));
@@ -218,4 +228,4 @@ std::vector<Claim> read_claims(const Node& node, Claim::Kind kind, const SymbolT
   return claims;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::claim

@@ -8,7 +8,7 @@
 
 #include "engine/analyse/query/number.hpp"
 
-namespace stepwire {
+namespace stepwire::claim {
 namespace {
 
 std::string reduction_text(const Claim& claim, const std::string& time) {
@@ -40,8 +40,8 @@ std::string unit_of(const Claim& claim, double value) {
   if (claim.reduction == Reduction::fit) return "%";
   if (!claim.comparison.unit.empty()) return claim.comparison.unit;
   const auto dimension = reduced_dimension(claim);
-  if (!dimension || *dimension == Dimension{}) return "";
-  return handy(si_name(*dimension), value);
+  if (!dimension || *dimension == unit::Dimension{}) return "";
+  return handy(unit::si_name(*dimension), value);
 }
 
 /// 0 where the value is no more than the rounding of what it was made of, if that is on the same side.
@@ -57,20 +57,20 @@ double resolved(const Comparison& comparison, double value, double magnitude) {
 const std::vector<std::string>& reduction_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> found;
-    for (const Key& key : claim_form().of)
+    for (const yaml::Key& key : claim_form().of)
       if (key.choice == "reduction") found.push_back(key.name);
     return found;
   }();
   return names;
 }
 
-std::optional<Dimension> reduced_dimension(const Claim& claim) {
+std::optional<unit::Dimension> reduced_dimension(const Claim& claim) {
   switch (claim.reduction) {
     case Reduction::fraction:
     case Reduction::count:
     case Reduction::rising:
     case Reduction::fit:
-      return Dimension{};
+      return unit::Dimension{};
     default:
       return claim.values.empty() ? std::nullopt : claim.values.front().dimension;
   }
@@ -87,15 +87,16 @@ std::string check_text(const Claim& claim, const std::string& time) {
 std::string value_text(const Claim& claim, double exact, double magnitude) {
   const double value = resolved(claim.comparison, exact, magnitude);
   const std::string name = unit_of(claim, value);
-  const Unit unit = claim.reduction == Reduction::fit ? Unit{} : parse_unit(name).value_or(Unit{});
+  const unit::Unit unit =
+      claim.reduction == Reduction::fit ? unit::Unit{} : unit::parse_unit(name).value_or(unit::Unit{});
   const bool holds = claim.comparison.margin(value) >= 0.0;
   std::string text;
   for (int digits = 4; digits <= 17; ++digits) {
-    text = short_number(unit.from_si(value), digits);
+    text = query::short_number(unit.from_si(value), digits);
     const double shown = unit.to_si(std::strtod(text.c_str(), nullptr));
     if (!std::isfinite(value) || (claim.comparison.margin(shown) >= 0.0) == holds) break;
   }
   return name.empty() ? text : text + " " + name;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::claim

@@ -6,13 +6,13 @@
 
 #include "engine/analyse/claim/claim.hpp"
 
-namespace stepwire {
+namespace stepwire::claim {
 
 /// Keys of the reductions, in the order of `Reduction`.
 const std::vector<std::string>& reduction_names();
 
 /// Dimension of the reduced value, where it is known.
-std::optional<Dimension> reduced_dimension(const Claim& claim);
+std::optional<unit::Dimension> reduced_dimension(const Claim& claim);
 
 /// The condition of a claim as text; `time` is the time of `at` as written.
 std::string check_text(const Claim& claim, const std::string& time);
@@ -22,4 +22,4 @@ std::string check_text(const Claim& claim, const std::string& time);
 /// magnitude, and of the condition, is 0.
 std::string value_text(const Claim& claim, double value, double magnitude = 0.0);
 
-}  // namespace stepwire
+}  // namespace stepwire::claim

@@ -7,7 +7,7 @@
 #include "engine/analyse/statistics/quartiles.hpp"
 #include "engine/analyse/statistics/rank.hpp"
 
-namespace stepwire {
+namespace stepwire::claim {
 namespace {
 
 std::vector<double> selected(const std::vector<double>& values, const Rows& rows) {
@@ -25,7 +25,7 @@ double mean_of(const std::vector<double>& values) {
 double extreme(const std::vector<double>& values, bool largest) {
   double result = values.front();
   for (const double value : values) {
-    if (std::isnan(value)) return nothing;
+    if (std::isnan(value)) return query::nothing;
     result = largest ? std::max(result, value) : std::min(result, value);
   }
   return result;
@@ -61,22 +61,22 @@ double time_mean(const Rows& rows, bool squared) {
 double fraction(const std::vector<double>& values) {
   std::size_t count = 0;
   for (const double value : values) {
-    if (std::isnan(value)) return nothing;
+    if (std::isnan(value)) return query::nothing;
     if (value != 0.0) ++count;
   }
   return static_cast<double>(count) / static_cast<double>(values.size());
 }
 
 double quantile(std::vector<double> values, double share) {
-  if (std::ranges::any_of(values, [](double value) { return std::isnan(value); })) return nothing;
+  if (std::ranges::any_of(values, [](double value) { return std::isnan(value); })) return query::nothing;
   std::ranges::sort(values);
-  return hazen_quantile(values, share);
+  return statistics::hazen_quantile(values, share);
 }
 
 double rising_edges(const Rows& rows) {
   double count = 0.0;
   for_each_interval(rows, [&](std::size_t i, std::size_t j) {
-    if (std::isnan(rows.value[i]) || std::isnan(rows.value[j])) count = nothing;
+    if (std::isnan(rows.value[i]) || std::isnan(rows.value[j])) count = query::nothing;
     if (rows.value[i] == 0.0 && rows.value[j] != 0.0) count += 1.0;
   });
   return count;
@@ -94,7 +94,7 @@ double fit_percent(std::vector<double> model, const std::vector<double>& measure
     error += (model[i] - measured[i]) * (model[i] - measured[i]);
     variation += (measured[i] - mean) * (measured[i] - mean);
   }
-  return variation > 0.0 ? 100.0 * (1.0 - std::sqrt(error / variation)) : nothing;
+  return variation > 0.0 ? 100.0 * (1.0 - std::sqrt(error / variation)) : query::nothing;
 }
 
 }  // namespace
@@ -128,14 +128,14 @@ double reduce(Reduction reduction, const Rows& rows) {
     case Reduction::quantile:
       return quantile(values, rows.share);
     case Reduction::rising:
-      return rank_correlation(values, selected(rows.other, rows));
+      return statistics::rank_correlation(values, selected(rows.other, rows));
     case Reduction::fit:
       return fit_percent(values, selected(rows.other, rows), rows.free_offset);
     case Reduction::final:
     case Reduction::at:
       break;
   }
-  return nothing;
+  return query::nothing;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::claim

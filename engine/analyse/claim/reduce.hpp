@@ -6,7 +6,7 @@
 
 #include "engine/analyse/claim/claim.hpp"
 
-namespace stepwire {
+namespace stepwire::claim {
 
 /// Rows that a claim looks at: values, time, which rows are selected, and where the runs lie.
 struct Rows {
@@ -29,4 +29,4 @@ struct Rows {
 /// Not for `final` and `at`, which belong to one run.
 double reduce(Reduction reduction, const Rows& rows);
 
-}  // namespace stepwire
+}  // namespace stepwire::claim

@@ -9,7 +9,7 @@
 
 #include "engine/analyse/statistics/student.hpp"
 
-namespace stepwire {
+namespace stepwire::estimation {
 
 namespace {
 
@@ -90,7 +90,7 @@ Certainty certainty_of(const Eigen::VectorXd& residuals, const RowMajorMatrix& j
   result.serial = SerialCorrelation::of(residuals, starts);
   const double rows = static_cast<double>(residuals.size());
   const double worth = std::max(1.0, freedom - rows + rows / result.serial.inflation);
-  result.quantile = student_quantile(0.975, worth);
+  result.quantile = statistics::student_quantile(0.975, worth);
   Eigen::MatrixXd known = result.deviation * result.deviation * resolved.inverse;  // of the scaled unknowns
   if (result.serial.rows > 0) {
     const Eigen::MatrixXd terms = residuals.asDiagonal() * resolved.scaled;
@@ -124,4 +124,4 @@ std::string in_words(const Eigen::VectorXd& direction, const std::vector<std::st
       listed(changes));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::estimation

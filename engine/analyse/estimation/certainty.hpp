@@ -6,7 +6,7 @@
 
 #include "engine/analyse/estimation/serial_correlation.hpp"
 
-namespace stepwire {
+namespace stepwire::estimation {
 
 /// How sure the unknowns of a fit are, from the derivatives of its residuals. Where the residuals are
 /// independent the covariance is s^2 (J' J)^-1 with s^2 = sum of squares / degrees of freedom; where they go
@@ -32,4 +32,4 @@ Certainty certainty_of(const Eigen::VectorXd& residuals,
 /// A direction in words: "only the product of A and alpha can be known; fix one of them".
 std::string in_words(const Eigen::VectorXd& direction, const std::vector<std::string>& names);
 
-}  // namespace stepwire
+}  // namespace stepwire::estimation

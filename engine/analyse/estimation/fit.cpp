@@ -13,7 +13,7 @@
 #include "engine/analyse/estimation/loss.hpp"
 #include "engine/analyse/estimation/starts.hpp"
 
-namespace stepwire {
+namespace stepwire::estimation {
 
 namespace {
 
@@ -21,7 +21,7 @@ constexpr std::size_t first_look = 6;  // steps after which the starts are compa
 
 class Fit {
  public:
-  Fit(const ModelSource& source, const Job& job, const FitRequest& request, const FitOptions& options)
+  Fit(const ModelSource& source, const run::Job& job, const FitRequest& request, const FitOptions& options)
       : source_(source),
         request_(request),
         options_(options),
@@ -67,7 +67,7 @@ class Fit {
     KnownPoint start{residuals_.start(), {}, {}};
     if (!residuals_.evaluate(start.x, start.residuals, start.slopes, Residuals::Differences::forward)) return;
     const Eigen::VectorXd lengths = start.slopes.colwise().norm();
-    Faults faults;
+    yaml::Faults faults;
     for (Eigen::Index i = 0; i < lengths.size(); ++i) {
       const FitParameter& parameter = residuals_.parameter(static_cast<std::size_t>(i));
       if (lengths[i] == 0.0)
@@ -112,7 +112,8 @@ class Fit {
     best_ = minima[ranking(minima).front()];
     for (const Minimum& one : minima) result_.starts.push_back({one.cost, one.converged, one.iterations});
     if (!std::isfinite(best_.cost) && !interrupted())
-      throw Error(Fault{request_.place, "fit", "no start can be evaluated; give a start that runs", {}});
+      throw yaml::Error(
+          yaml::Fault{request_.place, "fit", "no start can be evaluated; give a start that runs", {}});
     if (!std::isfinite(best_.cost)) best_ = {residuals_.start(), 0.0, false, 0};
     result_.converged = best_.converged;
   }
@@ -163,7 +164,7 @@ class Fit {
       double own = 0.0;
       try {
         if (!interrupted()) own = take(residuals_.predict(record, best_.x), one);
-      } catch (const Error& error) {
+      } catch (const yaml::Error& error) {
         if (!result_.refused)
           result_.findings.push_back(fmt::format(
               "the records want what the diagram does not take; give narrower bounds: {}", error.what()));
@@ -248,8 +249,9 @@ class Fit {
 
   void set_parameters() {
     for (std::size_t record = 0; record < runs_.records(); ++record) {
-      std::vector<Setting> own;
-      const std::vector<Setting> all = settings_of(request_.parameters, residuals_.values(record, best_.x));
+      std::vector<diagram::Setting> own;
+      const std::vector<diagram::Setting> all =
+          settings_of(request_.parameters, residuals_.values(record, best_.x));
       for (std::size_t j = 0; j < all.size(); ++j) {
         if (request_.parameters[j].each_record) own.push_back(all[j]);
         if (!request_.parameters[j].each_record && record == 0) result_.shared.push_back(all[j]);
@@ -275,11 +277,11 @@ std::string FittedNumber::title() const {
   return record.empty() ? name : fmt::format("{} of {}", name, record);
 }
 
-FitResult fit(const ModelSource& source, const Job& job, const FitRequest& request,
+FitResult fit(const ModelSource& source, const run::Job& job, const FitRequest& request,
               const FitOptions& options) {
   try {
     return Fit(source, job, request, options).result();
-  } catch (const Error&) {  // a run that was cut short gives no rows to compare
+  } catch (const yaml::Error&) {  // a run that was cut short gives no rows to compare
     if (!source.interrupt || !*source.interrupt) throw;
     FitResult nothing;
     nothing.interrupted = true;
@@ -287,4 +289,4 @@ FitResult fit(const ModelSource& source, const Job& job, const FitRequest& reque
   }
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::estimation

@@ -10,7 +10,7 @@
 #include "engine/analyse/estimation/model_runs.hpp"
 #include "engine/analyse/estimation/residuals.hpp"
 
-namespace stepwire {
+namespace stepwire::estimation {
 
 /// What a call may change about a fit.
 struct FitOptions {
@@ -26,7 +26,7 @@ struct FittedNumber {
   double standard_error = 0.0;   ///< nan where the records do not tell
   double low = 0.0, high = 0.0;  ///< of the 95 % interval
   bool at_bound = false;
-  std::optional<Dimension> dimension{};
+  std::optional<unit::Dimension> dimension{};
   std::string unit{};  ///< for showing it; empty: SI
 
   /// The parameter and whose it is: "bias of 10mm2Hz_0A".
@@ -66,13 +66,13 @@ struct FitResult {
   bool refused = false;   ///< the diagram does not take what was found
   double seconds = 0.0;
 
-  std::vector<Setting> shared;                   ///< what sets the parameters that all records share
-  std::vector<std::vector<Setting>> of_records;  ///< beside them, what sets each record's own
+  std::vector<diagram::Setting> shared;                   ///< what sets the parameters that all records share
+  std::vector<std::vector<diagram::Setting>> of_records;  ///< beside them, what sets each record's own
 };
 
 /// Finds the parameters that a file asks for. Throws Error for what is wrong with the request, the records or
 /// the start. What was interrupted before the first run was done has no records.
-FitResult fit(const ModelSource& source, const Job& job, const FitRequest& request,
+FitResult fit(const ModelSource& source, const run::Job& job, const FitRequest& request,
               const FitOptions& options = {});
 
-}  // namespace stepwire
+}  // namespace stepwire::estimation

@@ -6,21 +6,25 @@
 #include "engine/analyse/estimation/fit_keys.hpp"
 #include "engine/analyse/query/number.hpp"
 
-namespace stepwire {
+namespace stepwire::estimation {
+
+using yaml::form;
+
 namespace {
 
-using ParameterTable = KeyTable<FitParameter, FitReading>;
+using ParameterTable = yaml::KeyTable<FitParameter, FitReading>;
 
-double number(const Node& node, FitParameter& parameter, const FitReading& read) {
-  const auto found = read_number(node, read.names, read.subject, read.faults);
+double number(const yaml::Node& node, FitParameter& parameter, const FitReading& read) {
+  const auto found = query::read_number(node, read.names, read.subject, read.faults);
   if (!found) return 0.0;
-  check_dimension(*found, parameter.dimension, "the parameter", node, read.names, read.subject, read.faults);
+  query::check_dimension(*found, parameter.dimension, "the parameter", node, read.names, read.subject,
+                         read.faults);
   if (!parameter.dimension) parameter.dimension = found->dimension;
   if (parameter.unit.empty()) parameter.unit = found->unit;
   return found->value;
 }
 
-void read_bounds(FitParameter& parameter, const Node& node, const FitReading& read) {
+void read_bounds(FitParameter& parameter, const yaml::Node& node, const FitReading& read) {
   if (!node.is_list() || node.items.size() != 2)
     return read.fault(node.mark, "bounds are a lower and an upper one: [1 kg, 5 kg]");
   parameter.lower = number(node.items[0], parameter, read);
@@ -30,7 +34,7 @@ void read_bounds(FitParameter& parameter, const Node& node, const FitReading& re
                                       node.items[0].text, node.items[1].text));
 }
 
-void read_scale(FitParameter& parameter, const Node& node, const FitReading& read) {
+void read_scale(FitParameter& parameter, const yaml::Node& node, const FitReading& read) {
   parameter.scale = number(node, parameter, read);
   if (!(parameter.scale > 0.0)) read.fault(node.mark, fmt::format("the scale {} is not above 0", node.text));
 }
@@ -39,7 +43,7 @@ const ParameterTable& parameter_table() {
   static const ParameterTable table(
       "it", "{start: 2 kg, bounds: [1 kg, 5 kg]}",
       {{"start", "where the search begins; the file's value without it", form::computed(),
-        [](FitParameter& parameter, const Node& node, const FitReading& read) {
+        [](FitParameter& parameter, const yaml::Node& node, const FitReading& read) {
           parameter.start = number(node, parameter, read);
         }},
        {"bounds", "it is sought between these: [1 kg, 5 kg]", form::pair(form::computed()), read_bounds},
@@ -50,11 +54,12 @@ const ParameterTable& parameter_table() {
 }
 
 /// What the file leaves open of a parameter, and whether it starts within its bounds.
-void complete(FitParameter& parameter, const Node& node, const std::string& start, const FitReading& read) {
+void complete(FitParameter& parameter, const yaml::Node& node, const std::string& start,
+              const FitReading& read) {
   const bool ordered = parameter.lower < parameter.upper;
   if (ordered && (parameter.start < parameter.lower || parameter.start > parameter.upper)) {
-    const Node& bounds = *node.find("bounds");
-    below(read, "bounds")
+    const yaml::Node& bounds = *node.find("bounds");
+    yaml::below(read, "bounds")
         .fault(bounds.mark,
                fmt::format("the start, {}, is outside of the bounds [{}, {}]; it must lie within them", start,
                            bounds.items[0].text, bounds.items[1].text));
@@ -66,15 +71,15 @@ void complete(FitParameter& parameter, const Node& node, const std::string& star
     parameter.scale = 0.1 * (parameter.upper - parameter.lower);
 }
 
-std::string unknown(const std::string& name, const Diagram& diagram) {
+std::string unknown(const std::string& name, const diagram::Diagram& diagram) {
   std::vector<std::string> all;
-  for (const DiagramParameter& one : diagram.parameters)
+  for (const diagram::DiagramParameter& one : diagram.parameters)
     if (std::holds_alternative<double>(one.value.content)) all.push_back(one.name);
-  return fmt::format("there is no parameter '{}'{}", name, nearest_or_all(name, all, "there are"));
+  return fmt::format("there is no parameter '{}'{}", name, yaml::nearest_or_all(name, all, "there are"));
 }
 
-void read_parameter(FitRequest& request, const Entry& entry, const FitReading& read) {
-  const auto of = std::ranges::find(read.diagram.parameters, entry.key, &DiagramParameter::name);
+void read_parameter(FitRequest& request, const yaml::Entry& entry, const FitReading& read) {
+  const auto of = std::ranges::find(read.diagram.parameters, entry.key, &diagram::DiagramParameter::name);
   if (of == read.diagram.parameters.end()) return read.fault(entry.mark, unknown(entry.key, read.diagram));
   const double* own = std::get_if<double>(&of->value.content);
   if (!own)
@@ -84,7 +89,7 @@ void read_parameter(FitRequest& request, const Entry& entry, const FitReading& r
   FitParameter parameter{.name = entry.key, .start = *own, .dimension = of->dimension};
   parameter.place = {read.names.file, entry.mark};
   if (!parameter_table().read(entry.value, parameter, read)) return;
-  const Node* start = entry.value.find("start");
+  const yaml::Node* start = entry.value.find("start");
   complete(parameter, entry.value, start ? start->text : of->text, read);
   read.parameters.push_back(parameter);
   if (!of->set) request.parameters.push_back(std::move(parameter));  // what the call sets is given
@@ -93,19 +98,19 @@ void read_parameter(FitRequest& request, const Entry& entry, const FitReading& r
 }  // namespace
 
 bool FitReading::is_swept(const std::string& name) const {
-  return diagram.sweep &&
-         std::ranges::find(diagram.sweep->axes, name, &Sweep::Axis::parameter) != diagram.sweep->axes.end();
+  return diagram.sweep && std::ranges::find(diagram.sweep->axes, name, &diagram::Sweep::Axis::parameter) !=
+                              diagram.sweep->axes.end();
 }
 
-const Key& fit_parameter_form() {
+const yaml::Key& fit_parameter_form() {
   return parameter_table().form;
 }
 
-void read_fit_parameters(FitRequest& request, const Node& node, const FitReading& read) {
+void read_fit_parameters(FitRequest& request, const yaml::Node& node, const FitReading& read) {
   if (!node.is_map() || node.entries.empty())
     return read.fault(node.mark,
                       "names what is to be found: {rig.mass: {start: 2 kg, bounds: [1 kg, 5 kg]}}");
-  for (const Entry& entry : node.entries) read_parameter(request, entry, below(read, entry.key));
+  for (const yaml::Entry& entry : node.entries) read_parameter(request, entry, yaml::below(read, entry.key));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::estimation

@@ -3,34 +3,37 @@
 #include "engine/analyse/estimation/fit_keys.hpp"
 #include "engine/analyse/query/number.hpp"
 
-namespace stepwire {
+namespace stepwire::estimation {
+
+using yaml::form;
+
 namespace {
 
-using FitTable = KeyTable<FitRequest, FitReading>;
+using FitTable = yaml::KeyTable<FitRequest, FitReading>;
 
 /// A comparison whose expressions may not be there.
 struct ComparisonDraft {
-  std::optional<Series> model{};
-  std::optional<Formula> measured{}, weight{}, where{};
-  std::vector<Series> against{};
+  std::optional<query::Series> model{};
+  std::optional<query::Formula> measured{}, weight{}, where{};
+  std::vector<query::Series> against{};
   bool free_offset = false;
 };
 
-using ComparisonTable = KeyTable<ComparisonDraft, FitReading>;
+using ComparisonTable = yaml::KeyTable<ComparisonDraft, FitReading>;
 
 const ComparisonTable& comparison_table() {
   static const ComparisonTable table(
       "it", "{model: rig.x, measured: record.x}",
-      {needed(ComparisonTable::Row{"model", "what the diagram computes", form::series(),
-                                   &ComparisonDraft::model}),
-       needed(ComparisonTable::Row{"measured", "what it is held against", form::expression(),
-                                   &ComparisonDraft::measured}),
+      {yaml::needed(ComparisonTable::Row{"model", "what the diagram computes", form::series(),
+                                         &ComparisonDraft::model}),
+       yaml::needed(ComparisonTable::Row{"measured", "what it is held against", form::expression(),
+                                         &ComparisonDraft::measured}),
        {"weight", "factor of the difference, 1 over what is expected of it: 1/(3 N)", form::expression(),
         &ComparisonDraft::weight},
        {"where", "only rows for which this is true are compared", form::expression(),
         &ComparisonDraft::where},
        {"offset", "the mean difference of each record is no error", form::word({"free"}),
-        [](ComparisonDraft& draft, const Node& node, const FitReading& read) {
+        [](ComparisonDraft& draft, const yaml::Node& node, const FitReading& read) {
           draft.free_offset = read.word(node, form::word({"free"})).has_value();
         }},
        {"against", "what pictures show it over, beside the time", form::one_or_list(form::series()),
@@ -38,19 +41,19 @@ const ComparisonTable& comparison_table() {
   return table;
 }
 
-void read_comparison(FitRequest& request, const Node& map, const FitReading& read) {
+void read_comparison(FitRequest& request, const yaml::Node& map, const FitReading& read) {
   ComparisonDraft draft;
   if (!comparison_table().read(map, draft, read) || !draft.model || !draft.measured) return;
   const auto& dimension = draft.model->formula.dimension;
   if (dimension && draft.measured->dimension && *dimension != *draft.measured->dimension)
-    read.fault(map.mark,
-               fmt::format("'{}' is in {}, but '{}' is in {}", draft.model->formula.text, si_name(*dimension),
-                           draft.measured->text, si_name(*draft.measured->dimension)));
-  std::vector<const Formula*> together{&draft.model->formula, &*draft.measured,
-                                       draft.weight ? &*draft.weight : nullptr,
-                                       draft.where ? &*draft.where : nullptr};
-  for (const Series& one : draft.against) together.push_back(&one.formula);
-  const std::size_t recording = common_recording(together, read.names, map, read.subject, read.faults);
+    read.fault(map.mark, fmt::format("'{}' is in {}, but '{}' is in {}", draft.model->formula.text,
+                                     unit::si_name(*dimension), draft.measured->text,
+                                     unit::si_name(*draft.measured->dimension)));
+  std::vector<const query::Formula*> together{&draft.model->formula, &*draft.measured,
+                                              draft.weight ? &*draft.weight : nullptr,
+                                              draft.where ? &*draft.where : nullptr};
+  for (const query::Series& one : draft.against) together.push_back(&one.formula);
+  const std::size_t recording = query::common_recording(together, read.names, map, read.subject, read.faults);
   request.comparisons.push_back({std::move(*draft.model),
                                  std::move(*draft.measured),
                                  std::move(draft.weight),
@@ -61,21 +64,21 @@ void read_comparison(FitRequest& request, const Node& map, const FitReading& rea
                                  std::move(draft.against)});
 }
 
-void read_comparisons(FitRequest& request, const Node& list, const FitReading& read) {
+void read_comparisons(FitRequest& request, const yaml::Node& list, const FitReading& read) {
   if (!list.is_list() || list.items.empty())
     return read.fault(list.mark, "is a list of what is compared: [{model: rig.x, measured: record.x}]");
-  for (const Node& item : list.items) read_comparison(request, item, read);
+  for (const yaml::Node& item : list.items) read_comparison(request, item, read);
 }
 
-void read_curves(FitRequest& request, const Node& list, const FitReading& read) {
+void read_curves(FitRequest& request, const yaml::Node& list, const FitReading& read) {
   if (!list.is_list())
     return read.fault(list.mark, "is a list: [{y: c1*i + c0, over: {i: [0, 1]}, data: current}]");
-  for (const Node& item : list.items)
+  for (const yaml::Node& item : list.items)
     if (auto curve = read_fit_curve(item, read.names, read.parameters, read.faults))
       request.curves.push_back(std::move(*curve));
 }
 
-void read_hold_out(FitRequest& request, const Node& node, const FitReading& read) {
+void read_hold_out(FitRequest& request, const yaml::Node& node, const FitReading& read) {
   request.hold_out = read.formula(node);
   if (!request.hold_out) return;
   for (const std::string& column : request.hold_out->columns)
@@ -84,8 +87,8 @@ void read_hold_out(FitRequest& request, const Node& node, const FitReading& read
                  fmt::format("'{}' is no swept parameter, and only these tell whole records apart", column));
 }
 
-const KeyTable<GlobalSearch, FitReading>& global_table() {
-  static const KeyTable<GlobalSearch, FitReading> table(
+const yaml::KeyTable<GlobalSearch, FitReading>& global_table() {
+  static const yaml::KeyTable<GlobalSearch, FitReading> table(
       "it", "{population: 40, generations: 60}",
       {{"population", "how many points there are at a time", form::whole(4, 100'000),
         &GlobalSearch::population},
@@ -94,7 +97,7 @@ const KeyTable<GlobalSearch, FitReading>& global_table() {
   return table;
 }
 
-void read_global(FitRequest& request, const Node& node, const FitReading& read) {
+void read_global(FitRequest& request, const yaml::Node& node, const FitReading& read) {
   if (!global_table().read(node, request.global.emplace(), read)) return;
   for (const FitParameter& parameter : request.parameters)
     if (!parameter.bounded())
@@ -106,27 +109,27 @@ void read_global(FitRequest& request, const Node& node, const FitReading& read) 
 
 FitTable::Row parameters_row() {
   return {"parameters", "what is to be found, by the names that --set takes",
-          like("{rig.mass: {start: 2 kg, bounds: [1 kg, 5 kg]}}", form::names(fit_parameter_form(), 1)),
+          yaml::like("{rig.mass: {start: 2 kg, bounds: [1 kg, 5 kg]}}", form::names(fit_parameter_form(), 1)),
           read_fit_parameters};
 }
 
 FitTable::Row compare_row() {
   return {"compare", "model and measurement, side by side",
-          like("[{model: rig.x, measured: record.x}]", form::list(comparison_table().form, 1)),
+          yaml::like("[{model: rig.x, measured: record.x}]", form::list(comparison_table().form, 1)),
           read_comparisons};
 }
 
 const FitTable& fit_table() {
   static const FitTable table(
       "the fit", "{parameters: {..}, compare: [..]}",
-      {needed(parameters_row()),
-       needed(compare_row()),
+      {yaml::needed(parameters_row()),
+       yaml::needed(compare_row()),
        {"hold_out", "of swept parameters: records that are predicted, not fitted", form::expression(),
         read_hold_out},
        {"loss", "what large differences count: all, or less beyond the width",
         form::word({"none", "huber", "cauchy"}), &FitRequest::loss},
-       beside({"loss"}, FitTable::Row{"width", "of the loss, in weighted differences",
-                                      form::above_zero(form::computed()), &FitRequest::width}),
+       yaml::beside({"loss"}, FitTable::Row{"width", "of the loss, in weighted differences",
+                                            form::above_zero(form::computed()), &FitRequest::width}),
        {"starts", "searches; the first begins at the given start, the others within the bounds",
         form::whole(1, 10'000), &FitRequest::starts},
        {"follow", "how many of the searches go on after the first steps; a quarter without it",
@@ -144,20 +147,21 @@ const FitTable& fit_table() {
 
 }  // namespace
 
-const Key& fit_form() {
+const yaml::Key& fit_form() {
   return fit_table().form;
 }
 
-FitRequest read_fit(const Node& node, const SymbolTable& names, const Diagram& diagram, Faults& faults) {
+FitRequest read_fit(const yaml::Node& node, const query::SymbolTable& names, const diagram::Diagram& diagram,
+                    yaml::Faults& faults) {
   FitRequest request;
   request.place = {names.file, node.mark};
   std::vector<FitParameter> all;
   const FitReading read(names, diagram, all, faults);
   if (!fit_table().read(node, request, read)) return request;
-  const Node *width = node.find("width"), *loss = node.find("loss");
+  const yaml::Node *width = node.find("width"), *loss = node.find("loss");
   if (width && loss && request.loss == FitLoss::none)
-    below(read, "width").fault(width->mark, "goes with 'loss: huber' or cauchy");
+    yaml::below(read, "width").fault(width->mark, "goes with 'loss: huber' or cauchy");
   return request;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::estimation

@@ -13,7 +13,7 @@
 #include "engine/base/yaml/key.hpp"
 #include "engine/model/diagram/diagram.hpp"
 
-namespace stepwire {
+namespace stepwire::estimation {
 
 /// A parameter of the diagram that a fit finds. Numbers are SI.
 struct FitParameter {
@@ -24,9 +24,9 @@ struct FitParameter {
   double lower = -open, upper = open;
   double scale = 1.0;        ///< a change that counts, above 0
   bool each_record = false;  ///< each record has its own value
-  std::optional<Dimension> dimension{};
+  std::optional<unit::Dimension> dimension{};
   std::string unit{};  ///< in which the author wrote it, for showing the value; empty: SI
-  Place place{};
+  yaml::Place place{};
 
   bool bounded() const { return lower > -open && upper < open; }
 };
@@ -42,26 +42,27 @@ inline Values start_of(const std::vector<FitParameter>& parameters) {
 
 /// What is compared: residuals are weight (model - measured) in the rows where `where` holds.
 struct FitComparison {
-  Series model;
-  Formula measured;
-  std::optional<Formula> weight,
+  query::Series model;
+  query::Formula measured;
+  std::optional<query::Formula> weight,
       where;                 ///< of the run with the start values; weight 1 and all rows if absent
   bool free_offset = false;  ///< the weighted mean of the difference is no error, in each record
   std::size_t recording = 0;
-  Place place;
-  std::vector<Series> against{};  ///< what pictures show it over, beside the time
+  yaml::Place place;
+  std::vector<query::Series> against{};  ///< what pictures show it over, beside the time
 };
 
 /// What follows from the fitted parameters as a function of something, such as alpha of the current.
 struct FitCurve {
-  Series y;                       ///< of parameters that all records share, and of the variable
+  query::Series y;                ///< of parameters that all records share, and of the variable
   std::vector<double> otherwise;  ///< values of its columns where they are not fitted but set by the call
   std::string variable;           ///< a bare number
   double from = 0.0, to = 1.0;    ///< of the variable
   std::string label;              ///< at its axis
-  std::optional<Formula> data;  ///< where the records have it (SI), as far as they tell anything of the curve
-  std::size_t recording = 0;    ///< that has the data
-  Place place{};
+  std::optional<query::Formula>
+      data;                   ///< where the records have it (SI), as far as they tell anything of the curve
+  std::size_t recording = 0;  ///< that has the data
+  yaml::Place place{};
 };
 
 /// What residuals that are large beside `width` count.
@@ -77,7 +78,7 @@ struct FitRequest {
   std::vector<FitParameter> parameters;
   std::vector<FitComparison> comparisons;
   std::vector<FitCurve> curves{};
-  std::optional<Formula> hold_out;  ///< of swept parameters: records that are predicted, not fitted
+  std::optional<query::Formula> hold_out;  ///< of swept parameters: records that are predicted, not fitted
   FitLoss loss = FitLoss::none;
   double width = 1.0;                 ///< of the loss, in weighted residuals
   std::size_t starts = 1;             ///< the first is the given one, the others are random within the bounds
@@ -86,19 +87,20 @@ struct FitRequest {
   std::size_t iterations = 100;    ///< of one start, at most
   std::string records = "record";  ///< what pictures call the records: measured, simulated
   std::optional<GlobalSearch> global;
-  Place place;
+  yaml::Place place;
 };
 
 /// Reads one entry of `fit.curves` for a section with these parameters; nothing where it is wrong, which goes
 /// to `faults`.
-std::optional<FitCurve> read_fit_curve(const Node& node, const SymbolTable& names,
-                                       const std::vector<FitParameter>& parameters, Faults& faults);
+std::optional<FitCurve> read_fit_curve(const yaml::Node& node, const query::SymbolTable& names,
+                                       const std::vector<FitParameter>& parameters, yaml::Faults& faults);
 
 /// The keys of the section `fit`.
-const Key& fit_form();
+const yaml::Key& fit_form();
 
 /// Reads the value under the key `fit`. Everything that is wrong goes to `faults`; what is returned then is
 /// of no use.
-FitRequest read_fit(const Node& node, const SymbolTable& names, const Diagram& diagram, Faults& faults);
+FitRequest read_fit(const yaml::Node& node, const query::SymbolTable& names, const diagram::Diagram& diagram,
+                    yaml::Faults& faults);
 
-}  // namespace stepwire
+}  // namespace stepwire::estimation

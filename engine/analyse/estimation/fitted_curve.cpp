@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace stepwire {
+namespace stepwire::estimation {
 
 namespace {
 
@@ -42,7 +42,7 @@ class Evaluation {
   }
 
   const FitCurve& curve_;
-  const Formula& formula_;
+  const query::Formula& formula_;
   const std::vector<std::string>& names_;
 };
 
@@ -65,13 +65,13 @@ FittedCurve fitted_curve(const FitCurve& curve, const std::vector<std::string>& 
   return fitted;
 }
 
-void add_data(const FitCurve& curve, std::span<const Recording> recordings, FittedCurve& fitted) {
+void add_data(const FitCurve& curve, std::span<const record::Recording> recordings, FittedCurve& fitted) {
   if (!curve.data) return;
-  for (const double value : evaluate(*curve.data, recordings[curve.recording])) {
+  for (const double value : query::evaluate(*curve.data, recordings[curve.recording])) {
     if (!std::isfinite(value)) continue;
     if (fitted.data_range.empty()) fitted.data_range = {value, value};
     fitted.data_range = {std::min(fitted.data_range[0], value), std::max(fitted.data_range[1], value)};
   }
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::estimation

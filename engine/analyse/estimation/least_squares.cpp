@@ -9,7 +9,7 @@
 
 #include "engine/analyse/estimation/loss.hpp"
 
-namespace stepwire {
+namespace stepwire::estimation {
 
 namespace {
 
@@ -183,4 +183,4 @@ Minimum minimise(const Residuals& residuals, const FitRequest& request, const Ei
   return found;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::estimation

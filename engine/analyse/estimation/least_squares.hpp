@@ -8,7 +8,7 @@
 
 #include "engine/analyse/estimation/residuals.hpp"
 
-namespace stepwire {
+namespace stepwire::estimation {
 
 /// Told after each step: its number and the cost so far.
 using StepWatcher = std::function<void(std::size_t step, double cost)>;
@@ -41,4 +41,4 @@ struct Minimum {
 Minimum minimise(const Residuals& residuals, const FitRequest& request, const Eigen::VectorXd& start,
                  const LeastSquaresOptions& options);
 
-}  // namespace stepwire
+}  // namespace stepwire::estimation

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace stepwire {
+namespace stepwire::estimation {
 
 Counted counted(double r, const FitRequest& request) {
   const double width = request.width, size = std::abs(r);
@@ -35,4 +35,4 @@ double cost_of(const Eigen::VectorXd& residuals, const FitRequest& request) {
   return 0.5 * sum;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::estimation

@@ -4,7 +4,7 @@
 
 #include "engine/analyse/estimation/residuals.hpp"
 
-namespace stepwire {
+namespace stepwire::estimation {
 
 /// A number whose square is what a residual r counts, and its derivative after r: r itself without a loss,
 /// else 2 rho(r)'s root, with rho of Huber or Cauchy.
@@ -19,4 +19,4 @@ void count(const FitRequest& request, Eigen::VectorXd& residuals, Jacobian& jaco
 /// Half of the sum of what the residuals count.
 double cost_of(const Eigen::VectorXd& residuals, const FitRequest& request);
 
-}  // namespace stepwire
+}  // namespace stepwire::estimation

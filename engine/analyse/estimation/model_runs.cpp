@@ -11,7 +11,7 @@
 #include "engine/simulate/record/recorder.hpp"
 #include "engine/simulate/run/stop_condition.hpp"
 
-namespace stepwire {
+namespace stepwire::estimation {
 
 namespace {
 
@@ -24,11 +24,11 @@ std::string brief(const std::string& value) {
 }
 
 /// What a record is called: by the first swept parameter where they go together, else by all.
-std::string label_of(const Job& job, std::size_t point) {
+std::string label_of(const run::Job& job, std::size_t point) {
   if (job.points.empty()) return "";
   const bool together = job.plan.diagram.sweep->together;
   std::string text;
-  for (const Setting& setting : job.settings_of(point)) {
+  for (const diagram::Setting& setting : job.settings_of(point)) {
     if (!text.empty() && together) break;
     text += fmt::format("{}{}", text.empty() ? "" : ", ", brief(setting.value));
   }
@@ -38,7 +38,7 @@ std::string label_of(const Job& job, std::size_t point) {
 /// All columns that comparisons name.
 std::vector<std::string> columns_of(const FitRequest& request) {
   std::vector<std::string> columns;
-  const auto add = [&](const Formula& formula) {
+  const auto add = [&](const query::Formula& formula) {
     columns.insert(columns.end(), formula.columns.begin(), formula.columns.end());
   };
   for (const FitComparison& comparison : request.comparisons) {
@@ -51,10 +51,10 @@ std::vector<std::string> columns_of(const FitRequest& request) {
 }
 
 /// Keeps what a part reads of a run of the whole.
-class TapeWriter : public RunObserver {
+class TapeWriter : public run::RunObserver {
  public:
   TapeWriter(const SensitiveSubdiagram& part, std::vector<double>& tape) : part_(part), tape_(tape) {}
-  void evaluated(const ObservedRun& run) override { part_.append(run.simulation.values(), tape_); }
+  void evaluated(const run::ObservedRun& run) override { part_.append(run.simulation.values(), tape_); }
 
  private:
   const SensitiveSubdiagram& part_;
@@ -62,12 +62,12 @@ class TapeWriter : public RunObserver {
 };
 
 /// Plays it back into a run of the part.
-class TapePlayer : public RunObserver {
+class TapePlayer : public run::RunObserver {
  public:
   TapePlayer(const SensitiveSubdiagram& part, const std::vector<double>& tape) : part_(part), tape_(tape) {}
-  Flow before_tick(const ObservedRun& run) override {
+  run::Flow before_tick(const run::ObservedRun& run) override {
     part_.play(tape_, run.simulation);
-    return Flow::go_on;
+    return run::Flow::go_on;
   }
 
  private:
@@ -76,38 +76,40 @@ class TapePlayer : public RunObserver {
 };
 
 /// May the records' plans share code that reads these blocks from a table?
-bool are_alike(const std::vector<VariableBlock>& variable, const Plan& one, const Plan& other) {
+bool are_alike(const std::vector<plan::VariableBlock>& variable, const plan::Plan& one,
+               const plan::Plan& other) {
   if (one.blocks.size() != other.blocks.size()) return false;
-  return std::ranges::all_of(variable, [&](const VariableBlock& of) {
+  return std::ranges::all_of(variable, [&](const plan::VariableBlock& of) {
     const AnyBlock &a = one.diagram.blocks[of.block].block, &b = other.diagram.blocks[of.block].block;
     return &a.type() == &b.type() &&
-           MemberItems(a.type(), a.get()).outline() == MemberItems(b.type(), b.get()).outline();
+           plan::MemberItems(a.type(), a.get()).outline() == plan::MemberItems(b.type(), b.get()).outline();
   });
 }
 
-std::string fault_of(const Executor& simulation) {
+std::string fault_of(const run::Executor& simulation) {
   const auto fault = simulation.fault();
   return fault ? fault->fault.text() : "the run ended early";
 }
 
 }  // namespace
 
-std::vector<Setting> settings_of(const std::vector<FitParameter>& parameters, const Values& values) {
-  std::vector<Setting> settings;
+std::vector<diagram::Setting> settings_of(const std::vector<FitParameter>& parameters, const Values& values) {
+  std::vector<diagram::Setting> settings;
   for (std::size_t j = 0; j < parameters.size(); ++j) {
     const auto& dimension = parameters[j].dimension;
-    const std::string unit = dimension && *dimension != Dimension{} ? " " + si_name(*dimension) : "";
+    const std::string unit =
+        dimension && *dimension != unit::Dimension{} ? " " + unit::si_name(*dimension) : "";
     settings.push_back({parameters[j].name, fmt::format("{}{}", values[j], unit), parameters[j].place.file,
                         parameters[j].place.mark});
   }
   return settings;
 }
 
-ModelRuns::ModelRuns(ModelSource source, const Job& job, const FitRequest& request)
+ModelRuns::ModelRuns(ModelSource source, const run::Job& job, const FitRequest& request)
     : source_(std::move(source)), job_(job), request_(request) {
   for (std::size_t record = 0; record < std::max<std::size_t>(1, job.points.size()); ++record) {
     labels_.push_back(label_of(job, record));
-    swept_.push_back(swept_columns(job, record));
+    swept_.push_back(run::swept_columns(job, record));
   }
   find_part();
   make_records();
@@ -123,25 +125,26 @@ std::vector<std::string> ModelRuns::names() const {
 void ModelRuns::find_part() {
   const Values start = start_of(request_.parameters);
   for (std::size_t record = 0; record < records(); ++record) {
-    const Plan whole = plan(record, start);
+    const plan::Plan whole = plan(record, start);
     if (record == 0)
-      part_ = SensitiveSubdiagram::find(whole, Variation(whole.diagram, names()), columns_of(request_));
+      part_ =
+          SensitiveSubdiagram::find(whole, diagram::Variation(whole.diagram, names()), columns_of(request_));
     if (!part_) return;
     if (!play_in(record, whole)) return part_.reset();
   }
 }
 
 /// Keeps what the part reads and what does not move; false where the run ends early.
-bool ModelRuns::play_in(std::size_t record, const Plan& whole) {
-  Executor simulation(whole);
+bool ModelRuns::play_in(std::size_t record, const plan::Plan& whole) {
+  run::Executor simulation(whole);
   std::vector<double>& tape = tapes_.emplace_back();
   tape.reserve(part_->width() * static_cast<std::size_t>(whole.steps + 1));
   TapeWriter writer(*part_, tape);
   still_.push_back(take(record, simulation, nullptr, &writer));
   const std::vector<std::string> columns = columns_of(request_);
-  for (Recording& recording : still_.back()) {
+  for (record::Recording& recording : still_.back()) {
     auto& all = recording.table.columns;
-    const auto idle = [&](const Column& column) {
+    const auto idle = [&](const table::Column& column) {
       const bool wanted = std::find(columns.begin(), columns.end(), column.name) != columns.end();
       return !wanted || part_->gives(column.name);
     };
@@ -153,29 +156,29 @@ bool ModelRuns::play_in(std::size_t record, const Plan& whole) {
 void ModelRuns::make_records() {
   const Values start = start_of(request_.parameters);
   for (std::size_t r = 0; r < records(); ++r) {
-    Diagram diagram = load(r, start);
+    diagram::Diagram diagram = load(r, start);
     records_.push_back(
-        std::make_unique<Record>(make_plan(part_ ? part_->of(diagram) : std::move(diagram)), names()));
+        std::make_unique<Record>(plan::make_plan(part_ ? part_->of(diagram) : std::move(diagram)), names()));
   }
   if (source_.code) compile_all();
 }
 
-std::vector<VariableBlock> ModelRuns::variable(const Record& record) const {
+std::vector<plan::VariableBlock> ModelRuns::variable(const Record& record) const {
   std::vector<std::string> all = names();
   if (!job_.points.empty())
-    for (const Sweep::Axis& axis : job_.plan.diagram.sweep->axes)
+    for (const diagram::Sweep::Axis& axis : job_.plan.diagram.sweep->axes)
       if (!axis.label) all.push_back(axis.parameter);
-  return variable_blocks(record.plan, Variation(record.plan.diagram, all));
+  return plan::variable_blocks(record.plan, diagram::Variation(record.plan.diagram, all));
 }
 
 /// The text of records that differ in numbers is the same, since what their sweep varies is read from the
 /// run as well.
 void ModelRuns::compile_all() {
-  const Plan& first = records_.front()->plan;
-  std::vector<VariableBlock> shared = variable(*records_.front());
+  const plan::Plan& first = records_.front()->plan;
+  std::vector<plan::VariableBlock> shared = variable(*records_.front());
   for (const auto& record : records_)
     if (are_alike(shared, first, record->plan))
-      widen(shared, first, [&](std::size_t b) { return record->plan.diagram.blocks[b].block.get(); });
+      plan::widen(shared, first, [&](std::size_t b) { return record->plan.diagram.blocks[b].block.get(); });
   for (const auto& record : records_) {
     const bool shares = are_alike(shared, first, record->plan);
     record->code = source_.code->compile(record->plan, shares ? shared : variable(*record), {});
@@ -183,28 +186,29 @@ void ModelRuns::compile_all() {
   compiled_ = std::ranges::all_of(records_, [](const auto& record) { return record->code.has_value(); });
 }
 
-Diagram ModelRuns::load(std::size_t record, const Values& values) const {
-  std::vector<Setting> all = source_.settings;
+diagram::Diagram ModelRuns::load(std::size_t record, const Values& values) const {
+  std::vector<diagram::Setting> all = source_.settings;
   if (!job_.points.empty())
-    for (Setting& setting : job_.settings_of(record)) all.push_back(std::move(setting));
-  for (Setting& setting : settings_of(request_.parameters, values)) all.push_back(std::move(setting));
+    for (diagram::Setting& setting : job_.settings_of(record)) all.push_back(std::move(setting));
+  for (diagram::Setting& setting : settings_of(request_.parameters, values))
+    all.push_back(std::move(setting));
   const std::lock_guard lock(loading_);
   return source_.loader.load_point(source_.file, all);
 }
 
-std::vector<Assignment> ModelRuns::assignments(const Values& values) const {
-  std::vector<Assignment> assignments;
+std::vector<diagram::Assignment> ModelRuns::assignments(const Values& values) const {
+  std::vector<diagram::Assignment> assignments;
   for (std::size_t j = 0; j < request_.parameters.size(); ++j) {
     const FitParameter& parameter = request_.parameters[j];
     assignments.push_back(
-        {parameter.name, value_of_number(values[j], parameter.dimension), parameter.place.file});
+        {parameter.name, diagram::value_of_number(values[j], parameter.dimension), parameter.place.file});
     assignments.back().value.mark = parameter.place.mark;
   }
   return assignments;
 }
 
-std::unique_ptr<Executor> ModelRuns::begin(Record& record, const Values& values) const {
-  std::unique_ptr<Executor> run;
+std::unique_ptr<run::Executor> ModelRuns::begin(Record& record, const Values& values) const {
+  std::unique_ptr<run::Executor> run;
   {
     const std::lock_guard lock(record.mutex);
     if (!record.idle.empty()) {
@@ -212,70 +216,72 @@ std::unique_ptr<Executor> ModelRuns::begin(Record& record, const Values& values)
       record.idle.pop_back();
     }
   }
-  if (!run) run = std::make_unique<Executor>(record.plan);
-  if (run->set(record.varied, assignments(values)) != Executor::Setting::done) return nullptr;
+  if (!run) run = std::make_unique<run::Executor>(record.plan);
+  if (run->set(record.varied, assignments(values)) != run::Executor::Setting::done) return nullptr;
   if (record.code && !run->compiled()) run->use(*record.code);
   run->reset();
   return run;
 }
 
-void ModelRuns::give_back(Record& record, std::unique_ptr<Executor> run) const {
+void ModelRuns::give_back(Record& record, std::unique_ptr<run::Executor> run) const {
   const std::lock_guard lock(record.mutex);
   if (run) record.idle.push_back(std::move(run));
 }
 
-std::vector<Recording> ModelRuns::run(std::size_t record, const Values& values, std::string* fault) const {
+std::vector<record::Recording> ModelRuns::run(std::size_t record, const Values& values,
+                                              std::string* fault) const {
   try {
     Record& of = *records_[record];
-    std::unique_ptr<Executor> run = begin(of, values);
+    std::unique_ptr<run::Executor> run = begin(of, values);
     if (!run) return run_anew(record, values, fault);
     std::optional<TapePlayer> player;
     if (part_) player.emplace(*part_, tapes_[record]);
-    std::vector<Recording> taken = take(record, *run, fault, player ? &*player : nullptr);
+    std::vector<record::Recording> taken = take(record, *run, fault, player ? &*player : nullptr);
     give_back(of, std::move(run));
     return part_ ? complete(record, std::move(taken)) : taken;
-  } catch (const Error& error) {  // refused values are as bad as a run that blows up
+  } catch (const yaml::Error& error) {  // refused values are as bad as a run that blows up
     if (fault) *fault = error.what();
     return {};
   }
 }
 
-std::vector<Recording> ModelRuns::complete(std::size_t record, std::vector<Recording> moved) const {
+std::vector<record::Recording> ModelRuns::complete(std::size_t record,
+                                                   std::vector<record::Recording> moved) const {
   if (moved.empty()) return {};
-  std::vector<Recording> recordings = still_[record];
+  std::vector<record::Recording> recordings = still_[record];
   for (std::size_t i = 0; i < recordings.size(); ++i)
-    for (Column& column : moved[i].table.columns)
+    for (table::Column& column : moved[i].table.columns)
       if (part_->gives(column.name)) recordings[i].table.columns.push_back(std::move(column));
   return recordings;
 }
 
-std::vector<Recording> ModelRuns::run_anew(std::size_t record, const Values& values,
-                                           std::string* fault) const {
-  const Plan own = plan(record, values);
-  Executor simulation(own);
+std::vector<record::Recording> ModelRuns::run_anew(std::size_t record, const Values& values,
+                                                   std::string* fault) const {
+  const plan::Plan own = plan(record, values);
+  run::Executor simulation(own);
   return take(record, simulation, fault);
 }
 
 std::string ModelRuns::refusal(std::size_t record, const Values& values) const {
   try {
     Record& of = *records_[record];
-    std::unique_ptr<Executor> run = begin(of, values);
+    std::unique_ptr<run::Executor> run = begin(of, values);
     if (!run) plan(record, values);
     give_back(of, std::move(run));
     return "";
-  } catch (const Error& error) {
+  } catch (const yaml::Error& error) {
     return error.what();
   }
 }
 
-std::vector<Recording> ModelRuns::take(std::size_t record, Executor& simulation, std::string* fault,
-                                       RunObserver* observer) const {
-  RunRecording recording(simulation.plan());
-  Drive drive(simulation, recording.recorders());
+std::vector<record::Recording> ModelRuns::take(std::size_t record, run::Executor& simulation,
+                                               std::string* fault, run::RunObserver* observer) const {
+  record::RunRecording recording(simulation.plan());
+  run::Drive drive(simulation, recording.recorders());
   drive.interrupt = source_.interrupt;
   if (observer) drive.observers = {&observer, 1};
   drive.shows_rows = false;  // what is recorded is read at the end
-  if (drive.run() == Drive::End::interrupted) {
+  if (drive.run() == run::Drive::End::interrupted) {
     if (fault) *fault = "interrupted, so that there is nothing yet to write";
     return {};
   }
@@ -283,13 +289,13 @@ std::vector<Recording> ModelRuns::take(std::size_t record, Executor& simulation,
     if (fault) *fault = fault_of(simulation);
     return {};
   }
-  std::vector<Recording> recordings = recording.take();
-  for (Recording& one : recordings)
-    for (Column column : swept_[record]) {
+  std::vector<record::Recording> recordings = recording.take();
+  for (record::Recording& one : recordings)
+    for (table::Column column : swept_[record]) {
       column.values.assign(one.table.rows(), column.values.front());
       one.table.columns.push_back(std::move(column));
     }
   return recordings;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::estimation

@@ -6,7 +6,7 @@
 #include "engine/analyse/estimation/residuals.hpp"
 #include "engine/analyse/estimation/row_values.hpp"
 
-namespace stepwire {
+namespace stepwire::estimation {
 
 namespace {
 
@@ -31,10 +31,10 @@ Prediction Residuals::predict(std::size_t record, const Eigen::VectorXd& x) cons
   Prediction prediction;
   prediction.recordings = runs_.run_anew(record, values(record, x), &why);
   if (prediction.recordings.empty())
-    throw Error(fault(request_.place, "the run ended early: " + why, record));
+    throw yaml::Error(fault(request_.place, "the run ended early: " + why, record));
   std::vector<double> weighted(rows(record));
   if (!differences(record, prediction.recordings, weighted.data()))
-    throw Error(fault(request_.place, "the model gives what is no number", record));
+    throw yaml::Error(fault(request_.place, "the model gives what is no number", record));
   for (double one : weighted) prediction.squares += one * one;
   for (std::size_t c = 0; c < request_.comparisons.size(); ++c) {
     const FitComparison& comparison = request_.comparisons[c];
@@ -45,8 +45,8 @@ Prediction Residuals::predict(std::size_t record, const Eigen::VectorXd& x) cons
 }
 
 ComparedRows Residuals::compare(const FitComparison& comparison, const Selection& selection,
-                                const Recording& recording) const {
-  const auto rows_of_formula = [&](const Formula& formula) {
+                                const record::Recording& recording) const {
+  const auto rows_of_formula = [&](const query::Formula& formula) {
     const std::vector<double> all = values_of(formula, recording);
     std::vector<double> chosen;
     for (std::size_t row : selection.rows) chosen.push_back(all[row]);
@@ -56,7 +56,8 @@ ComparedRows Residuals::compare(const FitComparison& comparison, const Selection
   for (std::size_t row : selection.rows) rows.time.push_back(recording.table.columns.front().values[row]);
   rows.model = rows_of_formula(comparison.model.formula);
   rows.measured = rows_of_formula(comparison.measured);
-  for (const Series& series : comparison.against) rows.against.push_back(rows_of_formula(series.formula));
+  for (const query::Series& series : comparison.against)
+    rows.against.push_back(rows_of_formula(series.formula));
   std::vector<double> error = rows.model, spread = rows.measured;
   for (std::size_t i = 0; i < error.size(); ++i) error[i] -= rows.measured[i];
   if (comparison.free_offset) {
@@ -72,4 +73,4 @@ ComparedRows Residuals::compare(const FitComparison& comparison, const Selection
   return rows;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::estimation

@@ -10,7 +10,7 @@
 #include "engine/analyse/estimation/row_values.hpp"
 #include "engine/base/parallel/parallel.hpp"
 
-namespace stepwire {
+namespace stepwire::estimation {
 
 namespace {
 
@@ -23,16 +23,16 @@ bool is_true(double value) {
 }
 
 /// The value of a formula of swept parameters.
-double value_of(const Formula& formula, const std::vector<Column>& swept) {
+double value_of(const query::Formula& formula, const std::vector<table::Column>& swept) {
   std::vector<double> values;
   for (const std::string& name : formula.columns)
-    for (const Column& column : swept)
+    for (const table::Column& column : swept)
       if (column.name == name) values.push_back(column.values.front());
   return formula.expression(values);
 }
 
-std::vector<double> values_or_one(const std::optional<Formula>& formula, const Recording& recording,
-                                  std::size_t rows) {
+std::vector<double> values_or_one(const std::optional<query::Formula>& formula,
+                                  const record::Recording& recording, std::size_t rows) {
   return formula ? values_of(*formula, recording) : std::vector<double>(rows, 1.0);
 }
 
@@ -51,9 +51,11 @@ Residuals::Residuals(const ModelRuns& runs, const FitRequest& request, unsigned 
     if (!held) fitted_.push_back(record);
   }
   if (fitted_.empty())
-    throw Error(Fault{request.place, "fit.hold_out", "holds out every record; leave some to be fitted", {}});
+    throw yaml::Error(
+        yaml::Fault{request.place, "fit.hold_out", "holds out every record; leave some to be fitted", {}});
   selections_.resize(runs.records());
-  in_parallel(runs.records(), threads, [&](std::size_t record) { selections_[record] = select(record); });
+  parallel::in_parallel(runs.records(), threads,
+                        [&](std::size_t record) { selections_[record] = select(record); });
   find_unknowns();
   first_row_.assign(runs.records(), 0);
   for (std::size_t record : fitted_) {
@@ -62,11 +64,11 @@ Residuals::Residuals(const ModelRuns& runs, const FitRequest& request, unsigned 
     for (const FitComparison& comparison : request.comparisons) free_offsets_ += comparison.free_offset;
   }
   if (sought && static_cast<std::size_t>(count_) <= unknowns_.size() + free_offsets_)
-    throw Error(Fault{request.place,
-                      "fit",
-                      fmt::format("{} rows are compared, too few for {} unknown numbers", count_,
-                                  unknowns_.size() + free_offsets_),
-                      {}});
+    throw yaml::Error(yaml::Fault{request.place,
+                                  "fit",
+                                  fmt::format("{} rows are compared, too few for {} unknown numbers", count_,
+                                              unknowns_.size() + free_offsets_),
+                                  {}});
 }
 
 void Residuals::find_unknowns() {
@@ -84,7 +86,7 @@ void Residuals::find_unknowns() {
   }
 }
 
-Fault Residuals::fault(const Place& place, const std::string& message, std::size_t record) const {
+yaml::Fault Residuals::fault(const yaml::Place& place, const std::string& message, std::size_t record) const {
   const std::string& label = runs_.label(record);
   return {place, "fit", label.empty() ? message : fmt::format("{} (in the record {})", message, label), {}};
 }
@@ -93,16 +95,16 @@ std::vector<Residuals::Selection> Residuals::select(std::size_t record) const {
   Values start;
   for (const FitParameter& parameter : request_.parameters) start.push_back(parameter.start);
   std::string why;
-  const std::vector<Recording> recordings = runs_.run(record, start, &why);
+  const std::vector<record::Recording> recordings = runs_.run(record, start, &why);
   if (recordings.empty())
-    throw Error(fault(request_.place, "the run with the start values ended early: " + why, record));
+    throw yaml::Error(fault(request_.place, "the run with the start values ended early: " + why, record));
   std::vector<Selection> selections;
   for (const FitComparison& comparison : request_.comparisons)
     selections.push_back(select(comparison, recordings[comparison.recording], record));
   return selections;
 }
 
-Residuals::Selection Residuals::select(const FitComparison& comparison, const Recording& recording,
+Residuals::Selection Residuals::select(const FitComparison& comparison, const record::Recording& recording,
                                        std::size_t record) const {
   const std::vector<double> measured = values_of(comparison.measured, recording);
   const std::vector<double> where = values_or_one(comparison.where, recording, measured.size());
@@ -113,14 +115,16 @@ Residuals::Selection Residuals::select(const FitComparison& comparison, const Re
     if (!is_true(where[row])) continue;
     const double time = recording.table.columns.front().values[row];
     if (!std::isfinite(weight[row]))
-      throw Error(fault(comparison.place, no_number(comparison.weight->text, weight[row], time), record));
+      throw yaml::Error(
+          fault(comparison.place, no_number(comparison.weight->text, weight[row], time), record));
     if (!std::isfinite(measured[row]))
-      throw Error(fault(comparison.place, no_number(comparison.measured.text, measured[row], time), record));
+      throw yaml::Error(
+          fault(comparison.place, no_number(comparison.measured.text, measured[row], time), record));
     selection.rows.push_back(row);
     selection.weights.push_back(weight[row]);
   }
   if (selection.rows.empty())
-    throw Error(fault(
+    throw yaml::Error(fault(
         comparison.place,
         comparison.where ? fmt::format("'{}' selects no row", comparison.where->text) : "nothing is recorded",
         record));
@@ -164,7 +168,8 @@ Values Residuals::values(std::size_t record, const Eigen::VectorXd& x) const {
   return values;
 }
 
-bool Residuals::differences(std::size_t record, const std::vector<Recording>& recordings, double* out) const {
+bool Residuals::differences(std::size_t record, const std::vector<record::Recording>& recordings,
+                            double* out) const {
   for (std::size_t c = 0; c < request_.comparisons.size(); ++c) {
     const FitComparison& comparison = request_.comparisons[c];
     const Selection& selection = selections_[record][c];
@@ -189,14 +194,14 @@ bool Residuals::differences(std::size_t record, const std::vector<Recording>& re
 }
 
 bool Residuals::run(std::size_t record, const Values& values, double* out) const {
-  const std::vector<Recording> recordings = runs_.run(record, values);
+  const std::vector<record::Recording> recordings = runs_.run(record, values);
   return !recordings.empty() && differences(record, recordings, out);
 }
 
 bool Residuals::evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& residuals) const {
   residuals.resize(count_);
   std::atomic<bool> good = true;
-  in_parallel(fitted_.size(), threads_, [&](std::size_t i) {
+  parallel::in_parallel(fitted_.size(), threads_, [&](std::size_t i) {
     const std::size_t record = fitted_[i];
     if (good && !run(record, values(record, x), residuals.data() + first_row_[record])) good = false;
   });
@@ -258,7 +263,7 @@ bool Residuals::differentiate(const Eigen::VectorXd& x, const Eigen::VectorXd& r
   jacobian.setZero(count_, x.size());
   const std::size_t parameters = request_.parameters.size();
   std::atomic<bool> good = true;
-  in_parallel(fitted_.size() * parameters, threads_, [&](std::size_t task) {
+  parallel::in_parallel(fitted_.size() * parameters, threads_, [&](std::size_t task) {
     const std::size_t record = fitted_[task / parameters], parameter = task % parameters;
     const Eigen::Index first = first_row_[record], rows = rows_of(record);
     Eigen::VectorXd slope(rows);
@@ -271,4 +276,4 @@ bool Residuals::differentiate(const Eigen::VectorXd& x, const Eigen::VectorXd& r
   return good;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::estimation

@@ -8,7 +8,7 @@
 #include "engine/analyse/estimation/fit_request.hpp"
 #include "engine/analyse/estimation/model_runs.hpp"
 
-namespace stepwire {
+namespace stepwire::estimation {
 
 /// What a fit finds: a number for each shared parameter, and for each other one a number for each record that
 /// is fitted.
@@ -28,7 +28,7 @@ struct ComparedRows {
 /// A record as the model predicts it.
 struct Prediction {
   std::vector<ComparedRows> comparisons;
-  std::vector<Recording> recordings;
+  std::vector<record::Recording> recordings;
   double squares = 0.0;  ///< sum of the weighted residuals' squares
 };
 
@@ -84,13 +84,14 @@ class Residuals {
 
   void find_unknowns();
   std::vector<Selection> select(std::size_t record) const;
-  Selection select(const FitComparison& comparison, const Recording& recording, std::size_t record) const;
-  bool differences(std::size_t record, const std::vector<Recording>& recordings, double* out) const;
+  Selection select(const FitComparison& comparison, const record::Recording& recording,
+                   std::size_t record) const;
+  bool differences(std::size_t record, const std::vector<record::Recording>& recordings, double* out) const;
   bool run(std::size_t record, const Values& values, double* out) const;
   ComparedRows compare(const FitComparison& comparison, const Selection& selection,
-                       const Recording& recording) const;
+                       const record::Recording& recording) const;
   Eigen::Index rows_of(std::size_t record) const;
-  Fault fault(const Place& place, const std::string& message, std::size_t record) const;
+  yaml::Fault fault(const yaml::Place& place, const std::string& message, std::size_t record) const;
   /// Runs a record with one of these values changed.
   bool run_beside(std::size_t record, std::size_t parameter, Values values, double change, double* out) const;
   /// False at a bound, or where one side is refused.
@@ -112,4 +113,4 @@ class Residuals {
   std::size_t free_offsets_ = 0;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::estimation

@@ -4,9 +4,9 @@
 
 #include "engine/analyse/query/formula.hpp"
 
-namespace stepwire {
+namespace stepwire::estimation {
 
 /// Value of a formula in each row of a recording, without evaluating where it is a column.
-std::vector<double> values_of(const Formula& formula, const Recording& recording);
+std::vector<double> values_of(const query::Formula& formula, const record::Recording& recording);
 
-}  // namespace stepwire
+}  // namespace stepwire::estimation

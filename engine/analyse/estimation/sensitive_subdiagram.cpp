@@ -8,7 +8,7 @@
 #include "engine/model/diagram/variation.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
-namespace stepwire {
+namespace stepwire::estimation {
 
 namespace {
 
@@ -18,21 +18,21 @@ bool is_column_of(const std::string& column, const std::string& signal) {
 }
 
 template <class Visit>
-void each_source(const DiagramBlock& block, const Visit& visit) {
+void each_source(const diagram::DiagramBlock& block, const Visit& visit) {
   for (const auto& sources : block.inputs)
-    for (const Source& source : sources)
+    for (const diagram::Source& source : sources)
       if (source.block >= 0) visit(source);
 }
 
 /// Blocks of which values change, and all that they feed.
-std::vector<char> moved_blocks(const Diagram& diagram, const Variation& variation) {
+std::vector<char> moved_blocks(const diagram::Diagram& diagram, const diagram::Variation& variation) {
   const std::size_t count = diagram.blocks.size();
   std::vector<char> moved(count, 0);
-  for (const Target& target : variation.targets()) moved[static_cast<std::size_t>(target.block)] = 1;
+  for (const diagram::Target& target : variation.targets()) moved[static_cast<std::size_t>(target.block)] = 1;
   for (bool more = true; more;) {
     more = false;
     for (std::size_t b = 0; b < count; ++b)
-      each_source(diagram.blocks[b], [&](const Source& source) {
+      each_source(diagram.blocks[b], [&](const diagram::Source& source) {
         if (moved[b] || !moved[static_cast<std::size_t>(source.block)]) return;
         moved[b] = more = true;
       });
@@ -40,18 +40,20 @@ std::vector<char> moved_blocks(const Diagram& diagram, const Variation& variatio
   return moved;
 }
 
-int place_of(const Binding& binding, const std::vector<int>& place) {
+int place_of(const diagram::Binding& binding, const std::vector<int>& place) {
   return place[static_cast<std::size_t>(binding.target.block)];
 }
 
-std::shared_ptr<const Bindings> moved_bindings(const Bindings& of_whole, const std::vector<int>& place) {
-  auto bindings = std::make_shared<Bindings>(of_whole);
-  std::erase_if(bindings->bindings, [&](const Binding& binding) { return place_of(binding, place) < 0; });
-  for (Binding& binding : bindings->bindings) binding.target.block = place_of(binding, place);
+std::shared_ptr<const diagram::Bindings> moved_bindings(const diagram::Bindings& of_whole,
+                                                        const std::vector<int>& place) {
+  auto bindings = std::make_shared<diagram::Bindings>(of_whole);
+  std::erase_if(bindings->bindings,
+                [&](const diagram::Binding& binding) { return place_of(binding, place) < 0; });
+  for (diagram::Binding& binding : bindings->bindings) binding.target.block = place_of(binding, place);
   return bindings;
 }
 
-Diagram without_blocks(Diagram diagram) {
+diagram::Diagram without_blocks(diagram::Diagram diagram) {
   diagram.blocks.clear();
   diagram.unit_demands.clear();  // they hold, as the whole has shown
   diagram.outputs.clear();
@@ -62,9 +64,10 @@ Diagram without_blocks(Diagram diagram) {
 
 }  // namespace
 
-std::optional<SensitiveSubdiagram> SensitiveSubdiagram::find(const Plan& plan, const Variation& moved,
+std::optional<SensitiveSubdiagram> SensitiveSubdiagram::find(const plan::Plan& plan,
+                                                             const diagram::Variation& moved,
                                                              const std::vector<std::string>& columns) {
-  const Diagram& diagram = plan.diagram;
+  const diagram::Diagram& diagram = plan.diagram;
   if (diagram.stop_when || !diagram.inputs.empty() || moved.structural()) return std::nullopt;
   SensitiveSubdiagram part;
   part.kept_ = moved_blocks(diagram, moved);
@@ -75,10 +78,11 @@ std::optional<SensitiveSubdiagram> SensitiveSubdiagram::find(const Plan& plan, c
   return part;
 }
 
-void SensitiveSubdiagram::keep_ancestors(const Diagram& diagram, const std::vector<std::string>& columns) {
+void SensitiveSubdiagram::keep_ancestors(const diagram::Diagram& diagram,
+                                         const std::vector<std::string>& columns) {
   std::vector<char> needed(kept_.size(), 0);
-  for (const RecordRequest& request : diagram.records)
-    for (const RecordedSignal& signal : request.signals) {
+  for (const diagram::RecordRequest& request : diagram.records)
+    for (const diagram::RecordedSignal& signal : request.signals) {
       const auto block = static_cast<std::size_t>(signal.signal.block);
       const bool wanted = std::any_of(columns.begin(), columns.end(), [&](const std::string& column) {
         return is_column_of(column, signal.name);
@@ -91,7 +95,7 @@ void SensitiveSubdiagram::keep_ancestors(const Diagram& diagram, const std::vect
     more = false;
     for (std::size_t b = 0; b < kept_.size(); ++b)
       if (needed[b])
-        each_source(diagram.blocks[b], [&](const Source& source) {
+        each_source(diagram.blocks[b], [&](const diagram::Source& source) {
           const auto from = static_cast<std::size_t>(source.block);
           if (!kept_[from] || needed[from]) return;
           needed[from] = more = true;
@@ -100,27 +104,27 @@ void SensitiveSubdiagram::keep_ancestors(const Diagram& diagram, const std::vect
   kept_ = std::move(needed);
 }
 
-bool SensitiveSubdiagram::find_reads(const Plan& plan) {
+bool SensitiveSubdiagram::find_reads(const plan::Plan& plan) {
   for (std::size_t b = 0; b < kept_.size(); ++b) {
     if (!kept_[b]) continue;
-    each_source(plan.diagram.blocks[b], [&](const Source& source) {
-      const SignalRef signal{source.block, source.output, -1};
+    each_source(plan.diagram.blocks[b], [&](const diagram::Source& source) {
+      const diagram::SignalRef signal{source.block, source.output, -1};
       const auto from = static_cast<std::size_t>(source.block);
       const auto same = [&](const Read& read) { return read.signal == signal; };
       if (kept_[from] || std::any_of(reads_.begin(), reads_.end(), same)) return;
       reads_.push_back({signal, plan.slot(signal).size, plan.blocks[from].rate});
     });
   }
-  const bool ticks_only = evaluates_ticks_only(plan.diagram.solver);
+  const bool ticks_only = solve::evaluates_ticks_only(plan.diagram.solver);
   for (const Read& read : reads_) {
-    if (read.rate.kind == Rate::Kind::continuous && !ticks_only) return false;
+    if (read.rate.kind == plan::Rate::Kind::continuous && !ticks_only) return false;
     for (Eigen::Index i = 0; i < read.size; ++i)
       offsets_.push_back(plan.slot(read.signal).offset + static_cast<std::size_t>(i));
   }
   return true;
 }
 
-void SensitiveSubdiagram::play(const std::vector<double>& tape, Executor& simulation) const {
+void SensitiveSubdiagram::play(const std::vector<double>& tape, run::Executor& simulation) const {
   const double* numbers = tape.data() + static_cast<std::size_t>(simulation.tick()) * width();
   for (std::size_t i = 0; i < reads_.size(); numbers += reads_[i++].size) simulation.write_input(i, numbers);
 }
@@ -130,19 +134,21 @@ bool SensitiveSubdiagram::gives(const std::string& column) const {
                      [&](const std::string& signal) { return is_column_of(column, signal); });
 }
 
-DiagramBlock SensitiveSubdiagram::input(const Diagram& diagram, const Read& read) const {
-  DiagramBlock block(fmt::format("read_{}_{}", read.signal.block, read.signal.output), external_input_type());
-  static_cast<ExternalInput*>(block.block.get())->value =
+diagram::DiagramBlock SensitiveSubdiagram::input(const diagram::Diagram& diagram, const Read& read) const {
+  diagram::DiagramBlock block(fmt::format("read_{}_{}", read.signal.block, read.signal.output),
+                              diagram::external_input_type());
+  static_cast<diagram::ExternalInput*>(block.block.get())->value =
       PerElement(Numbers(std::vector<double>(static_cast<std::size_t>(read.size), 0.0)));
   block.parameter_marks.resize(1);
   block.parameter_dimensions.resize(1);
   block.origin = diagram.blocks[static_cast<std::size_t>(read.signal.block)].origin;
-  if (read.rate.kind == Rate::Kind::discrete)
+  if (read.rate.kind == plan::Rate::Kind::discrete)
     block.every = static_cast<double>(read.rate.ticks) * diagram.step;
   return block;
 }
 
-std::vector<int> SensitiveSubdiagram::keep_blocks(const Diagram& diagram, Diagram& part) const {
+std::vector<int> SensitiveSubdiagram::keep_blocks(const diagram::Diagram& diagram,
+                                                  diagram::Diagram& part) const {
   std::vector<int> place(kept_.size(), -1);
   for (std::size_t b = 0; b < kept_.size(); ++b) {
     if (!kept_[b]) continue;
@@ -152,9 +158,10 @@ std::vector<int> SensitiveSubdiagram::keep_blocks(const Diagram& diagram, Diagra
   return place;
 }
 
-Source SensitiveSubdiagram::moved(Source source, const std::vector<int>& place, int first_read) const {
+diagram::Source SensitiveSubdiagram::moved(diagram::Source source, const std::vector<int>& place,
+                                           int first_read) const {
   if (source.block < 0) return source;
-  const SignalRef signal{source.block, source.output, -1};
+  const diagram::SignalRef signal{source.block, source.output, -1};
   const int kept = place[static_cast<std::size_t>(source.block)];
   const auto read =
       std::find_if(reads_.begin(), reads_.end(), [&](const Read& one) { return one.signal == signal; });
@@ -163,24 +170,25 @@ Source SensitiveSubdiagram::moved(Source source, const std::vector<int>& place, 
   return source;
 }
 
-Diagram SensitiveSubdiagram::of(const Diagram& diagram) const {
-  Diagram part = without_blocks(diagram);
+diagram::Diagram SensitiveSubdiagram::of(const diagram::Diagram& diagram) const {
+  diagram::Diagram part = without_blocks(diagram);
   const std::vector<int> place = keep_blocks(diagram, part);
   const int first_read = static_cast<int>(part.blocks.size());
-  for (DiagramBlock& block : part.blocks)
+  for (diagram::DiagramBlock& block : part.blocks)
     for (auto& sources : block.inputs)
-      for (Source& source : sources) source = moved(std::move(source), place, first_read);
+      for (diagram::Source& source : sources) source = moved(std::move(source), place, first_read);
   for (const Read& read : reads_) {
     part.inputs.push_back({"", static_cast<int>(part.blocks.size()), ""});
     part.blocks.push_back(input(diagram, read));
   }
-  for (RecordRequest& request : part.records) {
-    std::erase_if(request.signals, [&](const RecordedSignal& signal) { return !gives(signal.name); });
-    for (RecordedSignal& signal : request.signals)
+  for (diagram::RecordRequest& request : part.records) {
+    std::erase_if(request.signals,
+                  [&](const diagram::RecordedSignal& signal) { return !gives(signal.name); });
+    for (diagram::RecordedSignal& signal : request.signals)
       signal.signal.block = place[static_cast<std::size_t>(signal.signal.block)];
   }
   part.bindings = moved_bindings(*diagram.bindings, place);
   return part;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::estimation

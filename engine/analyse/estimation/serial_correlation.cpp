@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace stepwire {
+namespace stepwire::estimation {
 
 namespace {
 
@@ -65,4 +65,4 @@ Eigen::MatrixXd SerialCorrelation::covariance_of_sum(const Eigen::MatrixXd& term
   return sum / static_cast<double>(width);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::estimation

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace stepwire {
+namespace stepwire::estimation {
 
 /// How long residuals go together. Errors of a model and filtered noise last over many rows, which then tell
 /// less than their number; an interval that counts each of them would be too narrow.
@@ -21,4 +21,4 @@ struct SerialCorrelation {
                                     const std::vector<Eigen::Index>& starts) const;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::estimation

@@ -7,7 +7,7 @@
 
 #include "engine/analyse/estimation/loss.hpp"
 
-namespace stepwire {
+namespace stepwire::estimation {
 
 namespace {
 
@@ -112,4 +112,4 @@ Eigen::VectorXd evolve(const Residuals& residuals, const FitRequest& request,
   return population.empty() ? residuals.start() : best()->x;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::estimation

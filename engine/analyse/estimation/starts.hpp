@@ -7,7 +7,7 @@
 
 #include "engine/analyse/estimation/residuals.hpp"
 
-namespace stepwire {
+namespace stepwire::estimation {
 
 /// Points from which searches begin: the given start, then random ones within the bounds (evenly in the
 /// logarithm where the bounds are more than tenfold apart; from half to twice the start where there are no
@@ -23,4 +23,4 @@ using GenerationWatcher = std::function<void(std::size_t generation, double cost
 Eigen::VectorXd evolve(const Residuals& residuals, const FitRequest& request,
                        const std::atomic<bool>* interrupt, const GenerationWatcher& watch);
 
-}  // namespace stepwire
+}  // namespace stepwire::estimation

@@ -10,7 +10,7 @@
 
 #include "engine/analyse/query/number.hpp"
 
-namespace stepwire {
+namespace stepwire::query {
 namespace {
 
 bool is_word(char c) {
@@ -45,7 +45,7 @@ std::string unknown_parameter(const std::string& name, const SymbolTable& names)
   std::vector<std::string> all;
   for (const auto& parameter : names.parameters) all.push_back(parameter.name);
   if (all.empty()) return fmt::format("there is no parameter '{}'; this diagram has none", name);
-  return fmt::format("there is no parameter '{}'{}", name, nearest_or_all(name, all, "there are"));
+  return fmt::format("there is no parameter '{}'{}", name, yaml::nearest_or_all(name, all, "there are"));
 }
 
 std::string unknown_column(const std::string& name, const SymbolTable& names) {
@@ -58,20 +58,20 @@ std::string unknown_column(const std::string& name, const SymbolTable& names) {
   for (const auto& drawn : names.drawn)
     if (beginning(drawn.name) == beginning(name)) all.push_back(drawn.name);
   if (!names.unknown.empty())
-    return fmt::format("'{}' {}{}", name, names.unknown, nearest_or_all(name, all, "there are"));
+    return fmt::format("'{}' {}{}", name, names.unknown, yaml::nearest_or_all(name, all, "there are"));
   const bool is_vector = names.find(name + ".1") != nullptr;
   if (names.lacks(name) && !is_vector) return fmt::format("'{}' is not recorded; add it to 'record'", name);
-  return fmt::format("'{}' is not recorded{}", name, nearest_or_all(name, all, "recorded are"));
+  return fmt::format("'{}' is not recorded{}", name, yaml::nearest_or_all(name, all, "recorded are"));
 }
 
 /// A parameter as a number, with its unit where that can stand in an expression.
 std::string number_text(const KnownParameter& parameter, const SymbolTable& names) {
   std::string number = fmt::format("{}", parameter.value);
-  if (!parameter.dimension || *parameter.dimension == Dimension{}) return number;
-  std::string unit = si_name(*parameter.dimension);
+  if (!parameter.dimension || *parameter.dimension == unit::Dimension{}) return number;
+  std::string unit = unit::si_name(*parameter.dimension);
   std::replace(unit.begin(), unit.end(), ' ', '.');
   const auto known = [&](std::string_view name) { return names.find(name) != nullptr; };
-  return unit_prefix(unit, known) == unit.size() ? number + " " + unit : number;
+  return unit::unit_prefix(unit, known) == unit.size() ? number + " " + unit : number;
 }
 
 /// The column of words before a comparison, whose sign ends at `end`; null where it is none.
@@ -93,19 +93,21 @@ const RecordedName* compared_column(std::string_view text, std::size_t end, cons
 std::size_t append_word(std::string_view text, std::size_t begin, const SymbolTable& names,
                         Substituted& result) {
   const std::size_t end = text.find(text[begin], begin + 1);
-  if (end == std::string_view::npos) throw ExpressionError("the word that begins here has no end", begin);
+  if (end == std::string_view::npos)
+    throw expression::ExpressionError("the word that begins here has no end", begin);
   const RecordedName* column = compared_column(text, begin, names);
   if (!column)
-    throw ExpressionError(
+    throw expression::ExpressionError(
         "a word stands behind == or != and the name of a column of words: condition == \"V\"", begin);
   const std::string word(text.substr(begin + 1, end - begin - 1));
   const auto found = std::find(column->words.begin(), column->words.end(), word);
   if (found == column->words.end())
-    throw ExpressionError(fmt::format("'{}' is never '{}'{}", column->name, word,
-                                      nearest_or_all(word, column->words, "there are")),
-                          begin + 1);
+    throw expression::ExpressionError(fmt::format("'{}' is never '{}'{}", column->name, word,
+                                                  yaml::nearest_or_all(word, column->words, "there are")),
+                                      begin + 1);
   if (std::find(found + 1, column->words.end(), word) != column->words.end())
-    throw ExpressionError(fmt::format("several values of '{}' are '{}'", column->name, word), begin + 1);
+    throw expression::ExpressionError(fmt::format("several values of '{}' are '{}'", column->name, word),
+                                      begin + 1);
   result.append(std::to_string(found - column->words.begin()), begin);
   return end + 1;
 }
@@ -147,7 +149,7 @@ Substituted substitute(std::string_view text, const SymbolTable& names) {
     const std::string name(text.substr(i + 1, end - i - 1));
     const auto found = std::find_if(names.parameters.begin(), names.parameters.end(),
                                     [&](const KnownParameter& known) { return known.name == name; });
-    if (found == names.parameters.end()) throw ExpressionError(unknown_parameter(name, names), i);
+    if (found == names.parameters.end()) throw expression::ExpressionError(unknown_parameter(name, names), i);
     result.append(fmt::format("({})", number_text(*found, names)), i);
     i = end;
   }
@@ -162,40 +164,40 @@ std::size_t place_of(const std::string& name, std::string_view text) {
   return at;
 }
 
-Expression parse(std::string_view text, const SymbolTable& names) {
+expression::Expression parse(std::string_view text, const SymbolTable& names) {
   const Substituted substituted = substitute(text, names);
   try {
     // A signal called "e" that is not recorded is no constant either.
-    Expression expression(substituted.text, [&](std::string_view name) {
+    expression::Expression expression(substituted.text, [&](std::string_view name) {
       return names.find(name) != nullptr || ((name == "e" || name == "pi") && names.lacks(name));
     });
     for (const std::string& name : expression.variables())
       if (names.lacks(name))
-        throw ExpressionError(unknown_column(name, names), place_of(name, substituted.text));
+        throw expression::ExpressionError(unknown_column(name, names), place_of(name, substituted.text));
     return expression;
-  } catch (const ExpressionError& error) {
+  } catch (const expression::ExpressionError& error) {
     const std::size_t position = substituted.origin_of(error.position);
     const std::string name = name_at(text, position);
     const std::size_t behind = text.find_first_not_of(' ', position + name.size());
     const bool function = behind != std::string_view::npos && text[behind] == '(';
     const bool unknown = !name.empty() && !function && names.find(name) == nullptr &&
                          std::string_view(error.what()).find(name) != std::string_view::npos;
-    throw ExpressionError(unknown ? unknown_column(name, names) : error.what(), position);
+    throw expression::ExpressionError(unknown ? unknown_column(name, names) : error.what(), position);
   }
 }
 
 /// Throws ExpressionError where units do not fit each other, with the place in the text as it was written.
-std::optional<Dimension> find_dimension(const Expression& expression, std::string_view text,
-                                        const SymbolTable& names) {
-  std::vector<Measure> measures;
+std::optional<unit::Dimension> find_dimension(const expression::Expression& expression, std::string_view text,
+                                              const SymbolTable& names) {
+  std::vector<expression::Measure> measures;
   for (const auto& name : expression.variables()) {
     const auto& dimension = names.find(name)->dimension;
     measures.push_back({dimension, dimension.has_value()});
   }
   try {
     return expression.measure(measures).dimension;
-  } catch (const ExpressionError& error) {
-    throw ExpressionError(error.what(), substitute(text, names).origin_of(error.position));
+  } catch (const expression::ExpressionError& error) {
+    throw expression::ExpressionError(error.what(), substitute(text, names).origin_of(error.position));
   }
 }
 
@@ -228,14 +230,14 @@ std::string apart_message(const std::vector<std::string>& apart) {
 
 }  // namespace
 
-Place place_in(const Node& node, std::size_t offset, const SymbolTable& names) {
-  Place place{names.file, node.mark};
+yaml::Place place_in(const yaml::Node& node, std::size_t offset, const SymbolTable& names) {
+  yaml::Place place{names.file, node.mark};
   place.mark.column += static_cast<int>(offset) + (node.quoted ? 1 : 0);
   return place;
 }
 
-std::optional<Formula> read_formula(const Node& node, const SymbolTable& names, const std::string& subject,
-                                    Faults& faults) {
+std::optional<Formula> read_formula(const yaml::Node& node, const SymbolTable& names,
+                                    const std::string& subject, yaml::Faults& faults) {
   if (!node.is_scalar()) {
     faults.add({{names.file, node.mark}, subject, "an expression is wanted here, such as 'abs(rig.x)'", {}});
     return std::nullopt;
@@ -243,10 +245,11 @@ std::optional<Formula> read_formula(const Node& node, const SymbolTable& names, 
   return read_formula(node, node.text, 0, names, subject, faults);
 }
 
-std::optional<Formula> read_formula(const Node& node, std::string_view text, std::size_t offset,
-                                    const SymbolTable& names, const std::string& subject, Faults& faults) {
+std::optional<Formula> read_formula(const yaml::Node& node, std::string_view text, std::size_t offset,
+                                    const SymbolTable& names, const std::string& subject,
+                                    yaml::Faults& faults) {
   try {
-    Expression expression = parse(text, names);
+    expression::Expression expression = parse(text, names);
     const auto& variables = expression.variables();
     std::vector<std::string> columns, apart;
     for (const auto& variable : variables) {
@@ -259,16 +262,16 @@ std::optional<Formula> read_formula(const Node& node, std::string_view text, std
       return std::nullopt;
     }
     const auto dimension = find_dimension(expression, text, names);
-    const Mark mark = place_in(node, offset, names).mark;
+    const yaml::Mark mark = place_in(node, offset, names).mark;
     return Formula{trimmed(text), std::move(expression), std::move(columns), recording, dimension, mark};
-  } catch (const ExpressionError& error) {
+  } catch (const expression::ExpressionError& error) {
     faults.add({place_in(node, offset + error.position, names), subject, error.what(), {}});
     return std::nullopt;
   }
 }
 
 std::size_t common_recording(const std::vector<const Formula*>& formulas, const SymbolTable& names,
-                             const Node& at, const std::string& subject, Faults& faults) {
+                             const yaml::Node& at, const std::string& subject, yaml::Faults& faults) {
   std::vector<std::string> variables, apart;
   for (const Formula* formula : formulas) {
     if (formula == nullptr) continue;
@@ -280,10 +283,10 @@ std::size_t common_recording(const std::vector<const Formula*>& formulas, const 
   return recording.value_or(0);
 }
 
-std::vector<double> evaluate(const Formula& formula, const Recording& recording) {
+std::vector<double> evaluate(const Formula& formula, const record::Recording& recording) {
   std::vector<const double*> columns;
   for (const auto& name : formula.columns) {
-    const Column* column = recording.table.find(name);
+    const table::Column* column = recording.table.find(name);
     if (column == nullptr) throw std::invalid_argument(fmt::format("'{}' was not recorded", name));
     columns.push_back(column->values.data());
   }
@@ -295,4 +298,4 @@ std::vector<double> evaluate(const Formula& formula, const Recording& recording)
   return result;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::query

@@ -3,41 +3,41 @@
 #include "engine/analyse/query/formula.hpp"
 #include "engine/base/yaml/section.hpp"
 
-namespace stepwire {
+namespace stepwire::query {
 
 struct Series;
 
 /// What sections about recorded signals are read with: figures, claims, scenes, fits.
-struct NamesReading : SectionReading {
+struct NamesReading : yaml::SectionReading {
   const SymbolTable& names;
-  Faults& faults;
+  yaml::Faults& faults;
 
-  NamesReading(std::string subject, const SymbolTable& names, Faults& faults)
-      : SectionReading(std::move(subject),
-                       [file = names.file, &faults](const Mark& mark, const std::string& about,
-                                                    const std::string& message) {
-                         faults.add({{file, mark}, about, message, {}});
-                       }),
+  NamesReading(std::string subject, const SymbolTable& names, yaml::Faults& faults)
+      : yaml::SectionReading(std::move(subject),
+                             [file = names.file, &faults](const yaml::Mark& mark, const std::string& about,
+                                                          const std::string& message) {
+                               faults.add({{file, mark}, about, message, {}});
+                             }),
         names(names),
         faults(faults) {}
 
-  using SectionReading::take;
-  void take(const Node& node, const Key& key, std::optional<Formula>& formula) const;
-  void take(const Node& node, const Key& key, std::optional<Series>& series) const;
+  using yaml::SectionReading::take;
+  void take(const yaml::Node& node, const yaml::Key& key, std::optional<Formula>& formula) const;
+  void take(const yaml::Node& node, const yaml::Key& key, std::optional<Series>& series) const;
   /// One expression in a unit, or a list of them.
-  void take(const Node& node, const Key& key, std::vector<Series>& series) const;
+  void take(const yaml::Node& node, const yaml::Key& key, std::vector<Series>& series) const;
   /// Two numbers in the unit of the key, the smaller one first.
-  void take(const Node& node, const Key& key, std::array<double, 2>& range) const;
+  void take(const yaml::Node& node, const yaml::Key& key, std::array<double, 2>& range) const;
 
-  std::optional<Formula> formula(const Node& node) const;
-  std::optional<Series> series(const Node& node) const;
+  std::optional<Formula> formula(const yaml::Node& node) const;
+  std::optional<Series> series(const yaml::Node& node) const;
 
  protected:
   /// A number with the unit of the key, an expression of numbers and `$name`.
-  std::optional<double> read_number(const Node& node, const Key& key) const override;
+  std::optional<double> read_number(const yaml::Node& node, const yaml::Key& key) const override;
 };
 
 /// What stands where a series does: an expression, or a map of it and its label.
-const Key& series_form();
+const yaml::Key& series_form();
 
-}  // namespace stepwire
+}  // namespace stepwire::query

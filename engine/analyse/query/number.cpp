@@ -9,7 +9,7 @@
 
 #include "engine/analyse/query/formula.hpp"
 
-namespace stepwire {
+namespace stepwire::query {
 namespace {
 
 std::string unit_after_number(const std::string& text) {
@@ -20,16 +20,16 @@ std::string unit_after_number(const std::string& text) {
   return unit;
 }
 
-std::string unit_phrase(const Dimension& dimension) {
-  return dimension == Dimension{} ? "has no unit" : "is in " + si_name(dimension);
+std::string unit_phrase(const unit::Dimension& dimension) {
+  return dimension == unit::Dimension{} ? "has no unit" : "is in " + unit::si_name(dimension);
 }
 
 }  // namespace
 
-std::optional<WantedNumber> read_number(const Node& node, const SymbolTable& names,
-                                        const std::string& subject, Faults& faults) {
+std::optional<WantedNumber> read_number(const yaml::Node& node, const SymbolTable& names,
+                                        const std::string& subject, yaml::Faults& faults) {
   if (node.is_scalar()) {
-    if (const auto quantity = parse_quantity(node.text))
+    if (const auto quantity = unit::parse_quantity(node.text))
       return WantedNumber{quantity->value, quantity->dimension, unit_after_number(node.text), node.text};
   } else {
     faults.add({{names.file, node.mark}, subject, "a number is wanted here, such as '2 N'", {}});
@@ -48,9 +48,9 @@ std::optional<WantedNumber> read_number(const Node& node, const SymbolTable& nam
   return WantedNumber{formula->expression({}), std::nullopt, "", formula->text};
 }
 
-void check_dimension(const WantedNumber& number, const std::optional<Dimension>& dimension,
-                     const std::string& what, const Node& node, const SymbolTable& names,
-                     const std::string& subject, Faults& faults) {
+void check_dimension(const WantedNumber& number, const std::optional<unit::Dimension>& dimension,
+                     const std::string& what, const yaml::Node& node, const SymbolTable& names,
+                     const std::string& subject, yaml::Faults& faults) {
   if (!number.dimension || !dimension || *number.dimension == *dimension) return;
   faults.add({{names.file, node.mark},
               subject,
@@ -59,13 +59,14 @@ void check_dimension(const WantedNumber& number, const std::optional<Dimension>&
               {}});
 }
 
-void add_unknown_key(const Entry& entry, const std::vector<std::string>& known, const std::string& owner,
-                     const SymbolTable& names, const std::string& subject, Faults& faults) {
-  faults.add({{names.file, entry.mark}, subject, unknown_key(entry.key, known, owner), {}});
+void add_unknown_key(const yaml::Entry& entry, const std::vector<std::string>& known,
+                     const std::string& owner, const SymbolTable& names, const std::string& subject,
+                     yaml::Faults& faults) {
+  faults.add({{names.file, entry.mark}, subject, yaml::unknown_key(entry.key, known, owner), {}});
 }
 
-std::string read_text(const Node& node, const SymbolTable& names, const std::string& subject,
-                      Faults& faults) {
+std::string read_text(const yaml::Node& node, const SymbolTable& names, const std::string& subject,
+                      yaml::Faults& faults) {
   if (node.is_scalar() && !node.text.empty()) return node.text;
   faults.add({{names.file, node.mark}, subject, "a text is wanted here", {}});
   return {};
@@ -82,4 +83,4 @@ std::string short_number(double value, int digits) {
   return fmt::format("{:.{}g}", value == 0.0 ? 0.0 : value, digits);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::query

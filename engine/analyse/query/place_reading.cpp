@@ -7,29 +7,30 @@
 
 #include "engine/analyse/query/number.hpp"
 
-namespace stepwire {
+namespace stepwire::query {
 namespace {
 
-std::optional<Formula> read_length_of(const Node& node, const std::string& text, const SymbolTable& names,
-                                      const std::string& subject, Faults& faults) {
+std::optional<Formula> read_length_of(const yaml::Node& node, const std::string& text,
+                                      const SymbolTable& names, const std::string& subject,
+                                      yaml::Faults& faults) {
   auto formula = read_formula(node, text, 0, names, subject, faults);
   if (!formula || !formula->dimension || *formula->dimension == length_dimension ||
-      *formula->dimension == Dimension{})
+      *formula->dimension == unit::Dimension{})
     return formula;
   faults.add({{names.file, node.mark},
               subject,
-              fmt::format("'{}' is in {}, but a length is wanted", text, si_name(*formula->dimension)),
+              fmt::format("'{}' is in {}, but a length is wanted", text, unit::si_name(*formula->dimension)),
               {}});
   return std::nullopt;
 }
 
-std::vector<Formula> read_coordinates(const Node& node, const SymbolTable& names, const std::string& subject,
-                                      Faults& faults) {
+std::vector<Formula> read_coordinates(const yaml::Node& node, const SymbolTable& names,
+                                      const std::string& subject, yaml::Faults& faults) {
   std::vector<Formula> place;
   if (node.items.empty() || node.items.size() > max_coordinates)
     faults.add({{names.file, node.mark}, subject, "a point has one to three coordinates: [x, y]", {}});
   else
-    for (const Node& item : node.items)
+    for (const yaml::Node& item : node.items)
       if (auto formula = read_length(item, names, subject, faults)) place.push_back(std::move(*formula));
   return place.size() == node.items.size() ? place : std::vector<Formula>{};
 }
@@ -51,14 +52,14 @@ bool is_unknown_name(const std::string& text, const SymbolTable& names) {
 
 }  // namespace
 
-std::optional<Formula> read_length(const Node& node, const SymbolTable& names, const std::string& subject,
-                                   Faults& faults) {
+std::optional<Formula> read_length(const yaml::Node& node, const SymbolTable& names,
+                                   const std::string& subject, yaml::Faults& faults) {
   if (!node.is_scalar()) return read_formula(node, names, subject, faults);
   return read_length_of(node, node.text, names, subject, faults);
 }
 
-std::vector<Formula> read_place(const Node& node, const SymbolTable& names, const std::string& subject,
-                                Faults& faults) {
+std::vector<Formula> read_place(const yaml::Node& node, const SymbolTable& names, const std::string& subject,
+                                yaml::Faults& faults) {
   if (node.is_list()) return read_coordinates(node, names, subject, faults);
   std::vector<Formula> place;
   for (std::size_t i = 1; i <= max_coordinates; ++i) {
@@ -72,11 +73,11 @@ std::vector<Formula> read_place(const Node& node, const SymbolTable& names, cons
     faults.add({{names.file, node.mark},
                 subject,
                 fmt::format("'{}' is not recorded{}", node.text,
-                            nearest_or_all(node.text, vectors_of(names), "recorded vectors are")),
+                            yaml::nearest_or_all(node.text, vectors_of(names), "recorded vectors are")),
                 {}});
   else if (auto formula = read_length(node, names, subject, faults))
     place.push_back(std::move(*formula));
   return place;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::query

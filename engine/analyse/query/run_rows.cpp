@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace stepwire {
+namespace stepwire::query {
 
-RunRows rows_of_run(const std::optional<Formula>& where, const Recording& recording) {
+RunRows rows_of_run(const std::optional<Formula>& where, const record::Recording& recording) {
   RunRows rows{0, recording.table.rows(), 0};
   if (where) {
     const std::vector<double> holds = evaluate(*where, recording);
@@ -20,4 +20,4 @@ RunRows rows_of_run(const std::optional<Formula>& where, const Recording& record
   return rows;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::query

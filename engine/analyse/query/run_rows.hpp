@@ -5,7 +5,7 @@
 
 #include "engine/analyse/query/formula.hpp"
 
-namespace stepwire {
+namespace stepwire::query {
 
 /// The rows of one run of a recording, and the first of them for which a condition holds.
 struct RunRows {
@@ -16,6 +16,6 @@ struct RunRows {
 
 /// Finds the first row of all for which `where` is true (without it, the first), and the run in which it
 /// lies.
-RunRows rows_of_run(const std::optional<Formula>& where, const Recording& recording);
+RunRows rows_of_run(const std::optional<Formula>& where, const record::Recording& recording);
 
-}  // namespace stepwire
+}  // namespace stepwire::query

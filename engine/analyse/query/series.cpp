@@ -9,20 +9,20 @@
 #include "engine/analyse/query/number.hpp"
 #include "engine/base/text/characters.hpp"
 
-namespace stepwire {
+namespace stepwire::query {
 namespace {
 
 /// Reads the unit behind " in " and checks that the formula can be drawn in it.
-bool read_unit(const Node& node, std::string_view text, std::size_t offset, Series& series,
-               const SymbolTable& names, const std::string& subject, Faults& faults) {
-  const auto unit = parse_unit(text);
+bool read_unit(const yaml::Node& node, std::string_view text, std::size_t offset, Series& series,
+               const SymbolTable& names, const std::string& subject, yaml::Faults& faults) {
+  const auto unit = unit::parse_unit(text);
   const auto& dimension = series.formula.dimension;
   std::string message;
   if (!unit)
     message = fmt::format("'{}' is no unit", text);
   else if (dimension && *dimension != unit->dimension)
-    message = fmt::format("'{}' is in {} and cannot be drawn in {}", series.formula.text, si_name(*dimension),
-                          text);
+    message = fmt::format("'{}' is in {} and cannot be drawn in {}", series.formula.text,
+                          unit::si_name(*dimension), text);
   if (!message.empty()) {
     faults.add({place_in(node, offset, names), subject, message, {}});
     return false;
@@ -48,16 +48,16 @@ std::string words_of(const Formula& formula) {
   return words;
 }
 
-std::optional<Series> read_signal(const Node& node, const SymbolTable& names, const std::string& subject,
-                                  Faults& faults) {
+std::optional<Series> read_signal(const yaml::Node& node, const SymbolTable& names,
+                                  const std::string& subject, yaml::Faults& faults) {
   const std::size_t in = node.is_scalar() ? node.text.rfind(" in ") : std::string::npos;
   auto formula = in == std::string::npos ? read_formula(node, names, subject, faults)
                                          : read_formula(node, std::string_view(node.text).substr(0, in), 0,
                                                         names, subject, faults);
   if (!formula) return std::nullopt;
-  Series series{*formula, Unit{}, "", words_of(*formula)};
+  Series series{*formula, unit::Unit{}, "", words_of(*formula)};
   if (in == std::string::npos) {
-    if (formula->dimension) series.unit_text = si_name(*formula->dimension);
+    if (formula->dimension) series.unit_text = unit::si_name(*formula->dimension);
     return series;
   }
   const std::size_t start = node.text.find_first_not_of(' ', in + 4);
@@ -73,9 +73,9 @@ std::optional<Series> read_signal(const Node& node, const SymbolTable& names, co
 std::string printed_unit(const std::string& unit) {
   if (unit.empty() || unit == "1") return "–";
   std::string text = unit;
-  replace_all(text, "^2", "²");
-  replace_all(text, "^3", "³");
-  replace_all(text, ".", "·");
+  text::replace_all(text, "^2", "²");
+  text::replace_all(text, "^3", "³");
+  text::replace_all(text, ".", "·");
   if (text == "deg") return "°";
   if (text == "um") return "µm";
   return text;
@@ -85,16 +85,16 @@ std::string Series::axis_label() const {
   return unit_text.empty() ? label : fmt::format("{} [{}]", label, printed_unit(unit_text));
 }
 
-std::optional<Series> read_series(const Node& node, const SymbolTable& names, const std::string& subject,
-                                  Faults& faults) {
+std::optional<Series> read_series(const yaml::Node& node, const SymbolTable& names,
+                                  const std::string& subject, yaml::Faults& faults) {
   if (!node.is_map()) return read_signal(node, names, subject, faults);
   NamesReading(subject, names, faults).check(node, series_form());
-  const Node* signal = node.find("signal");
+  const yaml::Node* signal = node.find("signal");
   if (signal == nullptr) return std::nullopt;
   auto series = read_signal(*signal, names, subject, faults);
-  const Node* label = node.find("label");
+  const yaml::Node* label = node.find("label");
   if (series && label != nullptr) series->label = read_text(*label, names, subject, faults);
   return series;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::query

@@ -7,7 +7,7 @@
 #include "engine/analyse/query/symbol_table.hpp"
 #include "engine/base/yaml/document.hpp"
 
-namespace stepwire {
+namespace stepwire::query {
 
 /// A unit as people print it: mm, N m, m/s², °; "–" where there is none.
 std::string printed_unit(const std::string& unit);
@@ -16,7 +16,7 @@ std::string printed_unit(const std::string& unit);
 /// unit.
 struct Series {
   Formula formula;
-  Unit unit;
+  unit::Unit unit;
   std::string unit_text;  ///< empty where the unit is not known
   std::string label;      ///< the expression unless the file says otherwise
 
@@ -25,7 +25,7 @@ struct Series {
 };
 
 /// Reads "EXPR", "EXPR in UNIT" or {signal: ..., label: ...}.
-std::optional<Series> read_series(const Node& node, const SymbolTable& names, const std::string& subject,
-                                  Faults& faults);
+std::optional<Series> read_series(const yaml::Node& node, const SymbolTable& names,
+                                  const std::string& subject, yaml::Faults& faults);
 
-}  // namespace stepwire
+}  // namespace stepwire::query

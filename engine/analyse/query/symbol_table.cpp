@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace stepwire {
+namespace stepwire::query {
 
 const RecordedName* SymbolTable::find(std::string_view name) const {
   const auto found = std::find_if(columns.begin(), columns.end(),
@@ -14,4 +14,4 @@ bool SymbolTable::lacks(std::string_view name) const {
   return find(name) == nullptr && std::find(signals.begin(), signals.end(), name) != signals.end();
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::query

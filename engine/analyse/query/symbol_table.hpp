@@ -11,15 +11,20 @@
 #include "engine/base/unit/unit.hpp"
 #include "engine/model/block/outline.hpp"
 
-namespace stepwire {
-
+namespace stepwire::drawing {
 class DiagramView;
+}
+
+namespace stepwire::scene {
 struct Scene;
+}
+
+namespace stepwire::query {
 
 /// A name that figures and claims may use for a recorded column.
 struct RecordedName {
   std::string name;
-  std::optional<Dimension> dimension;  ///< none where the unit is not known
+  std::optional<unit::Dimension> dimension;  ///< none where the unit is not known
   std::optional<std::size_t>
       recording;         ///< which recording has it; none: each has it (time, swept parameters)
   std::string column{};  ///< its name in the table where that differs ("lag" for "lag.y"); else empty
@@ -30,7 +35,7 @@ struct RecordedName {
 struct KnownParameter {
   std::string name;
   double value = 0.0;  ///< SI
-  std::optional<Dimension> dimension{};
+  std::optional<unit::Dimension> dimension{};
 };
 
 /// A block whose outline figures may draw.
@@ -42,7 +47,7 @@ struct NamedOutline {
 /// A table that figures may show. It is filled in before they are drawn.
 struct NamedTable {
   std::string name;
-  std::shared_ptr<TextTable> table = std::make_shared<TextTable>();
+  std::shared_ptr<text::TextTable> table = std::make_shared<text::TextTable>();
 };
 
 /// A name that stands for an expression.
@@ -56,17 +61,17 @@ struct SymbolTable {
   std::string file;  ///< for the places of faults
   std::vector<RecordedName> columns;
   std::vector<KnownParameter> parameters{};
-  std::vector<std::string> signals{};    ///< what could be recorded, by the names that the diagram has for it
-  std::string unknown{};                 ///< said of a name that is no column, where columns are no records
-  const DiagramView* diagram = nullptr;  ///< the diagram itself; null where it cannot be drawn
+  std::vector<std::string> signals{};  ///< what could be recorded, by the names that the diagram has for it
+  std::string unknown{};               ///< said of a name that is no column, where columns are no records
+  const drawing::DiagramView* diagram = nullptr;  ///< the diagram itself; null where it cannot be drawn
   std::vector<NamedOutline> outlines{};
   std::vector<NamedTable> tables{};
-  std::vector<NamedFormula> drawn{};     ///< what the figures draw, and numbers of blocks
-  std::shared_ptr<const Scene> scene{};  ///< what the file shows; null where it has none
+  std::vector<NamedFormula> drawn{};            ///< what the figures draw, and numbers of blocks
+  std::shared_ptr<const scene::Scene> scene{};  ///< what the file shows; null where it has none
 
   const RecordedName* find(std::string_view name) const;
   /// Is it a signal that the file does not record?
   bool lacks(std::string_view name) const;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::query

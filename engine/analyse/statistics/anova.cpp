@@ -10,7 +10,7 @@
 #include "engine/analyse/statistics/statistics_error.hpp"
 #include "engine/analyse/statistics/tail.hpp"
 
-namespace stepwire {
+namespace stepwire::statistics {
 namespace {
 
 std::string joined_name(const std::vector<std::string>& factors) {
@@ -185,4 +185,4 @@ Anova anova(const Observations& observations, const std::vector<Term>& terms, Su
   return result;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

@@ -6,7 +6,7 @@
 
 #include "engine/analyse/statistics/observations.hpp"
 
-namespace stepwire {
+namespace stepwire::statistics {
 
 /// A main effect (one factor) or an interaction (several).
 struct Term {
@@ -82,4 +82,4 @@ Anova anova(const Observations& observations, const std::vector<Term>& terms,
 /// "type III (beyond all other terms)".
 std::string words_of(SumsOfSquares sums);
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

@@ -9,7 +9,7 @@
 
 #include "engine/analyse/statistics/statistics_error.hpp"
 
-namespace stepwire {
+namespace stepwire::statistics {
 namespace {
 
 constexpr double negligible = 1e-11;    // of the largest singular value
@@ -152,4 +152,4 @@ double squared_deviations(const PlanePoints& points, const Circle& circle) {
   return (distances.array() - circle.radius).square().sum();
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

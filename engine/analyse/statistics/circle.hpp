@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace stepwire {
+namespace stepwire::statistics {
 
 /// Points of a plane, one in each column, in one unit of length.
 using PlanePoints = Eigen::Matrix2Xd;
@@ -29,4 +29,4 @@ Circle fit_circle(const PlanePoints& points, CircleFit fit = CircleFit::geometri
 /// the square of the points' unit.
 double squared_deviations(const PlanePoints& points, const Circle& circle);
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

@@ -7,7 +7,7 @@
 #include "engine/analyse/statistics/contrasts.hpp"
 #include "engine/analyse/statistics/statistics_error.hpp"
 
-namespace stepwire {
+namespace stepwire::statistics {
 namespace {
 
 /// The observations at some levels of a factor, which has only these then, in this order.
@@ -90,4 +90,4 @@ ConditionTable condition_table(const Observations& observations, const std::stri
   return table;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

@@ -6,7 +6,7 @@
 
 #include "engine/analyse/statistics/observations.hpp"
 
-namespace stepwire {
+namespace stepwire::statistics {
 
 /// The observations of those subjects who have a value under every condition, and the same as a table.
 struct ConditionTable {
@@ -25,4 +25,4 @@ struct ConditionTable {
 ConditionTable condition_table(const Observations& observations, const std::string& condition,
                                const std::string& subject, const std::vector<std::string>& order);
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

@@ -8,7 +8,7 @@
 
 #include "engine/analyse/statistics/statistics_error.hpp"
 
-namespace stepwire {
+namespace stepwire::statistics {
 namespace {
 
 /// Helmert's contrasts: orthonormal columns that sum to zero.
@@ -65,4 +65,4 @@ Eigen::MatrixXd contrasts_of(const std::vector<std::string>& term, const Observa
   return result;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

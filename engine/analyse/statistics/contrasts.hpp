@@ -6,7 +6,7 @@
 
 #include "engine/analyse/statistics/anova.hpp"
 
-namespace stepwire {
+namespace stepwire::statistics {
 
 /// Means of the cells: a row for each subject, a column for each combination of the factors, the last one
 /// running fastest. Throws StatisticsError where a subject has no value in a cell.
@@ -17,4 +17,4 @@ Eigen::MatrixXd cell_means(const Observations& observations, std::vector<std::st
 Eigen::MatrixXd contrasts_of(const std::vector<std::string>& term, const Observations& observations,
                              const std::vector<std::string>& factors);
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

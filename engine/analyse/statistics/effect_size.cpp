@@ -5,7 +5,7 @@
 #include "engine/analyse/statistics/no_number.hpp"
 #include "engine/analyse/statistics/noncentral.hpp"
 
-namespace stepwire {
+namespace stepwire::statistics {
 namespace {
 
 /// Nan where there is nothing to divide by.
@@ -47,4 +47,4 @@ std::vector<TermEffect> term_effects(const Anova& repeated) {
   return effects;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

@@ -6,7 +6,7 @@
 #include "engine/analyse/statistics/anova.hpp"
 #include "engine/analyse/statistics/paired_test.hpp"
 
-namespace stepwire {
+namespace stepwire::statistics {
 
 /// Cohen's d of two conditions within subjects. What does not exist is nan.
 struct PairedEffect {
@@ -30,4 +30,4 @@ struct TermEffect {
 /// Of every term that has an F; all factors are manipulated within subjects.
 std::vector<TermEffect> term_effects(const Anova& repeated);
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

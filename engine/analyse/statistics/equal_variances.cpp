@@ -6,7 +6,7 @@
 #include "engine/analyse/statistics/quartiles.hpp"
 #include "engine/analyse/statistics/tail.hpp"
 
-namespace stepwire {
+namespace stepwire::statistics {
 namespace {
 
 double mean(const std::vector<double>& values) {
@@ -52,4 +52,4 @@ std::optional<VarianceTest> variance_test(const std::vector<std::vector<double>>
   return test;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

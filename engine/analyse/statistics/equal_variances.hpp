@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-namespace stepwire {
+namespace stepwire::statistics {
 
 /// A one-way analysis of how far values lie from the middle of their group.
 struct VarianceTest {
@@ -21,4 +21,4 @@ enum class Middle { mean, median };
 std::optional<VarianceTest> variance_test(const std::vector<std::vector<double>>& groups,
                                           Middle middle = Middle::median);
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

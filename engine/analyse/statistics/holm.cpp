@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace stepwire {
+namespace stepwire::statistics {
 
 std::vector<double> holm_corrected(const std::vector<double>& probabilities) {
   std::vector<std::size_t> order;
@@ -20,4 +20,4 @@ std::vector<double> holm_corrected(const std::vector<double>& probabilities) {
   return corrected;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

@@ -3,7 +3,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 
-namespace stepwire {
+namespace stepwire::statistics {
 namespace {
 
 constexpr double independent = 1e-9;  // of a column's length must be new
@@ -118,4 +118,4 @@ Eigen::VectorXd explained(const Eigen::VectorXd& response, const std::vector<con
   return qr.householderQ() * along;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

@@ -6,7 +6,7 @@
 
 #include "engine/analyse/statistics/anova.hpp"
 
-namespace stepwire {
+namespace stepwire::statistics {
 
 /// The columns of a term in a linear model: factors coded so that their levels sum to zero, interactions by
 /// products. Columns that those before them determine are left out.
@@ -23,4 +23,4 @@ std::vector<TermColumns> model_columns(const Observations& observations, const s
 /// The part of a response that the constant and some terms explain.
 Eigen::VectorXd explained(const Eigen::VectorXd& response, const std::vector<const TermColumns*>& terms);
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

@@ -4,7 +4,7 @@
 
 #include "engine/analyse/statistics/no_number.hpp"
 
-namespace stepwire {
+namespace stepwire::statistics {
 namespace {
 
 ConfidenceInterval interval_about(const Eigen::VectorXd& values, double mean, double widening) {
@@ -30,4 +30,4 @@ std::vector<MeanInterval> mean_intervals(const Eigen::MatrixXd& values) {
   return result;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

@@ -5,7 +5,7 @@
 
 #include "engine/analyse/statistics/paired_test.hpp"
 
-namespace stepwire {
+namespace stepwire::statistics {
 
 /// Between which values the mean of a condition lies, 95 %.
 struct MeanInterval {
@@ -19,4 +19,4 @@ struct MeanInterval {
 /// Of each column of values[subject][condition]; two subjects or more.
 std::vector<MeanInterval> mean_intervals(const Eigen::MatrixXd& values);
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

@@ -2,9 +2,9 @@
 
 #include <limits>
 
-namespace stepwire {
+namespace stepwire::statistics {
 
 /// What stands in the place of a number that does not exist.
 inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

@@ -9,7 +9,7 @@
 
 #include "engine/analyse/statistics/no_number.hpp"
 
-namespace stepwire {
+namespace stepwire::statistics {
 namespace {
 
 constexpr double far_out = 40.0;
@@ -74,4 +74,4 @@ ConfidenceInterval noncentrality_of_f(double f, double above, double below) {
   return {at(0.95), at(0.05)};
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

@@ -2,7 +2,7 @@
 
 #include "engine/analyse/statistics/paired_test.hpp"
 
-namespace stepwire {
+namespace stepwire::statistics {
 
 /// Probability that the noncentral t is above `value`. `freedom` above 0.
 double noncentral_student_tail(double value, double freedom, double noncentrality);
@@ -15,4 +15,4 @@ ConfidenceInterval noncentrality_of_t(double t, double freedom);
 /// below 0 is 0.
 ConfidenceInterval noncentrality_of_f(double f, double above, double below);
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

@@ -7,7 +7,7 @@
 
 #include "engine/analyse/statistics/statistics_error.hpp"
 
-namespace stepwire {
+namespace stepwire::statistics {
 namespace {
 
 void check_factor(const Factor& factor, std::size_t count) {
@@ -83,4 +83,4 @@ std::string cell_name(const Observations& observations, const std::vector<std::s
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

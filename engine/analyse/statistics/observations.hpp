@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace stepwire {
+namespace stepwire::statistics {
 
 /// What may explain a response: its levels and the level of every observation.
 struct Factor {
@@ -46,4 +46,4 @@ std::vector<Cell> cells(const Observations& observations, const std::vector<std:
 std::string cell_name(const Observations& observations, const std::vector<std::string>& factors,
                       const Cell& cell);
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

@@ -7,7 +7,7 @@
 #include "engine/analyse/statistics/student.hpp"
 #include "engine/analyse/statistics/tail.hpp"
 
-namespace stepwire {
+namespace stepwire::statistics {
 namespace {
 
 constexpr double equal_within =
@@ -48,4 +48,4 @@ PairedTest paired_test(const std::vector<double>& differences) {
   return test;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace stepwire {
+namespace stepwire::statistics {
 
 /// Limits between which something lies with a stated confidence. What does not exist is nan.
 struct ConfidenceInterval {
@@ -24,4 +24,4 @@ PairedTest paired_test(const std::vector<double>& differences);
 /// The interval of a mean: `mean` -/+ t(0.975, freedom) times its standard error; nan without freedom.
 ConfidenceInterval student_interval(double mean, double standard_error, double freedom);
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

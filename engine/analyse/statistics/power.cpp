@@ -6,7 +6,7 @@
 #include "engine/analyse/statistics/noncentral.hpp"
 #include "engine/analyse/statistics/student.hpp"
 
-namespace stepwire {
+namespace stepwire::statistics {
 
 double paired_power(double d_z, std::size_t subjects) {
   if (std::isnan(d_z)) return d_z;
@@ -29,4 +29,4 @@ std::optional<std::size_t> subjects_needed(double d_z, double power, std::size_t
   return enough;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

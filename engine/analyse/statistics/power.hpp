@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace stepwire {
+namespace stepwire::statistics {
 
 /// The power that a study is to have, as laboratories plan it (Cohen 1988).
 inline constexpr double wanted_power = 0.8;
@@ -15,4 +15,4 @@ double paired_power(double d_z, std::size_t subjects);
 /// The fewest subjects with the power that is wanted; nothing where `most` do not have it.
 std::optional<std::size_t> subjects_needed(double d_z, double power = wanted_power, std::size_t most = 10000);
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

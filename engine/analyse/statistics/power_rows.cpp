@@ -7,7 +7,7 @@
 #include "engine/analyse/statistics/no_number.hpp"
 #include "engine/analyse/statistics/within_subjects.hpp"
 
-namespace stepwire {
+namespace stepwire::statistics {
 namespace {
 
 PowerRow power_of(const std::string& name, const Eigen::MatrixXd& scores, const PowerSimulation& simulation) {
@@ -69,4 +69,4 @@ std::vector<PowerRow> power_rows(const WithinSubjects& within, const PowerSimula
   return rows;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace stepwire {
+namespace stepwire::statistics {
 
 double hazen_quantile(const std::vector<double>& sorted, double p) {
   const double last = static_cast<double>(sorted.size() - 1);
@@ -47,4 +47,4 @@ BoxSummary box_summary(std::vector<double> values, Whiskers whiskers) {
   return box;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace stepwire {
+namespace stepwire::statistics {
 
 /// Quantile of sorted values after Hazen: linear between the points ((i - 1/2)/n, x_i), i = 1..n; the ends
 /// are held.
@@ -23,4 +23,4 @@ struct BoxSummary {
 /// The values need not be sorted; at least one is needed.
 BoxSummary box_summary(std::vector<double> values, Whiskers whiskers = Whiskers::range);
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-namespace stepwire {
+namespace stepwire::statistics {
 namespace {
 
 bool has_nan(const std::vector<double>& values) {
@@ -47,4 +47,4 @@ double rank_correlation(const std::vector<double>& a, const std::vector<double>&
   return correlation(ranks(a), ranks(b));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

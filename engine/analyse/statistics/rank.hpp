@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace stepwire {
+namespace stepwire::statistics {
 
 /// Ranks 1..n; equal values share the mean of their ranks.
 std::vector<double> ranks(const std::vector<double>& values);
@@ -11,4 +11,4 @@ std::vector<double> ranks(const std::vector<double>& values);
 /// is constant, and where a value is nan.
 double rank_correlation(const std::vector<double>& a, const std::vector<double>& b);
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

@@ -11,7 +11,7 @@
 #include "engine/analyse/statistics/statistics_error.hpp"
 #include "engine/analyse/statistics/tail.hpp"
 
-namespace stepwire {
+namespace stepwire::statistics {
 namespace {
 
 constexpr double doubtful_epsilon = 0.75, significant = 0.05;
@@ -106,4 +106,4 @@ Anova repeated_measures(const Observations& observations, const std::vector<std:
   return result;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

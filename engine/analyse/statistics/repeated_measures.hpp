@@ -5,7 +5,7 @@
 
 #include "engine/analyse/statistics/anova.hpp"
 
-namespace stepwire {
+namespace stepwire::statistics {
 
 /// Analysis of variance within subjects: every subject met every combination of the factors `within`, and
 /// each term is compared with its interaction with the subject. Several values of one subject in one cell
@@ -16,4 +16,4 @@ namespace stepwire {
 Anova repeated_measures(const Observations& observations, const std::vector<std::string>& within,
                         const std::string& subject);
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

@@ -8,7 +8,7 @@
 
 #include "engine/analyse/statistics/statistics_error.hpp"
 
-namespace stepwire {
+namespace stepwire::statistics {
 namespace {
 
 void check(const PlanePoints& path, double spacing) {
@@ -119,4 +119,4 @@ ReturnError return_error(const PlanePoints& path, const WayBack& way_back, const
           points.cols(), recorded.cols()};
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

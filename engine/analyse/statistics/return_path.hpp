@@ -4,7 +4,7 @@
 
 #include "engine/analyse/statistics/circle.hpp"
 
-namespace stepwire {
+namespace stepwire::statistics {
 
 /// How a recorded path is resampled before it is scored. Every new point lies on the line through the
 /// recorded ones; the first and the last stay.
@@ -49,4 +49,4 @@ struct ReturnError {
 /// besides what `resampled` throws.
 ReturnError return_error(const PlanePoints& path, const WayBack& way_back, const Resampling& resampling = {});
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

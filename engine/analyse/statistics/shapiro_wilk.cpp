@@ -7,7 +7,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace stepwire {
+namespace stepwire::statistics {
 namespace {
 
 constexpr std::size_t fewest_values = 3, most_values = 5000;
@@ -102,4 +102,4 @@ std::optional<Normality> shapiro_wilk(std::vector<double> values) {
   return Normality{1.0 - beyond, probability(beyond, values.size())};
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

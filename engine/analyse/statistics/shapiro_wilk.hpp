@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-namespace stepwire {
+namespace stepwire::statistics {
 
 /// Shapiro and Wilk's test of normality.
 struct Normality {
@@ -15,4 +15,4 @@ struct Normality {
 /// 44 (1995), 547-551. Nothing for fewer than 3 values, for more than 5000, and where all are equal.
 std::optional<Normality> shapiro_wilk(std::vector<double> values);
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

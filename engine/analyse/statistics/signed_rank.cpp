@@ -6,7 +6,7 @@
 
 #include "engine/analyse/statistics/rank.hpp"
 
-namespace stepwire {
+namespace stepwire::statistics {
 namespace {
 
 /// Share of all signs for which the sum of the positive ranks is `sum` or less. Ranks shared by ties are
@@ -57,4 +57,4 @@ SignedRank signed_rank_test(const std::vector<double>& differences, std::size_t 
   return test;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace stepwire {
+namespace stepwire::statistics {
 
 /// Wilcoxon's signed-rank test of differences between two conditions. Differences of zero are left out, equal
 /// ones share the mean of their ranks.
@@ -17,4 +17,4 @@ struct SignedRank {
 /// Exact up to `largest_exact` differences, beyond them with the correction for continuity.
 SignedRank signed_rank_test(const std::vector<double>& differences, std::size_t largest_exact = 50);
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

@@ -5,7 +5,7 @@
 #include "engine/analyse/statistics/tail.hpp"
 #include "engine/base/math/random.hpp"
 
-namespace stepwire {
+namespace stepwire::statistics {
 namespace {
 
 constexpr std::size_t fewest_subjects = 3;
@@ -90,4 +90,4 @@ std::optional<std::size_t> subjects_needed(const std::vector<double>& by_subject
   return needed;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

@@ -8,7 +8,7 @@
 
 #include "engine/analyse/statistics/power.hpp"
 
-namespace stepwire {
+namespace stepwire::statistics {
 
 /// How power is simulated.
 struct PowerSimulation {
@@ -31,4 +31,4 @@ std::vector<double> simulated_power(const Eigen::MatrixXd& scores, const PowerSi
 std::optional<std::size_t> subjects_needed(const std::vector<double>& by_subjects,
                                            double power = wanted_power);
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-namespace stepwire {
+namespace stepwire::statistics {
 
 /// Numbers that a method cannot work on, and what it would need: "a circle needs three points, there are 2".
 class StatisticsError : public std::runtime_error {
@@ -10,4 +10,4 @@ class StatisticsError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

@@ -2,10 +2,10 @@
 
 #include <boost/math/distributions/students_t.hpp>
 
-namespace stepwire {
+namespace stepwire::statistics {
 
 double student_quantile(double probability, double freedom) {
   return boost::math::quantile(boost::math::students_t(freedom), probability);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

@@ -4,7 +4,7 @@
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 
-namespace stepwire {
+namespace stepwire::statistics {
 namespace {
 
 /// Rounding may leave a sum of squares a little below zero.
@@ -29,4 +29,4 @@ double chi_squared_tail(double value, double freedom) {
   return tail(boost::math::chi_squared(freedom), value);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

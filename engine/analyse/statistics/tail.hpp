@@ -1,6 +1,6 @@
 #pragma once
 
-namespace stepwire {
+namespace stepwire::statistics {
 
 /// Probability that Fisher's F with so many degrees of freedom (above 0, fractions allowed) is `value` or
 /// more; 0 for an infinite value, nan for nan.
@@ -12,4 +12,4 @@ double fisher_critical(double probability, double above, double below);
 /// Probability that chi-squared is `value` or more, as fisher_tail.
 double chi_squared_tail(double value, double freedom);
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

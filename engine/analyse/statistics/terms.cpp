@@ -3,7 +3,7 @@
 
 #include "engine/analyse/statistics/anova.hpp"
 
-namespace stepwire {
+namespace stepwire::statistics {
 
 std::vector<Term> additive_terms(const std::vector<std::string>& factors) {
   std::vector<Term> terms;
@@ -35,4 +35,4 @@ std::vector<Term> within_subject_terms(const std::vector<std::string>& within, c
   return terms;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

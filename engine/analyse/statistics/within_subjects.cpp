@@ -3,7 +3,7 @@
 #include "engine/analyse/statistics/holm.hpp"
 #include "engine/analyse/statistics/repeated_measures.hpp"
 
-namespace stepwire {
+namespace stepwire::statistics {
 namespace {
 
 PairComparison compared(const ConditionTable& table, std::size_t first, std::size_t second) {
@@ -56,4 +56,4 @@ WithinSubjects within_subjects(const Observations& observations, const std::vect
   return within;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

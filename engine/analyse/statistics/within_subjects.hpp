@@ -14,7 +14,7 @@
 #include "engine/analyse/statistics/signed_rank.hpp"
 #include "engine/analyse/statistics/simulated_power.hpp"
 
-namespace stepwire {
+namespace stepwire::statistics {
 
 /// Two conditions that the same subjects have met, first minus second.
 struct PairComparison {
@@ -58,4 +58,4 @@ struct PowerRow {
 /// Of every comparison, then of every term.
 std::vector<PowerRow> power_rows(const WithinSubjects& within, const PowerSimulation& simulation = {});
 
-}  // namespace stepwire
+}  // namespace stepwire::statistics

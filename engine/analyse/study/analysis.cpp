@@ -11,20 +11,24 @@
 #include "engine/analyse/statistics/repeated_measures.hpp"
 #include "engine/analyse/statistics/statistics_error.hpp"
 
-namespace stepwire {
+namespace stepwire::study {
+
+using json::Json;
+
 namespace {
 
 /// The feedbacks among the factors.
-std::vector<std::string> feedbacks(const Observations& observations) {
+std::vector<std::string> feedbacks(const statistics::Observations& observations) {
   std::vector<std::string> names;
-  for (const Factor& factor : observations.factors)
+  for (const statistics::Factor& factor : observations.factors)
     if (!factor.subject && factor.name != "condition") names.push_back(factor.name);
   return names;
 }
 
-bool all_combined(const Observations& observations, const std::vector<std::string>& factors) {
+bool all_combined(const statistics::Observations& observations, const std::vector<std::string>& factors) {
   const auto all = cells(observations, factors);
-  return std::none_of(all.begin(), all.end(), [](const Cell& cell) { return cell.values.empty(); });
+  return std::none_of(all.begin(), all.end(),
+                      [](const statistics::Cell& cell) { return cell.values.empty(); });
 }
 
 std::vector<std::vector<double>> by_condition(const PathErrors& errors) {
@@ -51,7 +55,7 @@ std::string number(double value) {
   return std::isnan(value) ? "–" : fmt::format("{:.4g}", value);
 }
 
-void add_row(TextTable& table, const AnovaRow& row, bool spherical) {
+void add_row(text::TextTable& table, const statistics::AnovaRow& row, bool spherical) {
   std::vector<std::string> cells{
       row.name,      number(row.sum_of_squares), fmt::format("{:g}", row.freedom), number(row.mean_square),
       number(row.f), printed_probability(row.p), number(row.partial_eta_squared)};
@@ -62,7 +66,7 @@ void add_row(TextTable& table, const AnovaRow& row, bool spherical) {
   table.rows.push_back(std::move(cells));
 }
 
-Json row_json(const AnovaRow& row) {
+Json row_json(const statistics::AnovaRow& row) {
   Json json = Json::object()
                   .set("name", row.name)
                   .set("sum_of_squares", row.sum_of_squares)
@@ -123,16 +127,16 @@ std::vector<NamedValue> feedback_effects(const std::vector<NamedValue>& means,
 namespace {
 
 /// The analyses within subjects, or why there are none.
-void add_within_subjects(const Observations& all, const std::vector<std::string>& factors,
+void add_within_subjects(const statistics::Observations& all, const std::vector<std::string>& factors,
                          const std::vector<std::string>& order, TaskAnalysis& result) {
   try {
-    result.repeated = repeated_measures(all, factors, "subject");
-  } catch (const StatisticsError& error) {
+    result.repeated = statistics::repeated_measures(all, factors, "subject");
+  } catch (const statistics::StatisticsError& error) {
     result.not_repeated = error.what();
   }
   try {
-    result.within = within_subjects(all, factors, order, "condition", "subject");
-  } catch (const StatisticsError& error) {
+    result.within = statistics::within_subjects(all, factors, order, "condition", "subject");
+  } catch (const statistics::StatisticsError& error) {
     result.not_within = error.what();
   }
 }
@@ -146,55 +150,57 @@ std::vector<std::string> names_of(const std::vector<FeedbackCondition>& conditio
 }  // namespace
 
 TaskAnalysis analyse(const PathErrors& errors, const std::vector<FeedbackCondition>& conditions) {
-  const Observations all = observations(errors, conditions);
+  const statistics::Observations all = observations(errors, conditions);
   const auto factors = feedbacks(all);
   TaskAnalysis result;
   const auto names = errors.conditions();
   const auto samples = by_condition(errors);
   for (std::size_t i = 0; i < names.size(); ++i)
-    result.means.push_back({names[i], box_summary(samples[i]).mean});
+    result.means.push_back({names[i], statistics::box_summary(samples[i]).mean});
   result.effects = feedback_effects(result.means, conditions);
-  result.additive = anova(all, additive_terms(factors));
-  auto with_subject = additive_terms(factors);
+  result.additive = statistics::anova(all, statistics::additive_terms(factors));
+  auto with_subject = statistics::additive_terms(factors);
   with_subject.push_back({{"subject"}, {}});
-  result.with_subject = anova(all, with_subject);
+  result.with_subject = statistics::anova(all, with_subject);
   const bool crossed = all_combined(all, factors);
   add_within_subjects(all, crossed ? factors : std::vector<std::string>{"condition"}, names_of(conditions),
                       result);
   return result;
 }
 
-TextTable anova_table(const Anova& anova, const std::string& title) {
-  TextTable table{title, {"term", "sum of squares", "df", "mean square", "F", "P", "partial η²"}, {}, {}};
-  const bool spherical = std::any_of(anova.terms.begin(), anova.terms.end(),
-                                     [](const AnovaRow& row) { return row.sphericity.has_value(); });
+text::TextTable anova_table(const statistics::Anova& anova, const std::string& title) {
+  text::TextTable table{
+      title, {"term", "sum of squares", "df", "mean square", "F", "P", "partial η²"}, {}, {}};
+  const bool spherical =
+      std::any_of(anova.terms.begin(), anova.terms.end(),
+                  [](const statistics::AnovaRow& row) { return row.sphericity.has_value(); });
   if (spherical) table.columns.insert(table.columns.end(), {"ε (GG)", "P (GG)"});
-  for (const AnovaRow& row : anova.terms) add_row(table, row, spherical);
+  for (const statistics::AnovaRow& row : anova.terms) add_row(table, row, spherical);
   if (anova.residual.freedom > 0.0) add_row(table, anova.residual, spherical);
   add_row(table, anova.total, spherical);
   table.notes.push_back(fmt::format("Response: {}; {} ({}). Sums of squares: {}.", anova.response,
                                     anova.design, anova.balanced ? "balanced" : "not balanced",
-                                    words_of(anova.sums)));
+                                    statistics::words_of(anova.sums)));
   for (const std::string& warning : anova.warnings) table.notes.push_back("Mind: " + warning + ".");
   return table;
 }
 
-Json anova_json(const Anova& anova) {
+Json anova_json(const statistics::Anova& anova) {
   Json terms = Json::list();
-  for (const AnovaRow& row : anova.terms) terms.push(row_json(row));
+  for (const statistics::AnovaRow& row : anova.terms) terms.push(row_json(row));
   return Json::object()
       .set("response", anova.response)
       .set("design", anova.design)
       .set("balanced", anova.balanced)
-      .set("sums_of_squares", words_of(anova.sums))
+      .set("sums_of_squares", statistics::words_of(anova.sums))
       .set("terms", std::move(terms))
       .set("residual", row_json(anova.residual))
       .set("total", row_json(anova.total))
       .set("warnings", Json::list_of(anova.warnings));
 }
 
-TextTable error_summary(const PathErrors& errors) {
-  TextTable table{
+text::TextTable error_summary(const PathErrors& errors) {
+  text::TextTable table{
       "Path errors of task " + errors.task,
       {"condition", "trials", "mean", "least", "lower quartile", "median", "upper quartile", "largest"},
       {},
@@ -202,7 +208,7 @@ TextTable error_summary(const PathErrors& errors) {
   const auto names = errors.conditions();
   const auto samples = by_condition(errors);
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const BoxSummary box = box_summary(samples[i]);
+    const statistics::BoxSummary box = statistics::box_summary(samples[i]);
     table.rows.push_back({names[i], std::to_string(samples[i].size())});
     for (const double value : {box.mean, box.min, box.lower, box.median, box.upper, box.max})
       table.rows.back().push_back(fmt::format("{:.3f}", value));
@@ -210,4 +216,4 @@ TextTable error_summary(const PathErrors& errors) {
   return table;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::study

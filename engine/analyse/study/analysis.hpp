@@ -9,7 +9,7 @@
 #include "engine/base/json/json.hpp"
 #include "engine/base/text/text_table.hpp"
 
-namespace stepwire {
+namespace stepwire::study {
 
 /// A number with its name, such as the mean error of a condition.
 struct NamedValue {
@@ -24,14 +24,15 @@ double value_of(const std::vector<NamedValue>& values, const std::string& name);
 struct TaskAnalysis {
   std::vector<NamedValue> means;    ///< normalised error over all subjects, by condition
   std::vector<NamedValue> effects;  ///< of each feedback on these means
-  Anova additive;                   ///< the feedbacks alone: the form of the thesis' tables 4 and 6
-  Anova with_subject;               ///< the same with the subject as a factor
+  statistics::Anova additive;       ///< the feedbacks alone: the form of the thesis' tables 4 and 6
+  statistics::Anova with_subject;   ///< the same with the subject as a factor
   /// Within subjects: the feedbacks and their interactions where all combinations were drawn (task 1), else
   /// the conditions (task 2).
-  std::optional<Anova> repeated;
-  std::string not_repeated;              ///< why there is none
-  std::optional<WithinSubjects> within;  ///< pairs of conditions, by the subjects who have met all of them
-  std::string not_within;                ///< why there is none
+  std::optional<statistics::Anova> repeated;
+  std::string not_repeated;  ///< why there is none
+  std::optional<statistics::WithinSubjects>
+      within;              ///< pairs of conditions, by the subjects who have met all of them
+  std::string not_within;  ///< why there is none
 };
 
 /// What each feedback adds to the mean errors of conditions, beside the other feedbacks (least squares of
@@ -44,15 +45,15 @@ TaskAnalysis analyse(const PathErrors& errors,
                      const std::vector<FeedbackCondition>& conditions = thesis_conditions());
 
 /// An analysis of variance for readers: its lines, then how it was made and what to mind.
-TextTable anova_table(const Anova& anova, const std::string& title);
+text::TextTable anova_table(const statistics::Anova& anova, const std::string& title);
 
 /// The same for programs; what does not exist is null.
-Json anova_json(const Anova& anova);
+json::Json anova_json(const statistics::Anova& anova);
 
 /// Quartiles, mean and number of normalised errors by condition.
-TextTable error_summary(const PathErrors& errors);
+text::TextTable error_summary(const PathErrors& errors);
 
 /// A probability with three digits as tables print it: "2.02e-05", "0.216".
 std::string printed_probability(double p);
 
-}  // namespace stepwire
+}  // namespace stepwire::study

@@ -5,7 +5,7 @@
 
 #include "engine/analyse/study/comparison_tables.hpp"
 
-namespace stepwire {
+namespace stepwire::study {
 namespace {
 
 constexpr double level = 0.05;
@@ -15,7 +15,7 @@ constexpr double mild_epsilon =
 /// One assumption: a line of the table, and a sentence where it is rejected or cannot be judged.
 class AssumptionLines {
  public:
-  explicit AssumptionLines(TextTable& table) : table_(table) {}
+  explicit AssumptionLines(text::TextTable& table) : table_(table) {}
 
   void add(const std::string& assumption, const std::string& of, const std::string& statistic, double p,
            const std::string& sentence) {
@@ -28,8 +28,8 @@ class AssumptionLines {
     any_ = any_ || rejected;
   }
 
-  void add(const std::string& of, const std::optional<Normality>& normality, const std::string& what,
-           const std::string& read) {
+  void add(const std::string& of, const std::optional<statistics::Normality>& normality,
+           const std::string& what, const std::string& read) {
     if (!normality) {
       table_.rows.push_back({"normal", of, "–", "–", "–"});
       table_.notes.push_back(fmt::format(
@@ -45,12 +45,12 @@ class AssumptionLines {
   bool any() const { return any_; }
 
  private:
-  TextTable& table_;
+  text::TextTable& table_;
   bool any_ = false;
 };
 
-void add_sphericity(const AnovaRow& row, AssumptionLines& lines) {
-  const Sphericity& s = *row.sphericity;
+void add_sphericity(const statistics::AnovaRow& row, AssumptionLines& lines) {
+  const statistics::Sphericity& s = *row.sphericity;
   const bool mild = s.epsilon > mild_epsilon && !std::isnan(s.huynh_feldt);
   const std::string epsilons =
       fmt::format("ε = {:.3f} (GG){}", s.epsilon,
@@ -65,9 +65,9 @@ void add_sphericity(const AnovaRow& row, AssumptionLines& lines) {
           printed_probability(mild ? s.p_huynh_feldt : s.p_corrected)));
 }
 
-void add_variances(const WithinSubjects& within, AssumptionLines& lines) {
+void add_variances(const statistics::WithinSubjects& within, AssumptionLines& lines) {
   if (!within.variances) return;
-  const VarianceTest& test = *within.variances;
+  const statistics::VarianceTest& test = *within.variances;
   const std::string statistic = fmt::format("F({:g}, {:g}) = {:.3g}", test.above, test.below, test.f);
   lines.add("equal variances", "conditions", statistic, test.p,
             fmt::format(
@@ -78,17 +78,17 @@ void add_variances(const WithinSubjects& within, AssumptionLines& lines) {
 
 }  // namespace
 
-TextTable assumptions_table(const WithinSubjects& within, const std::string& title) {
-  TextTable table{title, {"assumption", "of", "statistic", "P", "at 0.05"}, {}, {}};
+text::TextTable assumptions_table(const statistics::WithinSubjects& within, const std::string& title) {
+  text::TextTable table{title, {"assumption", "of", "statistic", "P", "at 0.05"}, {}, {}};
   AssumptionLines lines(table);
   lines.add("residuals", within.residuals, "The residuals", "read the signed-rank tests of the comparisons");
-  for (const PairComparison& one : within.comparisons) {
+  for (const statistics::PairComparison& one : within.comparisons) {
     const std::string name = fmt::format("{} - {}", one.first, one.second);
     lines.add(name, one.normality, "The differences " + name,
               "read the signed-rank P of this pair, " + printed_probability(one.ranks.p));
   }
   bool several = false;
-  for (const AnovaRow& row : within.repeated.terms) {
+  for (const statistics::AnovaRow& row : within.repeated.terms) {
     if (row.sphericity) add_sphericity(row, lines);
     several = several || (row.freedom > 1.0 && within.repeated.find(row.against) != nullptr);
   }
@@ -104,4 +104,4 @@ TextTable assumptions_table(const WithinSubjects& within, const std::string& tit
   return table;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::study

@@ -7,14 +7,14 @@
 #include "engine/analyse/statistics/no_number.hpp"
 #include "engine/analyse/statistics/within_subjects.hpp"
 
-namespace stepwire {
+namespace stepwire::study {
 namespace {
 
 constexpr const char* quantities[]{"difference", "low",         "high", "p_pair",
                                    "holm",       "signed_rank", "d",    "needed"};
 
 /// The values of one pair, in the order of the quantities.
-std::vector<double> values_of(const PairComparison& one, const PowerRow& power) {
+std::vector<double> values_of(const statistics::PairComparison& one, const statistics::PowerRow& power) {
   return {one.test.mean,
           one.test.interval.low,
           one.test.interval.high,
@@ -22,7 +22,7 @@ std::vector<double> values_of(const PairComparison& one, const PowerRow& power) 
           one.holm,
           one.ranks.p,
           one.effect.d_z,
-          power.needed_simulated ? static_cast<double>(*power.needed_simulated) : no_number};
+          power.needed_simulated ? static_cast<double>(*power.needed_simulated) : statistics::no_number};
 }
 
 }  // namespace
@@ -42,12 +42,12 @@ std::vector<std::string> comparison_columns(const StudyRequest& request) {
 std::vector<NamedValue> comparison_values(const Experiment& experiment, const StudyRequest& request) {
   std::vector<NamedValue> found, values;
   if (experiment.analysis && experiment.analysis->within) {
-    const WithinSubjects& within = *experiment.analysis->within;
-    PowerSimulation simulation;
+    const statistics::WithinSubjects& within = *experiment.analysis->within;
+    statistics::PowerSimulation simulation;
     simulation.seed = experiment.seed;
-    const auto power = power_rows(within, simulation);
+    const auto power = statistics::power_rows(within, simulation);
     for (std::size_t i = 0; i < within.comparisons.size(); ++i) {
-      const PairComparison& one = within.comparisons[i];
+      const statistics::PairComparison& one = within.comparisons[i];
       const auto numbers = values_of(one, power[i]);
       for (std::size_t k = 0; k < numbers.size(); ++k)
         found.push_back({fmt::format("{}.{}_{}", quantities[k], one.first, one.second), numbers[k]});
@@ -57,4 +57,4 @@ std::vector<NamedValue> comparison_values(const Experiment& experiment, const St
   return values;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::study

@@ -4,33 +4,33 @@
 
 #include <cmath>
 
-namespace stepwire {
+namespace stepwire::study {
 namespace {
 
 std::string digits(double value) {
   return std::isfinite(value) ? fmt::format("{:.3f}", value) : "–";
 }
 
-std::string pair_name(const PairComparison& one) {
+std::string pair_name(const statistics::PairComparison& one) {
   return fmt::format("{} - {}", one.first, one.second);
 }
 
-void note_left_out(const WithinSubjects& within, TextTable& table) {
+void note_left_out(const statistics::WithinSubjects& within, text::TextTable& table) {
   for (const std::string& sentence : within.table.left_out)
     table.notes.push_back("Left out: " + sentence + ".");
 }
 
 /// What a comparison lacks, in words.
-void note_equal_differences(const WithinSubjects& within, TextTable& table) {
-  for (const PairComparison& one : within.comparisons)
+void note_equal_differences(const statistics::WithinSubjects& within, text::TextTable& table) {
+  for (const statistics::PairComparison& one : within.comparisons)
     if (std::isnan(one.test.t))
       table.notes.push_back(
           fmt::format("{}: the difference is {:.4g} for every subject, so t and d_z have no value.",
                       pair_name(one), one.test.mean));
 }
 
-TextTable intervals_table(const WithinSubjects& within, const std::string& of) {
-  TextTable table{
+text::TextTable intervals_table(const statistics::WithinSubjects& within, const std::string& of) {
+  text::TextTable table{
       "Intervals" + of,
       {"mean of", "mean", "from", "to", "within subjects from", "to"},
       {},
@@ -39,19 +39,19 @@ TextTable intervals_table(const WithinSubjects& within, const std::string& of) {
                    "difference whose interval has 0 outside is significant at 0.05, uncorrected.",
                    within.table.subjects.size())}};
   for (std::size_t i = 0; i < within.means.size(); ++i) {
-    const MeanInterval& one = within.means[i];
+    const statistics::MeanInterval& one = within.means[i];
     table.rows.push_back({within.table.conditions[i], digits(one.mean), digits(one.plain.low),
                           digits(one.plain.high), digits(one.within_subject.low),
                           digits(one.within_subject.high)});
   }
-  for (const PairComparison& one : within.comparisons)
+  for (const statistics::PairComparison& one : within.comparisons)
     table.rows.push_back({pair_name(one), digits(one.test.mean), digits(one.test.interval.low),
                           digits(one.test.interval.high), "–", "–"});
   return table;
 }
 
-TextTable pairs_table(const WithinSubjects& within, const std::string& of) {
-  TextTable table{
+text::TextTable pairs_table(const statistics::WithinSubjects& within, const std::string& of) {
+  text::TextTable table{
       "Comparisons of pairs" + of,
       {"pair", "mean difference", "t", "P", "P (Holm)", "signed-rank V", "P", "P (Holm)"},
       {},
@@ -61,7 +61,7 @@ TextTable pairs_table(const WithinSubjects& within, const std::string& of) {
                    within.table.subjects.size() - 1,
                    within.table.subjects.size() > 50 ? "normal approximation" : "exact",
                    within.comparisons.size())}};
-  for (const PairComparison& one : within.comparisons)
+  for (const statistics::PairComparison& one : within.comparisons)
     table.rows.push_back({pair_name(one), digits(one.test.mean), digits(one.test.t),
                           printed_probability(one.test.p), printed_probability(one.holm),
                           fmt::format("{:g}", one.ranks.sum), printed_probability(one.ranks.p),
@@ -70,14 +70,14 @@ TextTable pairs_table(const WithinSubjects& within, const std::string& of) {
   return table;
 }
 
-TextTable effects_table(const WithinSubjects& within, const std::string& of) {
-  TextTable table{"Effect sizes" + of, {"effect", "measure", "value", "from", "to"}, {}, {}};
-  for (const PairComparison& one : within.comparisons) {
+text::TextTable effects_table(const statistics::WithinSubjects& within, const std::string& of) {
+  text::TextTable table{"Effect sizes" + of, {"effect", "measure", "value", "from", "to"}, {}, {}};
+  for (const statistics::PairComparison& one : within.comparisons) {
     table.rows.push_back({pair_name(one), "d_z", digits(one.effect.d_z), digits(one.effect.interval.low),
                           digits(one.effect.interval.high)});
     table.rows.push_back({pair_name(one), "d_av", digits(one.effect.d_av), "–", "–"});
   }
-  for (const TermEffect& one : within.effects) {
+  for (const statistics::TermEffect& one : within.effects) {
     table.rows.push_back(
         {one.term, "partial η²", digits(one.partial), digits(one.interval.low), digits(one.interval.high)});
     table.rows.push_back({one.term, "generalised η²", digits(one.generalised), "–", "–"});
@@ -96,10 +96,11 @@ std::string counted(const std::optional<std::size_t>& needed, bool known, std::s
   return needed ? std::to_string(*needed) : fmt::format("> {}", most);
 }
 
-TextTable power_table(const WithinSubjects& within, const std::string& of, std::uint64_t seed) {
-  PowerSimulation simulation;
+text::TextTable power_table(const statistics::WithinSubjects& within, const std::string& of,
+                            std::uint64_t seed) {
+  statistics::PowerSimulation simulation;
   simulation.seed = seed;
-  TextTable table{
+  text::TextTable table{
       "Power" + of,
       {"effect", "d_z", "power (t)", "power (simulated)", "subjects (t)", "subjects (simulated)"},
       {},
@@ -107,9 +108,9 @@ TextTable power_table(const WithinSubjects& within, const std::string& of, std::
                    "one; it follows from P and says nothing beyond it. Subjects: needed for a power of "
                    "{:g}. t: noncentral t, for normal differences. Simulated: {} experiments whose "
                    "subjects are drawn from those seen (seed {}), up to {} of them.",
-                   within.table.subjects.size(), wanted_power, simulation.experiments, seed,
+                   within.table.subjects.size(), statistics::wanted_power, simulation.experiments, seed,
                    simulation.most_subjects)}};
-  for (const PowerRow& row : power_rows(within, simulation))
+  for (const statistics::PowerRow& row : statistics::power_rows(within, simulation))
     table.rows.push_back({row.of, digits(row.d_z), digits(row.power), digits(row.simulated),
                           counted(row.needed, std::isfinite(row.d_z), 10000),
                           counted(row.needed_simulated, row.simulation_possible, simulation.most_subjects)});
@@ -126,15 +127,15 @@ const std::vector<std::string>& comparison_table_names() {
   return names;
 }
 
-TextTable comparison_table(const std::string& name, const WithinSubjects& within, const std::string& of,
-                           std::uint64_t seed) {
-  TextTable table = name == "intervals"      ? intervals_table(within, of)
-                    : name == "comparisons"  ? pairs_table(within, of)
-                    : name == "effect_sizes" ? effects_table(within, of)
-                    : name == "power"        ? power_table(within, of, seed)
-                                             : assumptions_table(within, "Assumptions" + of);
+text::TextTable comparison_table(const std::string& name, const statistics::WithinSubjects& within,
+                                 const std::string& of, std::uint64_t seed) {
+  text::TextTable table = name == "intervals"      ? intervals_table(within, of)
+                          : name == "comparisons"  ? pairs_table(within, of)
+                          : name == "effect_sizes" ? effects_table(within, of)
+                          : name == "power"        ? power_table(within, of, seed)
+                                                   : assumptions_table(within, "Assumptions" + of);
   note_left_out(within, table);
   return table;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::study

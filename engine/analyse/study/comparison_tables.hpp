@@ -9,20 +9,20 @@
 #include "engine/base/json/json.hpp"
 #include "engine/base/text/text_table.hpp"
 
-namespace stepwire {
+namespace stepwire::study {
 
 /// Names of the tables of conditions within subjects: intervals, comparisons, effect_sizes, power,
 /// assumptions.
 const std::vector<std::string>& comparison_table_names();
 
 /// The one of that name; `of` stands behind its title, `seed` draws what power is simulated with.
-TextTable comparison_table(const std::string& name, const WithinSubjects& within, const std::string& of,
-                           std::uint64_t seed);
+text::TextTable comparison_table(const std::string& name, const statistics::WithinSubjects& within,
+                                 const std::string& of, std::uint64_t seed);
 
 /// Which assumptions hold, in words, and what to read where one does not.
-TextTable assumptions_table(const WithinSubjects& within, const std::string& title);
+text::TextTable assumptions_table(const statistics::WithinSubjects& within, const std::string& title);
 
 /// All of them for programs; what does not exist is null.
-Json comparisons_json(const WithinSubjects& within, std::uint64_t seed);
+json::Json comparisons_json(const statistics::WithinSubjects& within, std::uint64_t seed);
 
-}  // namespace stepwire
+}  // namespace stepwire::study

@@ -3,19 +3,22 @@
 
 #include "engine/analyse/study/comparison_tables.hpp"
 
-namespace stepwire {
+namespace stepwire::study {
+
+using json::Json;
+
 namespace {
 
-Json interval_json(const ConfidenceInterval& interval) {
+Json interval_json(const statistics::ConfidenceInterval& interval) {
   return Json::list({Json(interval.low), Json(interval.high)});
 }
 
-Json normality_json(const std::optional<Normality>& normality) {
+Json normality_json(const std::optional<statistics::Normality>& normality) {
   if (!normality) return nullptr;
   return Json::object().set("W", normality->w).set("P", normality->p);
 }
 
-Json means_json(const WithinSubjects& within) {
+Json means_json(const statistics::WithinSubjects& within) {
   Json list = Json::list();
   for (std::size_t i = 0; i < within.means.size(); ++i)
     list.push(Json::object()
@@ -26,7 +29,7 @@ Json means_json(const WithinSubjects& within) {
   return list;
 }
 
-Json comparison_json(const PairComparison& one) {
+Json comparison_json(const statistics::PairComparison& one) {
   return Json::object()
       .set("first", one.first)
       .set("second", one.second)
@@ -47,7 +50,7 @@ Json comparison_json(const PairComparison& one) {
       .set("normality", normality_json(one.normality));
 }
 
-Json term_json(const TermEffect& one, const WithinSubjects& within) {
+Json term_json(const statistics::TermEffect& one, const statistics::WithinSubjects& within) {
   Json json = Json::object()
                   .set("name", one.term)
                   .set("partial_eta_squared", one.partial)
@@ -68,11 +71,11 @@ Json needed_json(const std::optional<std::size_t>& needed) {
   return needed ? Json(*needed) : Json(nullptr);
 }
 
-Json power_json(const WithinSubjects& within, std::uint64_t seed) {
-  PowerSimulation simulation;
+Json power_json(const statistics::WithinSubjects& within, std::uint64_t seed) {
+  statistics::PowerSimulation simulation;
   simulation.seed = seed;
   Json list = Json::list();
-  for (const PowerRow& row : power_rows(within, simulation))
+  for (const statistics::PowerRow& row : statistics::power_rows(within, simulation))
     list.push(Json::object()
                   .set("of", row.of)
                   .set("d_z", row.d_z)
@@ -85,10 +88,10 @@ Json power_json(const WithinSubjects& within, std::uint64_t seed) {
 
 }  // namespace
 
-Json comparisons_json(const WithinSubjects& within, std::uint64_t seed) {
+Json comparisons_json(const statistics::WithinSubjects& within, std::uint64_t seed) {
   Json comparisons = Json::list(), terms = Json::list();
-  for (const PairComparison& one : within.comparisons) comparisons.push(comparison_json(one));
-  for (const TermEffect& one : within.effects) terms.push(term_json(one, within));
+  for (const statistics::PairComparison& one : within.comparisons) comparisons.push(comparison_json(one));
+  for (const statistics::TermEffect& one : within.effects) terms.push(term_json(one, within));
   Json assumptions = Json::object().set("residuals", normality_json(within.residuals));
   if (within.variances)
     assumptions.set("equal_variances",
@@ -103,4 +106,4 @@ Json comparisons_json(const WithinSubjects& within, std::uint64_t seed) {
       .set("assumptions", std::move(assumptions));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::study

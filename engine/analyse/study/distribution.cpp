@@ -10,7 +10,7 @@
 #include "engine/analyse/study/published.hpp"
 #include "engine/analyse/study/side_by_side.hpp"
 
-namespace stepwire {
+namespace stepwire::study {
 
 namespace {
 
@@ -63,21 +63,21 @@ std::vector<std::string> line_of(const Distribution& one) {
   std::ranges::sort(values);
   const auto below = std::ranges::lower_bound(values, one.published) - values.begin();
   std::vector<std::string> line{one.name, printed_probability(one.published)};
-  for (const double p : {0.5, 0.05, 0.95}) line.push_back(printed_probability(hazen_quantile(values, p)));
-  line.push_back(
-      std::isnan(one.published)
-          ? "–"
-          : fmt::format("{:.1f} %", 100.0 * static_cast<double>(below) / static_cast<double>(values.size())));
+  for (const double p : {0.5, 0.05, 0.95})
+    line.push_back(printed_probability(statistics::hazen_quantile(values, p)));
+  line.push_back(std::isnan(one.published) ? "–"
+                                           : fmt::format("{:.1f} %", 100.0 * static_cast<double>(below) /
+                                                                         static_cast<double>(values.size())));
   return line;
 }
 
-TextTable table_of(const char* of, const std::vector<Distribution>& all, const Outcomes& experiments,
-                   const StudyRequest& request) {
-  TextTable table{fmt::format("Task {}: {} in {} experiment{}", request.task, of, experiments.size(),
-                              experiments.size() == 1 ? "" : "s"),
-                  {"value", "thesis", "median", "from (5 %)", "to (95 %)", "below the thesis'"},
-                  {},
-                  {}};
+text::TextTable table_of(const char* of, const std::vector<Distribution>& all, const Outcomes& experiments,
+                         const StudyRequest& request) {
+  text::TextTable table{fmt::format("Task {}: {} in {} experiment{}", request.task, of, experiments.size(),
+                                    experiments.size() == 1 ? "" : "s"),
+                        {"value", "thesis", "median", "from (5 %)", "to (95 %)", "below the thesis'"},
+                        {},
+                        {}};
   for (const Distribution& one : all) table.rows.push_back(line_of(one));
   return table;
 }
@@ -111,15 +111,15 @@ std::vector<Distribution> distributions_of_p(const Outcomes& experiments, const 
   return all;
 }
 
-TextTable experiments_table(const Outcomes& experiments, const StudyRequest& request) {
-  TextTable table =
+text::TextTable experiments_table(const Outcomes& experiments, const StudyRequest& request) {
+  text::TextTable table =
       table_of("mean errors", distributions_of_errors(experiments, request), experiments, request);
   table.notes = {"Each experiment has other people and other noise."};
   return table;
 }
 
-TextTable experiments_significance_table(const Outcomes& experiments, const StudyRequest& request) {
-  TextTable table =
+text::TextTable experiments_significance_table(const Outcomes& experiments, const StudyRequest& request) {
+  text::TextTable table =
       table_of("significance (P)", distributions_of_p(experiments, request), experiments, request);
   table.columns.insert(table.columns.end(), {"lowers the error", "raises it"});
   for (auto& row : table.rows)
@@ -132,4 +132,4 @@ TextTable experiments_significance_table(const Outcomes& experiments, const Stud
   return table;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::study

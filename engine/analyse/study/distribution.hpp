@@ -5,7 +5,7 @@
 
 #include "engine/analyse/study/study_columns.hpp"
 
-namespace stepwire {
+namespace stepwire::study {
 
 /// A value that the thesis prints or that follows from such ones, and what it came out as in each experiment.
 struct Distribution {
@@ -24,11 +24,12 @@ std::vector<Distribution> distributions_of_p(const std::vector<ExperimentOutcome
 
 /// For each of the errors: the thesis', our median, the range in which 90 % of the experiments lie, and the
 /// part of them that lies below the thesis' value.
-TextTable experiments_table(const std::vector<ExperimentOutcome>& experiments, const StudyRequest& request);
+text::TextTable experiments_table(const std::vector<ExperimentOutcome>& experiments,
+                                  const StudyRequest& request);
 
 /// For each factor P in the same way, and in how many experiments it is significant and lowers the error, or
 /// raises it.
-TextTable experiments_significance_table(const std::vector<ExperimentOutcome>& experiments,
-                                         const StudyRequest& request);
+text::TextTable experiments_significance_table(const std::vector<ExperimentOutcome>& experiments,
+                                               const StudyRequest& request);
 
-}  // namespace stepwire
+}  // namespace stepwire::study

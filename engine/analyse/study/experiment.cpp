@@ -9,12 +9,12 @@
 #include "engine/analyse/study/signal_map.hpp"
 #include "engine/base/parallel/parallel.hpp"
 
-namespace stepwire {
+namespace stepwire::study {
 
 namespace {
 
 [[noreturn]] void refuse(const StudyRequest& request, const std::string& message) {
-  throw Error(Fault{request.place, "study", message, {}});
+  throw yaml::Error(yaml::Fault{request.place, "study", message, {}});
 }
 
 /// Tells what had to be repeated; of each reason the first words are enough.
@@ -36,7 +36,8 @@ void take(std::vector<TrialRun> runs, const StudyRequest& request, Experiment& e
   }
 }
 
-PathErrors errors_of(const std::vector<Trial>& trials, const StudyRequest& request, const Diagram& diagram) {
+PathErrors errors_of(const std::vector<Trial>& trials, const StudyRequest& request,
+                     const diagram::Diagram& diagram) {
   if (request.task == "1") {
     CircleTask task;
     task.without_feedback = request.circle->of;
@@ -51,16 +52,16 @@ PathErrors errors_of(const std::vector<Trial>& trials, const StudyRequest& reque
       trials, [&](const Eigen::Vector2d& point) { return way_back(point); }, task);
 }
 
-void score(const StudyRequest& request, const Diagram& diagram, Experiment& experiment) {
+void score(const StudyRequest& request, const diagram::Diagram& diagram, Experiment& experiment) {
   try {
     experiment.errors = errors_of(experiment.trials, request, diagram);
-  } catch (const StatisticsError& error) {
+  } catch (const statistics::StatisticsError& error) {
     refuse(request, error.what());
   }
   for (const std::string& warning : experiment.errors.warnings) experiment.remarks.push_back(warning);
   try {
     experiment.analysis = analyse(experiment.errors, request.feedbacks());
-  } catch (const StatisticsError& error) {
+  } catch (const statistics::StatisticsError& error) {
     experiment.not_analysed = error.what();
   }
 }
@@ -75,7 +76,7 @@ struct OpenExperiment {
 /// Experiments whose persons work side by side, without waiting for each other.
 class OpenExperiments {
  public:
-  OpenExperiments(TrialRuns& runs, const StudyRequest& request, const Job& job,
+  OpenExperiments(TrialRuns& runs, const StudyRequest& request, const run::Job& job,
                   const std::vector<std::uint64_t>& seeds, const ExperimentSink& sink)
       : runs_(runs), request_(request), job_(job), seeds_(seeds), sink_(sink), open_(seeds.size()) {
     for (OpenExperiment& one : open_) {
@@ -86,8 +87,8 @@ class OpenExperiments {
 
   void perform() {
     const std::size_t people = study_count(job_) * request_.subjects.size();
-    in_parallel(seeds_.size() * people, runs_.threads(),
-                [&](std::size_t i) { work(i / people, i % people); });
+    parallel::in_parallel(seeds_.size() * people, runs_.threads(),
+                          [&](std::size_t i) { work(i / people, i % people); });
   }
 
  private:
@@ -126,7 +127,7 @@ class OpenExperiments {
 
   TrialRuns& runs_;
   const StudyRequest& request_;
-  const Job& job_;
+  const run::Job& job_;
   const std::vector<std::uint64_t>& seeds_;
   const ExperimentSink& sink_;
   std::vector<OpenExperiment> open_;
@@ -134,16 +135,16 @@ class OpenExperiments {
 
 }  // namespace
 
-void perform(TrialRuns& runs, const StudyRequest& request, const Job& job,
+void perform(TrialRuns& runs, const StudyRequest& request, const run::Job& job,
              const std::vector<std::uint64_t>& seeds, const ExperimentSink& sink) {
   OpenExperiments(runs, request, job, seeds, sink).perform();
 }
 
-Experiment score_recorded(const StudyRequest& request, const Diagram& diagram) {
+Experiment score_recorded(const StudyRequest& request, const diagram::Diagram& diagram) {
   Experiment experiment;
   experiment.trials = request.recorded;
   score(request, diagram, experiment);
   return experiment;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::study

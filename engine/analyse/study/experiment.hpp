@@ -9,7 +9,7 @@
 #include "engine/analyse/study/person_runs.hpp"
 #include "engine/analyse/study/study_request.hpp"
 
-namespace stepwire {
+namespace stepwire::study {
 
 /// What came out of one experiment, by the names of the columns that figures and claims read.
 struct ExperimentOutcome {
@@ -20,11 +20,11 @@ struct ExperimentOutcome {
 /// One human-subject experiment: all trials of all subjects, simulated or recorded, and what they say.
 struct Experiment {
   std::uint64_t seed = 0;
-  std::vector<Setting> sets;           ///< values of the point of the file's sweep; empty without one
-  std::shared_ptr<PlanFamily> family;  ///< of the runs
-  std::vector<TrialRun> runs;          ///< of the trials, in their order; empty where they were recorded
-  std::vector<Trial> trials;           ///< by subject, conditions in the order of the request
-  PathErrors errors;                   ///< one row for each trial, in their order
+  std::vector<diagram::Setting> sets;       ///< values of the point of the file's sweep; empty without one
+  std::shared_ptr<run::PlanFamily> family;  ///< of the runs
+  std::vector<TrialRun> runs;               ///< of the trials, in their order; empty where they were recorded
+  std::vector<Trial> trials;                ///< by subject, conditions in the order of the request
+  PathErrors errors;                        ///< one row for each trial, in their order
   std::optional<TaskAnalysis> analysis;
   std::string not_analysed;          ///< why there is none
   std::vector<std::string> remarks;  ///< trials that were repeated, left out, or took too long
@@ -43,10 +43,10 @@ struct ExperimentSink {
 
 /// Performs the experiments of these seeds, at all points of the file's sweep, several persons at a time.
 /// Those that the user interrupts are not done. Throws Error.
-void perform(TrialRuns& runs, const StudyRequest& request, const Job& job,
+void perform(TrialRuns& runs, const StudyRequest& request, const run::Job& job,
              const std::vector<std::uint64_t>& seeds, const ExperimentSink& sink);
 
 /// Scores trials that were recorded. Throws Error.
-Experiment score_recorded(const StudyRequest& request, const Diagram& diagram);
+Experiment score_recorded(const StudyRequest& request, const diagram::Diagram& diagram);
 
-}  // namespace stepwire
+}  // namespace stepwire::study

@@ -8,7 +8,7 @@
 
 #include "engine/analyse/statistics/statistics_error.hpp"
 
-namespace stepwire {
+namespace stepwire::study {
 namespace {
 
 std::string name_of(const Trial& trial) {
@@ -20,8 +20,8 @@ template <class Score>
 auto scored(const Trial& trial, const Score& score) {
   try {
     return score();
-  } catch (const StatisticsError& error) {
-    throw StatisticsError(fmt::format("{}: {}", name_of(trial), error.what()));
+  } catch (const statistics::StatisticsError& error) {
+    throw statistics::StatisticsError(fmt::format("{}: {}", name_of(trial), error.what()));
   }
 }
 
@@ -29,7 +29,8 @@ std::vector<const Trial*> of_task(const std::vector<Trial>& trials, const std::s
   std::vector<const Trial*> result;
   for (const Trial& trial : trials)
     if (trial.task == task) result.push_back(&trial);
-  if (result.empty()) throw StatisticsError(fmt::format("there are no trials of task '{}'", task));
+  if (result.empty())
+    throw statistics::StatisticsError(fmt::format("there are no trials of task '{}'", task));
   return result;
 }
 
@@ -50,25 +51,26 @@ void normalise(PathErrors& errors) {
   for (PathError& row : errors.rows) row.normalised = largest > 0.0 ? row.error / largest : 0.0;
 }
 
-const char* word_of(CircleFit fit) {
+const char* word_of(statistics::CircleFit fit) {
   switch (fit) {
-    case CircleFit::kasa:
+    case statistics::CircleFit::kasa:
       return "Kasa";
-    case CircleFit::pratt:
+    case statistics::CircleFit::pratt:
       return "Pratt";
-    case CircleFit::taubin:
+    case statistics::CircleFit::taubin:
       return "Taubin";
-    case CircleFit::geometric:
+    case statistics::CircleFit::geometric:
       break;
   }
   return "geometric";
 }
 
-const Circle& circle_of(const PathErrors& errors, const Trial& trial, const CircleTask& task) {
+const statistics::Circle& circle_of(const PathErrors& errors, const Trial& trial, const CircleTask& task) {
   const auto found = errors.circles.find(trial.subject);
   if (found != errors.circles.end()) return found->second;
-  throw StatisticsError(fmt::format("{}: there is no drawing under '{}' to which a circle could be fitted",
-                                    name_of(trial), task.without_feedback));
+  throw statistics::StatisticsError(
+      fmt::format("{}: there is no drawing under '{}' to which a circle could be fitted", name_of(trial),
+                  task.without_feedback));
 }
 
 std::vector<std::string> column_of(const PathErrors& errors, std::string PathError::*member) {
@@ -77,21 +79,21 @@ std::vector<std::string> column_of(const PathErrors& errors, std::string PathErr
   return words;
 }
 
-Column numbers(const PathErrors& errors, const std::string& name, const std::string& unit,
-               double PathError::*member, double scale = 1.0) {
-  Column column{name, unit, {}};
+table::Column numbers(const PathErrors& errors, const std::string& name, const std::string& unit,
+                      double PathError::*member, double scale = 1.0) {
+  table::Column column{name, unit, {}};
   for (const PathError& row : errors.rows) column.values.push_back(scale * (row.*member));
   return column;
 }
 
-Column levels(const Factor& factor) {
-  Column column{factor.name, "", {}};
+table::Column levels(const statistics::Factor& factor) {
+  table::Column column{factor.name, "", {}};
   for (const std::size_t level : factor.level) column.values.push_back(static_cast<double>(level));
   return column;
 }
 
-Column counts(const PathErrors& errors) {
-  Column column{"points", "", {}};
+table::Column counts(const PathErrors& errors) {
+  table::Column column{"points", "", {}};
   for (const PathError& row : errors.rows) column.values.push_back(static_cast<double>(row.points));
   return column;
 }
@@ -105,8 +107,8 @@ std::vector<std::string> presence(const PathErrors& errors, const std::vector<Fe
     if (found == conditions.end()) {
       std::vector<std::string> names;
       for (const FeedbackCondition& condition : conditions) names.push_back(condition.name);
-      throw StatisticsError(fmt::format("subject {}: '{}' is no condition; there are: {}", row.subject,
-                                        row.condition, fmt::join(names, ", ")));
+      throw statistics::StatisticsError(fmt::format("subject {}: '{}' is no condition; there are: {}",
+                                                    row.subject, row.condition, fmt::join(names, ", ")));
     }
     words.emplace_back((*found).*member ? "present" : "absent");
   }
@@ -116,7 +118,7 @@ std::vector<std::string> presence(const PathErrors& errors, const std::vector<Fe
 }  // namespace
 
 std::vector<std::string> PathErrors::conditions() const {
-  return make_factor("condition", column_of(*this, &PathError::condition)).levels;
+  return statistics::make_factor("condition", column_of(*this, &PathError::condition)).levels;
 }
 
 PathErrors circle_errors(const std::vector<Trial>& trials, const CircleTask& task) {
@@ -129,30 +131,32 @@ PathErrors circle_errors(const std::vector<Trial>& trials, const CircleTask& tas
       task.without_feedback, word_of(task.fit));
   for (const Trial* trial : chosen)
     if (trial->condition == task.without_feedback)
-      errors.circles[trial->subject] = scored(*trial, [&] { return fit_circle(trial->points, task.fit); });
+      errors.circles[trial->subject] =
+          scored(*trial, [&] { return statistics::fit_circle(trial->points, task.fit); });
   for (const Trial* trial : chosen) {
     PathError row = started(*trial, trial->time.size(), task.time_limit, errors);
-    row.error = row.raw = squared_deviations(trial->points, circle_of(errors, *trial, task));
+    row.error = row.raw = statistics::squared_deviations(trial->points, circle_of(errors, *trial, task));
     row.points = trial->time.size();
     row.deviation = std::sqrt(row.error / static_cast<double>(row.points));
-    row.length = path_length(trial->points);
+    row.length = statistics::path_length(trial->points);
     errors.rows.push_back(std::move(row));
   }
   normalise(errors);
   return errors;
 }
 
-PathErrors return_errors(const std::vector<Trial>& trials, const WayBack& way_back, const ReturnTask& task) {
+PathErrors return_errors(const std::vector<Trial>& trials, const statistics::WayBack& way_back,
+                         const ReturnTask& task) {
   PathErrors errors{task.task, "m", "rad", {}, {}, {}, {}};
   errors.rule = fmt::format(
       "sum of step lengths times their angles from the way back (equations 17 to 25), resampled by {} in "
       "steps of "
       "{:g} mm; raw: the recorded points; over the largest",
-      task.resampling.rule == Resampling::Rule::arc_length ? "arc length" : "chord",
+      task.resampling.rule == statistics::Resampling::Rule::arc_length ? "arc length" : "chord",
       1e3 * task.resampling.spacing);
   for (const Trial* trial : of_task(trials, task.task)) {
-    const ReturnError found =
-        scored(*trial, [&] { return return_error(trial->points, way_back, task.resampling); });
+    const statistics::ReturnError found =
+        scored(*trial, [&] { return statistics::return_error(trial->points, way_back, task.resampling); });
     PathError row = started(*trial, static_cast<std::size_t>(found.raw_points), task.time_limit, errors);
     row.error = found.error;
     row.raw = found.raw;
@@ -165,9 +169,9 @@ PathErrors return_errors(const std::vector<Trial>& trials, const WayBack& way_ba
   return errors;
 }
 
-Table error_table(const PathErrors& errors, ColumnWords& words) {
-  const Factor subject = make_factor("subject", column_of(errors, &PathError::subject));
-  const Factor condition = make_factor("condition", column_of(errors, &PathError::condition));
+table::Table error_table(const PathErrors& errors, table::ColumnWords& words) {
+  const auto subject = statistics::make_factor("subject", column_of(errors, &PathError::subject));
+  const auto condition = statistics::make_factor("condition", column_of(errors, &PathError::condition));
   words["subject"] = subject.levels;
   words["condition"] = condition.levels;
   const bool square = errors.unit == "m^2", length = errors.deviation_unit == "m";
@@ -181,11 +185,11 @@ Table error_table(const PathErrors& errors, ColumnWords& words) {
            numbers(errors, "duration", "s", &PathError::duration), counts(errors)}};
 }
 
-Recording error_recording(const PathErrors& errors) {
-  const Factor subject = make_factor("subject", column_of(errors, &PathError::subject));
-  const Factor condition = make_factor("condition", column_of(errors, &PathError::condition));
-  Recording recording;
-  Column time{"time", "s", {}};
+record::Recording error_recording(const PathErrors& errors) {
+  const auto subject = statistics::make_factor("subject", column_of(errors, &PathError::subject));
+  const auto condition = statistics::make_factor("condition", column_of(errors, &PathError::condition));
+  record::Recording recording;
+  table::Column time{"time", "s", {}};
   for (std::size_t i = 0; i < errors.rows.size(); ++i) time.values.push_back(static_cast<double>(i));
   recording.table.columns = {time,
                              levels(subject),
@@ -200,7 +204,7 @@ Recording error_recording(const PathErrors& errors) {
   if (errors.circles.empty()) return recording;
   for (const char* name : circle_columns) recording.table.columns.push_back({name, "m", {}});
   for (const PathError& row : errors.rows) {
-    const Circle& circle = errors.circles.at(row.subject);
+    const statistics::Circle& circle = errors.circles.at(row.subject);
     const std::array values{circle.centre.x(), circle.centre.y(), circle.radius};
     for (std::size_t i = 0; i < values.size(); ++i)
       recording.table.columns[recording.table.columns.size() - values.size() + i].values.push_back(values[i]);
@@ -215,21 +219,22 @@ const std::vector<FeedbackCondition>& thesis_conditions() {
   return all;
 }
 
-Observations observations(const PathErrors& errors, const std::vector<FeedbackCondition>& conditions) {
-  Observations result{"normalised path error of task " + errors.task, {}, {}};
+statistics::Observations observations(const PathErrors& errors,
+                                      const std::vector<FeedbackCondition>& conditions) {
+  statistics::Observations result{"normalised path error of task " + errors.task, {}, {}};
   for (const PathError& row : errors.rows) result.values.push_back(row.normalised);
   const std::vector<std::pair<const char*, bool FeedbackCondition::*>> kinds{
       {"haptic", &FeedbackCondition::haptic},
       {"visual", &FeedbackCondition::visual},
       {"guiding path", &FeedbackCondition::guiding_path}};
   for (const auto& [name, member] : kinds) {
-    Factor factor = make_factor(name, presence(errors, conditions, member));
+    statistics::Factor factor = statistics::make_factor(name, presence(errors, conditions, member));
     if (factor.levels.size() > 1 || member != &FeedbackCondition::guiding_path)
       result.factors.push_back(std::move(factor));
   }
-  result.factors.push_back(make_factor("condition", column_of(errors, &PathError::condition)));
-  result.factors.push_back(make_factor("subject", column_of(errors, &PathError::subject), true));
+  result.factors.push_back(statistics::make_factor("condition", column_of(errors, &PathError::condition)));
+  result.factors.push_back(statistics::make_factor("subject", column_of(errors, &PathError::subject), true));
   return result;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::study

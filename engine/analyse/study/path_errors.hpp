@@ -11,7 +11,7 @@
 #include "engine/base/table/table_file.hpp"
 #include "engine/simulate/record/recording.hpp"
 
-namespace stepwire {
+namespace stepwire::study {
 
 /// How well one trial followed its path.
 struct PathError {
@@ -34,8 +34,8 @@ struct PathErrors {
   std::string deviation_unit;  ///< "m", "rad"
   std::string rule;            ///< in words
   std::vector<PathError> rows;
-  std::map<std::string, Circle> circles;  ///< of task 1, by subject [m]
-  std::vector<std::string> warnings;      ///< trials that lasted longer than the thesis allows
+  std::map<std::string, statistics::Circle> circles;  ///< of task 1, by subject [m]
+  std::vector<std::string> warnings;                  ///< trials that lasted longer than the thesis allows
 
   std::vector<std::string> conditions() const;  ///< in the order in which they come up
 };
@@ -45,7 +45,7 @@ struct PathErrors {
 struct CircleTask {
   std::string task = "1";
   std::string without_feedback = "NO";  ///< the condition that the circle is fitted to
-  CircleFit fit = CircleFit::geometric;
+  statistics::CircleFit fit = statistics::CircleFit::geometric;
   double time_limit = 75.0;  ///< [s]; a longer trial was to be repeated: it is scored, with a warning
 };
 
@@ -56,25 +56,25 @@ PathErrors circle_errors(const std::vector<Trial>& trials, const CircleTask& tas
 /// Task 2 of section 4.3.2: equations 17 to 25.
 struct ReturnTask {
   std::string task = "2";
-  Resampling resampling{};
+  statistics::Resampling resampling{};
   double time_limit = 20.0;  ///< [s], as in task 1
 };
 
 /// Throws StatisticsError, with the trial in front, for what return_error refuses, and where there are no
 /// trials of the task.
-PathErrors return_errors(const std::vector<Trial>& trials, const WayBack& way_back,
+PathErrors return_errors(const std::vector<Trial>& trials, const statistics::WayBack& way_back,
                          const ReturnTask& task = {});
 
 /// The table that is written: subject, condition, error, normalised, raw, deviation, length [mm],
 /// duration [s], points. `words` takes the names of subjects and conditions.
-Table error_table(const PathErrors& errors, ColumnWords& words);
+table::Table error_table(const PathErrors& errors, table::ColumnWords& words);
 
 /// Of task 1: the circle that a trial is held against.
 inline constexpr std::array circle_columns{"circle.x", "circle.y", "circle.radius"};
 
 /// The same in SI as figures and claims read it: one row for each trial, `time` counting the trials; in task
 /// 1 with the circle.
-Recording error_recording(const PathErrors& errors);
+record::Recording error_recording(const PathErrors& errors);
 
 /// What feedback a condition gives.
 struct FeedbackCondition {
@@ -87,7 +87,7 @@ const std::vector<FeedbackCondition>& thesis_conditions();
 
 /// The normalised errors with the factors haptic, visual, guiding path (where it varies; all "absent" or
 /// "present"), condition and subject. Throws StatisticsError for a condition that is not among these.
-Observations observations(const PathErrors& errors,
-                          const std::vector<FeedbackCondition>& conditions = thesis_conditions());
+statistics::Observations observations(const PathErrors& errors,
+                                      const std::vector<FeedbackCondition>& conditions = thesis_conditions());
 
-}  // namespace stepwire
+}  // namespace stepwire::study

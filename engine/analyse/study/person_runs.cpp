@@ -6,7 +6,7 @@
 
 #include "engine/analyse/statistics/statistics_error.hpp"
 
-namespace stepwire {
+namespace stepwire::study {
 
 namespace {
 
@@ -65,10 +65,10 @@ class PersonAtWork {
 
   void fit(const TrialRun& trial) {
     try {
-      handed_.circle = fit_circle(trial_of(trial, request_).points);
-    } catch (const StatisticsError& error) {
-      throw Error(
-          Fault{request_.place, "study", fmt::format("{}: {}", name_of(trial, request_), error.what()), {}});
+      handed_.circle = statistics::fit_circle(trial_of(trial, request_).points);
+    } catch (const statistics::StatisticsError& error) {
+      throw yaml::Error(yaml::Fault{
+          request_.place, "study", fmt::format("{}: {}", name_of(trial, request_), error.what()), {}});
     }
   }
 
@@ -105,7 +105,7 @@ std::vector<std::size_t> order_of_conditions(const StudyRequest& request, std::u
 Trial trial_of(const TrialRun& run, const StudyRequest& request) {
   Trial trial{
       std::to_string(run.subject), request.task, request.conditions[run.condition].feedback.name, {}, {}};
-  const Table& table = run.result.recordings[request.recording].table;
+  const table::Table& table = run.result.recordings[request.recording].table;
   trial.time = table.find("time")->values;
   trial.points.resize(2, static_cast<Eigen::Index>(trial.time.size()));
   for (const Eigen::Index axis : {0, 1}) {
@@ -120,4 +120,4 @@ Trial trial_of(const TrialRun& run, const StudyRequest& request) {
   return trial;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::study

@@ -5,7 +5,7 @@
 
 #include "engine/analyse/study/trial_runs.hpp"
 
-namespace stepwire {
+namespace stepwire::study {
 
 /// A person of an experiment, at a point of the file's sweep.
 struct Person {
@@ -29,4 +29,4 @@ std::vector<std::size_t> order_of_conditions(const StudyRequest& request, std::u
 /// The path of a run: what it recorded, and where it was done.
 Trial trial_of(const TrialRun& run, const StudyRequest& request);
 
-}  // namespace stepwire
+}  // namespace stepwire::study

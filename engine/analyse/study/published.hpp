@@ -5,7 +5,7 @@
 
 #include "engine/analyse/study/analysis.hpp"
 
-namespace stepwire {
+namespace stepwire::study {
 
 /// Numbers that a source prints side by side, such as the two columns of table 3 of the thesis.
 struct PublishedValues {
@@ -21,4 +21,4 @@ struct PublishedStudy {
   std::vector<std::vector<std::string>> order;  ///< conditions that the text orders, the largest error first
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::study

@@ -4,33 +4,33 @@
 
 #include "engine/base/table/table_file.hpp"
 
-namespace stepwire {
+namespace stepwire::study {
 
 void Repetition::read(const std::string& path) {
-  const Table table = read_csv(path);
+  const table::Table table = table::read_csv(path);
   std::vector<std::string> wanted{"seed", "point"}, there;
   for (const OutcomeColumn& column : columns_) wanted.push_back(column.name);
-  for (const Column& column : table.columns) there.push_back(column.name);
+  for (const table::Column& column : table.columns) there.push_back(column.name);
   if (there != wanted)
-    throw TableError(fmt::format("{}:1: these are no experiments of this study, whose columns are {}", path,
-                                 fmt::join(wanted, ", ")));
+    throw table::TableError(fmt::format("{}:1: these are no experiments of this study, whose columns are {}",
+                                        path, fmt::join(wanted, ", ")));
   for (std::size_t row = 0; row < table.rows(); ++row) {
     std::vector<double> values;
-    for (const Column& column : table.columns) values.push_back(column.values[row]);
+    for (const table::Column& column : table.columns) values.push_back(column.values[row]);
     const std::pair key{static_cast<std::uint64_t>(values[0]), static_cast<std::size_t>(values[1]) - 1};
     rows_[key].assign(values.begin() + 2, values.end());
   }
 }
 
 std::string Repetition::csv() const {
-  Table table{{{"seed", "", {}}, {"point", "", {}}}};
+  table::Table table{{{"seed", "", {}}, {"point", "", {}}}};
   for (const OutcomeColumn& column : columns_) table.columns.push_back({column.name, column.unit, {}});
   for (const auto& [key, values] : rows_) {
     table.columns[0].values.push_back(static_cast<double>(key.first));
     table.columns[1].values.push_back(static_cast<double>(key.second + 1));
     for (std::size_t i = 0; i < columns_.size(); ++i) table.columns[2 + i].values.push_back(values[i]);
   }
-  return csv_text(table);
+  return table::csv_text(table);
 }
 
 bool Repetition::has(std::uint64_t seed, std::size_t points) const {
@@ -56,4 +56,4 @@ std::vector<ExperimentOutcome> Repetition::outcomes(std::size_t point) const {
   return all;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::study

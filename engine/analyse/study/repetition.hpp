@@ -7,7 +7,7 @@
 
 #include "engine/analyse/study/study_columns.hpp"
 
-namespace stepwire {
+namespace stepwire::study {
 
 /// What came out of many experiments of one study, which differ in the people and the noise: a row for each,
 /// by its seed and the point of the sweep. Kept in a CSV file, so that experiments that were interrupted go
@@ -34,4 +34,4 @@ class Repetition {
   std::map<std::pair<std::uint64_t, std::size_t>, std::vector<double>> rows_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::study

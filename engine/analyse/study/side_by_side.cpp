@@ -6,7 +6,10 @@
 #include <cmath>
 #include <limits>
 
-namespace stepwire {
+namespace stepwire::study {
+
+using json::Json;
+
 namespace {
 
 constexpr double factor_of_agreement = 2.0;
@@ -121,7 +124,7 @@ SideBySide compare_significance(const PublishedStudy& published, const TaskAnaly
   SideBySide both{title_of("Significance", published.probabilities), "P", {}, {}};
   const auto effects = feedback_effects(published.means.values, thesis_conditions());
   for (const NamedValue& value : published.probabilities.values) {
-    const AnovaRow* row = ours.additive.find(value.name);
+    const statistics::AnovaRow* row = ours.additive.find(value.name);
     const double p = row == nullptr ? std::numeric_limits<double>::quiet_NaN() : row->p;
     both.values.push_back({value.name, value.value, p});
     both.effects.push_back({value.name, value_of(effects, value.name), value_of(ours.effects, value.name)});
@@ -129,7 +132,7 @@ SideBySide compare_significance(const PublishedStudy& published, const TaskAnaly
   }
   if (!published.probabilities.values.empty()) return both;
   for (const NamedValue& effect : ours.effects) {
-    const AnovaRow* row = ours.additive.find(effect.name);
+    const statistics::AnovaRow* row = ours.additive.find(effect.name);
     both.values.push_back({effect.name, unpublished, row ? row->p : unpublished});
     both.effects.push_back({effect.name, unpublished, effect.value});
   }
@@ -139,7 +142,7 @@ SideBySide compare_significance(const PublishedStudy& published, const TaskAnaly
 namespace {
 
 /// What each factor adds to the error, with its sign.
-void add_effects(const std::vector<ComparedValue>& effects, TextTable& table) {
+void add_effects(const std::vector<ComparedValue>& effects, text::TextTable& table) {
   table.columns.insert(table.columns.end(), {"effect, thesis", "effect, ours"});
   const auto shown = [](double effect) { return std::isnan(effect) ? "–" : fmt::format("{:+.3f}", effect); };
   for (std::size_t i = 0; i < effects.size(); ++i)
@@ -163,8 +166,8 @@ std::vector<SideBySide> compare(const PublishedStudy& published, const TaskAnaly
           compare_significance(published, ours)};
 }
 
-TextTable side_by_side_table(const SideBySide& both) {
-  TextTable table{both.title, {both.quantity, "thesis", "ours", "ours / thesis"}, {}, {}};
+text::TextTable side_by_side_table(const SideBySide& both) {
+  text::TextTable table{both.title, {both.quantity, "thesis", "ours", "ours / thesis"}, {}, {}};
   for (const ComparedValue& value : both.values)
     table.rows.push_back({value.name, printed_probability(value.published), printed_probability(value.ours),
                           printed_probability(value.ours / value.published)});
@@ -189,4 +192,4 @@ Json side_by_side_json(const SideBySide& both) {
   return json;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::study

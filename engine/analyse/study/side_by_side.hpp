@@ -5,7 +5,7 @@
 
 #include "engine/analyse/study/published.hpp"
 
-namespace stepwire {
+namespace stepwire::study {
 
 /// P below which an effect is called significant.
 inline constexpr double significant = 0.05;
@@ -50,9 +50,9 @@ SideBySide compare_significance(const PublishedStudy& published, const TaskAnaly
 std::vector<SideBySide> compare(const PublishedStudy& published, const TaskAnalysis& ours);
 
 /// For readers: a column for the thesis, one for ours, one for the ratio; the agreements below.
-TextTable side_by_side_table(const SideBySide& both);
+text::TextTable side_by_side_table(const SideBySide& both);
 
 /// For programs.
-Json side_by_side_json(const SideBySide& both);
+json::Json side_by_side_json(const SideBySide& both);
 
-}  // namespace stepwire
+}  // namespace stepwire::study

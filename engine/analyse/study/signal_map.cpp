@@ -6,16 +6,17 @@
 
 #include "engine/model/diagram/external_input.hpp"
 
-namespace stepwire {
+namespace stepwire::study {
 
 namespace {
 
-bool is(const Source& source, const SignalRef& signal) {
+bool is(const diagram::Source& source, const diagram::SignalRef& signal) {
   return source.block == signal.block && source.output == signal.output;
 }
 
 /// Blocks on which `to` depends, but for those behind `from`.
-std::vector<char> blocks_between(const Diagram& diagram, const SignalRef& from, const SignalRef& to) {
+std::vector<char> blocks_between(const diagram::Diagram& diagram, const diagram::SignalRef& from,
+                                 const diagram::SignalRef& to) {
   std::vector<char> between(diagram.blocks.size(), 0);
   std::vector<int> open{to.block};
   while (!open.empty()) {
@@ -23,7 +24,7 @@ std::vector<char> blocks_between(const Diagram& diagram, const SignalRef& from, 
     open.pop_back();
     if (std::exchange(between[block], 1)) continue;
     for (const auto& sources : diagram.blocks[block].inputs)
-      for (const Source& source : sources)
+      for (const diagram::Source& source : sources)
         if (source.block >= 0 && !is(source, from)) open.push_back(source.block);
   }
   return between;
@@ -34,9 +35,10 @@ bool is_function(const BlockType& type) {
   return type.states.empty() && type.clocks.empty() && !type.run_update;
 }
 
-DiagramBlock point_source(const Diagram& diagram, const SignalRef& from) {
-  DiagramBlock block("point", external_input_type());
-  static_cast<ExternalInput*>(block.block.get())->value = PerElement(Numbers(std::vector<double>(2, 0.0)));
+diagram::DiagramBlock point_source(const diagram::Diagram& diagram, const diagram::SignalRef& from) {
+  diagram::DiagramBlock block("point", diagram::external_input_type());
+  static_cast<diagram::ExternalInput*>(block.block.get())->value =
+      PerElement(Numbers(std::vector<double>(2, 0.0)));
   block.parameter_marks.resize(1);
   block.parameter_dimensions.resize(1);
   block.origin = diagram.blocks[static_cast<std::size_t>(from.block)].origin;
@@ -44,8 +46,8 @@ DiagramBlock point_source(const Diagram& diagram, const SignalRef& from) {
 }
 
 /// What else a diagram has than blocks, for one that runs a step.
-Diagram empty_part(const Diagram& diagram) {
-  Diagram part;
+diagram::Diagram empty_part(const diagram::Diagram& diagram) {
+  diagram::Diagram part;
   part.file = diagram.file;
   part.scopes = diagram.scopes;
   part.step = part.stop = diagram.step;
@@ -55,11 +57,11 @@ Diagram empty_part(const Diagram& diagram) {
 }
 
 /// Wires blocks to where the others are now, and to block `input` what `from` fed.
-void rewire(std::vector<DiagramBlock>& blocks, const std::vector<int>& place, const SignalRef& from,
-            int input) {
-  for (DiagramBlock& block : blocks)
+void rewire(std::vector<diagram::DiagramBlock>& blocks, const std::vector<int>& place,
+            const diagram::SignalRef& from, int input) {
+  for (diagram::DiagramBlock& block : blocks)
     for (auto& sources : block.inputs)
-      for (Source& source : sources) {
+      for (diagram::Source& source : sources) {
         if (source.block < 0) continue;
         const bool cut = is(source, from);
         source.block = cut ? input : place[static_cast<std::size_t>(source.block)];
@@ -68,9 +70,9 @@ void rewire(std::vector<DiagramBlock>& blocks, const std::vector<int>& place, co
 }
 
 /// The diagram of these blocks alone, fed by one input; `to` is then where the signal is in it.
-Diagram cut_out(const Diagram& diagram, const std::vector<char>& between, const SignalRef& from,
-                SignalRef& to) {
-  Diagram part = empty_part(diagram);
+diagram::Diagram cut_out(const diagram::Diagram& diagram, const std::vector<char>& between,
+                         const diagram::SignalRef& from, diagram::SignalRef& to) {
+  diagram::Diagram part = empty_part(diagram);
   std::vector<int> place(between.size(), -1);
   for (std::size_t b = 0; b < between.size(); ++b) {
     if (!between[b]) continue;
@@ -88,23 +90,24 @@ Diagram cut_out(const Diagram& diagram, const std::vector<char>& between, const 
 
 }  // namespace
 
-SignalMap::SignalMap(const Diagram& diagram, const SignalRef& from, const SignalRef& to, const Place& place) {
+SignalMap::SignalMap(const diagram::Diagram& diagram, const diagram::SignalRef& from,
+                     const diagram::SignalRef& to, const yaml::Place& place) {
   const std::vector<char> between = blocks_between(diagram, from, to);
   for (std::size_t b = 0; b < between.size(); ++b) {
-    const DiagramBlock& block = diagram.blocks[b];
+    const diagram::DiagramBlock& block = diagram.blocks[b];
     if (between[b] && !is_function(block.type()))
-      throw Error(
-          Fault{place,
-                "study.way_back",
-                fmt::format("is no function of the place alone: '{}' ({}), on which it depends, "
-                            "remembers or follows from the time. Take the direction from the map itself, "
-                            "or say from which recorded signal it follows: {{direction: .., position: ..}}",
-                            block.name, block.type().name),
-                {}});
+      throw yaml::Error(yaml::Fault{
+          place,
+          "study.way_back",
+          fmt::format("is no function of the place alone: '{}' ({}), on which it depends, "
+                      "remembers or follows from the time. Take the direction from the map itself, "
+                      "or say from which recorded signal it follows: {{direction: .., position: ..}}",
+                      block.name, block.type().name),
+          {}});
   }
-  SignalRef result = to;
-  plan_ = std::make_unique<const Plan>(make_plan(cut_out(diagram, between, from, result)));
-  simulation_ = std::make_unique<Executor>(*plan_);
+  diagram::SignalRef result = to;
+  plan_ = std::make_unique<const plan::Plan>(plan::make_plan(cut_out(diagram, between, from, result)));
+  simulation_ = std::make_unique<run::Executor>(*plan_);
   start_ = simulation_->workspace();
   result_ = plan_->slot(result).offset;
 }
@@ -117,4 +120,4 @@ Eigen::Vector2d SignalMap::operator()(const Eigen::Vector2d& point) const {
   return {value[0], value[1]};
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::study

@@ -10,7 +10,7 @@
 #include "engine/simulate/record/recorder.hpp"
 #include "engine/simulate/run/pooling.hpp"
 
-namespace stepwire {
+namespace stepwire::study {
 
 namespace {
 
@@ -41,18 +41,20 @@ double nan() {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-void fill(Column column, std::size_t rows, double value, Recording& recording, std::size_t at) {
+void fill(table::Column column, std::size_t rows, double value, record::Recording& recording,
+          std::size_t at) {
   column.values.assign(rows, value);
   recording.table.columns.insert(recording.table.columns.begin() + static_cast<std::ptrdiff_t>(at),
                                  std::move(column));
 }
 
 /// What a recorded trial has of the columns that a run would record.
-Recording recording_of(const Trial& trial, const StudyRequest& request, const Plan& plan, std::size_t r) {
-  Recording recording;
-  for (const RecordedColumn& recorded : recorded_columns(plan, plan.diagram.records[r])) {
-    Column column{recorded.name, recorded.dimension ? si_name(*recorded.dimension) : "",
-                  std::vector<double>(trial.time.size(), nan())};
+record::Recording recording_of(const Trial& trial, const StudyRequest& request, const plan::Plan& plan,
+                               std::size_t r) {
+  record::Recording recording;
+  for (const record::RecordedColumn& recorded : record::recorded_columns(plan, plan.diagram.records[r])) {
+    table::Column column{recorded.name, recorded.dimension ? unit::si_name(*recorded.dimension) : "",
+                         std::vector<double>(trial.time.size(), nan())};
     if (recorded.name == "time") column.values = trial.time;
     for (const Eigen::Index axis : {0, 1})
       if (r == request.recording && recorded.name == fmt::format("{}.{}", request.position, axis + 1))
@@ -68,10 +70,10 @@ std::size_t place_in(const std::vector<std::string>& all, const std::string& nam
 }
 
 /// Words of the request's own order, in place of those in the order of the rows.
-void number_words(const StudyRequest& request, const Experiment& experiment, Recording& recording) {
+void number_words(const StudyRequest& request, const Experiment& experiment, record::Recording& recording) {
   const std::vector<std::string> subjects = request.subject_names(), conditions = request.condition_names();
   recording.categories = {{"subject", subjects}, {"condition", conditions}};
-  for (Column& column : recording.table.columns) {
+  for (table::Column& column : recording.table.columns) {
     if (column.name != "subject" && column.name != "condition") continue;
     const bool person = column.name == "subject";
     for (std::size_t row = 0; row < column.values.size(); ++row)
@@ -81,26 +83,28 @@ void number_words(const StudyRequest& request, const Experiment& experiment, Rec
   }
 }
 
-Recording pooled(const Experiment& experiment, const StudyRequest& request, const Plan& plan, std::size_t r) {
+record::Recording pooled(const Experiment& experiment, const StudyRequest& request, const plan::Plan& plan,
+                         std::size_t r) {
   const std::vector<std::string> subjects = request.subject_names(), conditions = request.condition_names();
-  Recording all;
+  record::Recording all;
   for (std::size_t i = 0; i < experiment.trials.size(); ++i) {
     const Trial& trial = experiment.trials[i];
-    Recording one = experiment.runs.empty() ? recording_of(trial, request, plan, r)
-                                            : experiment.runs[i].result.recordings[r];
+    record::Recording one = experiment.runs.empty() ? recording_of(trial, request, plan, r)
+                                                    : experiment.runs[i].result.recordings[r];
     const std::size_t rows = one.table.rows();
     fill({"subject", "", {}}, rows, static_cast<double>(place_in(subjects, trial.subject)), one, 1);
     fill({"condition", "", {}}, rows, static_cast<double>(place_in(conditions, trial.condition)), one, 2);
-    append_runs(all, std::move(one));
+    run::append_runs(all, std::move(one));
   }
   all.categories = {{"subject", subjects}, {"condition", conditions}};
   return all;
 }
 
 /// One for each element of a parameter: "memory", or "memory.1", "memory.2".
-void add_carried_columns(const std::string& name, const Diagram& diagram, std::vector<Column>& columns) {
-  const auto& parameter = *std::ranges::find(diagram.parameters, name, &DiagramParameter::name);
-  const std::string unit = parameter.dimension ? si_name(*parameter.dimension) : "";
+void add_carried_columns(const std::string& name, const diagram::Diagram& diagram,
+                         std::vector<table::Column>& columns) {
+  const auto& parameter = *std::ranges::find(diagram.parameters, name, &diagram::DiagramParameter::name);
+  const std::string unit = parameter.dimension ? unit::si_name(*parameter.dimension) : "";
   const auto* list = std::get_if<Eigen::VectorXd>(&parameter.value.content);
   if (!list) columns.push_back({name, unit, {}});
   for (Eigen::Index i = 1; list && i <= list->size(); ++i)
@@ -109,8 +113,9 @@ void add_carried_columns(const std::string& name, const Diagram& diagram, std::v
 
 /// The errors, with the words of the request; each trial is a run of one row, whose mean is no mean over
 /// time.
-Recording errors_of(const Experiment& experiment, const StudyRequest& request, const Diagram& diagram) {
-  Recording recording = error_recording(experiment.errors);
+record::Recording errors_of(const Experiment& experiment, const StudyRequest& request,
+                            const diagram::Diagram& diagram) {
+  record::Recording recording = error_recording(experiment.errors);
   number_words(request, experiment, recording);
   std::ranges::move(sequence_columns(experiment, request, diagram),
                     std::back_inserter(recording.table.columns));
@@ -139,11 +144,11 @@ std::vector<NamedValue> published_means(const StudyRequest& request) {
 }
 
 /// A row for each experiment.
-Recording outcome_recording(const Experiment& experiment, const StudyRequest& request) {
+record::Recording outcome_recording(const Experiment& experiment, const StudyRequest& request) {
   const std::vector<ExperimentOutcome> rows = outcomes(experiment, request);
-  Recording recording;
+  record::Recording recording;
   recording.starts.clear();
-  Column number{"experiment", "", {}};
+  table::Column number{"experiment", "", {}};
   for (std::size_t row = 0; row < rows.size(); ++row) {
     recording.starts.push_back(row);
     number.values.push_back(static_cast<double>(row + 1));
@@ -164,8 +169,8 @@ Recording outcome_recording(const Experiment& experiment, const StudyRequest& re
 /// Adds the columns of a study to the names that figures and claims know.
 class StudyNames {
  public:
-  StudyNames(const StudyRequest& request, SymbolTable& names) : request_(request), names_(names) {
-    for (const RecordedName& name : names.columns)
+  StudyNames(const StudyRequest& request, query::SymbolTable& names) : request_(request), names_(names) {
+    for (const query::RecordedName& name : names.columns)
       if (name.recording) records_ = std::max(records_, *name.recording + 1);
   }
 
@@ -190,8 +195,8 @@ class StudyNames {
   }
 
   /// Of the same one, how the trials of a person follow each other.
-  void add_sequence(const Diagram& diagram) {
-    for (const Column& column : sequence_columns({}, request_, diagram))
+  void add_sequence(const diagram::Diagram& diagram) {
+    for (const table::Column& column : sequence_columns({}, request_, diagram))
       add(column.name, column.unit.empty() ? "1" : column.unit, records_);
   }
 
@@ -207,17 +212,18 @@ class StudyNames {
  private:
   void add(const std::string& name, const std::string& unit, std::optional<std::size_t> recording) {
     if (names_.find(name))
-      throw Error(Fault{request_.place,
-                        "study",
-                        fmt::format("makes a column '{}', and so does the file; record that signal under "
-                                    "another name: {{NAME: {}}}",
-                                    name, name),
-                        {}});
-    names_.columns.push_back({name, parse_unit(unit)->dimension, recording});
+      throw yaml::Error(
+          yaml::Fault{request_.place,
+                      "study",
+                      fmt::format("makes a column '{}', and so does the file; record that signal under "
+                                  "another name: {{NAME: {}}}",
+                                  name, name),
+                      {}});
+    names_.columns.push_back({name, unit::parse_unit(unit)->dimension, recording});
   }
 
   const StudyRequest& request_;
-  SymbolTable& names_;
+  query::SymbolTable& names_;
   const bool circle_ = request_.task == "1";
   std::size_t records_ = 0;  ///< recordings of the diagram itself
 };
@@ -236,7 +242,8 @@ std::vector<OutcomeColumn> outcome_columns(const StudyRequest& request) {
   return columns;
 }
 
-void add_study_names(const StudyRequest& request, const Diagram& diagram, SymbolTable& names) {
+void add_study_names(const StudyRequest& request, const diagram::Diagram& diagram,
+                     query::SymbolTable& names) {
   StudyNames study(request, names);
   study.add_trials();
   study.add_errors();
@@ -258,7 +265,7 @@ std::vector<NamedValue> outcome(const Experiment& experiment, const StudyRequest
   for (const NamedValue& effect : analysis.effects) set(column_of("effect.", effect.name), effect.value);
   for (const auto& [start, anova] :
        {std::pair{"p.", &analysis.additive}, std::pair{"p_subject.", &analysis.with_subject}})
-    for (const AnovaRow& row : anova->terms) set(column_of(start, row.name), row.p);
+    for (const statistics::AnovaRow& row : anova->terms) set(column_of(start, row.name), row.p);
   for (const NamedValue& value : comparison_values(experiment, request)) set(value.name, value.value);
   return values;
 }
@@ -269,9 +276,9 @@ std::vector<ExperimentOutcome> outcomes(const Experiment& experiment, const Stud
   return all;
 }
 
-std::vector<Column> sequence_columns(const Experiment& experiment, const StudyRequest& request,
-                                     const Diagram& diagram) {
-  std::vector<Column> columns{{"order", "", {}}};
+std::vector<table::Column> sequence_columns(const Experiment& experiment, const StudyRequest& request,
+                                            const diagram::Diagram& diagram) {
+  std::vector<table::Column> columns{{"order", "", {}}};
   for (const CarriedValue& carried : request.carry) add_carried_columns(carried.parameter, diagram, columns);
   for (const TrialRun& run : experiment.runs) {
     std::vector<double> numbers{static_cast<double>(run.order)};
@@ -279,20 +286,20 @@ std::vector<Column> sequence_columns(const Experiment& experiment, const StudyRe
       numbers.insert(numbers.end(), values.begin(), values.end());
     for (std::size_t i = 0; i < columns.size(); ++i) columns[i].values.push_back(numbers[i]);
   }
-  for (Column& column : columns) column.values.resize(experiment.trials.size(), nan());
+  for (table::Column& column : columns) column.values.resize(experiment.trials.size(), nan());
   return columns;
 }
 
-std::vector<Recording> study_recordings(const Experiments& experiments, const StudyRequest& request,
-                                        const Job& job) {
+std::vector<record::Recording> study_recordings(const Experiments& experiments, const StudyRequest& request,
+                                                const run::Job& job) {
   const std::size_t records = job.plan.diagram.records.size();
-  const SweptColumns swept(job);
-  std::vector<Recording> recordings(records + 2);
+  const run::SweptColumns swept(job);
+  std::vector<record::Recording> recordings(records + 2);
   for (std::size_t study = 0; study < experiments.size(); ++study) {
     const Experiment& experiment = experiments[study];
-    const auto add = [&](std::size_t r, Recording one) {
+    const auto add = [&](std::size_t r, record::Recording one) {
       swept.add(one, study);
-      append_runs(recordings[r], std::move(one));
+      run::append_runs(recordings[r], std::move(one));
     };
     for (std::size_t r = 0; r < records; ++r) add(r, pooled(experiment, request, job.plan, r));
     add(records, errors_of(experiment, request, job.plan.diagram));
@@ -301,4 +308,4 @@ std::vector<Recording> study_recordings(const Experiments& experiments, const St
   return recordings;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::study

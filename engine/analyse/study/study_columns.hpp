@@ -5,7 +5,7 @@
 
 #include "engine/analyse/study/experiment.hpp"
 
-namespace stepwire {
+namespace stepwire::study {
 
 /// Adds the columns that a study has beside the recorded signals, for figures and claims:
 /// - subject and condition in every recording, as words;
@@ -17,7 +17,7 @@ namespace stepwire {
 ///   subject as a factor), effect.FACTOR, deviation.CONDITION, and of the thesis thesis.CONDITION, in the one
 ///   behind that.
 /// Throws Error where a recorded signal has one of these names.
-void add_study_names(const StudyRequest& request, const Diagram& diagram, SymbolTable& names);
+void add_study_names(const StudyRequest& request, const diagram::Diagram& diagram, query::SymbolTable& names);
 
 /// A column of what comes out of an experiment.
 struct OutcomeColumn {
@@ -35,13 +35,13 @@ std::vector<ExperimentOutcome> outcomes(const Experiment& experiment, const Stud
 
 /// Of each trial which of its person's it was, and the values that it began with of what is carried; nan
 /// where trials were recorded.
-std::vector<Column> sequence_columns(const Experiment& experiment, const StudyRequest& request,
-                                     const Diagram& diagram);
+std::vector<table::Column> sequence_columns(const Experiment& experiment, const StudyRequest& request,
+                                            const diagram::Diagram& diagram);
 
 /// The recordings of a job's experiments, in the order of the names: the file's, pooled over the trials; the
 /// errors; the outcomes, of which each experiment is one row. Trials are those of the first experiment. With
 /// a sweep each has the swept parameters.
-std::vector<Recording> study_recordings(const Experiments& experiments, const StudyRequest& request,
-                                        const Job& job);
+std::vector<record::Recording> study_recordings(const Experiments& experiments, const StudyRequest& request,
+                                                const run::Job& job);
 
-}  // namespace stepwire
+}  // namespace stepwire::study

@@ -5,19 +5,20 @@
 #include "engine/analyse/study/study_request.hpp"
 #include "engine/base/yaml/section.hpp"
 
-namespace stepwire {
+namespace stepwire::study {
 
 /// What a key of the section is read with: it may stand in another file, which the section is like.
-struct StudyReading : SectionReading {
+struct StudyReading : yaml::SectionReading {
   std::string file;
-  const SymbolTable& names;
-  const Diagram& diagram;
+  const query::SymbolTable& names;
+  const diagram::Diagram& diagram;
   bool runs;  ///< trials are runs of the file, not recorded ones
 
-  StudyReading(std::string file, const SymbolTable& names, const Diagram& diagram, bool runs, Faults& faults)
-      : SectionReading(
+  StudyReading(std::string file, const query::SymbolTable& names, const diagram::Diagram& diagram, bool runs,
+               yaml::Faults& faults)
+      : yaml::SectionReading(
             "study",
-            [file, &faults](const Mark& mark, const std::string& subject, const std::string& message) {
+            [file, &faults](const yaml::Mark& mark, const std::string& subject, const std::string& message) {
               faults.add({{file, mark}, subject, message, {}});
             }),
         file(file),
@@ -26,10 +27,10 @@ struct StudyReading : SectionReading {
         runs(runs) {}
 };
 
-using StudyRow = KeyRow<StudyRequest, StudyReading>;
+using StudyRow = yaml::KeyRow<StudyRequest, StudyReading>;
 
-/// The keys about how often trials are made, and how those of a person follow each other. They are read behind the conditions, the
-/// circle and the parameters that the study sets.
+/// The keys about how often trials are made, and how those of a person follow each other. They are read
+/// behind the conditions, the circle and the parameters that the study sets.
 std::vector<StudyRow> sequence_rows();
 
-}  // namespace stepwire
+}  // namespace stepwire::study

@@ -9,7 +9,10 @@
 #include "engine/analyse/study/study_keys.hpp"
 #include "engine/base/yaml/section.hpp"
 
-namespace stepwire {
+namespace stepwire::study {
+
+using yaml::form;
+
 namespace {
 
 using Texts = std::vector<std::string>;
@@ -23,13 +26,13 @@ std::vector<std::size_t> first_numbers(std::size_t count) {
   return numbers;
 }
 
-Key subjects_form() {
-  return form::either({key("", "how many people", form::whole(1, max_subjects)),
-                       key("", "which people", form::list(form::whole(1, max_subjects), 1))});
+yaml::Key subjects_form() {
+  return form::either({yaml::key("", "how many people", form::whole(1, max_subjects)),
+                       yaml::key("", "which people", form::list(form::whole(1, max_subjects), 1))});
 }
 
-void read_subjects(StudyRequest& request, const Node& node, const StudyReading& read) {
-  const Key number = form::whole(1, max_subjects);
+void read_subjects(StudyRequest& request, const yaml::Node& node, const StudyReading& read) {
+  const yaml::Key number = form::whole(1, max_subjects);
   if (!node.is_list()) {
     std::size_t count = 0;
     read.take(node, number, count);
@@ -38,7 +41,7 @@ void read_subjects(StudyRequest& request, const Node& node, const StudyReading& 
   }
   if (node.items.empty()) read.fault(node.mark, "the list is empty");
   auto& all = request.subjects;
-  for (const Node& item : node.items) {
+  for (const yaml::Node& item : node.items) {
     const auto subject = read.whole(item, number);
     if (!subject) continue;
     const auto one = static_cast<std::size_t>(*subject);
@@ -52,42 +55,42 @@ void read_subjects(StudyRequest& request, const Node& node, const StudyReading& 
 }
 
 /// The name of a parameter that is one number.
-std::string parameter_name(const Mark& mark, const std::string& name, const StudyReading& read) {
+std::string parameter_name(const yaml::Mark& mark, const std::string& name, const StudyReading& read) {
   Texts numbers;
-  for (const DiagramParameter& one : read.diagram.parameters) {
+  for (const diagram::DiagramParameter& one : read.diagram.parameters) {
     const bool number = std::holds_alternative<double>(one.value.content);
     if (one.name == name && !number) read.fault(mark, fmt::format("'{}' is no single number", name));
     if (one.name == name) return name;
     if (number) numbers.push_back(one.name);
   }
-  read.fault(mark,
-             fmt::format("there is no parameter '{}'{}", name, nearest_or_all(name, numbers, "there are")));
+  read.fault(mark, fmt::format("there is no parameter '{}'{}", name,
+                               yaml::nearest_or_all(name, numbers, "there are")));
   return name;
 }
 
 /// Which parameter takes what.
-Key targets_form(const Texts& names) {
-  std::vector<Key> keys;
+yaml::Key targets_form(const Texts& names) {
+  std::vector<yaml::Key> keys;
   for (const std::string& name : names)
-    keys.push_back(needed(key(name, "name of a parameter", form::string())));
+    keys.push_back(yaml::needed(yaml::key(name, "name of a parameter", form::string())));
   return form::keys("it", fmt::format("{{{0}: PARAMETER, ..}}", names.front()), std::move(keys));
 }
 
 /// The parameters that a map hands its named values to, in the order of the keys.
-Texts targets(const Node& map, const Key& form, const StudyReading& read) {
+Texts targets(const yaml::Node& map, const yaml::Key& form, const StudyReading& read) {
   Texts result;
   const bool is_map = read.check(map, form);
-  for (const Key& key : form.of) {
-    const Node* node = is_map ? map.find(key.name) : nullptr;
-    result.push_back(node ? parameter_name(node->mark, node->text, below(read, key.name)) : "");
+  for (const yaml::Key& key : form.of) {
+    const yaml::Node* node = is_map ? map.find(key.name) : nullptr;
+    result.push_back(node ? parameter_name(node->mark, node->text, yaml::below(read, key.name)) : "");
   }
   return result;
 }
 
 StudyRow sets_row() {
-  const Key form = targets_form({"subject", "seed"});
+  const yaml::Key form = targets_form({"subject", "seed"});
   return {"sets", "which parameters take the person and the noise of a trial", form,
-          [form](StudyRequest& request, const Node& node, const StudyReading& read) {
+          [form](StudyRequest& request, const yaml::Node& node, const StudyReading& read) {
             const Texts found = targets(node, form, read);
             request.subject_parameter = found[0];
             request.seed_parameter = found[1];
@@ -103,7 +106,7 @@ const std::vector<std::pair<std::string, bool FeedbackCondition::*>>& feedbacks(
 }
 
 /// The feedback that a parameter such as task.haptic switches.
-bool FeedbackCondition::*feedback_of(const Entry& set, const StudyReading& read) {
+bool FeedbackCondition::*feedback_of(const yaml::Entry& set, const StudyReading& read) {
   const std::string last = set.key.substr(set.key.rfind('.') + 1);
   Texts names;
   for (const auto& [name, member] : feedbacks()) {
@@ -111,16 +114,16 @@ bool FeedbackCondition::*feedback_of(const Entry& set, const StudyReading& read)
     names.push_back(name);
   }
   read.fault(set.mark, fmt::format("'{}' is no feedback{}; conditions differ by nothing else", set.key,
-                                   nearest_or_all(last, names, "there are")));
+                                   yaml::nearest_or_all(last, names, "there are")));
   return nullptr;
 }
 
-void read_condition(StudyRequest& request, const Entry& entry, const StudyReading& read) {
+void read_condition(StudyRequest& request, const yaml::Entry& entry, const StudyReading& read) {
   StudyCondition condition;
   condition.feedback.name = entry.key;
-  if (!entry.value.is_map() && entry.value.kind != Node::Kind::empty)
+  if (!entry.value.is_map() && entry.value.kind != yaml::Node::Kind::empty)
     return read.fault(entry.value.mark, "is a map of what is set: {haptic: 1}, or {}");
-  for (const Entry& set : entry.value.entries) {
+  for (const yaml::Entry& set : entry.value.entries) {
     bool FeedbackCondition::*const member = feedback_of(set, read);
     if (!member) continue;
     if (read.runs) parameter_name(set.mark, set.key, read);
@@ -133,18 +136,19 @@ void read_condition(StudyRequest& request, const Entry& entry, const StudyReadin
   request.conditions.push_back(std::move(condition));
 }
 
-void read_conditions(StudyRequest& request, const Node& node, const StudyReading& read) {
+void read_conditions(StudyRequest& request, const yaml::Node& node, const StudyReading& read) {
   if (!node.is_map() || node.entries.empty())
     return read.fault(
         node.mark, "names the conditions and what each sets: {V: {visual: 1}, HV: {haptic: 1, visual: 1}}");
-  for (const Entry& entry : node.entries) read_condition(request, entry, below(read, entry.key));
+  for (const yaml::Entry& entry : node.entries) read_condition(request, entry, yaml::below(read, entry.key));
 }
 
 /// A recorded signal of the plane; a fault and nullptr where it is none.
-const RecordedSignal* recorded(const Node& node, const StudyReading& read, std::size_t* recording = nullptr) {
+const diagram::RecordedSignal* recorded(const yaml::Node& node, const StudyReading& read,
+                                        std::size_t* recording = nullptr) {
   Texts all;
   for (std::size_t r = 0; r < read.diagram.records.size(); ++r)
-    for (const RecordedSignal& signal : read.diagram.records[r].signals) {
+    for (const diagram::RecordedSignal& signal : read.diagram.records[r].signals) {
       all.push_back(signal.name);
       if (signal.name != node.text) continue;
       if (recording) *recording = r;
@@ -153,56 +157,57 @@ const RecordedSignal* recorded(const Node& node, const StudyReading& read, std::
       return nullptr;
     }
   read.fault(node.mark, fmt::format("'{}' is not recorded{}", node.text,
-                                    nearest_or_all(node.text, all, "recorded are")));
+                                    yaml::nearest_or_all(node.text, all, "recorded are")));
   return nullptr;
 }
 
-Key circle_form() {
+yaml::Key circle_form() {
   return form::keys(
       "it", "{of: CONDITION, sets: {x: PARAMETER, y: PARAMETER, radius: PARAMETER}}",
-      {needed(key("of", "the condition whose drawing the circle is fitted to", form::string())),
-       key("sets", "which parameters of the other trials take it", targets_form({"x", "y", "radius"}))});
+      {yaml::needed(yaml::key("of", "the condition whose drawing the circle is fitted to", form::string())),
+       yaml::key("sets", "which parameters of the other trials take it",
+                 targets_form({"x", "y", "radius"}))});
 }
 
-void read_circle(StudyRequest& request, const Node& node, const StudyReading& read) {
-  const Key form = circle_form();
+void read_circle(StudyRequest& request, const yaml::Node& node, const StudyReading& read) {
+  const yaml::Key form = circle_form();
   if (request.task != "1" || !read.check(node, form)) return;
-  const Node *of = node.find("of"), *sets = node.find("sets");
-  if (!sets && read.runs) read.fault(node.mark, SectionReading::missing(*form.find("sets")));
+  const yaml::Node *of = node.find("of"), *sets = node.find("sets");
+  if (!sets && read.runs) read.fault(node.mark, yaml::SectionReading::missing(*form.find("sets")));
   if (!of) return;
   const Texts all = request.condition_names();
   if (std::ranges::find(all, of->text) == all.end())
-    below(read, "of")
+    yaml::below(read, "of")
         .fault(of->mark, fmt::format("there is no condition '{}'{}", of->text,
-                                     nearest_or_all(of->text, all, "there are")));
-  const Texts found = sets ? targets(*sets, *form.find("sets"), below(read, "sets")) : Texts(3);
+                                     yaml::nearest_or_all(of->text, all, "there are")));
+  const Texts found = sets ? targets(*sets, *form.find("sets"), yaml::below(read, "sets")) : Texts(3);
   request.circle = CircleHandover{of->text, found[0], found[1], found[2]};
 }
 
 /// Finds where the end-effector is, which the way back follows from.
-void read_position(StudyRequest& request, const Node& node, const StudyReading& read) {
-  const RecordedSignal* signal = recorded(node, read, &request.recording);
+void read_position(StudyRequest& request, const yaml::Node& node, const StudyReading& read) {
+  const diagram::RecordedSignal* signal = recorded(node, read, &request.recording);
   if (!signal) return;
   request.position = signal->name;
   request.way_back = WayBackSignals{signal->signal, {}, {}};
 }
 
-Key way_back_form() {
+yaml::Key way_back_form() {
   return form::either(
-      {key("", "the direction of the way back, zero inside the region", form::string()),
+      {yaml::key("", "the direction of the way back, zero inside the region", form::string()),
        form::keys("it", "a recorded signal, or {direction: SIGNAL, position: SIGNAL that it follows from}",
-                  {needed(key("direction", "recorded signal, zero inside", form::string())),
-                   key("position", "recorded signal that it follows from; that of the study without it",
-                       form::string())})});
+                  {yaml::needed(yaml::key("direction", "recorded signal, zero inside", form::string())),
+                   yaml::key("position", "recorded signal that it follows from; that of the study without it",
+                             form::string())})});
 }
 
-void read_way_back(StudyRequest& request, const Node& node, const StudyReading& read) {
+void read_way_back(StudyRequest& request, const yaml::Node& node, const StudyReading& read) {
   if (request.task != "2") return;
   if (node.is_map() && !read.check(node, way_back_form().of.back())) return;
-  const Node* direction = node.is_map() ? node.find("direction") : &node;
-  const Node* position = node.find("position");
-  const RecordedSignal* to = direction ? recorded(*direction, below(read, "direction")) : nullptr;
-  const RecordedSignal* from = position ? recorded(*position, below(read, "position")) : nullptr;
+  const yaml::Node* direction = node.is_map() ? node.find("direction") : &node;
+  const yaml::Node* position = node.find("position");
+  const auto* to = direction ? recorded(*direction, yaml::below(read, "direction")) : nullptr;
+  const auto* from = position ? recorded(*position, yaml::below(read, "position")) : nullptr;
   if (!to) return;
   WayBackSignals way = request.way_back.value_or(WayBackSignals{});
   request.way_back =
@@ -215,13 +220,14 @@ std::vector<StudyRow> make_study_rows() {
       {"task", "what people do", form::words({{"1", "drawing a circle"}, {"2", "returning to the region"}}),
        &StudyRequest::task},
       {"subjects", "how many people, or a list of which",
-       like("10, or a list such as [3, 7]", subjects_form()), read_subjects},
+       yaml::like("10, or a list such as [3, 7]", subjects_form()), read_subjects},
       {"seed", "who the people are, and all that is random", form::whole(0, 1'000'000'000),
        &StudyRequest::seed},
       sets_row(),
       {"conditions", "what each condition switches on: haptic, visual, guiding_path",
-       like("{V: {visual: 1}, HV: {haptic: 1, visual: 1}}",
-            form::names(form::either({form::names(form::whole(0, 1)), form::of(Key::Form::nothing)}), 1)),
+       yaml::like("{V: {visual: 1}, HV: {haptic: 1, visual: 1}}",
+                  form::names(
+                      form::either({form::names(form::whole(0, 1)), form::of(yaml::Key::Form::nothing)}), 1)),
        read_conditions},
       {"circle", "task 1: the circle that is to be drawn", circle_form(), read_circle},
       {"position", "recorded signal of two elements: where the end-effector is", form::string(),
@@ -229,11 +235,11 @@ std::vector<StudyRow> make_study_rows() {
       {"way_back", "task 2: recorded signal, the direction of the way back", way_back_form(), read_way_back},
       {"published", "what a source prints of such a study: tables have it beside the study's own numbers",
        published_form(),
-       [](StudyRequest& request, const Node& node,
+       [](StudyRequest& request, const yaml::Node& node,
           const StudyReading&
               read) { read_published(request.published, request.condition_names(), node, read); }},
       {"trials", "CSV file of recorded trials in place of runs: subject, task, condition, time, x, y",
-       form::string(), [](StudyRequest& request, const Node& node, const StudyReading& read) {
+       form::string(), [](StudyRequest& request, const yaml::Node& node, const StudyReading& read) {
          request.trials = (std::filesystem::path(read.file).parent_path() / node.text).lexically_normal();
        }}};
   std::ranges::move(sequence_rows(), std::back_inserter(rows));
@@ -254,13 +260,13 @@ Texts needed_keys(const StudyRequest& request, bool runs) {
   return names;
 }
 
-void check_whole(const StudyRequest& request, const SectionKeys& keys, const Mark& mark,
+void check_whole(const StudyRequest& request, const SectionKeys& keys, const yaml::Mark& mark,
                  const StudyReading& read) {
   for (const std::string& name : needed_keys(request, read.runs))
-    if (!keys.find(name)) read.fault(mark, SectionReading::missing(*study_form().find(name)));
+    if (!keys.find(name)) read.fault(mark, yaml::SectionReading::missing(*study_form().find(name)));
   for (const auto& [name, task] : {std::pair{"circle", "1"}, std::pair{"way_back", "2"}})
     if (const auto* other = keys.find(name); other && request.task != task)
-      below(read, name)
+      yaml::below(read, name)
           .fault(other->mark, fmt::format("belongs to task {}, and this is task {}", task, request.task));
   if (!read.diagram.stop_when && read.runs)
     read.fault(mark,
@@ -271,13 +277,14 @@ void check_whole(const StudyRequest& request, const SectionKeys& keys, const Mar
 
 }  // namespace
 
-const Key& study_form() {
-  static const Key form = keys_form("the study", "{task: 1, subjects: 10, ..}", study_rows());
+const yaml::Key& study_form() {
+  static const yaml::Key form = yaml::keys_form("the study", "{task: 1, subjects: 10, ..}", study_rows());
   return form;
 }
 
-StudyRequest read_study(const Node& node, const SymbolTable& names, const Diagram& diagram, Loader& loader,
-                        const StudyWords& words, Faults& faults) {
+StudyRequest read_study(const yaml::Node& node, const query::SymbolTable& names,
+                        const diagram::Diagram& diagram, diagram::Loader& loader, const StudyWords& words,
+                        yaml::Faults& faults) {
   const std::size_t before = faults.size();
   StudyRequest request;
   request.place = {names.file, node.mark};
@@ -286,7 +293,7 @@ StudyRequest read_study(const Node& node, const SymbolTable& names, const Diagra
   for (const StudyRow& row : study_rows())
     if (const auto* given = row.set ? keys.find(row.name) : nullptr)
       row.set(request, *given->node,
-              below(StudyReading(given->file, names, diagram, runs, faults), row.name));
+              yaml::below(StudyReading(given->file, names, diagram, runs, faults), row.name));
   check_whole(request, keys, node.mark, StudyReading(names.file, names, diagram, runs, faults));
   if (request.task != "2") request.way_back.reset();
   if (words.subjects) request.subjects = first_numbers(*words.subjects);
@@ -301,4 +308,4 @@ StudyRequest read_study(const Node& node, const SymbolTable& names, const Diagra
   return request;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::study

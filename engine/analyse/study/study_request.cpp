@@ -6,9 +6,9 @@
 
 #include "engine/analyse/query/number.hpp"
 
-namespace stepwire {
+namespace stepwire::study {
 
-void read_recorded(StudyRequest& request, Faults& faults) {
+void read_recorded(StudyRequest& request, yaml::Faults& faults) {
   request.recorded = read_trials(request.trials);
   std::erase_if(request.recorded, [&](const Trial& trial) { return trial.task != request.task; });
   const std::vector<std::string> conditions = request.condition_names(), subjects = request.subject_names();
@@ -18,7 +18,7 @@ void read_recorded(StudyRequest& request, Faults& faults) {
           {{request.trials, {}},
            "",
            fmt::format("subject {}: there is no condition '{}' in the study{}", trial.subject,
-                       trial.condition, nearest_or_all(trial.condition, conditions, "there are")),
+                       trial.condition, yaml::nearest_or_all(trial.condition, conditions, "there are")),
            {}});
   if (request.recorded.empty())
     return faults.add(
@@ -33,7 +33,7 @@ void read_recorded(StudyRequest& request, Faults& faults) {
                    [&](const Trial& a, const Trial& b) { return key(a) < key(b); });
 }
 
-void check_sweep(const StudyRequest& request, const Diagram& diagram, Faults& faults) {
+void check_sweep(const StudyRequest& request, const diagram::Diagram& diagram, yaml::Faults& faults) {
   if (!diagram.sweep || diagram.sweep->axes.empty()) return;
   if (!request.trials.empty())
     faults.add({request.place,
@@ -44,9 +44,9 @@ void check_sweep(const StudyRequest& request, const Diagram& diagram, Faults& fa
                 {}});
   std::vector<std::string> own{request.subject_parameter, request.seed_parameter};
   for (const StudyCondition& condition : request.conditions)
-    for (const Setting& setting : condition.settings) own.push_back(setting.name);
+    for (const diagram::Setting& setting : condition.settings) own.push_back(setting.name);
   for (const CarriedValue& carried : request.carry) own.push_back(carried.parameter);
-  for (const Sweep::Axis& axis : diagram.sweep->axes)
+  for (const diagram::Sweep::Axis& axis : diagram.sweep->axes)
     if (std::find(own.begin(), own.end(), axis.parameter) != own.end())
       faults.add({diagram.place(axis.origin),
                   "sweep." + axis.parameter,
@@ -76,4 +76,4 @@ std::vector<FeedbackCondition> StudyRequest::feedbacks() const {
   return result;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::study

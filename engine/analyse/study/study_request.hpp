@@ -12,12 +12,12 @@
 #include "engine/model/diagram/load.hpp"
 #include "engine/model/plan/plan.hpp"
 
-namespace stepwire {
+namespace stepwire::study {
 
 /// A condition of a study: what it sets in the diagram, and which feedbacks that switches on.
 struct StudyCondition {
   FeedbackCondition feedback;
-  std::vector<Setting> settings;
+  std::vector<diagram::Setting> settings;
 };
 
 /// Task 1: which condition is drawn first, and which parameters of the other trials take the circle that is
@@ -29,15 +29,15 @@ struct CircleHandover {
 
 /// Task 2: the signals between which the way back (equation 24) is found as a function of the place.
 struct WayBackSignals {
-  SignalRef position, direction;
-  Place place;
+  diagram::SignalRef position, direction;
+  yaml::Place place;
 };
 
 /// What a person takes from each trial into the next: the last value of a signal becomes that of a parameter.
 struct CarriedValue {
   std::string parameter;
   std::string signal;  ///< its name in the diagram
-  Place place;
+  yaml::Place place;
 };
 
 /// The section `study` of a diagram file: a human-subject study whose trials are runs of the file.
@@ -60,7 +60,7 @@ struct StudyRequest {
   std::string trials;           ///< a CSV file of recorded trials in place of the runs; empty: none
   std::vector<Trial> recorded;  ///< in it, by subject, conditions in the order of the request
   PublishedStudy published;     ///< what its tables set beside its own numbers
-  Place place;
+  yaml::Place place;
 
   /// Names of the subjects in order: those of the recorded trials, or the numbers.
   std::vector<std::string> subject_names() const;
@@ -77,22 +77,23 @@ struct StudyWords {
 };
 
 /// The keys of the section `study`.
-const Key& study_form();
+const yaml::Key& study_form();
 
 /// Reads the value under the key `study`. `like` takes the section from another file, in which the keys given
 /// here replace those of the same name. Everything that is wrong goes to `faults`; what is returned then is
 /// of no use. Throws TableError and EnvironmentError for a file of trials that cannot be read.
-StudyRequest read_study(const Node& node, const SymbolTable& names, const Diagram& diagram, Loader& loader,
-                        const StudyWords& words, Faults& faults);
+StudyRequest read_study(const yaml::Node& node, const query::SymbolTable& names,
+                        const diagram::Diagram& diagram, diagram::Loader& loader, const StudyWords& words,
+                        yaml::Faults& faults);
 
 /// Parameter and signal of what is carried have the same unit and as many elements.
-void check_carry(const StudyRequest& request, const Plan& plan, Faults& faults);
+void check_carry(const StudyRequest& request, const plan::Plan& plan, yaml::Faults& faults);
 
 /// What the study sets for each trial cannot be swept as well, and recorded trials have no swept values.
-void check_sweep(const StudyRequest& request, const Diagram& diagram, Faults& faults);
+void check_sweep(const StudyRequest& request, const diagram::Diagram& diagram, yaml::Faults& faults);
 
 /// Reads the file of recorded trials: those of the request's task, sorted. Trials of conditions that the
 /// study does not have go to `faults`. Throws TableError and EnvironmentError.
-void read_recorded(StudyRequest& request, Faults& faults);
+void read_recorded(StudyRequest& request, yaml::Faults& faults);
 
-}  // namespace stepwire
+}  // namespace stepwire::study

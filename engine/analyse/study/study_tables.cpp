@@ -8,7 +8,7 @@
 #include "engine/analyse/study/distribution.hpp"
 #include "engine/analyse/study/side_by_side.hpp"
 
-namespace stepwire {
+namespace stepwire::study {
 
 namespace {
 
@@ -17,8 +17,8 @@ std::string shown(double value) {
 }
 
 /// The thesis' tables 3 and 5: a line for each condition, a column for each subject, and what is published.
-TextTable subjects_table(const Experiment& experiment, const StudyRequest& request) {
-  TextTable table{"Normalised errors of task " + request.task, {"condition"}, {}, {}};
+text::TextTable subjects_table(const Experiment& experiment, const StudyRequest& request) {
+  text::TextTable table{"Normalised errors of task " + request.task, {"condition"}, {}, {}};
   for (const std::string& subject : request.subject_names()) table.columns.push_back(subject);
   for (const PublishedValues& example : request.published.examples)
     table.columns.push_back("thesis, " + example.source);
@@ -40,11 +40,11 @@ TextTable subjects_table(const Experiment& experiment, const StudyRequest& reque
   return table;
 }
 
-TextTable none(const std::string& title, const std::string& why) {
+text::TextTable none(const std::string& title, const std::string& why) {
   return {title, {"not analysed"}, {}, {why}};
 }
 
-TextTable table_of(const std::string& name, const Experiment& experiment, const StudyRequest& request) {
+text::TextTable table_of(const std::string& name, const Experiment& experiment, const StudyRequest& request) {
   if (name == "errors") return error_summary(experiment.errors);
   if (name == "subjects") return subjects_table(experiment, request);
   if (name == "experiments") return experiments_table(outcomes(experiment, request), request);
@@ -71,20 +71,20 @@ TextTable table_of(const std::string& name, const Experiment& experiment, const 
 
 }  // namespace
 
-std::vector<NamedTable> empty_study_tables(bool swept) {
+std::vector<query::NamedTable> empty_study_tables(bool swept) {
   if (swept) return {{"means"}, {"significance"}};
-  std::vector<NamedTable> tables;
+  std::vector<query::NamedTable> tables;
   for (const char* name : {"errors", "subjects", "anova", "anova_with_subject", "repeated_measures", "means",
                            "significance", "experiments", "experiments_significance"})
-    tables.push_back({name, std::make_shared<TextTable>()});
+    tables.push_back({name, std::make_shared<text::TextTable>()});
   for (const std::string& name : comparison_table_names())
-    tables.push_back({name, std::make_shared<TextTable>()});
+    tables.push_back({name, std::make_shared<text::TextTable>()});
   return tables;
 }
 
 void fill_study_tables(const Experiment& experiment, const StudyRequest& request,
-                       std::vector<NamedTable>& tables) {
-  for (NamedTable& one : tables) {
+                       std::vector<query::NamedTable>& tables) {
+  for (query::NamedTable& one : tables) {
     *one.table = table_of(one.name, experiment, request);
     one.table->title += fmt::format(" ({})", whose_trials(request));
   }
@@ -94,4 +94,4 @@ std::string whose_trials(const StudyRequest& request) {
   return request.trials.empty() ? "simulated operators" : "recorded trials";
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::study

@@ -6,22 +6,22 @@
 #include "engine/analyse/query/symbol_table.hpp"
 #include "engine/analyse/study/experiment.hpp"
 
-namespace stepwire {
+namespace stepwire::study {
 
 /// The tables that a study makes, by the names that `plot: table` has for them, still empty. Over a sweep
 /// these are means and significance alone, a line for each point.
-std::vector<NamedTable> empty_study_tables(bool swept);
+std::vector<query::NamedTable> empty_study_tables(bool swept);
 
 /// Fills in those of one experiment. What cannot be analysed is said in the table's place.
 void fill_study_tables(const Experiment& experiment, const StudyRequest& request,
-                       std::vector<NamedTable>& tables);
+                       std::vector<query::NamedTable>& tables);
 
 /// Fills in those of a sweep: at each point the means of the conditions, or P of the factors, and
 /// whether the statements of the thesis hold there.
 void fill_sweep_tables(const Experiments& experiments, const StudyRequest& request,
-                       std::vector<NamedTable>& tables);
+                       std::vector<query::NamedTable>& tables);
 
 /// Whose trials they are, for titles: "simulated operators", "recorded trials".
 std::string whose_trials(const StudyRequest& request);
 
-}  // namespace stepwire
+}  // namespace stepwire::study

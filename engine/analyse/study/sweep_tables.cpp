@@ -5,7 +5,7 @@
 #include "engine/analyse/study/study_tables.hpp"
 #include "engine/simulate/run/pooling.hpp"
 
-namespace stepwire {
+namespace stepwire::study {
 
 namespace {
 
@@ -36,7 +36,7 @@ Shown shown_significance(const StudyRequest& request, const TaskAnalysis& analys
 
 /// "(1) order NO > H > V > HV" needs more room than a column has: the statements are numbered, and told
 /// below.
-void add_head(const Shown& shown, TextTable& table) {
+void add_head(const Shown& shown, text::TextTable& table) {
   for (const ComparedValue& value : shown.values) table.columns.push_back(value.name);
   for (std::size_t i = 0; i < shown.statements.size(); ++i) {
     table.columns.push_back(fmt::format("({})", i + 1));
@@ -44,16 +44,17 @@ void add_head(const Shown& shown, TextTable& table) {
   }
 }
 
-void add_line(const Shown& shown, std::vector<std::string> line, TextTable& table) {
+void add_line(const Shown& shown, std::vector<std::string> line, text::TextTable& table) {
   for (const ComparedValue& value : shown.values) line.push_back(printed_probability(value.ours));
   for (const Agreement& one : shown.statements) line.emplace_back(one.agrees ? "holds" : "fails");
   table.rows.push_back(std::move(line));
 }
 
-TextTable table_of(const std::string& title, Shown (*shown_of)(const StudyRequest&, const TaskAnalysis&),
-                   const Experiments& experiments, const StudyRequest& request) {
-  TextTable table{title, {}, {}, {}};
-  for (const Setting& setting : experiments.front().sets) table.columns.push_back(setting.name);
+text::TextTable table_of(const std::string& title,
+                         Shown (*shown_of)(const StudyRequest&, const TaskAnalysis&),
+                         const Experiments& experiments, const StudyRequest& request) {
+  text::TextTable table{title, {}, {}, {}};
+  for (const diagram::Setting& setting : experiments.front().sets) table.columns.push_back(setting.name);
   const std::size_t swept = table.columns.size();
   Shown first;
   for (const Experiment& experiment : experiments) {
@@ -61,11 +62,11 @@ TextTable table_of(const std::string& title, Shown (*shown_of)(const StudyReques
     const Shown shown = analysis ? shown_of(request, *analysis) : Shown{};
     if (table.columns.size() == swept && analysis) add_head(first = shown, table);
     std::vector<std::string> line;
-    for (const Setting& setting : experiment.sets) line.push_back(setting.value);
+    for (const diagram::Setting& setting : experiment.sets) line.push_back(setting.value);
     add_line(shown, std::move(line), table);
     if (!analysis)
-      table.notes.push_back(
-          fmt::format("Not analysed with {}: {}.", settings_text(experiment.sets), experiment.not_analysed));
+      table.notes.push_back(fmt::format("Not analysed with {}: {}.", run::settings_text(experiment.sets),
+                                        experiment.not_analysed));
   }
   std::vector<std::string> published{"thesis"};
   published.resize(swept);
@@ -78,13 +79,13 @@ TextTable table_of(const std::string& title, Shown (*shown_of)(const StudyReques
 }  // namespace
 
 void fill_sweep_tables(const Experiments& experiments, const StudyRequest& request,
-                       std::vector<NamedTable>& tables) {
+                       std::vector<query::NamedTable>& tables) {
   const std::string of = fmt::format(" of task {}, {} subjects ({})", request.task, request.subjects.size(),
                                      whose_trials(request));
-  for (NamedTable& one : tables)
+  for (query::NamedTable& one : tables)
     *one.table = one.name == "means"
                      ? table_of("Mean normalised errors" + of, shown_means, experiments, request)
                      : table_of("Significance (P)" + of, shown_significance, experiments, request);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::study

@@ -12,21 +12,21 @@
 #include "engine/simulate/record/recorder.hpp"
 #include "engine/simulate/run/pooling.hpp"
 
-namespace stepwire {
+namespace stepwire::study {
 
 namespace {
 
 constexpr std::uint64_t most = 1'000'000'000;
 enum Purpose : std::uint64_t { person = 1, noise = 2, noise_of_practice = 4 };  // 3: the order
 
-const DiagramParameter& parameter_of(const Diagram& diagram, const std::string& name) {
-  return *std::ranges::find(diagram.parameters, name, &DiagramParameter::name);
+const diagram::DiagramParameter& parameter_of(const diagram::Diagram& diagram, const std::string& name) {
+  return *std::ranges::find(diagram.parameters, name, &diagram::DiagramParameter::name);
 }
 
 /// Numbers in SI as a setting of a parameter.
-std::string text_of(const DiagramParameter& parameter, const std::vector<double>& values) {
-  const bool has_unit = parameter.dimension && *parameter.dimension != Dimension{};
-  const std::string unit = has_unit ? " " + si_name(*parameter.dimension) : "";
+std::string text_of(const diagram::DiagramParameter& parameter, const std::vector<double>& values) {
+  const bool has_unit = parameter.dimension && *parameter.dimension != unit::Dimension{};
+  const std::string unit = has_unit ? " " + unit::si_name(*parameter.dimension) : "";
   std::vector<std::string> texts;
   for (const double value : values) texts.push_back(fmt::format("{}{}", value, unit));
   const bool list = std::holds_alternative<Eigen::VectorXd>(parameter.value.content);
@@ -44,19 +44,19 @@ std::vector<double> numbers_of(const Value& value) {
 
 }  // namespace
 
-std::size_t study_count(const Job& job) {
+std::size_t study_count(const run::Job& job) {
   return std::max<std::size_t>(1, job.points.size());
 }
 
-Diagram diagram_of(const Job& job, std::size_t study) {
+diagram::Diagram diagram_of(const run::Job& job, std::size_t study) {
   if (job.points.empty()) return job.plan.diagram;
-  Executor run(job.plan_of(study));
+  run::Executor run(job.plan_of(study));
   job.family->begin(job.points[study].member, job.settings_of(study), run);
   return run.diagram();
 }
 
-std::string with_swept(const Job& job, std::size_t study) {
-  return job.points.empty() ? "" : " with " + settings_text(job.settings_of(study));
+std::string with_swept(const run::Job& job, std::size_t study) {
+  return job.points.empty() ? "" : " with " + run::settings_text(job.settings_of(study));
 }
 
 std::string name_of(const TrialRun& trial, const StudyRequest& request) {
@@ -76,14 +76,15 @@ std::uint64_t drawn_number(std::initializer_list<std::uint64_t> from) {
   return hash % most;
 }
 
-TrialRuns::TrialRuns(TrialSource source, const StudyRequest& request, const Job& job, std::size_t experiments)
+TrialRuns::TrialRuns(TrialSource source, const StudyRequest& request, const run::Job& job,
+                     std::size_t experiments)
     : source_(std::move(source)),
       request_(request),
       job_(job),
-      family_(std::make_shared<PlanFamily>(source_.loader, source_.file, source_.settings, job.plan)),
+      family_(std::make_shared<run::PlanFamily>(source_.loader, source_.file, source_.settings, job.plan)),
       idle_(*family_) {
-  if (source_.engine != ExecutionMode::interpreted) find_members();
-  if (source_.engine == ExecutionMode::automatic) compile_ahead();
+  if (source_.engine != run::ExecutionMode::interpreted) find_members();
+  if (source_.engine == run::ExecutionMode::automatic) compile_ahead();
   const auto trials = static_cast<double>(study_count(job) * request.subjects.size() * experiments *
                                           (request.conditions.size() + request.practice.size()));
   changeover_.emplace(source_.engine, source_.code, members(), trials * static_cast<double>(job.plan.steps));
@@ -110,13 +111,13 @@ void TrialRuns::find_member(TrialRun trial, HandedOver handed, double share) {
     plan(trial, handed);
     handed = {.circle = {}, .carried = file_values(trial, share).carried};  // as in practice
     plan(trial, handed);
-  } catch (const Error&) {
+  } catch (const yaml::Error&) {
     if (share == 0.0) throw;  // a value beside the file's may be refused
   }
 }
 
-std::vector<TieredExecution::Member> TrialRuns::members() const {
-  std::vector<TieredExecution::Member> members;
+std::vector<run::TieredExecution::Member> TrialRuns::members() const {
+  std::vector<run::TieredExecution::Member> members;
   for (std::size_t m = 0; m < family_->size(); ++m)
     members.push_back({&family_->plan(m), family_->variable(m)});
   return members;
@@ -126,7 +127,8 @@ std::vector<TieredExecution::Member> TrialRuns::members() const {
 void TrialRuns::compile_ahead() {
   try {
     ahead_ = std::jthread([this, wanted = members()](const std::stop_token& stop) {
-      for (const TieredExecution::Member& one : wanted) source_.code->compile(*one.plan, one.variable, stop);
+      for (const run::TieredExecution::Member& one : wanted)
+        source_.code->compile(*one.plan, one.variable, stop);
     });
   } catch (const std::system_error&) {  // without a thread for it nothing is compiled ahead
   }
@@ -136,7 +138,7 @@ void TrialRuns::compile_ahead() {
 HandedOver TrialRuns::file_values(const TrialRun& trial, double share) const {
   HandedOver handed;
   for (const CarriedValue& carried : request_.carry) {
-    const DiagramParameter& parameter = parameter_of(job_.plan.diagram, carried.parameter);
+    const diagram::DiagramParameter& parameter = parameter_of(job_.plan.diagram, carried.parameter);
     std::vector<double> numbers = numbers_of(parameter.value);
     for (double& number : numbers) number = moved(number, share);
     handed.carried.push_back(
@@ -158,9 +160,9 @@ std::uint64_t TrialRuns::noise_of(const TrialRun& trial) const {
   return drawn_number({noise_of_practice, trial.seed, trial.subject, trial.practice, trial.attempts});
 }
 
-std::vector<Setting> TrialRuns::settings_of(const TrialRun& trial, const HandedOver& handed) const {
+std::vector<diagram::Setting> TrialRuns::settings_of(const TrialRun& trial, const HandedOver& handed) const {
   const StudyCondition& condition = request_.conditions[trial.condition];
-  std::vector<Setting> settings;
+  std::vector<diagram::Setting> settings;
   if (!job_.points.empty()) settings = job_.settings_of(trial.study);
   settings.insert(settings.end(), condition.settings.begin(), condition.settings.end());
   const auto set = [&](const std::string& parameter, const std::string& value) {
@@ -179,8 +181,8 @@ std::vector<Setting> TrialRuns::settings_of(const TrialRun& trial, const HandedO
   return settings;
 }
 
-std::vector<Setting> TrialRuns::carried(const TrialRun& trial) const {
-  std::vector<Setting> settings;
+std::vector<diagram::Setting> TrialRuns::carried(const TrialRun& trial) const {
+  std::vector<diagram::Setting> settings;
   for (std::size_t i = 0; i < request_.carry.size(); ++i) {
     const CarriedValue& carried = request_.carry[i];
     settings.push_back({carried.parameter,
@@ -194,38 +196,38 @@ void TrialRuns::plan(TrialRun& trial, const HandedOver& handed) {
   trial.point.own = settings_of(trial, handed);
   try {
     trial.point.member = family_->find(trial.point.own);
-  } catch (const Error& error) {
-    std::vector<Fault> faults = error.faults();
-    for (Fault& fault : faults)
+  } catch (const yaml::Error& error) {
+    std::vector<yaml::Fault> faults = error.faults();
+    for (yaml::Fault& fault : faults)
       fault.message +=
           fmt::format(" (in the trial of {}{})", name_of(trial, request_), with_swept(job_, trial.study));
-    throw Error(std::move(faults));
+    throw yaml::Error(std::move(faults));
   }
 }
 
-void TrialRuns::note_end(const Executor& run, TrialRun& trial) const {
-  const Plan& plan = run.plan();
-  const auto numbers = [&](const SignalRef& signal) {
-    const SignalSlot slot = plan.slot(signal);
+void TrialRuns::note_end(const run::Executor& run, TrialRun& trial) const {
+  const plan::Plan& plan = run.plan();
+  const auto numbers = [&](const diagram::SignalRef& signal) {
+    const plan::SignalSlot slot = plan.slot(signal);
     const double* first = run.values() + slot.offset;
     return std::vector<double>(first, first + slot.size);
   };
   const auto& signals = plan.diagram.records[request_.recording].signals;
-  const auto position = std::ranges::find(signals, request_.position, &RecordedSignal::name);
+  const auto position = std::ranges::find(signals, request_.position, &diagram::RecordedSignal::name);
   const std::vector<double> point = numbers(position->signal);
   trial.end = run.time();
   trial.end_point = {point[0], point[1]};
   if (request_.carry.empty()) return;
-  const auto named = named_signals(plan.diagram);
+  const auto named = diagram::named_signals(plan.diagram);
   trial.left.clear();
   for (const CarriedValue& carried : request_.carry) trial.left.push_back(numbers(named.at(carried.signal)));
 }
 
-CarriedNumbers TrialRuns::begun_with(const Executor& run) const {
+CarriedNumbers TrialRuns::begun_with(const run::Executor& run) const {
   CarriedNumbers all;
   const auto& parameters = run.plan().diagram.parameters;
   for (const CarriedValue& carried : request_.carry) {
-    const auto parameter = std::ranges::find(parameters, carried.parameter, &DiagramParameter::name);
+    const auto parameter = std::ranges::find(parameters, carried.parameter, &diagram::DiagramParameter::name);
     all.push_back(numbers_of(run.parameter(static_cast<std::size_t>(parameter - parameters.begin()))));
   }
   return all;
@@ -246,12 +248,12 @@ void TrialRuns::run_once(TrialRun& trial) {
   auto run = idle_.take(member);
   family_->begin(member, trial.point.own, *run);
   trial.begun = begun_with(*run);
-  RunRecording recording(run->plan());
-  RunOptions options;
+  record::RunRecording recording(run->plan());
+  run::RunOptions options;
   options.interrupt = source_.interrupt;
   options.observers = source_.observers;
-  static_cast<RunEnd&>(trial.result) =
-      run_simulation(*run, recording.recorders(), options, *changeover_, member, number_of(trial));
+  static_cast<run::RunEnd&>(trial.result) =
+      run::run_simulation(*run, recording.recorders(), options, *changeover_, member, number_of(trial));
   trial.result.recordings = recording.take();
   note_end(*run, trial);
   const auto& faults = trial.result.faults;
@@ -274,4 +276,4 @@ void TrialRuns::run(TrialRun& trial, const HandedOver& handed) {
   trial.attempts = request_.attempts;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::study

@@ -11,19 +11,19 @@
 #include "engine/analyse/study/study_request.hpp"
 #include "engine/simulate/run/run.hpp"
 
-namespace stepwire {
+namespace stepwire::study {
 
 /// The file whose runs are the trials, and how they are run.
 struct TrialSource {
-  Loader& loader;
+  diagram::Loader& loader;
   std::string file;
-  std::vector<Setting> settings;  ///< of the call
-  ExecutionMode engine =
-      ExecutionMode::interpreted;  ///< automatic: what is compiled beside the first runs serves the rest
-  CodeSource* code = nullptr;      ///< of what is not interpreted
-  unsigned threads = 0;            ///< 0: all cores
+  std::vector<diagram::Setting> settings;  ///< of the call
+  run::ExecutionMode engine =
+      run::ExecutionMode::interpreted;  ///< automatic: what is compiled beside the first runs serves the rest
+  plan::CodeSource* code = nullptr;     ///< of what is not interpreted
+  unsigned threads = 0;                 ///< 0: all cores
   const std::atomic<bool>* interrupt = nullptr;  ///< once true, nothing more is begun
-  std::vector<RunObserver*> observers{};         ///< of every attempt of every trial, by the trial's number
+  std::vector<run::RunObserver*> observers{};    ///< of every attempt of every trial, by the trial's number
 };
 
 /// Values of parameters in SI, by the parameters of StudyRequest::carry; a list has several numbers.
@@ -40,8 +40,8 @@ struct TrialRun {
   std::size_t attempts = 1;
   bool done = false;                    ///< by `stop_when`; else no attempt was
   std::vector<std::string> failures{};  ///< why each attempt before the last, or all of them, failed
-  SweepPoint point{};                   ///< of TrialRuns::family(): the settings of this run
-  RunResult result{};
+  run::SweepPoint point{};              ///< of TrialRuns::family(): the settings of this run
+  run::RunResult result{};
   CarriedNumbers begun{}, left{};                       ///< what it began with, and what it left
   double end = 0.0;                                     ///< when it was done [s]
   Eigen::Vector2d end_point = Eigen::Vector2d::Zero();  ///< and where [m], which need not be a recorded row
@@ -49,19 +49,19 @@ struct TrialRun {
 
 /// What a trial gets from those before it.
 struct HandedOver {
-  std::optional<Circle> circle;  ///< task 1, once it is fitted
-  std::vector<Setting> carried;  ///< none in the first trial
+  std::optional<statistics::Circle> circle;  ///< task 1, once it is fitted
+  std::vector<diagram::Setting> carried;     ///< none in the first trial
 };
 
 /// "subject 3, condition HV".
 std::string name_of(const TrialRun& trial, const StudyRequest& request);
 
 /// The studies that a file asks for: one for each point of its sweep, or the one without.
-std::size_t study_count(const Job& job);
+std::size_t study_count(const run::Job& job);
 /// The diagram of one of them, with the values of its point.
-Diagram diagram_of(const Job& job, std::size_t study);
+diagram::Diagram diagram_of(const run::Job& job, std::size_t study);
 /// What sets it apart: " with half_width=1 mm, offset=5 N"; empty where there is no sweep.
-std::string with_swept(const Job& job, std::size_t study);
+std::string with_swept(const run::Job& job, std::size_t study);
 
 /// Whole numbers below 1e9 that follow from others, each as if drawn: who the subject is, the noise of a
 /// trial, the order of the conditions.
@@ -72,41 +72,42 @@ class TrialRuns {
  public:
   /// `job` has the points of the sweep; it and the request must outlive the runs, of `experiments`
   /// experiments.
-  TrialRuns(TrialSource source, const StudyRequest& request, const Job& job, std::size_t experiments = 1);
+  TrialRuns(TrialSource source, const StudyRequest& request, const run::Job& job,
+            std::size_t experiments = 1);
 
   /// Runs a trial of which seed, study, subject, condition and practice are given. What is not done within
   /// the file's `stop`, or breaks off, is run again with another noise. From any thread, to the same bits.
   /// Throws Error where the diagram refuses what is set.
   void run(TrialRun& trial, const HandedOver& handed);
   /// What it leaves to the next one.
-  std::vector<Setting> carried(const TrialRun& trial) const;
+  std::vector<diagram::Setting> carried(const TrialRun& trial) const;
 
   bool interrupted() const { return source_.interrupt && *source_.interrupt; }
   unsigned threads() const { return source_.threads; }
   /// The plans of the trials.
-  const std::shared_ptr<PlanFamily>& family() const { return family_; }
+  const std::shared_ptr<run::PlanFamily>& family() const { return family_; }
 
  private:
-  std::vector<Setting> settings_of(const TrialRun& trial, const HandedOver& handed) const;
+  std::vector<diagram::Setting> settings_of(const TrialRun& trial, const HandedOver& handed) const;
   std::uint64_t noise_of(const TrialRun& trial) const;
   void plan(TrialRun& trial, const HandedOver& handed);
   void find_members();
-  std::vector<TieredExecution::Member> members() const;
+  std::vector<run::TieredExecution::Member> members() const;
   void compile_ahead();
   void find_member(TrialRun trial, HandedOver handed, double share);
   HandedOver file_values(const TrialRun& trial, double share) const;
   std::size_t number_of(const TrialRun& trial) const;
   void run_once(TrialRun& trial);
-  void note_end(const Executor& run, TrialRun& trial) const;
-  CarriedNumbers begun_with(const Executor& run) const;
+  void note_end(const run::Executor& run, TrialRun& trial) const;
+  CarriedNumbers begun_with(const run::Executor& run) const;
 
   TrialSource source_;
   const StudyRequest& request_;
-  const Job& job_;
-  std::shared_ptr<PlanFamily> family_;
-  IdleRuns idle_;
-  std::optional<TieredExecution> changeover_;
+  const run::Job& job_;
+  std::shared_ptr<run::PlanFamily> family_;
+  run::IdleRuns idle_;
+  std::optional<run::TieredExecution> changeover_;
   std::jthread ahead_;  ///< compiles beside the first trials; last: it uses the others
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::study

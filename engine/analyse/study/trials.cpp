@@ -9,7 +9,7 @@
 #include "engine/base/table/table_file.hpp"
 #include "engine/base/unit/unit.hpp"
 
-namespace stepwire {
+namespace stepwire::study {
 namespace {
 
 const std::array<const char*, 3> word_columns{"subject", "task", "condition"};
@@ -19,8 +19,9 @@ class TrialReader {
  public:
   explicit TrialReader(const std::string& path) : path_(path) {
     for (const char* name : word_columns) words_[name] = {};
-    table_ = read_csv(path, words_);
-    if (table_.rows() == 0) throw TableError(fmt::format("{}: there are no rows below the header", path));
+    table_ = table::read_csv(path, words_);
+    if (table_.rows() == 0)
+      throw table::TableError(fmt::format("{}: there are no rows below the header", path));
   }
 
   std::vector<Trial> read() {
@@ -38,12 +39,12 @@ class TrialReader {
 
  private:
   [[noreturn]] void fail(std::size_t row, const std::string& message) const {
-    throw TableError(fmt::format("{}:{}: {}", path_, row + 2, message));
+    throw table::TableError(fmt::format("{}:{}: {}", path_, row + 2, message));
   }
 
-  const Column& column(const std::string& name) const {
-    if (const Column* found = table_.find(name)) return *found;
-    throw TableError(
+  const table::Column& column(const std::string& name) const {
+    if (const table::Column* found = table_.find(name)) return *found;
+    throw table::TableError(
         fmt::format("{}:1: there is no column '{}'; trials have subject, task, condition, time [s], "
                     "x [mm], y [mm]",
                     path_, name));
@@ -58,12 +59,13 @@ class TrialReader {
       if (word(name, row).empty()) fail(row, fmt::format("the {} is missing", name));
   }
 
-  std::vector<double> in_si(const std::string& name, const Dimension& dimension, const char* usual) const {
-    const Column& source = column(name);
-    const auto unit = parse_unit(source.unit);
+  std::vector<double> in_si(const std::string& name, const unit::Dimension& dimension,
+                            const char* usual) const {
+    const table::Column& source = column(name);
+    const auto unit = unit::parse_unit(source.unit);
     if (source.unit.empty() || !unit || unit->dimension != dimension)
-      throw TableError(fmt::format("{}:1: the column '{}' needs a unit: '{} [{}]', not '{}'", path_, name,
-                                   name, usual, source.unit));
+      throw table::TableError(fmt::format("{}:1: the column '{}' needs a unit: '{} [{}]', not '{}'", path_,
+                                          name, name, usual, source.unit));
     std::vector<double> values;
     for (std::size_t row = 0; row < source.values.size(); ++row) {
       if (!std::isfinite(source.values[row])) fail(row, fmt::format("'{}' is no finite number", name));
@@ -101,19 +103,19 @@ class TrialReader {
   }
 
   const std::string& path_;
-  ColumnWords words_;
-  Table table_;
+  table::ColumnWords words_;
+  table::Table table_;
   std::map<std::string, std::size_t> lines_;  ///< where each trial starts
   std::vector<Trial> trials_;
 };
 
 /// Its columns without rows.
-Table table_of_trials(const std::vector<Column>& of_trials) {
-  Table table;
+table::Table table_of_trials(const std::vector<table::Column>& of_trials) {
+  table::Table table;
   for (const char* name : word_columns) table.columns.push_back({name, "", {}});
   table.columns.push_back({"time", "s", {}});
   for (const char* name : {"x", "y"}) table.columns.push_back({name, "mm", {}});
-  for (const Column& column : of_trials) table.columns.push_back({column.name, column.unit, {}});
+  for (const table::Column& column : of_trials) table.columns.push_back({column.name, column.unit, {}});
   return table;
 }
 
@@ -123,10 +125,10 @@ std::vector<Trial> read_trials(const std::string& path) {
   return TrialReader(path).read();
 }
 
-std::string trials_csv(const std::vector<Trial>& trials, const std::vector<Column>& of_trials) {
-  Table table = table_of_trials(of_trials);
-  ColumnWords words;
-  const Unit millimetre = *parse_unit("mm");
+std::string trials_csv(const std::vector<Trial>& trials, const std::vector<table::Column>& of_trials) {
+  table::Table table = table_of_trials(of_trials);
+  table::ColumnWords words;
+  const unit::Unit millimetre = *unit::parse_unit("mm");
   for (std::size_t number = 0; number < trials.size(); ++number) {
     const Trial& trial = trials[number];
     const std::array<std::string, 3> names{trial.subject, trial.task, trial.condition};
@@ -143,7 +145,7 @@ std::string trials_csv(const std::vector<Trial>& trials, const std::vector<Colum
         table.columns[6 + i].values.push_back(of_trials[i].values[number]);
     }
   }
-  return csv_text(table, words);
+  return table::csv_text(table, words);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::study

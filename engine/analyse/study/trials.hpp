@@ -6,13 +6,13 @@
 #include "engine/analyse/statistics/circle.hpp"
 #include "engine/base/table/table.hpp"
 
-namespace stepwire {
+namespace stepwire::study {
 
 /// One drawing of one person under one condition, simulated or recorded.
 struct Trial {
   std::string subject, task, condition;
-  std::vector<double> time;  ///< [s], rising
-  PlanePoints points;        ///< of the end-effector [m], one for each time
+  std::vector<double> time;        ///< [s], rising
+  statistics::PlanePoints points;  ///< of the end-effector [m], one for each time
 };
 
 /// Trials from a CSV file with the columns subject, task and condition (words), time, x and y in any units of
@@ -23,6 +23,6 @@ struct Trial {
 std::vector<Trial> read_trials(const std::string& path);
 
 /// The same file again: time [s], x [mm], y [mm], and columns of one value for each trial behind these.
-std::string trials_csv(const std::vector<Trial>& trials, const std::vector<Column>& of_trials = {});
+std::string trials_csv(const std::vector<Trial>& trials, const std::vector<table::Column>& of_trials = {});
 
-}  // namespace stepwire
+}  // namespace stepwire::study

@@ -9,7 +9,7 @@
 #include "engine/base/text/characters.hpp"
 #include "engine/base/yaml/error.hpp"
 
-namespace stepwire {
+namespace stepwire::cli {
 
 namespace {
 
@@ -20,13 +20,13 @@ struct BlocksCall {
 };
 
 std::string one_block(const BlocksCall& call, const BlockType& type) {
-  if (call.json) return block_json(type).text() + "\n";
-  return call.markdown ? block_markdown(type) : block_page(type);
+  if (call.json) return reference::block_json(type).text() + "\n";
+  return call.markdown ? reference::block_markdown(type) : reference::block_page(type);
 }
 
 std::string all_of(const BlocksCall& call, const Registry& registry) {
-  if (call.json) return blocks_json(registry).text() + "\n";
-  return call.markdown ? blocks_markdown(registry) : block_list(registry);
+  if (call.json) return reference::blocks_json(registry).text() + "\n";
+  return call.markdown ? reference::blocks_markdown(registry) : reference::block_list(registry);
 }
 
 ExitCode show_blocks(const BlocksCall& call, const Registry& registry) {
@@ -36,8 +36,8 @@ ExitCode show_blocks(const BlocksCall& call, const Registry& registry) {
   }
   const BlockType* type = registry.find(call.name);
   if (!type) {
-    complain("there is no block '{}'{}\n", visible(call.name),
-             plain(did_you_mean(call.name, registry.names(), "'stepwire blocks' lists them")));
+    complain("there is no block '{}'{}\n", text::visible(call.name),
+             yaml::plain(yaml::did_you_mean(call.name, registry.names(), "'stepwire blocks' lists them")));
     return ExitCode::wrong;
   }
   put_data(one_block(call, *type));
@@ -59,4 +59,4 @@ Verb blocks_verb() {
           "Example:\n  stepwire blocks PID\n  stepwire blocks --markdown > blocks.md", declare_blocks};
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

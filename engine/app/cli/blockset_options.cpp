@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <set>
 
-namespace stepwire {
+namespace stepwire::cli {
 
 namespace {
 
@@ -31,4 +31,4 @@ std::vector<std::string> BlocksetOptions::folders() const {
   return result;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

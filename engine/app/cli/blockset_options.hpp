@@ -7,7 +7,7 @@ namespace CLI {
 class App;
 }
 
-namespace stepwire {
+namespace stepwire::cli {
 
 /// The folders with blocks from outside that a call names. Code is only ever what the call or its environment
 /// names, never what a diagram file does.
@@ -22,4 +22,4 @@ class BlocksetOptions {
   std::vector<std::string> of_program_, of_verb_;  ///< before and behind the verb
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

@@ -5,17 +5,17 @@
 #include <CLI/CLI.hpp>
 #include <map>
 
-namespace stepwire {
+namespace stepwire::cli {
 
 namespace {
 
-const std::map<std::string, ExecutionMode> engines = {{"interpreted", ExecutionMode::interpreted},
-                                                      {"compiled", ExecutionMode::compiled},
-                                                      {"auto", ExecutionMode::automatic}};
+const std::map<std::string, run::ExecutionMode> engines = {{"interpreted", run::ExecutionMode::interpreted},
+                                                           {"compiled", run::ExecutionMode::compiled},
+                                                           {"auto", run::ExecutionMode::automatic}};
 
 }  // namespace
 
-void add_engine_option(CLI::App& verb, ExecutionMode& engine, const std::string& what) {
+void add_engine_option(CLI::App& verb, run::ExecutionMode& engine, const std::string& what) {
   const auto number_of = [](std::string& word) -> std::string {
     const auto known = engines.find(word);
     if (known == engines.end()) return fmt::format("must be auto, compiled or interpreted, not '{}'", word);
@@ -26,4 +26,4 @@ void add_engine_option(CLI::App& verb, ExecutionMode& engine, const std::string&
   option->transform(CLI::Validator(number_of, "", "engine"))->option_text("ENGINE");
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

@@ -8,9 +8,9 @@ namespace CLI {
 class App;
 }  // namespace CLI
 
-namespace stepwire {
+namespace stepwire::cli {
 
 /// Options that several verbs have.
-void add_engine_option(CLI::App& verb, ExecutionMode& engine, const std::string& what);
+void add_engine_option(CLI::App& verb, run::ExecutionMode& engine, const std::string& what);
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

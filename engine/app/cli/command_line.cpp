@@ -22,7 +22,7 @@
 #include "engine/base/yaml/error.hpp"
 #include "engine/simulate/blockset/blockset.hpp"
 
-namespace stepwire {
+namespace stepwire::cli {
 
 namespace {
 
@@ -35,9 +35,9 @@ class CommandLine {
     app_.require_subcommand(1);
     app_.failure_message([](const CLI::App*, const CLI::Error& error) {
       return fmt::format("stepwire: {}; stepwire --help and stepwire VERB --help tell more\n",
-                         visible(error.what()));
+                         text::visible(error.what()));
     });
-    app_.set_version_flag("--version", "stepwire " + program_version());
+    app_.set_version_flag("--version", "stepwire " + session::program_version());
     for (const Verb& verb : verbs()) {
       CLI::App* words = app_.add_subcommand(verb.name, verb.about);
       words->footer(verb.footer);
@@ -77,15 +77,16 @@ class CommandLine {
   }
 
   ExitCode load_blocks(Registry& registry) const {
-    ExitCode code = load("STEPWIRE_BLOCKS", [&] { load_blocksets_of_environment(registry); });
+    ExitCode code = load("STEPWIRE_BLOCKS", [&] { blockset::load_blocksets_of_environment(registry); });
     for (const std::string& folder : blocksets_.folders())
-      if (code == ExitCode::done) code = load("--blocks " + folder, [&] { load_blockset(folder, registry); });
+      if (code == ExitCode::done)
+        code = load("--blocks " + folder, [&] { blockset::load_blockset(folder, registry); });
     return code;
   }
 
   /// What is wrong with blocks that a call names is JSON where the results of its verb are.
   ExitCode load(const std::string& call, const std::function<void()>& blocks) const {
-    Json faults;
+    json::Json faults;
     const auto loaded = [&] {
       blocks();
       return ExitCode::done;
@@ -94,7 +95,8 @@ class CommandLine {
     const CLI::App* verb = app_.get_subcommands().front();
     const CLI::Option* json = verb->get_option_no_throw("--json");
     if (faults.is_list() && json && json->count() > 0)
-      say("{}\n", Json::list({Json::object().set("call", call).set("faults", std::move(faults))}).text());
+      say("{}\n",
+          json::Json::list({json::Json::object().set("call", call).set("faults", std::move(faults))}).text());
     return code;
   }
 
@@ -114,8 +116,9 @@ class CommandLine {
   static ExitCode refuse_verb(const std::string& word) {
     std::vector<std::string> names;
     for (const Verb& verb : verbs()) names.emplace_back(verb.name);
-    complain("stepwire: there is no '{}'{}\n", visible(word),
-             plain(did_you_mean(word, names, fmt::format("There are: {}", fmt::join(names, ", ")))));
+    complain(
+        "stepwire: there is no '{}'{}\n", text::visible(word),
+        yaml::plain(yaml::did_you_mean(word, names, fmt::format("There are: {}", fmt::join(names, ", ")))));
     return ExitCode::wrong;
   }
 
@@ -130,9 +133,9 @@ int run_command_line(int argc, char** argv, Registry (*blocks)()) {
   fill_standard_streams();
   catch_signals();
   const ExitCode code = guarded([&] { return CommandLine().run(argc, argv, blocks()); });
-  if (const std::string problem = take_cache_problem(); !problem.empty())
-    complain("the cache keeps nothing: {}\n", visible(problem));
+  if (const std::string problem = io::take_cache_problem(); !problem.empty())
+    complain("the cache keeps nothing: {}\n", text::visible(problem));
   return static_cast<int>(finish_output() ? code : worst(code, ExitCode::surroundings));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

@@ -10,7 +10,7 @@
 
 #include "engine/base/text/characters.hpp"
 
-namespace stepwire {
+namespace stepwire::cli {
 
 namespace {
 
@@ -28,11 +28,11 @@ void put_data(std::string_view data) {
 }
 
 void put_text(std::string_view text) {
-  put_data(visible_lines(text));
+  put_data(text::visible_lines(text));
 }
 
 void put_trouble(std::string_view text) {
-  const std::string shown = visible_lines(text);
+  const std::string shown = text::visible_lines(text);
   std::fwrite(shown.data(), 1, shown.size(), stderr);
 }
 
@@ -49,4 +49,4 @@ void fill_standard_streams() {
       const int filled = ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

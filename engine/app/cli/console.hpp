@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-namespace stepwire {
+namespace stepwire::cli {
 
 /// Puts data on the standard output, byte for byte. Neither this nor the others throw: a full disk or a
 /// reader who has left shows in finish_output().
@@ -33,4 +33,4 @@ bool finish_output();
 /// is printed. Such a stream takes nothing.
 void fill_standard_streams();
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

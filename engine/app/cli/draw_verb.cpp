@@ -7,35 +7,35 @@
 #include "engine/base/io/file.hpp"
 #include "engine/view/drawing/graph_faults.hpp"
 
-namespace stepwire {
+namespace stepwire::cli {
 
 namespace {
 
 struct DrawCall {
   std::string file;
-  GraphOptions options;
+  drawing::GraphOptions options;
   std::string out;    ///< file; empty: standard output
   bool json = false;  ///< the graph that is drawn, not the picture
 };
 
-void require_names(const DrawCall& call, const DiagramView& view) {
-  Faults faults;
-  for (const GraphFault& fault : faults_of(view, call.options))
+void require_names(const DrawCall& call, const drawing::DiagramView& view) {
+  yaml::Faults faults;
+  for (const drawing::GraphFault& fault : drawing::faults_of(view, call.options))
     faults.add({{call.file, {}}, "", fault.message, {}});
   faults.throw_if_any();
 }
 
 ExitCode draw(const DrawCall& call, const Registry& registry) {
-  Loader loader(registry);
-  const DrawnFile file(loader, call.file);
+  diagram::Loader loader(registry);
+  const drawing::DrawnFile file(loader, call.file);
   require_names(call, file.view());
   const EndDelay delay(EndDelay::Signals::first);
-  const Json graph = file.view().graph(call.options);
-  const std::string text = call.json ? graph.text() + "\n" : draw_picture(graph);
+  const json::Json graph = file.view().graph(call.options);
+  const std::string text = call.json ? graph.text() + "\n" : drawing::draw_picture(graph);
   if (call.out.empty()) {
     put_data(text);
   } else {
-    write_file(call.out, text);
+    io::write_file(call.out, text);
   }
   return ExitCode::done;
 }
@@ -64,4 +64,4 @@ Verb draw_verb() {
           "Example:\n  stepwire draw rig.yaml --open controller -o rig.svg", declare_draw};
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

@@ -1,20 +1,20 @@
 #include "engine/app/cli/exit_code.hpp"
 
-namespace stepwire {
+namespace stepwire::cli {
 
-ExitCode code_of(const Outcome& outcome) {
+ExitCode code_of(const session::Outcome& outcome) {
   if (outcome.result.interrupted) return ExitCode::interrupted;
   ExitCode code = outcome.result.faults.empty() ? ExitCode::done : ExitCode::wrong;
-  for (const Verdict& verdict : outcome.verdicts) {
+  for (const claim::Verdict& verdict : outcome.verdicts) {
     if (verdict.fails() && !outcome.early()) code = worst(code, ExitCode::fails);
     if (verdict.surprises()) code = worst(code, ExitCode::wrong);
   }
   return code;
 }
 
-ExitCode code_of(const FitResult& result) {
+ExitCode code_of(const estimation::FitResult& result) {
   if (result.interrupted) return ExitCode::interrupted;
   return result.refused ? ExitCode::wrong : ExitCode::done;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

@@ -3,7 +3,7 @@
 #include "engine/analyse/estimation/fit.hpp"
 #include "engine/app/session/outcome.hpp"
 
-namespace stepwire {
+namespace stepwire::cli {
 
 /// What scripts may rely on. Where several apply, the greatest but for 130 wins.
 enum class ExitCode {
@@ -19,8 +19,8 @@ inline ExitCode worst(ExitCode a, ExitCode b) {
 }
 
 /// How it went: claims that fail, claims that surprise, faults, interruption.
-ExitCode code_of(const Outcome& outcome);
+ExitCode code_of(const session::Outcome& outcome);
 /// Interrupted, refused by the diagram, or done.
-ExitCode code_of(const FitResult& result);
+ExitCode code_of(const estimation::FitResult& result);
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

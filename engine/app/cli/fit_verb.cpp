@@ -4,7 +4,7 @@
 #include "engine/app/cli/run_call.hpp"
 #include "engine/app/cli/verb.hpp"
 
-namespace stepwire {
+namespace stepwire::cli {
 
 namespace {
 
@@ -12,7 +12,7 @@ Action declare_fit(CLI::App& verb) {
   const auto call = std::make_shared<RunCall>();
   call->requires_section = "fit";
   add_run_options(verb, *call, "folder for parameters.yaml, fit.json and all that run writes");
-  FitCall& fit = call->fit;
+  session::FitCall& fit = call->fit;
   verb.add_option("--follow", fit.follow, "how many of the searches go on, in place of the file's")
       ->check(CLI::Range(1, 10'000));
   verb.add_option("--starts", fit.starts, "how many searches, in place of the file's")
@@ -29,4 +29,4 @@ Verb fit_verb() {
           "Example:\n  stepwire fit press.yaml --starts 8 --out out/press", declare_fit};
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

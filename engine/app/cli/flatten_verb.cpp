@@ -10,7 +10,7 @@
 #include "engine/base/io/file.hpp"
 #include "engine/model/diagram/flatten.hpp"
 
-namespace stepwire {
+namespace stepwire::cli {
 
 namespace {
 
@@ -26,14 +26,14 @@ ExitCode flatten(const FlattenCall& call, const Registry& registry) {
     complain("{} would be written over itself; give -o another name\n", call.file);
     return ExitCode::wrong;
   }
-  const LoadOptions options = load_options(call.words);
-  Loader loader(registry, options.limits);
-  const Plan plan = make_plan(loader.load(call.file, options.settings));
-  const std::string text = flattened_text(plan.diagram);
+  const session::LoadOptions options = load_options(call.words);
+  diagram::Loader loader(registry, options.limits);
+  const plan::Plan plan = plan::make_plan(loader.load(call.file, options.settings));
+  const std::string text = diagram::flattened_text(plan.diagram);
   if (call.out.empty())
     put_data(text);
   else
-    write_file(call.out, text);
+    io::write_file(call.out, text);
   return ExitCode::done;
 }
 
@@ -52,4 +52,4 @@ Verb flatten_verb() {
           "Example:\n  stepwire flatten rig.yaml --set rig.mass=2kg -o flat.yaml", declare_flatten};
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

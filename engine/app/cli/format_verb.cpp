@@ -7,7 +7,7 @@
 #include "engine/base/text/characters.hpp"
 #include "engine/base/yaml/error.hpp"
 
-namespace stepwire {
+namespace stepwire::cli {
 
 namespace {
 
@@ -18,18 +18,18 @@ struct FormatCall {
 
 ExitCode show_format(const FormatCall& call) {
   if (call.section.empty()) {
-    put_data(call.markdown ? formats_markdown() : format_list());
+    put_data(call.markdown ? reference::formats_markdown() : reference::format_list());
     return ExitCode::done;
   }
-  const Section* section = find_section(call.section);
+  const reference::Section* section = reference::find_section(call.section);
   if (!section) {
     std::vector<std::string> names;
-    for (const Section& one : format_sections()) names.push_back(one.name);
-    complain("there is no section '{}'{}\n", visible(call.section),
-             plain(did_you_mean(call.section, names, "'stepwire format' lists them")));
+    for (const reference::Section& one : reference::format_sections()) names.push_back(one.name);
+    complain("there is no section '{}'{}\n", text::visible(call.section),
+             yaml::plain(yaml::did_you_mean(call.section, names, "'stepwire format' lists them")));
     return ExitCode::wrong;
   }
-  put_data(call.markdown ? format_markdown(*section) : format_page(*section));
+  put_data(call.markdown ? reference::format_markdown(*section) : reference::format_page(*section));
   return ExitCode::done;
 }
 
@@ -47,4 +47,4 @@ Verb format_verb() {
           "Example:\n  stepwire format claims\n  stepwire format --markdown > format.md", declare_format};
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

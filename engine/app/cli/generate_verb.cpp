@@ -15,7 +15,7 @@
 #include "engine/simulate/codegen/program_files.hpp"
 #include "engine/simulate/replay/replay_folder.hpp"
 
-namespace stepwire {
+namespace stepwire::cli {
 
 namespace {
 
@@ -29,11 +29,11 @@ struct GenerateCall {
 };
 
 /// What of the file is no part of the program, as words; empty where it is all there.
-std::string left_out(const LoadedModel& model) {
+std::string left_out(const session::LoadedModel& model) {
   std::vector<std::string> parts;
   if (const auto& sweep = model.job.plan.diagram.sweep) {
     std::vector<std::string> names;
-    for (const Sweep::Axis& axis : sweep->axes)
+    for (const diagram::Sweep::Axis& axis : sweep->axes)
       if (!axis.label) names.push_back(axis.parameter);
     parts.push_back(
         fmt::format("the sweep of {0} (what is made has one value of each, the file's or that of --set)",
@@ -48,21 +48,22 @@ std::string left_out(const LoadedModel& model) {
 }
 
 ExitCode generate(const GenerateCall& call, const Registry& registry) {
-  const LoadedModel model = load_model(registry, call.file, load_options(call.words));
+  const session::LoadedModel model = session::load_model(registry, call.file, load_options(call.words));
   const std::string name = call.name.empty() ? std::filesystem::path(call.file).stem().string() : call.name;
-  const Tuning tuning = call.constant_parameters ? Tuning{} : tuning_of(model.job.plan);
-  const auto files =
-      program_files(model.job.plan, tuning, {name, "stepwire " + program_version(), call.c_interface});
-  const OwnedFolder owned(call.out, [&] { return files_read(model.job); });
+  const codegen::Tuning tuning =
+      call.constant_parameters ? codegen::Tuning{} : codegen::tuning_of(model.job.plan);
+  const auto files = codegen::program_files(
+      model.job.plan, tuning, {name, "stepwire " + session::program_version(), call.c_interface});
+  const io::OwnedFolder owned(call.out, [&] { return replay::files_read(model.job); });
   for (const auto& [path, text] : files) {
     const std::filesystem::path target = std::filesystem::path(call.out) / path;
-    require_folder(target.parent_path().string());
-    write_file(target.string(), text);
+    io::require_folder(target.parent_path().string());
+    io::write_file(target.string(), text);
   }
-  const std::string folder = shell_word(call.out), build = shell_word(call.out + "/build");
+  const std::string folder = text::shell_word(call.out), build = text::shell_word(call.out + "/build");
   say("{}: {} blocks written to {}; cmake -S {} -B {} && cmake --build {} makes a program\n", call.file,
       model.job.plan.blocks.size(), call.out, folder, build, build);
-  for (const FixedParameter& fixed : tuning.fixed)
+  for (const codegen::FixedParameter& fixed : tuning.fixed)
     say("  {} cannot be changed there: {}\n", fixed.name, fixed.reason);
   if (const std::string parts = left_out(model); !parts.empty()) fmt::print("  left out: {}\n", parts);
   fmt::print(
@@ -89,4 +90,4 @@ Verb generate_verb() {
           "Example:\n  stepwire generate controller.yaml -o controller", declare_generate};
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

@@ -11,9 +11,9 @@
 #include "engine/base/table/table_file.hpp"
 #include "engine/base/text/characters.hpp"
 
-namespace stepwire {
+namespace stepwire::cli {
 
-void print_faults(const RunResult& result) {
+void print_faults(const run::RunResult& result) {
   constexpr std::size_t max_shown = 10;
   const auto& faults = result.faults;
   for (std::size_t i = 0; i < std::min(faults.size(), max_shown); ++i)
@@ -22,21 +22,21 @@ void print_faults(const RunResult& result) {
     complain("and {} more runs of the sweep ended early\n", faults.size() - max_shown);
 }
 
-ExitCode guarded(const std::function<ExitCode()>& action, Json* faults) {
+ExitCode guarded(const std::function<ExitCode()>& action, json::Json* faults) {
   const auto refused = [&](std::string_view why, ExitCode code) {
     complain("{}\n", why);
-    if (faults) *faults = Json::list({Json::object().set("text", std::string(why))});
+    if (faults) *faults = json::Json::list({json::Json::object().set("text", std::string(why))});
     return code;
   };
   try {
     return action();
-  } catch (const Error& error) {
+  } catch (const yaml::Error& error) {
     complain("{}\n", error.what());
-    if (faults) *faults = faults_json(error.faults());
+    if (faults) *faults = session::faults_json(error.faults());
     return ExitCode::wrong;
-  } catch (const TableError& error) {
-    return refused(visible(error.what()), ExitCode::wrong);
-  } catch (const ProcessStopped&) {
+  } catch (const table::TableError& error) {
+    return refused(text::visible(error.what()), ExitCode::wrong);
+  } catch (const subprocess::ProcessStopped&) {
     return ExitCode::interrupted;
   } catch (const std::length_error&) {  // of a container: beyond any memory
     return refused("this run needs more memory than there can be", ExitCode::surroundings);
@@ -49,4 +49,4 @@ ExitCode guarded(const std::function<ExitCode()>& action, Json* faults) {
   }
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

@@ -5,7 +5,7 @@
 #include "engine/base/io/leftovers.hpp"
 #include "engine/base/subprocess/process.hpp"
 
-namespace stepwire {
+namespace stepwire::cli {
 
 namespace {
 
@@ -15,10 +15,10 @@ std::atomic<int> delays_of_first = 0, delays_of_all = 0;
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
 void handle(int signal) {
-  processes_stop() = true;
+  subprocess::processes_stop() = true;
   const bool is_first = !flag.exchange(true);
   if ((is_first && delays_of_first > 0) || delays_of_all > 0) return;
-  remove_leftovers();
+  io::remove_leftovers();
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
@@ -39,7 +39,7 @@ const std::atomic<bool>& interrupted() {
 }
 
 void catch_signals() {
-  processes_stop() = false;  // it is made before a handler needs it
+  subprocess::processes_stop() = false;  // it is made before a handler needs it
   for (const int signal : {SIGINT, SIGTERM}) catch_signal(signal);
   struct sigaction known {};
   ::sigaction(SIGHUP, nullptr, &known);
@@ -56,4 +56,4 @@ EndDelay::~EndDelay() {
   --count_;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

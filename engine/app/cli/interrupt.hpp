@@ -2,7 +2,7 @@
 
 #include <atomic>
 
-namespace stepwire {
+namespace stepwire::cli {
 
 /// Set by SIGINT (Ctrl-C), SIGTERM and SIGHUP after catch_signals(). Each of them ends the programs that run
 /// for this one, and then this process without its temporary files, unless an EndDelay exists.
@@ -26,4 +26,4 @@ class EndDelay {
   std::atomic<int>& count_;  ///< of those that exist for these signals
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

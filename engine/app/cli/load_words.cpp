@@ -4,26 +4,28 @@
 
 #include <CLI/CLI.hpp>
 
-namespace stepwire {
+namespace stepwire::cli {
 
 namespace {
 
-constexpr DocumentLimits large_limits{.bytes = std::size_t{512} << 20, .depth = 64, .nodes = 64'000'000};
+constexpr yaml::DocumentLimits large_limits{
+    .bytes = std::size_t{512} << 20, .depth = 64, .nodes = 64'000'000};
 
-Setting parse_setting(const std::string& text) {
+diagram::Setting parse_setting(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == 0 || equals == std::string::npos || equals + 1 == text.size())
-    throw Error(
-        Fault{{"--set " + text, {}}, "", "is no setting; write name=value, as --set rig.mass=2kg", {}});
+    throw yaml::Error(
+        yaml::Fault{{"--set " + text, {}}, "", "is no setting; write name=value, as --set rig.mass=2kg", {}});
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
-void append_file(const std::string& path, std::vector<Setting>& settings) {
-  const Document document = read_document(path);
+void append_file(const std::string& path, std::vector<diagram::Setting>& settings) {
+  const yaml::Document document = yaml::read_document(path);
   const char* const form = "a file of settings has lines such as 'rig.mass: 2 kg'";
-  if (!document.root.is_map()) throw Error(Fault{{path, document.root.mark}, "", form, {}});
-  for (const Entry& entry : document.root.entries) {
-    if (!entry.value.is_scalar()) throw Error(Fault{{path, entry.value.mark}, entry.key, form, {}});
+  if (!document.root.is_map()) throw yaml::Error(yaml::Fault{{path, document.root.mark}, "", form, {}});
+  for (const yaml::Entry& entry : document.root.entries) {
+    if (!entry.value.is_scalar())
+      throw yaml::Error(yaml::Fault{{path, entry.value.mark}, entry.key, form, {}});
     settings.push_back({entry.key, entry.value.text, path, entry.value.mark});
   }
 }
@@ -39,8 +41,8 @@ void add_load_options(CLI::App& verb, LoadWords& words) {
   verb.add_flag("--large", words.large, "read files above 8 MB, up to 512 MB");
 }
 
-LoadOptions load_options(const LoadWords& words) {
-  LoadOptions options;
+session::LoadOptions load_options(const LoadWords& words) {
+  session::LoadOptions options;
   for (const std::string& path : words.set_from) append_file(path, options.settings);
   for (const std::string& text : words.set) options.settings.push_back(parse_setting(text));
   if (!words.stop.empty()) options.stop = words.stop;
@@ -48,4 +50,4 @@ LoadOptions load_options(const LoadWords& words) {
   return options;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

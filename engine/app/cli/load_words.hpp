@@ -9,7 +9,7 @@ namespace CLI {
 class App;
 }
 
-namespace stepwire {
+namespace stepwire::cli {
 
 /// What a call says of reading diagram files: --set, --set-from, --large, and --stop where a verb has it.
 struct LoadWords {
@@ -24,6 +24,6 @@ void add_load_options(CLI::App& verb, LoadWords& words);
 
 /// Settings of files come first, so that the call's own win. Throws Error for what is not "name=value" and
 /// for a file that is no flat list of values, EnvironmentError for one that cannot be read.
-LoadOptions load_options(const LoadWords& words);
+session::LoadOptions load_options(const LoadWords& words);
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

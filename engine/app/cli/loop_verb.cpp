@@ -10,35 +10,35 @@
 #include "engine/app/report/loop_text.hpp"
 #include "engine/app/session/loop_run.hpp"
 
-namespace stepwire {
+namespace stepwire::cli {
 
 namespace {
 
-ExitCode code_of(const LoopOutcome& outcome) {
+ExitCode code_of_loop(const session::LoopOutcome& outcome) {
   switch (outcome.loop.end()) {
-    case Loop::End::stopped:
+    case realtime::Loop::End::stopped:
       return ExitCode::fails;
-    case Loop::End::interrupted:
+    case realtime::Loop::End::interrupted:
       return ExitCode::interrupted;
-    case Loop::End::fault:
+    case realtime::Loop::End::fault:
       return ExitCode::wrong;
-    case Loop::End::done:
+    case realtime::Loop::End::done:
       break;
   }
   return ExitCode::done;
 }
 
 /// What went wrong, on the standard error.
-ExitCode print_troubles(const LoopOutcome& outcome) {
-  ExitCode code = code_of(outcome);
+ExitCode print_troubles(const session::LoopOutcome& outcome) {
+  ExitCode code = code_of_loop(outcome);
   if (const auto fault = outcome.loop.simulation().fault()) complain("{}\n", fault->fault.text());
   if (!outcome.rows || outcome.rows->trouble.empty()) return code;
   complain("{}; {} rows are lost\n", outcome.rows->trouble, outcome.rows->lost_to_disk);
   return worst(code, ExitCode::surroundings);
 }
 
-void add_loop_options(CLI::App& verb, LoopCall& call) {
-  LoopWords& words = call.words;
+void add_loop_options(CLI::App& verb, session::LoopCall& call) {
+  session::LoopWords& words = call.words;
   verb.add_option("FILE", call.file, "a diagram file")->required();
   verb.add_option("--rate", words.rate, "how often the thread wakes [Hz]")->capture_default_str();
   verb.add_option("--duration", words.duration, "for how long [s]; the file's stop does not end it")
@@ -57,11 +57,11 @@ void add_loop_options(CLI::App& verb, LoopCall& call) {
   verb.add_flag("--baseline", call.baseline, "measure cyclictest by turns, and set it beside the loop");
 }
 
-ExitCode loop(const LoopCall& call, const Registry& registry) {
+ExitCode loop(const session::LoopCall& call, const Registry& registry) {
   const EndDelay delay(EndDelay::Signals::all);
   ExitCode code = ExitCode::done;
-  run_loop(call, registry, terminal_monitor(nullptr), [&](const LoopOutcome& outcome) {
-    put_text(loop_text(outcome));
+  session::run_loop(call, registry, terminal_monitor(nullptr), [&](const session::LoopOutcome& outcome) {
+    put_text(report::loop_text(outcome));
     code = print_troubles(outcome);
   });
   if (!call.out.empty()) say("  written to {}\n", call.out);
@@ -69,7 +69,7 @@ ExitCode loop(const LoopCall& call, const Registry& registry) {
 }
 
 Action declare_loop(CLI::App& verb) {
-  const auto call = std::make_shared<LoopCall>();
+  const auto call = std::make_shared<session::LoopCall>();
   const auto words = std::make_shared<LoadWords>();
   add_loop_options(verb, *call);
   add_load_options(verb, *words);
@@ -87,4 +87,4 @@ Verb loop_verb() {
           declare_loop};
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

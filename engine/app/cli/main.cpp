@@ -2,5 +2,5 @@
 #include "engine/app/cli/command_line.hpp"
 
 int main(int argc, char** argv) {
-  return stepwire::run_command_line(argc, argv, stepwire::blocks);
+  return stepwire::cli::run_command_line(argc, argv, stepwire::blocks);
 }

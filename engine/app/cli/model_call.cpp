@@ -7,7 +7,9 @@
 #include "engine/app/cli/interrupt.hpp"
 #include "engine/app/session/fault_json.hpp"
 
-namespace stepwire {
+namespace stepwire::cli {
+
+using json::Json;
 
 void add_model_options(CLI::App& verb, ModelCall& call) {
   verb.add_option("FILE", call.files, "diagram files")->required();
@@ -19,12 +21,12 @@ void add_model_options(CLI::App& verb, ModelCall& call) {
 
 ExitCode each_model(const ModelCall& call, const Registry& registry, const ModelAction& action) {
   Json results = Json::list();
-  LoadOptions options;
+  session::LoadOptions options;
   try {
     options = load_options(call.words);
-  } catch (const Error& error) {  // of no file alone
+  } catch (const yaml::Error& error) {  // of no file alone
     if (call.json)
-      say("{}\n", results.push(Json::object().set("faults", faults_json(error.faults()))).text());
+      say("{}\n", results.push(Json::object().set("faults", session::faults_json(error.faults()))).text());
     throw;
   }
   options.study = call.study;
@@ -34,7 +36,7 @@ ExitCode each_model(const ModelCall& call, const Registry& registry, const Model
     Json faults;
     const ExitCode one = guarded(
         [&] {
-          LoadedModel model = load_model(registry, file, options);
+          session::LoadedModel model = session::load_model(registry, file, options);
           return action(model, results);
         },
         &faults);
@@ -45,4 +47,4 @@ ExitCode each_model(const ModelCall& call, const Registry& registry, const Model
   return interrupted() ? ExitCode::interrupted : code;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

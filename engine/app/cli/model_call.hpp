@@ -8,13 +8,13 @@
 #include "engine/app/cli/load_words.hpp"
 #include "engine/base/json/json.hpp"
 
-namespace stepwire {
+namespace stepwire::cli {
 
 /// A call of a verb for several diagram files.
 struct ModelCall {
   std::vector<std::string> files;
   LoadWords words;
-  StudyWords study;  ///< in place of what a section `study` has
+  study::StudyWords study;  ///< in place of what a section `study` has
   bool units = false;
   bool json = false;
 };
@@ -23,10 +23,10 @@ struct ModelCall {
 void add_model_options(CLI::App& verb, ModelCall& call);
 
 /// What is done with one file; results for programs are pushed to the list.
-using ModelAction = std::function<ExitCode(LoadedModel& model, Json& results)>;
+using ModelAction = std::function<ExitCode(session::LoadedModel& model, json::Json& results)>;
 
 /// Loads one file after the other and does that with it, until interrupted. What is wrong with a file ends
 /// its own turn: it is printed, and with --json it stands in the results as {file, faults}.
 ExitCode each_model(const ModelCall& call, const Registry& registry, const ModelAction& action);
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

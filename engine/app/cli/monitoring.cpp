@@ -3,10 +3,10 @@
 #include "engine/app/cli/console.hpp"
 #include "engine/app/cli/interrupt.hpp"
 
-namespace stepwire {
+namespace stepwire::cli {
 
-Monitor terminal_monitor(Progress* progress) {
-  Monitor monitor;
+session::Monitor terminal_monitor(Progress* progress) {
+  session::Monitor monitor;
   monitor.interrupt = &interrupted();
   monitor.diagnostic = [](const std::string& text) { complain("{}\n", text); };
   if (progress)
@@ -16,4 +16,4 @@ Monitor terminal_monitor(Progress* progress) {
   return monitor;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

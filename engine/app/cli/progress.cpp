@@ -8,7 +8,7 @@
 
 #include "engine/base/text/characters.hpp"
 
-namespace stepwire {
+namespace stepwire::cli {
 
 namespace {
 
@@ -17,7 +17,7 @@ constexpr int width = 32;
 }  // namespace
 
 Progress::Progress(const std::string& label)
-    : label_(visible(label)), on_terminal_(isatty(STDERR_FILENO) == 1) {}
+    : label_(text::visible(label)), on_terminal_(isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
   if (on_terminal_ && last_permille_ >= 0) std::fputs("\r\x1b[K", stderr);
@@ -30,9 +30,9 @@ void Progress::show(double fraction, const std::string& what) {
   last_permille_ = std::max(permille, last_permille_);
   const int full = width * last_permille_ / 1000;
   const std::string bar = fmt::format("\r\x1b[K{} [{:=<{}}{: <{}}] {:3} % {}", label_, "", full, "",
-                                      width - full, last_permille_ / 10, visible(what));
+                                      width - full, last_permille_ / 10, text::visible(what));
   std::fputs(bar.c_str(), stderr);
   std::fflush(stderr);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

@@ -3,7 +3,7 @@
 #include <mutex>
 #include <string>
 
-namespace stepwire {
+namespace stepwire::cli {
 
 /// A bar on the standard error while something takes long; silent where that is no terminal.
 class Progress {
@@ -23,4 +23,4 @@ class Progress {
   std::mutex mutex_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

@@ -22,7 +22,9 @@
 #include "engine/simulate/replay/replay_folder.hpp"
 #include "engine/view/render/figure_file.hpp"
 
-namespace stepwire {
+namespace stepwire::cli {
+
+using json::Json;
 
 namespace {
 
@@ -45,15 +47,17 @@ bool folders_differ(const RunCall& call) {
   return true;
 }
 
-void require_section(const RunCall& call, const LoadedModel& model) {
-  const auto refuse = [&](const char* message) { throw Error(Fault{{model.file, {}}, "", message, {}}); };
+void require_section(const RunCall& call, const session::LoadedModel& model) {
+  const auto refuse = [&](const char* message) {
+    throw yaml::Error(yaml::Fault{{model.file, {}}, "", message, {}});
+  };
   if (call.requires_section == "fit" && !model.fit)
     refuse("has no section 'fit'; it names parameters and records");
   if (call.requires_section == "study" && !model.study)
     refuse("has no section 'study'; it names task, people and conditions");
 }
 
-std::string file_name(const LoadedModel& model) {
+std::string file_name(const session::LoadedModel& model) {
   return std::filesystem::path(model.file).filename().string();
 }
 
@@ -62,11 +66,11 @@ class FileRuns {
  public:
   FileRuns(const RunCall& call, const Registry& registry) : call_(call), session_(registry) {}
 
-  ExitCode carry_out(LoadedModel& model, Json& results) {
+  ExitCode carry_out(session::LoadedModel& model, Json& results) {
     require_section(call_, model);
     const EndDelay delay(EndDelay::Signals::first);
     const std::string folder = folder_of(call_, model.file);
-    const auto owned = own_results(folder, model);
+    const auto owned = session::own_results(folder, model);
     if (model.study) return study(model, folder, results);
     const ExitCode fitted = model.fit ? fit(model, folder, results) : ExitCode::done;
     return fitted == ExitCode::done ? run(model, folder, results) : fitted;
@@ -74,43 +78,43 @@ class FileRuns {
 
  private:
   /// Finds the parameters of the section `fit`, prints them, and loads the model with them.
-  ExitCode fit(LoadedModel& model, const std::string& folder, Json& results) {
-    FitCall call = call_.fit;
+  ExitCode fit(session::LoadedModel& model, const std::string& folder, Json& results) {
+    session::FitCall call = call_.fit;
     call.engine = call_.engine;
-    const FitResult result = [&] {
+    const estimation::FitResult result = [&] {
       const auto watch = watched("fit " + file_name(model));
       return session_.fit(model, call);
     }();
-    if (!folder.empty() && !result.records.empty()) write_fit(folder, model, result);
+    if (!folder.empty() && !result.records.empty()) session::write_fit(folder, model, result);
     if (call_.models.json)
-      results.push(Json::object().set("fit", fit_json(model, result)));
+      results.push(Json::object().set("fit", session::fit_json(model, result)));
     else
-      put_text(fit_text(result));
+      put_text(report::fit_text(result));
     const ExitCode code = code_of(result);
     if (code == ExitCode::done) model = session_.fitted(model, result);
     return code;
   }
 
-  ExitCode run(const LoadedModel& model, const std::string& folder, Json& results) {
+  ExitCode run(const session::LoadedModel& model, const std::string& folder, Json& results) {
     // Better now than after an hour, in which data files may change.
-    if (!folder.empty()) write_replay(folder, model.job);
-    const Outcome outcome = [&] {
+    if (!folder.empty()) replay::write_replay(folder, model.job);
+    const session::Outcome outcome = [&] {
       const auto watch = watched(file_name(model));
       return session_.run(model, call_.engine);
     }();
     print_faults(outcome.result);
-    if (!folder.empty()) write_outputs(folder, model, outcome);
-    const std::optional<Profile> profile = wanted_profile(model);
+    if (!folder.empty()) session::write_outputs(folder, model, outcome);
+    const std::optional<profile::Profile> profile = wanted_profile(model);
     if (profile && !folder.empty()) write_profile(folder, model, *profile);
     if (call_.models.json) {
-      Json result = run_json(model, outcome).set("claims", claims_json(model, outcome));
-      if (profile) result.set("profile", profile_json(*profile));
+      Json result = session::run_json(model, outcome).set("claims", session::claims_json(model, outcome));
+      if (profile) result.set("profile", report::profile_json(*profile));
       results.push(std::move(result));
       return code_of(outcome);
     }
-    if (call_.models.units) put_text(units_text(model.job.plan.diagram));
-    put_text(outcome_text(model, outcome));
-    if (profile) put_text(profile_text(model, *profile));
+    if (call_.models.units) put_text(report::units_text(model.job.plan.diagram));
+    put_text(report::outcome_text(model, outcome));
+    if (profile) put_text(report::profile_text(model, *profile));
     if (!folder.empty()) say("  written to {}\n", folder);
     return code_of(outcome);
   }
@@ -123,44 +127,45 @@ class FileRuns {
   }
 
   /// Measured behind the run, on a run of its own: what is recorded and judged is that of any other call.
-  std::optional<Profile> wanted_profile(const LoadedModel& model) const {
+  std::optional<profile::Profile> wanted_profile(const session::LoadedModel& model) const {
     if (!call_.profile || interrupted()) return std::nullopt;
-    return profile_of(model, &interrupted());
+    return report::profile_of(model, &interrupted());
   }
 
-  static void write_profile(const std::string& folder, const LoadedModel& model, const Profile& profile) {
-    write_file(folder + "/profile.csv", profile_csv(profile));
-    write_figure(folder, "profile", profile_figure(model, profile));
+  static void write_profile(const std::string& folder, const session::LoadedModel& model,
+                            const profile::Profile& profile) {
+    io::write_file(folder + "/profile.csv", report::profile_csv(profile));
+    render::write_figure(folder, "profile", report::profile_figure(model, profile));
   }
 
   /// Makes the study of the section `study`, in the place of a run.
-  ExitCode study(LoadedModel& model, const std::string& folder, Json& results) {
+  ExitCode study(session::LoadedModel& model, const std::string& folder, Json& results) {
     const auto experiments = [&] {
       const auto watch = watched("study " + file_name(model));
       return session_.study(model, {call_.engine, call_.study_threads, folder});
     }();
-    const Outcome outcome = study_outcome(model, *experiments);
+    const session::Outcome outcome = session::study_outcome(model, *experiments);
     if (outcome.result.interrupted) {  // nothing is kept of half an experiment
       if (!folder.empty() && model.study->experiments > 1)
         say("the experiments that are done are kept in {}; the same call goes on\n", folder);
       return ExitCode::interrupted;
     }
     if (!folder.empty()) {
-      write_outputs(folder, model, outcome);
-      write_study(folder, model, *experiments, outcome);
+      session::write_outputs(folder, model, outcome);
+      session::write_study(folder, model, *experiments, outcome);
     }
     if (call_.models.json) {
-      Json result = run_json(model, outcome).set("claims", claims_json(model, outcome));
-      results.push(result.set("study", study_json(model, *experiments)));
+      Json result = session::run_json(model, outcome).set("claims", session::claims_json(model, outcome));
+      results.push(result.set("study", session::study_json(model, *experiments)));
       return code_of(outcome);
     }
-    say("{}{}", study_text(model, *experiments), outcome_text(model, outcome));
+    say("{}{}", report::study_text(model, *experiments), report::outcome_text(model, outcome));
     if (!folder.empty()) say("  written to {}\n", folder);
     return code_of(outcome);
   }
 
   const RunCall& call_;
-  Session session_;
+  session::Session session_;
 };
 
 }  // namespace
@@ -175,8 +180,9 @@ void add_run_options(CLI::App& verb, RunCall& call, const std::string& out) {
 ExitCode run_models(const RunCall& call, const Registry& registry) {
   if (!folders_differ(call)) return ExitCode::wrong;
   FileRuns runs(call, registry);
-  return each_model(call.models, registry,
-                    [&](LoadedModel& model, Json& results) { return runs.carry_out(model, results); });
+  return each_model(call.models, registry, [&](session::LoadedModel& model, Json& results) {
+    return runs.carry_out(model, results);
+  });
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

@@ -7,16 +7,16 @@
 #include "engine/app/session/fitting.hpp"
 #include "engine/app/session/studies.hpp"
 
-namespace stepwire {
+namespace stepwire::cli {
 
 /// A call of `run`, `fit` or `study`.
 struct RunCall {
   ModelCall models;
   std::string out;  ///< folder; empty: nothing is written
-  ExecutionMode engine = ExecutionMode::automatic;
+  run::ExecutionMode engine = run::ExecutionMode::automatic;
   bool profile = false;          ///< measure what each block costs
   std::string requires_section;  ///< a file without this section is refused; empty: any file will do
-  FitCall fit;
+  session::FitCall fit;
   unsigned study_threads = 0;  ///< 0: all cores
 };
 
@@ -26,4 +26,4 @@ void add_run_options(CLI::App& verb, RunCall& call, const std::string& out);
 /// Runs the files; one with a fit is fitted first, and of one with a study the trials are run.
 ExitCode run_models(const RunCall& call, const Registry& registry);
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

@@ -4,7 +4,7 @@
 #include "engine/app/cli/run_call.hpp"
 #include "engine/app/cli/verb.hpp"
 
-namespace stepwire {
+namespace stepwire::cli {
 
 namespace {
 
@@ -24,4 +24,4 @@ Verb run_verb() {
           "Example:\n  stepwire run lag.yaml --set tau=0.2s --stop 2s --out out/lag", declare_run};
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

@@ -2,13 +2,13 @@
 #include "engine/app/cli/verb.hpp"
 #include "engine/app/reference/diagram_schema.hpp"
 
-namespace stepwire {
+namespace stepwire::cli {
 
 namespace {
 
 Action declare_schema(CLI::App&) {
   return [](const Registry& registry) {
-    say("{}\n", diagram_schema(registry).text());
+    say("{}\n", reference::diagram_schema(registry).text());
     return ExitCode::done;
   };
 }
@@ -22,4 +22,4 @@ Verb schema_verb() {
           declare_schema};
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

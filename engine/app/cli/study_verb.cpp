@@ -4,12 +4,12 @@
 #include "engine/app/cli/run_call.hpp"
 #include "engine/app/cli/verb.hpp"
 
-namespace stepwire {
+namespace stepwire::cli {
 
 namespace {
 
 void add_study_options(CLI::App& verb, RunCall& call) {
-  StudyWords& words = call.models.study;
+  study::StudyWords& words = call.models.study;
   verb.add_option("--subjects", words.subjects, "how many people, in place of the file's")
       ->check(CLI::Range(1, 1000));
   verb.add_option("--seed", words.seed, "who they are and all that is random, in place of the file's")
@@ -41,4 +41,4 @@ Verb study_verb() {
           declare_study};
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

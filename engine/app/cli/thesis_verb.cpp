@@ -13,20 +13,20 @@
 #include "engine/base/io/resources.hpp"
 #include "engine/base/text/characters.hpp"
 
-namespace stepwire {
+namespace stepwire::cli {
 
 namespace {
 
-void summarise(const std::vector<GalleryEntry>& entries) {
-  for (const GalleryEntry& entry : entries)
-    for (const Verdict& verdict : entry.verdicts)
+void summarise(const std::vector<gallery::GalleryEntry>& entries) {
+  for (const gallery::GalleryEntry& entry : entries)
+    for (const claim::Verdict& verdict : entry.verdicts)
       if (!verdict.holds)
-        say("{}: {}: {}: {} ({})\n", visible(entry.folder), verdict.word(), visible(verdict.that),
-            visible(verdict.shown), visible(verdict.check));
+        say("{}: {}: {}: {} ({})\n", text::visible(entry.folder), verdict.word(), text::visible(verdict.that),
+            text::visible(verdict.shown), text::visible(verdict.check));
 }
 
 /// Prints why a figure is not as it should be.
-ExitCode report(const ThesisFigure& figure) {
+ExitCode report(const thesis::ThesisFigure& figure) {
   return guarded([&] {
     if (figure.error) std::rethrow_exception(figure.error);
     print_faults(figure.outcome.result);
@@ -34,25 +34,27 @@ ExitCode report(const ThesisFigure& figure) {
   });
 }
 
-ExitCode thesis(const ThesisCall& call, const Registry& registry) {
+ExitCode thesis(const thesis::ThesisCall& call, const Registry& registry) {
   const EndDelay delay(EndDelay::Signals::first);
   ExitCode code = ExitCode::done;
-  const std::vector<GalleryEntry> entries = [&] {
+  const std::vector<gallery::GalleryEntry> entries = [&] {
     Progress progress("thesis");
-    return make_thesis(call, registry, terminal_monitor(&progress),
-                       [&](const ThesisFigure& figure) { code = worst(code, report(figure)); });
+    return thesis::make_thesis(
+        call, registry, terminal_monitor(&progress),
+        [&](const thesis::ThesisFigure& figure) { code = worst(code, report(figure)); });
   }();
   summarise(entries);
-  say("{} diagram files; see {}/index.html\n{}\n", entries.size(), call.out, gallery_verdict(entries));
+  say("{} diagram files; see {}/index.html\n{}\n", entries.size(), call.out,
+      gallery::gallery_verdict(entries));
   return interrupted() ? ExitCode::interrupted : code;
 }
 
 Action declare_thesis(CLI::App& verb) {
-  const auto call = std::make_shared<ThesisCall>();
+  const auto call = std::make_shared<thesis::ThesisCall>();
   verb.add_option("--only", call->only, "beginnings of file names, e.g. fig15,fig31")->delimiter(',');
   verb.add_option("--out", call->out, "folder of the page")->capture_default_str();
   return [call](const Registry& registry) {
-    call->diagrams = resource("diagrams") + "/thesis";
+    call->diagrams = io::resource("diagrams") + "/thesis";
     return thesis(*call, registry);
   };
 }
@@ -64,4 +66,4 @@ Verb thesis_verb() {
           "Example:\n  stepwire thesis --only fig15,fig31 --out out/thesis", declare_thesis};
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

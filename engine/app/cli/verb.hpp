@@ -10,7 +10,7 @@ namespace CLI {
 class App;
 }
 
-namespace stepwire {
+namespace stepwire::cli {
 
 /// What a call of a verb does, once its words are read.
 using Action = std::function<ExitCode(const Registry&)>;
@@ -26,4 +26,4 @@ struct Verb {
 /// All verbs, in the order of `stepwire --help`.
 const std::vector<Verb>& verbs();
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

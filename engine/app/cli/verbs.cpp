@@ -1,6 +1,6 @@
 #include "engine/app/cli/verb.hpp"
 
-namespace stepwire {
+namespace stepwire::cli {
 
 // Each stands in a file of its own: run_verb() in run_verb.cpp.
 Verb run_verb(), fit_verb(), study_verb(), check_verb(), flatten_verb(), generate_verb(), draw_verb(),
@@ -13,4 +13,4 @@ const std::vector<Verb>& verbs() {
   return all;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

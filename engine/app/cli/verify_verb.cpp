@@ -8,27 +8,27 @@
 #include "engine/app/session/recorded_study.hpp"
 #include "engine/simulate/replay/verify.hpp"
 
-namespace stepwire {
+namespace stepwire::cli {
 
 namespace {
 
 /// Trials that were recorded cannot be replayed; they are analysed again.
 ExitCode verify_analysis(const std::string& folder, const Registry& registry) {
-  const std::string difference = verify_recorded(folder, registry);
+  const std::string difference = session::verify_recorded(folder, registry);
   say("{}\n", difference.empty() ? folder + ": errors and tables of the recorded trials: all bits agree"
                                  : difference);
   return difference.empty() ? ExitCode::done : ExitCode::fails;
 }
 
 ExitCode verify_folder(const std::string& folder, const Registry& registry) {
-  if (has_recorded(folder, registry)) return verify_analysis(folder, registry);
-  const Verification verification = verify(folder, registry, &interrupted());
+  if (session::has_recorded(folder, registry)) return verify_analysis(folder, registry);
+  const replay::Verification verification = replay::verify(folder, registry, &interrupted());
   if (verification.interrupted) return ExitCode::interrupted;
   if (verification.difference.empty()) {
-    say("{}: {}\n", folder, verification_text(verification));
+    say("{}: {}\n", folder, replay::verification_text(verification));
     return ExitCode::done;
   }
-  say("{}\n", verification_text(verification));
+  say("{}\n", replay::verification_text(verification));
   return ExitCode::fails;
 }
 
@@ -55,4 +55,4 @@ Verb verify_verb() {
           "Example:\n  stepwire run lag.yaml --out out/lag && stepwire verify out/lag", declare_verify};
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::cli

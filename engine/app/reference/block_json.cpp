@@ -4,7 +4,9 @@
 #include "engine/app/reference/words.hpp"
 #include "engine/model/diagram/block_keys.hpp"
 
-namespace stepwire {
+namespace stepwire::reference {
+
+using json::Json;
 
 namespace {
 
@@ -89,7 +91,7 @@ Json output_json(const OutputSpec& spec) {
 
 Json state_json(const BlockType& type, const StateSpec& spec) {
   Json json = port_json(spec).set("continuous", spec.continuous).set("initial", spec.initial);
-  return json.set("key", spec.settable ? Json(initial_key(type, spec)) : Json());
+  return json.set("key", spec.settable ? Json(diagram::initial_key(type, spec)) : Json());
 }
 
 /// The values in which a preset differs from the defaults.
@@ -138,7 +140,7 @@ Json block_json(const BlockType& type) {
   json.set("states", list_json(type.states, [&](const auto& spec) { return state_json(type, spec); }));
   json.set("presets", list_json(type.presets, [&](const auto& spec) { return preset_json(type, spec); }));
   json.set("notices", list_json(type.diagnostics, diagnostic_json));
-  json.set("keys", Json::list_of(keys_of(type)));
+  json.set("keys", Json::list_of(diagram::keys_of(type)));
   return json.set("example", block_example(type));
 }
 
@@ -148,4 +150,4 @@ Json blocks_json(const Registry& registry) {
   return list;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::reference

@@ -8,7 +8,7 @@
 #include "engine/app/reference/sheet_text.hpp"
 #include "engine/app/reference/words.hpp"
 
-namespace stepwire {
+namespace stepwire::reference {
 
 namespace {
 
@@ -45,4 +45,4 @@ std::string blocks_markdown(const Registry& registry) {
   return index + pages;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::reference

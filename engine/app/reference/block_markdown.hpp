@@ -4,7 +4,7 @@
 
 #include "engine/model/block/registry.hpp"
 
-namespace stepwire {
+namespace stepwire::reference {
 
 /// Reference page of a block in Markdown; its heading is of the given level.
 std::string block_markdown(const BlockType& type, int level = 1);
@@ -12,4 +12,4 @@ std::string block_markdown(const BlockType& type, int level = 1);
 /// One document with an index by family and the pages of all blocks.
 std::string blocks_markdown(const Registry& registry);
 
-}  // namespace stepwire
+}  // namespace stepwire::reference

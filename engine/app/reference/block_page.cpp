@@ -8,7 +8,7 @@
 #include "engine/app/reference/sheet_text.hpp"
 #include "engine/app/reference/words.hpp"
 
-namespace stepwire {
+namespace stepwire::reference {
 
 std::string block_page(const BlockType& type) {
   const BlockReference sheet = reference_of(type);
@@ -33,4 +33,4 @@ std::string block_list(const Registry& registry) {
   return list;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::reference

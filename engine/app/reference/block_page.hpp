@@ -4,7 +4,7 @@
 
 #include "engine/model/block/registry.hpp"
 
-namespace stepwire {
+namespace stepwire::reference {
 
 /// Reference page of a block for a terminal.
 std::string block_page(const BlockType& type);
@@ -12,4 +12,4 @@ std::string block_page(const BlockType& type);
 /// Names of all blocks by family, each with the first sentence of its page.
 std::string block_list(const Registry& registry);
 
-}  // namespace stepwire
+}  // namespace stepwire::reference

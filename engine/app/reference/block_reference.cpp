@@ -6,7 +6,7 @@
 #include "engine/app/reference/words.hpp"
 #include "engine/model/diagram/block_keys.hpp"
 
-namespace stepwire {
+namespace stepwire::reference {
 
 namespace {
 
@@ -56,7 +56,7 @@ ReferenceTable states_of(const BlockType& type) {
     start.unit = state.unit;
     table.rows.push_back({state.name, state.continuous ? "continuous" : "discrete", unit_text(state.unit),
                           size_text(state.shape), value_text(start, {state.initial}),
-                          state.settable ? initial_key(type, state) : "", state.doc});
+                          state.settable ? diagram::initial_key(type, state) : "", state.doc});
   }
   return table;
 }
@@ -115,4 +115,4 @@ BlockReference reference_of(const BlockType& type) {
   return sheet;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::reference

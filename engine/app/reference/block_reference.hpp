@@ -6,7 +6,7 @@
 
 #include "engine/model/block/block_type.hpp"
 
-namespace stepwire {
+namespace stepwire::reference {
 
 /// One table of a reference page. The first column names things, the last explains them.
 struct ReferenceTable {
@@ -30,4 +30,4 @@ void drop_empty_columns(ReferenceTable& table);
 /// Gathers all that a declaration says.
 BlockReference reference_of(const BlockType& type);
 
-}  // namespace stepwire
+}  // namespace stepwire::reference

@@ -6,7 +6,9 @@
 #include "engine/app/reference/schema_values.hpp"
 #include "engine/app/reference/sections.hpp"
 
-namespace stepwire {
+namespace stepwire::reference {
+
+using json::Json;
 
 namespace {
 
@@ -33,4 +35,4 @@ Json diagram_schema(const Registry& registry) {
   return schema.set("$defs", std::move(definitions));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::reference

@@ -6,7 +6,7 @@
 
 #include "engine/app/reference/words.hpp"
 
-namespace stepwire {
+namespace stepwire::reference {
 
 namespace {
 
@@ -90,4 +90,4 @@ std::string block_example(const BlockType& type) {
   return line.size() < widest_line ? line + "}" : lines;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::reference

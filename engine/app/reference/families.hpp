@@ -6,7 +6,7 @@
 
 #include "engine/model/block/registry.hpp"
 
-namespace stepwire {
+namespace stepwire::reference {
 
 /// All blocks by folder; both in the order of the alphabet.
 inline std::map<std::string, std::vector<const BlockType*>> families_of(const Registry& registry) {
@@ -15,4 +15,4 @@ inline std::map<std::string, std::vector<const BlockType*>> families_of(const Re
   return families;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::reference

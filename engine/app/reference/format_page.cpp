@@ -7,13 +7,13 @@
 #include "engine/app/reference/key_words.hpp"
 #include "engine/app/reference/sheet_text.hpp"
 
-namespace stepwire {
+namespace stepwire::reference {
 
 namespace {
 
 /// What stands under its name, where that is no map of keys alone.
 std::string value_line(const Section& section) {
-  return section.form.form == Key::Form::keys ? "" : form_text(section.form);
+  return section.form.form == yaml::Key::Form::keys ? "" : form_text(section.form);
 }
 
 }  // namespace
@@ -51,4 +51,4 @@ std::string formats_markdown() {
   return page;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::reference

@@ -4,7 +4,7 @@
 
 #include "engine/app/reference/sections.hpp"
 
-namespace stepwire {
+namespace stepwire::reference {
 
 /// The keys of a section for a terminal: value, unit, range, default, meaning, and an example.
 std::string format_page(const Section& section);
@@ -16,4 +16,4 @@ std::string format_list();
 /// All sections as one page of Markdown.
 std::string formats_markdown();
 
-}  // namespace stepwire
+}  // namespace stepwire::reference

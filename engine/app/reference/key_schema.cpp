@@ -7,7 +7,9 @@
 
 #include "engine/app/reference/schema_values.hpp"
 
-namespace stepwire {
+namespace stepwire::reference {
+
+using json::Json;
 
 namespace {
 
@@ -20,13 +22,13 @@ Json scalar(const std::string& text) {
   return number == std::floor(number) ? Json(static_cast<int>(number)) : Json(number);
 }
 
-Json whole_schema(const Key& key) {
+Json whole_schema(const yaml::Key& key) {
   Json schema = typed("integer").set("minimum", static_cast<long>(key.least));
   if (std::isfinite(key.most)) schema.set("maximum", static_cast<long>(key.most));
   return schema;
 }
 
-Json number_schema(const Key& key) {
+Json number_schema(const yaml::Key& key) {
   const bool bounded = std::isfinite(key.least) || std::isfinite(key.most);
   if (!bounded) return schema_ref("number");
   if (key.unit == "s" && key.above && key.least == 0.0) return schema_ref("time");
@@ -36,24 +38,24 @@ Json number_schema(const Key& key) {
   return number_in(range);
 }
 
-Json word_schema(const Key& key) {
+Json word_schema(const yaml::Key& key) {
   Json words = Json::list();
   const bool explained_words =
-      std::ranges::any_of(key.words, [](const Key::Word& word) { return !word.doc.empty(); });
-  for (const Key::Word& word : key.words)
+      std::ranges::any_of(key.words, [](const yaml::Key::Word& word) { return !word.doc.empty(); });
+  for (const yaml::Key::Word& word : key.words)
     words.push(explained_words ? explained(Json::object().set("const", scalar(word.word)), word.doc)
                                : scalar(word.word));
   return Json::object().set(explained_words ? "anyOf" : "enum", std::move(words));
 }
 
-Json list_schema(const Key& key) {
+Json list_schema(const yaml::Key& key) {
   Json schema = list_of(key_schema(key.of.front()));
   if (key.least > 0) schema.set("minItems", static_cast<long>(key.least));
   if (std::isfinite(key.most)) schema.set("maxItems", static_cast<long>(key.most));
   return schema;
 }
 
-Json names_schema(const Key& key) {
+Json names_schema(const yaml::Key& key) {
   Json schema = typed("object");
   if (!key.pattern.empty()) schema.set("propertyNames", Json::object().set("pattern", key.pattern));
   if (key.least > 0) schema.set("minProperties", static_cast<long>(key.least));
@@ -66,9 +68,9 @@ Json required(const std::string& name) {
 }
 
 /// Exactly one key of each choice.
-Json choices_of(const Key& map) {
+Json choices_of(const yaml::Key& map) {
   std::map<std::string, Json> choices;
-  for (const Key& key : map.of)
+  for (const yaml::Key& key : map.of)
     if (!key.choice.empty()) choices[key.choice].push(required(key.name));
   Json all = Json::list();
   for (auto& [name, keys] : choices) all.push(Json::object().set("oneOf", std::move(keys)));
@@ -76,17 +78,17 @@ Json choices_of(const Key& map) {
 }
 
 /// Keys that stand beside one other.
-Json companions_of(const Key& map) {
+Json companions_of(const yaml::Key& map) {
   Json all;
-  for (const Key& key : map.of)
+  for (const yaml::Key& key : map.of)
     if (key.beside.size() == 1) all.set(key.name, Json::list({Json(key.beside.front())}));
   return all;
 }
 
-Json map_schema(const Key& map) {
+Json map_schema(const yaml::Key& map) {
   Json properties = Json::object();
   std::vector<std::string> needed;
-  for (const Key& key : map.of) {
+  for (const yaml::Key& key : map.of) {
     properties.set(key.name, key_schema(key));
     if (key.required) needed.push_back(key.name);
   }
@@ -99,15 +101,15 @@ Json map_schema(const Key& map) {
   return schema;
 }
 
-Json either_schema(const Key& key) {
+Json either_schema(const yaml::Key& key) {
   std::vector<Json> forms;
-  for (const Key& form : key.of) forms.push_back(key_schema(form));
+  for (const yaml::Key& form : key.of) forms.push_back(key_schema(form));
   return any_of(std::move(forms));
 }
 
 /// The schemas of forms that are the same in every key.
-const std::map<Key::Form, Json>& fixed_schemas() {
-  using Form = Key::Form;
+const std::map<yaml::Key::Form, Json>& fixed_schemas() {
+  using Form = yaml::Key::Form;
   static const std::map<Form, Json> schemas{
       {Form::text, schema_ref("text")},
       {Form::truth, typed("boolean")},
@@ -121,8 +123,8 @@ const std::map<Key::Form, Json>& fixed_schemas() {
   return schemas;
 }
 
-Json form_schema(const Key& key) {
-  using Form = Key::Form;
+Json form_schema(const yaml::Key& key) {
+  using Form = yaml::Key::Form;
   switch (key.form) {
     case Form::string:
       return key.pattern.empty() ? typed("string") : typed("string").set("pattern", key.pattern);
@@ -149,14 +151,14 @@ Json form_schema(const Key& key) {
 
 }  // namespace
 
-Json key_schema(const Key& key) {
+Json key_schema(const yaml::Key& key) {
   Json schema = form_schema(key);
   if (!key.doc.empty()) schema.set("description", key.doc);
-  const bool plain = key.form == Key::Form::truth || key.form == Key::Form::word ||
-                     key.form == Key::Form::whole || key.form == Key::Form::text ||
-                     (key.form == Key::Form::number && key.unit.empty());
+  const bool plain = key.form == yaml::Key::Form::truth || key.form == yaml::Key::Form::word ||
+                     key.form == yaml::Key::Form::whole || key.form == yaml::Key::Form::text ||
+                     (key.form == yaml::Key::Form::number && key.unit.empty());
   if (plain && !key.otherwise.empty()) schema.set("default", scalar(key.otherwise));
   return schema;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::reference

@@ -3,9 +3,9 @@
 #include "engine/base/json/json.hpp"
 #include "engine/base/yaml/key.hpp"
 
-namespace stepwire {
+namespace stepwire::reference {
 
 /// What may stand behind a key, or has its form, with its explanation.
-Json key_schema(const Key& key);
+json::Json key_schema(const yaml::Key& key);
 
-}  // namespace stepwire
+}  // namespace stepwire::reference

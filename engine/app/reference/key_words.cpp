@@ -6,11 +6,11 @@
 #include <cmath>
 #include <map>
 
-namespace stepwire {
+namespace stepwire::reference {
 
 namespace {
 
-using Form = Key::Form;
+using Form = yaml::Key::Form;
 
 /// What forms are called that are the same in every key.
 const std::map<Form, std::string>& fixed_words() {
@@ -29,55 +29,55 @@ const std::map<Form, std::string>& fixed_words() {
   return words;
 }
 
-std::string either_text(const Key& key) {
+std::string either_text(const yaml::Key& key) {
   std::vector<std::string> forms;
-  for (const Key& form : key.of)
+  for (const yaml::Key& form : key.of)
     if (const std::string text = form_text(form); std::ranges::find(forms, text) == forms.end())
       forms.push_back(text);
   return fmt::format("{}", fmt::join(forms, ", or "));
 }
 
-std::string list_text(const Key& key) {
+std::string list_text(const yaml::Key& key) {
   const std::string item = form_text(key.of.front());
   return key.least == 2 && key.most == 2 ? "two of " + item : "list of " + item;
 }
 
-std::string default_of(const Key& key) {
+std::string default_of(const yaml::Key& key) {
   if (key.required) return "required";
   return key.choice.empty() ? key.otherwise : fmt::format("one {}", key.choice);
 }
 
-std::string meaning_of(const Key& key) {
+std::string meaning_of(const yaml::Key& key) {
   if (key.beside.empty()) return key.doc;
   return fmt::format("{}; beside {}", key.doc, fmt::join(key.beside, " or "));
 }
 
-void add_tables(const Key& form, const std::string& path, std::vector<ReferenceTable>& tables);
+void add_tables(const yaml::Key& form, const std::string& path, std::vector<ReferenceTable>& tables);
 
 /// Tables of what is inside of a form.
-void add_inner(const Key& form, const std::string& path, std::vector<ReferenceTable>& tables) {
+void add_inner(const yaml::Key& form, const std::string& path, std::vector<ReferenceTable>& tables) {
   const std::string inner = form.form == Form::names ? path + ".NAME" : path;
-  for (const Key& one : form.of) add_tables(one, inner, tables);
+  for (const yaml::Key& one : form.of) add_tables(one, inner, tables);
 }
 
-ReferenceTable keys_of(const Key& map, const std::string& path) {
+ReferenceTable keys_of(const yaml::Key& map, const std::string& path) {
   ReferenceTable table{
       path.empty() ? "Keys" : "Keys of " + path, {"key", "value", "unit", "range", "default", "meaning"}, {}};
-  std::vector<Key> keys = map.of;
+  std::vector<yaml::Key> keys = map.of;
   keys.insert(keys.end(), map.rest.begin(), map.rest.end());
-  for (const Key& key : keys)
+  for (const yaml::Key& key : keys)
     table.rows.push_back(
         {key.name, form_text(key), key.unit, range_text(key), default_of(key), meaning_of(key)});
   return table;
 }
 
-ReferenceTable words_of(const Key& key, const std::string& path) {
+ReferenceTable words_of(const yaml::Key& key, const std::string& path) {
   ReferenceTable table{"Words of " + path, {"word", "meaning"}, {}};
-  for (const Key::Word& word : key.words) table.rows.push_back({word.word, word.doc});
+  for (const yaml::Key::Word& word : key.words) table.rows.push_back({word.word, word.doc});
   return table;
 }
 
-void add_tables(const Key& form, const std::string& path, std::vector<ReferenceTable>& tables) {
+void add_tables(const yaml::Key& form, const std::string& path, std::vector<ReferenceTable>& tables) {
   if (form.form == Form::word && !form.words.empty() && !form.words.front().doc.empty())
     tables.push_back(words_of(form, path));
   if (form.form != Form::keys) return add_inner(form, path, tables);
@@ -88,14 +88,14 @@ void add_tables(const Key& form, const std::string& path, std::vector<ReferenceT
   };
   if (std::ranges::any_of(tables, is_same)) return;  // a map, or a list of such maps
   tables.push_back(std::move(table));
-  std::vector<Key> keys = form.of;
+  std::vector<yaml::Key> keys = form.of;
   keys.insert(keys.end(), form.rest.begin(), form.rest.end());
-  for (const Key& key : keys) add_tables(key, path.empty() ? key.name : path + "." + key.name, tables);
+  for (const yaml::Key& key : keys) add_tables(key, path.empty() ? key.name : path + "." + key.name, tables);
 }
 
 }  // namespace
 
-std::string range_text(const Key& key) {
+std::string range_text(const yaml::Key& key) {
   const bool number = key.form == Form::whole || key.form == Form::number || key.form == Form::computed;
   if (!number) return "";
   const bool low = std::isfinite(key.least), high = std::isfinite(key.most);
@@ -106,12 +106,12 @@ std::string range_text(const Key& key) {
   return "";
 }
 
-std::string form_text(const Key& key) {
+std::string form_text(const yaml::Key& key) {
   switch (key.form) {
     case Form::string:
       return key.pattern.empty() ? "name or path" : "\"#rrggbb\"";
     case Form::word:
-      return fmt::format("{}", fmt::join(stepwire::words_of(key), " | "));
+      return fmt::format("{}", fmt::join(stepwire::yaml::words_of(key), " | "));
     case Form::list:
       return list_text(key);
     case Form::names:
@@ -125,10 +125,10 @@ std::string form_text(const Key& key) {
   }
 }
 
-std::vector<ReferenceTable> key_tables(const Key& form) {
+std::vector<ReferenceTable> key_tables(const yaml::Key& form) {
   std::vector<ReferenceTable> tables;
   add_tables(form, "", tables);
   return tables;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::reference

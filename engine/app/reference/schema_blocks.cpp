@@ -6,7 +6,9 @@
 #include "engine/app/reference/words.hpp"
 #include "engine/model/diagram/block_keys.hpp"
 
-namespace stepwire {
+namespace stepwire::reference {
+
+using json::Json;
 
 namespace {
 
@@ -51,7 +53,7 @@ Json type_schema(const BlockType& type) {
     if (parameter.required) required.push_back(parameter.name);
   }
   for (const StateSpec& state : type.states)
-    if (state.settable) properties.set(initial_key(type, state), initial_schema(state));
+    if (state.settable) properties.set(diagram::initial_key(type, state), initial_schema(state));
   if (!type.presets.empty()) properties.set("preset", preset_schema(type));
   if (!type.has_continuous_state())
     properties.set("every", explained(schema_ref("time"),
@@ -97,4 +99,4 @@ void add_block_definitions(const Registry& registry, Json& definitions) {
   definitions.set("block", block.set("allOf", std::move(choices)));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::reference

@@ -3,10 +3,10 @@
 #include "engine/base/json/json.hpp"
 #include "engine/model/block/registry.hpp"
 
-namespace stepwire {
+namespace stepwire::reference {
 
 /// Adds one definition for each block ("block.Lag"), one for a part, and "block", which picks by the key
 /// `block`.
-void add_block_definitions(const Registry& registry, Json& definitions);
+void add_block_definitions(const Registry& registry, json::Json& definitions);
 
-}  // namespace stepwire
+}  // namespace stepwire::reference

@@ -4,14 +4,16 @@
 #include "engine/app/reference/schema_values.hpp"
 #include "engine/view/plot/figure.hpp"
 
-namespace stepwire {
+namespace stepwire::reference {
+
+using json::Json;
 
 namespace {
 
 /// Picks the plot's own definition by the key `plot`.
-Json plot_choice(const std::string& prefix, const std::vector<Key>& plots) {
+Json plot_choice(const std::string& prefix, const std::vector<yaml::Key>& plots) {
   Json names = Json::list(), choices = Json::list();
-  for (const Key& kind : plots) {
+  for (const yaml::Key& kind : plots) {
     names.push(constant(kind.name, kind.doc));
     Json properties = Json::object().set("plot", Json::object().set("const", kind.name));
     Json condition =
@@ -25,7 +27,7 @@ Json plot_choice(const std::string& prefix, const std::vector<Key>& plots) {
 }
 
 Json series_schema() {
-  return explained(any_of({schema_ref("expression"), key_schema(series_form())}),
+  return explained(any_of({schema_ref("expression"), key_schema(query::series_form())}),
                    "an expression over recorded columns, in the unit wanted: rig.x in mm");
 }
 
@@ -33,13 +35,14 @@ Json series_schema() {
 
 void add_figure_definitions(Json& definitions) {
   definitions.set("series", series_schema());
-  for (const Key& plot : plot_forms(true)) definitions.set("plot." + plot.name, key_schema(plot));
-  for (const Key& plot : plot_forms(false)) definitions.set("panel." + plot.name, key_schema(plot));
-  definitions.set("panel", plot_choice("panel.", plot_forms(false)));
-  definitions.set("plot", plot_choice("plot.", plot_forms(true)));
-  definitions.set("panels", key_schema(picture_form()));
+  for (const yaml::Key& plot : plot::plot_forms(true)) definitions.set("plot." + plot.name, key_schema(plot));
+  for (const yaml::Key& plot : plot::plot_forms(false))
+    definitions.set("panel." + plot.name, key_schema(plot));
+  definitions.set("panel", plot_choice("panel.", plot::plot_forms(false)));
+  definitions.set("plot", plot_choice("plot.", plot::plot_forms(true)));
+  definitions.set("panels", key_schema(plot::picture_form()));
   Json figure = Json::object().set("if", Json::object().set("required", Json::list({"panels"})));
   definitions.set("figure", figure.set("then", schema_ref("panels")).set("else", schema_ref("plot")));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::reference

@@ -5,7 +5,9 @@
 #include "engine/app/reference/block_json.hpp"
 #include "engine/app/reference/words.hpp"
 
-namespace stepwire {
+namespace stepwire::reference {
+
+using json::Json;
 
 namespace {
 
@@ -165,4 +167,4 @@ void add_value_definitions(Json& definitions) {
   definitions.set("file", explained(typed("string"), "a path beside this file"));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::reference

@@ -2,7 +2,7 @@
 
 #include <map>
 
-namespace stepwire {
+namespace stepwire::reference {
 
 namespace {
 
@@ -131,4 +131,4 @@ std::string example_of(const std::string& section) {
   return found == examples().end() ? "" : found->second;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::reference

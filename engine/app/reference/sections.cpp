@@ -11,43 +11,43 @@
 #include "engine/view/plot/figure.hpp"
 #include "engine/view/scene/scene.hpp"
 
-namespace stepwire {
+namespace stepwire::reference {
 
 namespace {
 
 /// The head, with the solvers that there are.
-Key whole_head() {
-  Key head = head_form();
-  for (Key& row : head.of) {
+yaml::Key whole_head() {
+  yaml::Key head = diagram::head_form();
+  for (yaml::Key& row : head.of) {
     if (row.name != "solver") continue;
-    std::vector<Key::Word> solvers;
-    for (const SolverKind& kind : solver_kinds()) solvers.push_back({kind.name, kind.doc});
-    row = key(row.name, row.doc, form::words(std::move(solvers)));
+    std::vector<yaml::Key::Word> solvers;
+    for (const solve::SolverKind& kind : solve::solver_kinds()) solvers.push_back({kind.name, kind.doc});
+    row = yaml::key(row.name, row.doc, yaml::form::words(std::move(solvers)));
   }
   return head;
 }
 
 std::string doc_of(const std::string& name) {
-  return head_form().find(name)->doc;
+  return diagram::head_form().find(name)->doc;
 }
 
 std::vector<Section> all_sections() {
   std::vector<Section> all{
       {"head", "", "what stands at the top of a diagram file", whole_head(), example_of("head")}};
-  const auto add = [&](const std::string& name, const std::string& definition, const Key& form) {
+  const auto add = [&](const std::string& name, const std::string& definition, const yaml::Key& form) {
     all.push_back({name, definition, doc_of(name), form, example_of(name)});
   };
-  add("parameters", "parameter", parameter_form());
-  add("inputs", "input", input_form());
-  add("outputs", "output", output_form());
-  add("record", "record", record_form());
-  add("sweep", "sweep", sweep_form());
-  add("figure", "", figure_form());
-  add("scene", "scene", scene_form());
-  add("claims", "claim", claim_form());
-  add("fit", "fit", fit_form());
-  add("study", "study", study_form());
-  for (const Key& plot : plot_forms(true))
+  add("parameters", "parameter", diagram::parameter_form());
+  add("inputs", "input", diagram::input_form());
+  add("outputs", "output", diagram::output_form());
+  add("record", "record", diagram::record_form());
+  add("sweep", "sweep", diagram::sweep_form());
+  add("figure", "", plot::figure_form());
+  add("scene", "scene", scene::scene_form());
+  add("claims", "claim", claim::claim_form());
+  add("fit", "fit", estimation::fit_form());
+  add("study", "study", study::study_form());
+  for (const yaml::Key& plot : plot::plot_forms(true))
     all.push_back({"figure." + plot.name, "", plot.doc, plot, example_of("figure." + plot.name)});
   return all;
 }
@@ -66,4 +66,4 @@ const Section* find_section(const std::string& name) {
   return found == format_sections().end() ? nullptr : &*found;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::reference

@@ -5,14 +5,14 @@
 
 #include "engine/base/yaml/key.hpp"
 
-namespace stepwire {
+namespace stepwire::reference {
 
 /// A section of the format, or what stands in one many times.
 struct Section {
   std::string name;        ///< as `stepwire format` takes it: "claims"
   std::string definition;  ///< in the schema, which other sections refer to: "claim"; empty: it has none
   std::string doc;
-  Key form;
+  yaml::Key form;
   std::string example;  ///< a file, or what is added to the example of the head
 };
 
@@ -22,4 +22,4 @@ const std::vector<Section>& format_sections();
 /// The section of a name or of a definition, or nullptr.
 const Section* find_section(const std::string& name);
 
-}  // namespace stepwire
+}  // namespace stepwire::reference

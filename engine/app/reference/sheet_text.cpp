@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace stepwire {
+namespace stepwire::reference {
 
 namespace {
 
@@ -106,4 +106,4 @@ std::string table_markdown(const ReferenceTable& table, const std::string& marks
   return text;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::reference

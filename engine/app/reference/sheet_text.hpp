@@ -4,7 +4,7 @@
 
 #include "engine/app/reference/block_reference.hpp"
 
-namespace stepwire {
+namespace stepwire::reference {
 
 constexpr std::size_t page_width = 100;
 
@@ -26,4 +26,4 @@ std::string table_markdown(const ReferenceTable& table, const std::string& marks
 /// A text that means no markup.
 std::string escaped(const std::string& text);
 
-}  // namespace stepwire
+}  // namespace stepwire::reference

@@ -7,7 +7,7 @@
 
 #include "engine/base/unit/unit.hpp"
 
-namespace stepwire {
+namespace stepwire::reference {
 
 namespace {
 
@@ -32,7 +32,7 @@ bool begins_word(const std::string& name, std::size_t i) {
 /// A number in the unit of its parameter, which is not written behind it.
 std::string bare_text(const ParameterSpec& spec, double value) {
   if (!std::isfinite(value)) return "none";
-  const auto unit = parse_unit(fixed_unit(spec.unit));
+  const auto unit = unit::parse_unit(fixed_unit(spec.unit));
   return fmt::format("{}", unit ? unit->from_si(value) : value);
 }
 
@@ -185,4 +185,4 @@ std::string feedthrough_text(const BlockType& type) {
   return fmt::format("the outputs depend at the same instant on {}", fmt::join(names, ", "));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::reference

@@ -4,7 +4,7 @@
 
 #include "engine/model/block/block_type.hpp"
 
-namespace stepwire {
+namespace stepwire::reference {
 
 /// "MRDamper" as a name in files: "mr_damper"; "LookupTable2D" is "lookup_table_2d".
 std::string snake_case(const std::string& name);
@@ -37,4 +37,4 @@ std::string timing_text(Timing timing);
 /// Which inputs the outputs depend on at the same instant.
 std::string feedthrough_text(const BlockType& type);
 
-}  // namespace stepwire
+}  // namespace stepwire::reference

@@ -9,7 +9,7 @@
 #include "engine/app/session/fitting.hpp"
 #include "engine/base/text/characters.hpp"
 
-namespace stepwire {
+namespace stepwire::report {
 
 namespace {
 
@@ -18,9 +18,10 @@ constexpr double strong = 0.95;  // a correlation that people should know of
 /// A number in the unit of its author.
 class Shown {
  public:
-  explicit Shown(const FittedNumber& number) : unit_(parse_unit(number.unit).value_or(Unit{})) {
-    name_ = number.unit.empty() && number.dimension && *number.dimension != Dimension{}
-                ? si_name(*number.dimension)
+  explicit Shown(const estimation::FittedNumber& number)
+      : unit_(unit::parse_unit(number.unit).value_or(unit::Unit{})) {
+    name_ = number.unit.empty() && number.dimension && *number.dimension != unit::Dimension{}
+                ? unit::si_name(*number.dimension)
                 : number.unit;
   }
   double value(double si) const { return unit_.from_si(si); }
@@ -28,24 +29,24 @@ class Shown {
   const std::string& unit() const { return name_; }
 
  private:
-  Unit unit_;
+  unit::Unit unit_;
   std::string name_;
 };
 
-std::string number_line(const FittedNumber& number, std::size_t width) {
+std::string number_line(const estimation::FittedNumber& number, std::size_t width) {
   const Shown shown(number);
   const std::string unit = shown.unit().empty() ? "" : " " + shown.unit();
-  const std::string value = short_number(shown.value(number.value), 6) + unit;
+  const std::string value = query::short_number(shown.value(number.value), 6) + unit;
   if (number.at_bound)  // an interval would reach beyond what was allowed
     return fmt::format("  {:<{}}  {:<22} at its bound\n", number.title(), width, value);
   if (!std::isfinite(number.standard_error))
     return fmt::format("  {:<{}}  {}\n", number.title(), width, value);
   return fmt::format("  {:<{}}  {:<22} +- {:.2g} (95 %: {} to {})\n", number.title(), width, value,
-                     shown.width(number.standard_error), short_number(shown.value(number.low), 6),
-                     short_number(shown.value(number.high), 6));
+                     shown.width(number.standard_error), query::short_number(shown.value(number.low), 6),
+                     query::short_number(shown.value(number.high), 6));
 }
 
-std::string correlations(const FitResult& result) {
+std::string correlations(const estimation::FitResult& result) {
   std::string text;
   for (Eigen::Index i = 0; i < result.correlation.rows(); ++i)
     for (Eigen::Index j = 0; j < i; ++j)
@@ -56,21 +57,22 @@ std::string correlations(const FitResult& result) {
   return text;
 }
 
-std::string record_line(const FittedRecord& record, std::size_t width) {
+std::string record_line(const estimation::FittedRecord& record, std::size_t width) {
   std::string text =
-      fmt::format("  {:<{}}", record.label.empty() ? "the record" : visible(record.label), width);
-  for (const ComparedRows& rows : record.comparisons) text += "  " + agreement_text(rows, 6);
+      fmt::format("  {:<{}}", record.label.empty() ? "the record" : text::visible(record.label), width);
+  for (const estimation::ComparedRows& rows : record.comparisons)
+    text += "  " + session::agreement_text(rows, 6);
   if (record.comparisons.empty()) text += "  not predicted";
   return text + (record.held_out ? "  held out\n" : "\n");
 }
 
-std::string summary(const FitResult& result) {
+std::string summary(const estimation::FitResult& result) {
   if (result.interrupted && result.records.empty())
     return "fit: interrupted before the first run was done, so that there is nothing yet to write\n";
   const auto finished = std::count_if(result.starts.begin(), result.starts.end(),
-                                      [](const FittedStart& start) { return start.finished; });
+                                      [](const estimation::FittedStart& start) { return start.finished; });
   std::size_t rows = 0;
-  for (const FittedRecord& record : result.records) rows += record.held_out ? 0 : record.rows;
+  for (const estimation::FittedRecord& record : result.records) rows += record.held_out ? 0 : record.rows;
   if (result.numbers.empty())
     return fmt::format("fit: the call sets all parameters, by which {} rows are predicted\n", rows);
   std::string text = fmt::format("fit: {} numbers, {} rows, {:.3g} s{}", result.numbers.size(), rows,
@@ -84,19 +86,22 @@ std::string summary(const FitResult& result) {
 
 }  // namespace
 
-std::string fit_text(const FitResult& result) {
+std::string fit_text(const estimation::FitResult& result) {
   std::size_t names = 0, labels = 10;
-  for (const FittedNumber& number : result.numbers) names = std::max(names, number.title().size());
-  for (const FittedRecord& record : result.records) labels = std::max(labels, record.label.size());
+  for (const estimation::FittedNumber& number : result.numbers)
+    names = std::max(names, number.title().size());
+  for (const estimation::FittedRecord& record : result.records)
+    labels = std::max(labels, record.label.size());
   std::string text = summary(result);
-  for (const FittedNumber& number : result.numbers) text += number_line(number, names);
+  for (const estimation::FittedNumber& number : result.numbers) text += number_line(number, names);
   if (result.together > 0)
     text +=
         fmt::format("  residuals go together over {} rows, which widens the intervals\n", result.together);
   text += correlations(result);
-  for (const FittedRecord& record : result.records) text += record_line(record, labels);
-  for (const std::string& finding : result.findings) text += fmt::format("  note: {}\n", visible(finding));
+  for (const estimation::FittedRecord& record : result.records) text += record_line(record, labels);
+  for (const std::string& finding : result.findings)
+    text += fmt::format("  note: {}\n", text::visible(finding));
   return text;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::report

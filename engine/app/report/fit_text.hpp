@@ -4,9 +4,9 @@
 
 #include "engine/analyse/estimation/fit.hpp"
 
-namespace stepwire {
+namespace stepwire::report {
 
 /// What a fit found, for people.
-std::string fit_text(const FitResult& result);
+std::string fit_text(const estimation::FitResult& result);
 
-}  // namespace stepwire
+}  // namespace stepwire::report

@@ -4,9 +4,9 @@
 
 #include "engine/app/session/loop_outcome.hpp"
 
-namespace stepwire {
+namespace stepwire::report {
 
 /// What a loop has to tell, for people.
-std::string loop_text(const LoopOutcome& outcome);
+std::string loop_text(const session::LoopOutcome& outcome);
 
-}  // namespace stepwire
+}  // namespace stepwire::report

@@ -8,7 +8,9 @@
 #include "engine/view/plot/bar_chart.hpp"
 #include "engine/view/plot/plot_builder.hpp"
 
-namespace stepwire {
+namespace stepwire::report {
+
+using json::Json;
 
 namespace {
 
@@ -19,34 +21,35 @@ double steady_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-double nanoseconds_per_call(const Cost& cost) {
+double nanoseconds_per_call(const profile::Cost& cost) {
   return cost.calls == 0 ? 0.0 : 1e9 * cost.seconds / static_cast<double>(cost.calls);
 }
 
-double percent(const Profile& profile, double seconds) {
+double percent(const profile::Profile& profile, double seconds) {
   return 100.0 * profile.share(seconds);
 }
 
 /// What the run does itself, and what is left.
-std::vector<RunCost> rest_of(const Profile& profile) {
-  std::vector<RunCost> rest = profile.others;
+std::vector<profile::RunCost> rest_of(const profile::Profile& profile) {
+  std::vector<profile::RunCost> rest = profile.others;
   rest.push_back({left_name, {0, profile.left()}});
   return rest;
 }
 
 /// Of a part the share only: what one call in it takes on the mean says nothing.
-std::string phase_text(const Profile& profile, const BlockCost& block, const Cost& cost) {
+std::string phase_text(const profile::Profile& profile, const profile::BlockCost& block,
+                       const profile::Cost& cost) {
   if (cost.calls == 0) return fmt::format("{:>16}", "-");
   const std::string each = block.part ? "" : fmt::format("{:.3g}", nanoseconds_per_call(cost));
   return fmt::format("{:>9}{:>7.1f}", each, percent(profile, cost.seconds));
 }
 
-std::string block_text(const Profile& profile, const BlockCost& block, std::size_t width) {
-  const Cost total = block.total();
+std::string block_text(const profile::Profile& profile, const profile::BlockCost& block, std::size_t width) {
+  const profile::Cost total = block.total();
   std::string text =
       fmt::format("    {:<{}} {:<18}{:>11}{:>7.1f}{:>7.1f}", block.name, width, block.type, total.calls,
                   percent(profile, total.seconds), percent(profile, block.self()));
-  for (const Cost& cost : block.phases) text += phase_text(profile, block, cost);
+  for (const profile::Cost& cost : block.phases) text += phase_text(profile, block, cost);
   return text + "\n";
 }
 
@@ -54,33 +57,33 @@ std::string head_text(std::size_t width) {
   std::string names = fmt::format("    {:<{}} {:<18}{:>11}{:>7}{:>7}", "", width, "", "", "total", "self");
   std::string units =
       fmt::format("    {:<{}} {:<18}{:>11}{:>7}{:>7}", "block", width, "type", "calls", "%", "%");
-  for (const char* phase : phase_names) {
+  for (const char* phase : profile::phase_names) {
     names += fmt::format("{:>16}", phase);
     units += fmt::format("{:>9}{:>7}", "ns", "%");
   }
   return names + "\n" + units + "\n";
 }
 
-std::string csv_row(const Profile& profile, const std::string& name, const std::string& type,
+std::string csv_row(const profile::Profile& profile, const std::string& name, const std::string& type,
                     std::int64_t calls, double self, double total) {
   return fmt::format("{},{},{},{:.6g},{:.6g},{:.4g},{:.4g}", name, type, calls, self, total,
                      percent(profile, self), percent(profile, total));
 }
 
-Bar bar_of(const Profile& profile, const BlockCost& block) {
-  Bar bar{fmt::format("{} ({})", block.name, block.type), {}};
-  for (const Cost& cost : block.phases) bar.pieces.push_back(percent(profile, cost.seconds));
+plot::Bar bar_of(const profile::Profile& profile, const profile::BlockCost& block) {
+  plot::Bar bar{fmt::format("{} ({})", block.name, block.type), {}};
+  for (const profile::Cost& cost : block.phases) bar.pieces.push_back(percent(profile, cost.seconds));
   bar.pieces.push_back(0.0);
   return bar;
 }
 
 }  // namespace
 
-Profile profile_of(const LoadedModel& model, const std::atomic<bool>* interrupt) {
-  return profile_plan(model.job.plan, {steady_seconds, interrupt});
+profile::Profile profile_of(const session::LoadedModel& model, const std::atomic<bool>* interrupt) {
+  return profile::profile_plan(model.job.plan, {steady_seconds, interrupt});
 }
 
-std::string profile_text(const LoadedModel& model, const Profile& profile) {
+std::string profile_text(const session::LoadedModel& model, const profile::Profile& profile) {
   const std::size_t shown = std::min(profile.blocks.size(), max_shown);
   std::size_t width = 14;
   for (std::size_t i = 0; i < shown; ++i) width = std::max(width, profile.blocks[i].name.size());
@@ -95,45 +98,46 @@ std::string profile_text(const LoadedModel& model, const Profile& profile) {
   if (shown < profile.blocks.size())
     text +=
         fmt::format("    and {} more (--out DIR writes all to profile.csv)\n", profile.blocks.size() - shown);
-  for (const RunCost& other : rest_of(profile))
+  for (const profile::RunCost& other : rest_of(profile))
     text += fmt::format("    {:<{}} {:<18}{:>11}{:>7.1f}{:>7.1f}\n", other.name, width, "run",
                         other.cost.calls > 0 ? std::to_string(other.cost.calls) : "-",
                         percent(profile, other.cost.seconds), percent(profile, other.cost.seconds));
   return text;
 }
 
-std::string profile_csv(const Profile& profile) {
+std::string profile_csv(const profile::Profile& profile) {
   std::string text = "name,type,calls,self [s],total [s],self [%],total [%]";
-  for (const char* phase : phase_names) text += fmt::format(",{0} calls,{0} [ns per call],{0} [%]", phase);
+  for (const char* phase : profile::phase_names)
+    text += fmt::format(",{0} calls,{0} [ns per call],{0} [%]", phase);
   text += "\n";
-  for (const BlockCost& block : profile.blocks) {
-    const Cost total = block.total();
+  for (const profile::BlockCost& block : profile.blocks) {
+    const profile::Cost total = block.total();
     text += csv_row(profile, block.name, block.type, total.calls, block.self(), total.seconds);
-    for (const Cost& cost : block.phases)
+    for (const profile::Cost& cost : block.phases)
       text += fmt::format(",{},{:.4g},{:.4g}", cost.calls, nanoseconds_per_call(cost),
                           percent(profile, cost.seconds));
     text += "\n";
   }
-  for (const RunCost& other : rest_of(profile))
+  for (const profile::RunCost& other : rest_of(profile))
     text += csv_row(profile, other.name, "run", other.cost.calls, other.cost.seconds, other.cost.seconds) +
-            std::string(3 * phase_count, ',') + "\n";
+            std::string(3 * profile::phase_count, ',') + "\n";
   return text;
 }
 
-Json profile_json(const Profile& profile) {
+Json profile_json(const profile::Profile& profile) {
   Json blocks = Json::list();
-  for (const BlockCost& block : profile.blocks) {
+  for (const profile::BlockCost& block : profile.blocks) {
     Json phases = Json::object();
-    for (std::size_t phase = 0; phase < phase_count; ++phase)
+    for (std::size_t phase = 0; phase < profile::phase_count; ++phase)
       phases.set(
-          phase_names[phase],
+          profile::phase_names[phase],
           Json::object().set("calls", block.phases[phase].calls).set("seconds", block.phases[phase].seconds));
     Json one = Json::object().set("name", block.name).set("type", block.type);
     one.set("calls", block.total().calls).set("self", block.self()).set("total", block.total().seconds);
     blocks.push(one.set("phases", std::move(phases)));
   }
   Json others = Json::list();
-  for (const RunCost& other : profile.others)
+  for (const profile::RunCost& other : profile.others)
     others.push(Json::object()
                     .set("name", other.name)
                     .set("calls", other.cost.calls)
@@ -143,21 +147,21 @@ Json profile_json(const Profile& profile) {
   return json.set("left", profile.left());
 }
 
-FigureSpec profile_figure(const LoadedModel& model, const Profile& profile) {
+plot::FigureSpec profile_figure(const session::LoadedModel& model, const profile::Profile& profile) {
   const std::string& title = model.job.plan.diagram.title;
-  BarChart chart{title.empty() ? model.file : title, "share of the run [%]", {}, {}};
-  for (std::size_t phase = 0; phase < phase_count; ++phase)
-    chart.kinds.push_back({phase_names[phase], curve_color(phase)});
+  plot::BarChart chart{title.empty() ? model.file : title, "share of the run [%]", {}, {}};
+  for (std::size_t phase = 0; phase < profile::phase_count; ++phase)
+    chart.kinds.push_back({profile::phase_names[phase], plot::curve_color(phase)});
   chart.kinds.push_back({"the run", "#9a9a9a"});
-  for (const BlockCost& block : profile.blocks)
+  for (const profile::BlockCost& block : profile.blocks)
     if (!block.part && block.self() > 0.0 && chart.bars.size() < max_shown)
       chart.bars.push_back(bar_of(profile, block));
-  for (const RunCost& other : rest_of(profile)) {
-    Bar bar{other.name, std::vector<double>(phase_count, 0.0), true};
+  for (const profile::RunCost& other : rest_of(profile)) {
+    plot::Bar bar{other.name, std::vector<double>(profile::phase_count, 0.0), true};
     bar.pieces.push_back(std::max(0.0, percent(profile, other.cost.seconds)));
     chart.bars.push_back(std::move(bar));
   }
-  return figure_of(chart);
+  return plot::figure_of(chart);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::report

@@ -6,57 +6,60 @@
 
 #include "engine/base/text/characters.hpp"
 
-namespace stepwire {
+namespace stepwire::report {
 
 namespace {
 
-std::string verdict_line(const Verdict& verdict) {
-  return fmt::format(
-      "  {} {}: {} ({}){}{}\n",
-      verdict.surprises() || verdict.fails() ? "FAIL"
-      : verdict.holds                        ? "ok  "
-                                             : "note",
-      visible(verdict.that), visible(verdict.shown), visible(verdict.check),
-      verdict.note.empty() ? "" : "; " + visible(verdict.note),
-      verdict.disagrees.empty() ? "" : fmt::format("; {}: {}", verdict.word(), visible(verdict.disagrees)));
+std::string verdict_line(const claim::Verdict& verdict) {
+  return fmt::format("  {} {}: {} ({}){}{}\n",
+                     verdict.surprises() || verdict.fails() ? "FAIL"
+                     : verdict.holds                        ? "ok  "
+                                                            : "note",
+                     text::visible(verdict.that), text::visible(verdict.shown), text::visible(verdict.check),
+                     verdict.note.empty() ? "" : "; " + text::visible(verdict.note),
+                     verdict.disagrees.empty()
+                         ? ""
+                         : fmt::format("; {}: {}", verdict.word(), text::visible(verdict.disagrees)));
 }
 
 }  // namespace
 
-std::string outcome_text(const LoadedModel& model, const Outcome& outcome) {
-  const Diagram& diagram = model.job.plan.diagram;
+std::string outcome_text(const session::LoadedModel& model, const session::Outcome& outcome) {
+  const diagram::Diagram& diagram = model.job.plan.diagram;
   const std::size_t runs = std::max<std::size_t>(1, model.job.points.size());
-  std::string text = fmt::format(
-      "{}\n  {}: {} blocks, {}{} ticks, {:.3g} s\n",
-      visible(diagram.title.empty() ? model.file : diagram.title), visible(model.file), diagram.blocks.size(),
-      runs > 1 ? fmt::format("{} runs, ", runs) : "", outcome.result.ticks, outcome.seconds);
+  std::string text =
+      fmt::format("{}\n  {}: {} blocks, {}{} ticks, {:.3g} s\n",
+                  text::visible(diagram.title.empty() ? model.file : diagram.title),
+                  text::visible(model.file), diagram.blocks.size(),
+                  runs > 1 ? fmt::format("{} runs, ", runs) : "", outcome.result.ticks, outcome.seconds);
   std::size_t held = 0;
-  for (const Verdict& verdict : outcome.verdicts) {
-    if (verdict.kind == Claim::Kind::invariant && verdict.holds)
+  for (const claim::Verdict& verdict : outcome.verdicts) {
+    if (verdict.kind == claim::Claim::Kind::invariant && verdict.holds)
       ++held;
     else
       text += verdict_line(verdict);
   }
   if (held > 0)
     text += fmt::format("  ok   held throughout: {} {}\n", held, held == 1 ? "invariant" : "invariants");
-  for (const RaisedDiagnostic& diagnostic : outcome.result.diagnostics)
-    text += fmt::format("  note {}: {} (first at {:.6g} s)\n", visible(diagnostic.block),
-                        visible(diagnostic.text), diagnostic.time);
+  for (const run::RaisedDiagnostic& diagnostic : outcome.result.diagnostics)
+    text += fmt::format("  note {}: {} (first at {:.6g} s)\n", text::visible(diagnostic.block),
+                        text::visible(diagnostic.text), diagnostic.time);
   return text;
 }
 
-std::string units_text(const Diagram& diagram) {
+std::string units_text(const diagram::Diagram& diagram) {
   std::string text;
   for (std::size_t b = 0; b < diagram.blocks.size(); ++b) {
-    const DiagramBlock& block = diagram.blocks[b];
+    const diagram::DiagramBlock& block = diagram.blocks[b];
     for (std::size_t o = 0; o < block.type().outputs.size(); ++o) {
       const auto& dimension = diagram.output_dimensions[b][o];
       const std::string port =
           block.type().outputs.size() == 1 ? block.name : block.name + "." + block.type().outputs[o].name;
-      text += fmt::format("  {:<40} {}\n", visible(port), dimension ? si_name(*dimension) : "not known");
+      text += fmt::format("  {:<40} {}\n", text::visible(port),
+                          dimension ? unit::si_name(*dimension) : "not known");
     }
   }
   return text;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::report

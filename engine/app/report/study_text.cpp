@@ -6,25 +6,26 @@
 #include "engine/base/text/characters.hpp"
 #include "engine/simulate/run/pooling.hpp"
 
-namespace stepwire {
+namespace stepwire::report {
 
-std::string study_text(const LoadedModel& model, const Experiments& experiments) {
-  const StudyRequest& request = *model.study;
+std::string study_text(const session::LoadedModel& model, const study::Experiments& experiments) {
+  const study::StudyRequest& request = *model.study;
   std::size_t trials = 0;
-  for (const Experiment& experiment : experiments) trials += experiment.trials.size();
+  for (const study::Experiment& experiment : experiments) trials += experiment.trials.size();
   std::string result =
       fmt::format("study: task {}, {} subjects, {} trials ({}){}\n", request.task,
-                  request.subject_names().size(), trials, whose_trials(request),
+                  request.subject_names().size(), trials, study::whose_trials(request),
                   experiments.size() == 1 ? "" : fmt::format(", {} studies of a sweep", experiments.size()));
-  for (const Experiment& experiment : experiments)
+  for (const study::Experiment& experiment : experiments)
     for (const std::string& remark : experiment.remarks)
-      result += fmt::format("  note {}{}{}\n", visible(remark), experiment.sets.empty() ? "" : "; with ",
-                            visible(settings_text(experiment.sets)));
-  for (const NamedTable& one : model.tables)
+      result +=
+          fmt::format("  note {}{}{}\n", text::visible(remark), experiment.sets.empty() ? "" : "; with ",
+                      text::visible(run::settings_text(experiment.sets)));
+  for (const query::NamedTable& one : model.tables)
     if (one.name == "means" || one.name == "significance" ||
         (one.name.starts_with("experiments") && request.experiments > 1))
-      result += "\n" + text(*one.table);
+      result += "\n" + text::text(*one.table);
   return result + "\n";
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::report

@@ -4,9 +4,9 @@
 
 #include "engine/app/session/studies.hpp"
 
-namespace stepwire {
+namespace stepwire::report {
 
 /// What the study found, for people.
-std::string study_text(const LoadedModel& model, const Experiments& experiments);
+std::string study_text(const session::LoadedModel& model, const study::Experiments& experiments);
 
-}  // namespace stepwire
+}  // namespace stepwire::report

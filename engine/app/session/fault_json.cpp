@@ -11,11 +11,13 @@
 #include "engine/base/text/characters.hpp"
 #include "engine/base/yaml/document.hpp"
 
-namespace stepwire {
+namespace stepwire::session {
+
+using json::Json;
 
 namespace {
 
-bool lies_behind(const Mark& a, const Mark& b) {
+bool lies_behind(const yaml::Mark& a, const yaml::Mark& b) {
   return std::pair(a.line, a.column) > std::pair(b.line, b.column);
 }
 
@@ -23,17 +25,17 @@ bool lies_behind(const Mark& a, const Mark& b) {
 /// there.
 struct FoundPlace {
   std::vector<std::string> keys;
-  const Entry* key = nullptr;   ///< that begins at the mark
-  const Node* value = nullptr;  ///< that begins at the mark
+  const yaml::Entry* key = nullptr;   ///< that begins at the mark
+  const yaml::Node* value = nullptr;  ///< that begins at the mark
 };
 
-void find(const Node& node, const Mark& mark, FoundPlace& found) {
+void find(const yaml::Node& node, const yaml::Mark& mark, FoundPlace& found) {
   if (node.mark.line == mark.line && node.mark.column == mark.column) found.value = &node;
-  const Entry* inside = nullptr;
-  for (const Entry& entry : node.entries)
+  const yaml::Entry* inside = nullptr;
+  for (const yaml::Entry& entry : node.entries)
     if (!lies_behind(entry.mark, mark)) inside = &entry;
-  const Node* item = nullptr;
-  for (const Node& one : node.items)
+  const yaml::Node* item = nullptr;
+  for (const yaml::Node& one : node.items)
     if (!lies_behind(one.mark, mark)) item = &one;
   if (inside) {
     found.keys.push_back(inside->key);
@@ -49,40 +51,40 @@ class FaultyFile {
  public:
   explicit FaultyFile(const std::string& path) {
     try {
-      std::istringstream text(read_file(path));
+      std::istringstream text(io::read_file(path));
       for (std::string line; std::getline(text, line);) lines_.push_back(line);
-      document_ = read_document(path);
+      document_ = yaml::read_document(path);
     } catch (
         const std::exception&) {  // there is no such file, or it is no YAML: its lines tell what they can
     }
   }
 
-  FoundPlace at(const Mark& mark) const {
+  FoundPlace at(const yaml::Mark& mark) const {
     FoundPlace found;
     if (document_) find(document_->root, mark, found);
     return found;
   }
 
   /// Just behind what begins at the mark; none where that is not known.
-  std::optional<Mark> end(const Mark& mark) const {
+  std::optional<yaml::Mark> end(const yaml::Mark& mark) const {
     const auto line = static_cast<std::size_t>(mark.line);
     if (line < 1 || line > lines_.size() || mark.column < 1) return std::nullopt;
     const std::string_view rest = behind(lines_[line - 1], mark.column - 1);
     if (rest.empty()) return std::nullopt;
     const FoundPlace found = at(mark);
     const std::size_t bytes = length(rest, found);
-    return Mark{mark.line, mark.column + characters(rest.substr(0, bytes))};
+    return yaml::Mark{mark.line, mark.column + characters(rest.substr(0, bytes))};
   }
 
  private:
   static std::string_view behind(std::string_view text, int count) {
     for (; count > 0 && !text.empty(); --count)
-      text.remove_prefix(std::max<std::size_t>(1, utf8_length(text)));
+      text.remove_prefix(std::max<std::size_t>(1, text::utf8_length(text)));
     return text;
   }
   static int characters(std::string_view text) {
     int count = 0;
-    for (; !text.empty(); ++count) text.remove_prefix(std::max<std::size_t>(1, utf8_length(text)));
+    for (; !text.empty(); ++count) text.remove_prefix(std::max<std::size_t>(1, text::utf8_length(text)));
     return count;
   }
   /// Bytes of a key, a scalar in or without quotes, or what the line holds up to its comment.
@@ -99,7 +101,7 @@ class FaultyFile {
   }
 
   std::vector<std::string> lines_;
-  std::optional<Document> document_;
+  std::optional<yaml::Document> document_;
 };
 
 /// The block of a subject such as "rig.mount.stiffness", and what of it. The tree has the last name of the
@@ -128,11 +130,11 @@ Json number_or_null(int number) {
 }
 
 /// A setting stands in the call: "--set mass=2 kg".
-bool is_call(const Place& place) {
+bool is_call(const yaml::Place& place) {
   return place.mark.line == 0 && place.file.starts_with("--");
 }
 
-Json place_json(const Place& place) {
+Json place_json(const yaml::Place& place) {
   return Json::object()
       .set("file", text_or_null(is_call(place) ? "" : place.file))
       .set("call", text_or_null(is_call(place) ? place.file : ""))
@@ -140,21 +142,21 @@ Json place_json(const Place& place) {
       .set("column", number_or_null(place.mark.column));
 }
 
-Json end_json(const FaultyFile& file, const Mark& mark) {
+Json end_json(const FaultyFile& file, const yaml::Mark& mark) {
   const auto end = file.end(mark);
   return end ? Json::object().set("line", end->line).set("column", end->column) : Json();
 }
 
 }  // namespace
 
-Json faults_json(const std::vector<Fault>& faults) {
+Json faults_json(const std::vector<yaml::Fault>& faults) {
   std::map<std::string, FaultyFile> files;
   Json list = Json::list();
-  for (const Fault& fault : faults) {
+  for (const yaml::Fault& fault : faults) {
     const FaultyFile& file = files.try_emplace(fault.place.file, fault.place.file).first->second;
     const auto [block, port] = block_and_port(fault.subject, file.at(fault.place.mark));
     Json users = Json::list();
-    for (const Place& user : fault.used_by) users.push(place_json(user));
+    for (const yaml::Place& user : fault.used_by) users.push(place_json(user));
     list.push(place_json(fault.place)
                   .set("end", end_json(file, fault.place.mark))
                   .set("subject", text_or_null(fault.subject))
@@ -167,4 +169,4 @@ Json faults_json(const std::vector<Fault>& faults) {
   return list;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::session

@@ -9,16 +9,16 @@
 #include "engine/view/plot/matrix_chart.hpp"
 #include "engine/view/plot/plot_tools.hpp"
 
-namespace stepwire {
+namespace stepwire::session {
 
 namespace {
 
-std::string si_of(const std::optional<Dimension>& dimension) {
-  return dimension && *dimension != Dimension{} ? si_name(*dimension) : "";
+std::string si_of(const std::optional<unit::Dimension>& dimension) {
+  return dimension && *dimension != unit::Dimension{} ? unit::si_name(*dimension) : "";
 }
 
 /// Worst, middle and best of the records in a comparison, by number; what is constant counts as the best.
-std::vector<std::size_t> telling(const FitResult& result, std::size_t comparison) {
+std::vector<std::size_t> telling(const estimation::FitResult& result, std::size_t comparison) {
   const auto agreement = [&](std::size_t record) {
     const double found = result.records[record].comparisons[comparison].agreement;
     return std::isfinite(found) ? found : 100.0;
@@ -34,12 +34,12 @@ std::vector<std::size_t> telling(const FitResult& result, std::size_t comparison
 
 /// Numbers of SI in the unit in which they are drawn.
 struct DrawnUnit {
-  Unit unit{};
+  unit::Unit unit{};
   std::string text;  ///< as axes have it; empty: not known
 
-  DrawnUnit(const std::string& given, const std::optional<Dimension>& dimension)
+  DrawnUnit(const std::string& given, const std::optional<unit::Dimension>& dimension)
       : text(given.empty() ? si_of(dimension) : given) {
-    if (const auto parsed = parse_unit(given); parsed && !given.empty()) unit = *parsed;
+    if (const auto parsed = unit::parse_unit(given); parsed && !given.empty()) unit = *parsed;
   }
 
   std::vector<double> of(std::vector<double> values) const {
@@ -50,9 +50,9 @@ struct DrawnUnit {
 
 /// One record with what a comparison holds against it.
 struct ComparedRecord {
-  const FitComparison& comparison;
-  const FittedRecord& record;
-  const ComparedRows& rows;
+  const estimation::FitComparison& comparison;
+  const estimation::FittedRecord& record;
+  const estimation::ComparedRows& rows;
   const std::string& word;  ///< for records
   DrawnUnit unit{comparison.model.unit_text, comparison.model.formula.dimension};
 
@@ -60,49 +60,50 @@ struct ComparedRecord {
     return fmt::format("{}{}{}{}", record.label, record.label.empty() ? "" : ": ", agreement_text(rows),
                        record.held_out ? ", held out" : "");
   }
-  std::vector<NumberCurve> both(const std::vector<double>& x) const {
+  std::vector<plot::NumberCurve> both(const std::vector<double>& x) const {
     return {{x, unit.of(rows.measured), word}, {x, unit.of(rows.model), "model"}};
   }
 };
 
 /// Record and model over a stretch of time in which single periods are seen.
-void add_over_time(const ComparedRecord& compared, FigureBuilder& panels) {
+void add_over_time(const ComparedRecord& compared, plot::FigureBuilder& panels) {
   const std::vector<double>& time = compared.rows.time;
   const double begin = time.front(), end = std::min(time.back(), begin + 0.3 * (time.back() - begin));
-  PlotBuilder& plot = panels.add({.title = compared.title(), .x = {.range = {{begin, end}}}});
-  name_axis(plot.spec.x, "time", "s");
-  name_axis(plot.spec.y, compared.comparison.model.label, compared.unit.text);
-  draw_curves(compared.both(time), plot);
-  set_line_ranges(plot);
+  plot::PlotBuilder& plot = panels.add({.title = compared.title(), .x = {.range = {{begin, end}}}});
+  plot::name_axis(plot.spec.x, "time", "s");
+  plot::name_axis(plot.spec.y, compared.comparison.model.label, compared.unit.text);
+  plot::draw_curves(compared.both(time), plot);
+  plot::set_line_ranges(plot);
 }
 
-void add_residual(const ComparedRecord& compared, FigureBuilder& panels) {
+void add_residual(const ComparedRecord& compared, plot::FigureBuilder& panels) {
   std::vector<double> residual = compared.rows.model;
   for (std::size_t i = 0; i < residual.size(); ++i) residual[i] -= compared.rows.measured[i];
-  PlotBuilder& plot = panels.add({});
-  name_axis(plot.spec.x, "time", "s");
-  name_axis(plot.spec.y, "residual", compared.unit.text);
-  draw_curves({{compared.rows.time, compared.unit.of(std::move(residual))}}, plot);
-  set_line_ranges(plot);
+  plot::PlotBuilder& plot = panels.add({});
+  plot::name_axis(plot.spec.x, "time", "s");
+  plot::name_axis(plot.spec.y, "residual", compared.unit.text);
+  plot::draw_curves({{compared.rows.time, compared.unit.of(std::move(residual))}}, plot);
+  plot::set_line_ranges(plot);
 }
 
 /// Record and model over what the file names.
-void add_loop(const ComparedRecord& compared, std::size_t which, FigureBuilder& panels) {
-  const Series& against = compared.comparison.against[which];
+void add_loop(const ComparedRecord& compared, std::size_t which, plot::FigureBuilder& panels) {
+  const query::Series& against = compared.comparison.against[which];
   const DrawnUnit unit(against.unit_text, against.formula.dimension);
-  PlotBuilder& plot = panels.add({});
-  name_axis(plot.spec.x, against.label, unit.text);
-  name_axis(plot.spec.y, compared.comparison.model.label, compared.unit.text);
-  draw_curves(compared.both(unit.of(compared.rows.against[which])), plot);
+  plot::PlotBuilder& plot = panels.add({});
+  plot::name_axis(plot.spec.x, against.label, unit.text);
+  plot::name_axis(plot.spec.y, compared.comparison.model.label, compared.unit.text);
+  plot::draw_curves(compared.both(unit.of(compared.rows.against[which])), plot);
   plot.plane(0.05);
   plot.spec.x.zero_line = plot.spec.y.zero_line = true;
 }
 
-FigureSpec records_figure(const FitRequest& request, const FitResult& result, std::size_t which) {
-  const FitComparison& comparison = request.comparisons[which];
+plot::FigureSpec records_figure(const estimation::FitRequest& request, const estimation::FitResult& result,
+                                std::size_t which) {
+  const estimation::FitComparison& comparison = request.comparisons[which];
   const std::vector<std::size_t> shown = telling(result, which);
   const std::size_t columns = 2 + comparison.against.size();
-  FigureBuilder panels(
+  plot::FigureBuilder panels(
       {.title = shown.size() < result.records.size() ? "Worst, middle and best described record"
                                                      : "Record and model",
        .columns = static_cast<int>(columns)},
@@ -117,38 +118,40 @@ FigureSpec records_figure(const FitRequest& request, const FitResult& result, st
   return panels.finished();
 }
 
-void add_curve(const FittedCurve& curve, FigureBuilder& panels) {
+void add_curve(const estimation::FittedCurve& curve, plot::FigureBuilder& panels) {
   const DrawnUnit unit(curve.unit, curve.dimension);
-  PlotBuilder& plot = panels.add({});
-  name_axis(plot.spec.x, curve.label, "");
-  name_axis(plot.spec.y, curve.name, unit.text);
-  draw_curves({{curve.at, unit.of(curve.value)}}, plot);
-  draw_band(curves_of(plot.panel(), {curve.at, unit.of(curve.low), unit.of(curve.high)}).curves, plot);
-  draw_spans(curve.data_range, plot);
-  set_line_ranges(plot);
+  plot::PlotBuilder& plot = panels.add({});
+  plot::name_axis(plot.spec.x, curve.label, "");
+  plot::name_axis(plot.spec.y, curve.name, unit.text);
+  plot::draw_curves({{curve.at, unit.of(curve.value)}}, plot);
+  plot::draw_band(plot::curves_of(plot.panel(), {curve.at, unit.of(curve.low), unit.of(curve.high)}).curves,
+                  plot);
+  plot::draw_spans(curve.data_range, plot);
+  plot::set_line_ranges(plot);
 }
 
-FigureSpec curves_figure(const FitResult& result) {
-  FigureBuilder panels({.title = "Fitted, with the 95 % interval; shaded where there are records",
-                        .columns = static_cast<int>(std::min<std::size_t>(2, result.curves.size()))},
-                       result.curves.size());
-  for (const FittedCurve& curve : result.curves) add_curve(curve, panels);
+plot::FigureSpec curves_figure(const estimation::FitResult& result) {
+  plot::FigureBuilder panels({.title = "Fitted, with the 95 % interval; shaded where there are records",
+                              .columns = static_cast<int>(std::min<std::size_t>(2, result.curves.size()))},
+                             result.curves.size());
+  for (const estimation::FittedCurve& curve : result.curves) add_curve(curve, panels);
   return panels.finished();
 }
 
-FigureSpec correlation_figure(const FitResult& result) {
-  MatrixChart chart{"Correlation of what was found", {}, {}};
-  for (const FittedNumber& number : result.numbers) chart.names.push_back(number.title());
+plot::FigureSpec correlation_figure(const estimation::FitResult& result) {
+  plot::MatrixChart chart{"Correlation of what was found", {}, {}};
+  for (const estimation::FittedNumber& number : result.numbers) chart.names.push_back(number.title());
   for (Eigen::Index i = 0; i < result.correlation.rows(); ++i) {
     const Eigen::RowVectorXd row = result.correlation.row(i);
     chart.values.emplace_back(row.begin(), row.end());
   }
-  return figure_of(chart);
+  return plot::figure_of(chart);
 }
 
 }  // namespace
 
-std::vector<FitPicture> fit_pictures(const FitRequest& request, const FitResult& result) {
+std::vector<FitPicture> fit_pictures(const estimation::FitRequest& request,
+                                     const estimation::FitResult& result) {
   std::vector<FitPicture> pictures;
   for (std::size_t i = 0; i < request.comparisons.size(); ++i)
     if (!telling(result, i).empty())
@@ -162,4 +165,4 @@ std::vector<FitPicture> fit_pictures(const FitRequest& request, const FitResult&
   return pictures;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::session

@@ -6,31 +6,33 @@
 #include "engine/app/session/fitting.hpp"
 #include "engine/base/text/characters.hpp"
 
-namespace stepwire {
+namespace stepwire::session {
+
+using json::Json;
 
 namespace {
 
-Json number_json(const FittedNumber& number) {
+Json number_json(const estimation::FittedNumber& number) {
   Json json = Json::object().set("name", number.name);
   if (!number.record.empty()) json.set("record", number.record);
   return json.set("value", number.value)
-      .set("unit", number.dimension ? Json(si_name(*number.dimension)) : Json())
+      .set("unit", number.dimension ? Json(unit::si_name(*number.dimension)) : Json())
       .set("start", number.start)
       .set("standard_error", number.standard_error)
       .set("interval", Json::list({number.low, number.high}))
       .set("at_bound", number.at_bound);
 }
 
-Json agreements_json(const FittedRecord& record) {
+Json agreements_json(const estimation::FittedRecord& record) {
   Json list = Json::list();
-  for (const ComparedRows& rows : record.comparisons)
+  for (const estimation::ComparedRows& rows : record.comparisons)
     list.push(std::isfinite(rows.agreement) ? Json(rows.agreement) : Json());
   return list;
 }
 
-Json records_json(const FitResult& result) {
+Json records_json(const estimation::FitResult& result) {
   Json list = Json::list();
-  for (const FittedRecord& record : result.records)
+  for (const estimation::FittedRecord& record : result.records)
     list.push(Json::object()
                   .set("record", record.label)
                   .set("held_out", record.held_out)
@@ -39,9 +41,9 @@ Json records_json(const FitResult& result) {
   return list;
 }
 
-Json starts_json(const FitResult& result) {
+Json starts_json(const estimation::FitResult& result) {
   Json list = Json::list();
-  for (const FittedStart& start : result.starts)
+  for (const estimation::FittedStart& start : result.starts)
     list.push(Json::object()
                   .set("cost", start.cost)
                   .set("finished", start.finished)
@@ -50,12 +52,12 @@ Json starts_json(const FitResult& result) {
 }
 
 /// In SI, as the parameters.
-Json curves_json(const FitResult& result) {
+Json curves_json(const estimation::FitResult& result) {
   Json list = Json::list();
-  for (const FittedCurve& curve : result.curves)
+  for (const estimation::FittedCurve& curve : result.curves)
     list.push(Json::object()
                   .set("curve", curve.name)
-                  .set("unit", curve.dimension ? Json(si_name(*curve.dimension)) : Json())
+                  .set("unit", curve.dimension ? Json(unit::si_name(*curve.dimension)) : Json())
                   .set("at", Json::list_of(curve.at))
                   .set("value", Json::list_of(curve.value))
                   .set("low", Json::list_of(curve.low))
@@ -76,14 +78,14 @@ Json matrix_json(const Eigen::MatrixXd& matrix) {
 
 }  // namespace
 
-std::string agreement_text(const ComparedRows& rows, int width) {
+std::string agreement_text(const estimation::ComparedRows& rows, int width) {
   return std::isfinite(rows.agreement) ? fmt::format("{:{}.2f} %", rows.agreement, width)
                                        : "constant (no agreement in percent)";
 }
 
-Json fit_json(const LoadedModel& model, const FitResult& result) {
+Json fit_json(const LoadedModel& model, const estimation::FitResult& result) {
   Json numbers = Json::list();
-  for (const FittedNumber& number : result.numbers) numbers.push(number_json(number));
+  for (const estimation::FittedNumber& number : result.numbers) numbers.push(number_json(number));
   return Json::object()
       .set("file", model.file)
       .set("parameters", std::move(numbers))
@@ -104,16 +106,17 @@ Json fit_json(const LoadedModel& model, const FitResult& result) {
       .set("duration", result.seconds);
 }
 
-std::string parameters_text(const LoadedModel& model, const FitResult& result) {
+std::string parameters_text(const LoadedModel& model, const estimation::FitResult& result) {
   std::string text = fmt::format("# Found by a fit of {}; stepwire run FILE --set-from takes this file.\n",
-                                 visible(model.file));
-  for (const Setting& setting : result.shared) text += fmt::format("{}: {}\n", setting.name, setting.value);
+                                 text::visible(model.file));
+  for (const diagram::Setting& setting : result.shared)
+    text += fmt::format("{}: {}\n", setting.name, setting.value);
   for (std::size_t record = 0; record < result.of_records.size(); ++record)
-    for (const Setting& setting : result.of_records[record])
+    for (const diagram::Setting& setting : result.of_records[record])
       text += result.of_records.size() == 1 ? fmt::format("{}: {}\n", setting.name, setting.value)
                                             : fmt::format("# {}: {}  (in {})\n", setting.name, setting.value,
-                                                          visible(result.records[record].label));
+                                                          text::visible(result.records[record].label));
   return text;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::session

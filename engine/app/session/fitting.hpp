@@ -10,46 +10,47 @@
 #include "engine/base/json/json.hpp"
 #include "engine/view/plot/plot_spec.hpp"
 
-namespace stepwire {
+namespace stepwire::session {
 
 /// What a call asks of a fit, where it says so in place of the file's words.
 struct FitCall {
   std::optional<std::size_t> starts, follow;
   std::optional<std::uint64_t> seed;
   unsigned threads = 0;  ///< 0: all cores
-  ExecutionMode engine = ExecutionMode::automatic;
+  run::ExecutionMode engine = run::ExecutionMode::automatic;
 };
 
 /// Will the fit's runs take longer than a compilation?
 bool worth_compiling(const LoadedModel& model);
 
 /// Finds the parameters that the file asks for. Throws Error.
-FitResult fit_model(const Registry& registry, const LoadedModel& model, const FitCall& call,
-                    const Monitor& monitor);
+estimation::FitResult fit_model(const Registry& registry, const LoadedModel& model, const FitCall& call,
+                                const Monitor& monitor);
 
 /// The options with what was found in the place of the file's values.
-LoadOptions with_fitted(LoadOptions options, const FitResult& result);
+LoadOptions with_fitted(LoadOptions options, const estimation::FitResult& result);
 
 /// A picture of a fit and the name of its files.
 struct FitPicture {
   std::string name;
-  FigureSpec figure;
+  plot::FigureSpec figure;
 };
 
 /// Measured and model of the worst, middle and best record of each comparison, over time and over what the
 /// file names, with the residuals; the curves with their intervals; the correlations.
-std::vector<FitPicture> fit_pictures(const FitRequest& request, const FitResult& result);
+std::vector<FitPicture> fit_pictures(const estimation::FitRequest& request,
+                                     const estimation::FitResult& result);
 
 /// Writes fit.json, parameters.yaml and the pictures into a folder and returns the pictures' names. Throws
 /// EnvironmentError.
 std::vector<std::string> write_fit(const std::string& folder, const LoadedModel& model,
-                                   const FitResult& result);
+                                   const estimation::FitResult& result);
 
 /// How well a record is described, in percent; of what is constant in the record there is no such number.
-std::string agreement_text(const ComparedRows& rows, int width = 0);
+std::string agreement_text(const estimation::ComparedRows& rows, int width = 0);
 /// All that was found, for programs.
-Json fit_json(const LoadedModel& model, const FitResult& result);
+json::Json fit_json(const LoadedModel& model, const estimation::FitResult& result);
 /// What all records share, as a file that --set-from takes.
-std::string parameters_text(const LoadedModel& model, const FitResult& result);
+std::string parameters_text(const LoadedModel& model, const estimation::FitResult& result);
 
-}  // namespace stepwire
+}  // namespace stepwire::session

@@ -6,7 +6,7 @@
 #include "engine/analyse/study/repetition.hpp"
 #include "engine/app/session/loaded_model.hpp"
 
-namespace stepwire {
+namespace stepwire::session {
 
 /// What the experiments of a model's study follow from but for their seeds: the study, and the program that
 /// makes them. A line of JSON.
@@ -24,15 +24,15 @@ class KeptExperiments {
   /// The seeds that are still to be done: the first one always, since its trials are drawn.
   std::vector<std::uint64_t> missing() const;
   /// From any thread.
-  void add(const Experiments& experiments);
+  void add(const study::Experiments& experiments);
   /// Puts what other people did behind the experiments of the first seed.
-  void complete(Experiments& first) const;
+  void complete(study::Experiments& first) const;
 
  private:
   const LoadedModel& model_;
   std::string path_;  ///< empty: nothing is written
-  Repetition repetition_;
+  study::Repetition repetition_;
   std::mutex mutex_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::session

@@ -17,16 +17,16 @@
 #include "engine/view/plot/drawn.hpp"
 #include "engine/view/scene/scene_states.hpp"
 
-namespace stepwire {
+namespace stepwire::session {
 
 namespace {
 
-void add_swept_names(const Job& job, SymbolTable& names) {
+void add_swept_names(const run::Job& job, query::SymbolTable& names) {
   if (job.points.empty()) return;
-  for (const Sweep::Axis& axis : job.plan.diagram.sweep->axes) {
-    RecordedName name{axis.parameter, std::nullopt, std::nullopt};
+  for (const diagram::Sweep::Axis& axis : job.plan.diagram.sweep->axes) {
+    query::RecordedName name{axis.parameter, std::nullopt, std::nullopt};
     if (axis.label) name.words = words_of(axis);
-    for (const DiagramParameter& parameter : job.plan.diagram.parameters) {
+    for (const diagram::DiagramParameter& parameter : job.plan.diagram.parameters) {
       if (parameter.name != axis.parameter) continue;
       name.dimension = parameter.dimension;
       if (!std::holds_alternative<double>(parameter.value.content))
@@ -36,16 +36,16 @@ void add_swept_names(const Job& job, SymbolTable& names) {
   }
 }
 
-void add_signals(const Diagram& diagram, SymbolTable& names) {
-  for (const DiagramBlock& block : diagram.blocks) {
+void add_signals(const diagram::Diagram& diagram, query::SymbolTable& names) {
+  for (const diagram::DiagramBlock& block : diagram.blocks) {
     const auto& outputs = block.type().outputs;
     if (outputs.size() == 1) names.signals.push_back(block.name);
     for (const OutputSpec& output : outputs) names.signals.push_back(block.name + "." + output.name);
   }
 }
 
-void add_outlines(const Diagram& diagram, SymbolTable& names) {
-  for (const DiagramBlock& block : diagram.blocks) {
+void add_outlines(const diagram::Diagram& diagram, query::SymbolTable& names) {
+  for (const diagram::DiagramBlock& block : diagram.blocks) {
     if (!block.type().outline) continue;
     names.outlines.push_back({block.name, {}});
     block.type().outline(block.block.get(), names.outlines.back().outline);
@@ -54,9 +54,9 @@ void add_outlines(const Diagram& diagram, SymbolTable& names) {
 
 /// A number of a block as an expression has it; empty where the unit is that of what is wired to it.
 std::string number_text(const ParameterSpec& spec, double value) {
-  const auto unit = parse_unit(spec.unit);
+  const auto unit = unit::parse_unit(spec.unit);
   if (!unit) return {};
-  std::string name = unit->dimension == Dimension{} ? "" : " " + si_name(unit->dimension);
+  std::string name = unit->dimension == unit::Dimension{} ? "" : " " + unit::si_name(unit->dimension);
   std::replace(name.begin() + (name.empty() ? 0 : 1), name.end(), ' ', '.');
   return fmt::format("{}{}", value, name);
 }
@@ -66,7 +66,7 @@ using Signals = std::unordered_set<std::string_view>;
 
 /// Adds a number of a block where its name is free.
 void add_number(const std::string& name, const ParameterSpec& spec, double value, const Signals& signals,
-                SymbolTable& names) {
+                query::SymbolTable& names) {
   const bool is_free = !names.find(name) && !signals.contains(name);
   if (!std::isfinite(value) || !is_free) return;
   if (std::string text = number_text(spec, value); !text.empty())
@@ -75,9 +75,9 @@ void add_number(const std::string& name, const ParameterSpec& spec, double value
 
 /// Numbers that blocks were given, by their file, a preset or as defaults: "rig.damper.beta"; of a list
 /// "rig.damper.alpha.2".
-void add_numbers_of_blocks(const Diagram& diagram, SymbolTable& names) {
+void add_numbers_of_blocks(const diagram::Diagram& diagram, query::SymbolTable& names) {
   const Signals signals(names.signals.begin(), names.signals.end());
-  for (const DiagramBlock& block : diagram.blocks)
+  for (const diagram::DiagramBlock& block : diagram.blocks)
     for (const ParameterSpec& spec : block.type().parameters) {
       const Value value = spec.get(block.block.get());
       const std::string name = block.name + "." + spec.name;
@@ -91,17 +91,17 @@ void add_numbers_of_blocks(const Diagram& diagram, SymbolTable& names) {
 }
 
 /// What figures and claims of a file may name.
-SymbolTable names_of(const Job& job) {
-  const Diagram& diagram = job.plan.diagram;
-  SymbolTable names{diagram.file, {}, {}};
-  names.columns.push_back({"time", parse_unit("s")->dimension, std::nullopt});
+query::SymbolTable names_of(const run::Job& job) {
+  const diagram::Diagram& diagram = job.plan.diagram;
+  query::SymbolTable names{diagram.file, {}, {}};
+  names.columns.push_back({"time", unit::parse_unit("s")->dimension, std::nullopt});
   add_swept_names(job, names);
   for (std::size_t r = 0; r < diagram.records.size(); ++r) {
-    const auto columns = recorded_columns(job.plan, diagram.records[r]);
+    const auto columns = record::recorded_columns(job.plan, diagram.records[r]);
     for (std::size_t i = 1; i < columns.size(); ++i)
       names.columns.push_back({columns[i].name, columns[i].dimension, r});
   }
-  for (const DiagramParameter& parameter : diagram.parameters)
+  for (const diagram::DiagramParameter& parameter : diagram.parameters)
     if (const double* number = std::get_if<double>(&parameter.value.content))
       names.parameters.push_back({parameter.name, *number, parameter.dimension});
   add_signals(diagram, names);
@@ -111,41 +111,43 @@ SymbolTable names_of(const Job& job) {
 }
 
 /// Reads what the file asks of a study, and adds the names that it makes.
-void add_study(Loader& loader, const LoadOptions& options, LoadedModel& model, SymbolTable& names,
-               Faults& faults) {
-  const Node* section = loader.document(model.file).root.find("study");
+void add_study(diagram::Loader& loader, const LoadOptions& options, LoadedModel& model,
+               query::SymbolTable& names, yaml::Faults& faults) {
+  const yaml::Node* section = loader.document(model.file).root.find("study");
   if (!section) return;
-  const Diagram& diagram = model.job.plan.diagram;
-  if (diagram.fit.kind != Node::Kind::empty)
+  const diagram::Diagram& diagram = model.job.plan.diagram;
+  if (diagram.fit.kind != yaml::Node::Kind::empty)
     faults.add({{model.file, section->mark}, "study", "a file has a study or a fit, not both", {}});
-  model.study = read_study(*section, names, diagram, loader, options.study, faults);
+  model.study = study::read_study(*section, names, diagram, loader, options.study, faults);
   faults.throw_if_any();
-  check_carry(*model.study, model.job.plan, faults);
+  study::check_carry(*model.study, model.job.plan, faults);
   faults.throw_if_any();
-  add_study_names(*model.study, diagram, names);
-  model.tables = names.tables = empty_study_tables(!model.job.points.empty());
+  study::add_study_names(*model.study, diagram, names);
+  model.tables = names.tables = study::empty_study_tables(!model.job.points.empty());
 }
 
 /// Reads the scene ahead of figures and claims, which may name what it shows.
-std::shared_ptr<const Scene> read_scene_of(const Diagram& diagram, SymbolTable& names, Faults& faults) {
-  if (diagram.scene.kind == Node::Kind::empty) return nullptr;
+std::shared_ptr<const scene::Scene> read_scene_of(const diagram::Diagram& diagram, query::SymbolTable& names,
+                                                  yaml::Faults& faults) {
+  if (diagram.scene.kind == yaml::Node::Kind::empty) return nullptr;
   const std::size_t before = faults.size();
-  auto scene = std::make_shared<const Scene>(read_scene(diagram.scene, names, faults));
+  auto scene = std::make_shared<const scene::Scene>(scene::read_scene(diagram.scene, names, faults));
   if (faults.size() == before)
-    std::ranges::copy(scene_state_names(*scene), std::back_inserter(names.columns));
+    std::ranges::copy(scene::scene_state_names(*scene), std::back_inserter(names.columns));
   return scene;
 }
 
 /// Claims and invariants may name what the figures draw and the scene shows.
-void read_all_claims(const Diagram& diagram, LoadedModel& model, SymbolTable& names, Faults& faults) {
-  std::ranges::move(drawn_quantities(model.figures), std::back_inserter(names.drawn));
-  if (model.scene) std::ranges::move(shown_quantities(*model.scene), std::back_inserter(names.drawn));
-  const auto read = [&](const Node& section, Claim::Kind kind) {
-    if (section.kind == Node::Kind::empty) return;
-    std::ranges::move(read_claims(section, kind, names, faults), std::back_inserter(model.claims));
+void read_all_claims(const diagram::Diagram& diagram, LoadedModel& model, query::SymbolTable& names,
+                     yaml::Faults& faults) {
+  std::ranges::move(plot::drawn_quantities(model.figures), std::back_inserter(names.drawn));
+  if (model.scene) std::ranges::move(plot::shown_quantities(*model.scene), std::back_inserter(names.drawn));
+  const auto read = [&](const yaml::Node& section, claim::Claim::Kind kind) {
+    if (section.kind == yaml::Node::Kind::empty) return;
+    std::ranges::move(claim::read_claims(section, kind, names, faults), std::back_inserter(model.claims));
   };
-  read(diagram.claims, Claim::Kind::statement);
-  read(diagram.invariants, Claim::Kind::invariant);
+  read(diagram.claims, claim::Claim::Kind::statement);
+  read(diagram.invariants, claim::Claim::Kind::invariant);
 }
 
 }  // namespace
@@ -156,32 +158,34 @@ std::string unquoted(const std::string& word) {
 }
 
 LoadedModel load_model(const Registry& registry, const std::string& file, const LoadOptions& options) {
-  Loader loader(registry, options.limits);
+  diagram::Loader loader(registry, options.limits);
   return load_model(loader, file, options);
 }
 
-LoadedModel load_model(Loader& loader, const std::string& file, const LoadOptions& options) {
+LoadedModel load_model(diagram::Loader& loader, const std::string& file, const LoadOptions& options) {
   LoadedModel model;
   model.file = file;
   model.options = options;
   model.blocksets = loader.registry().blocksets();
-  model.job = make_job(loader, file, options.settings, options.stop, options.of_points);
-  SymbolTable names = names_of(model.job);
-  Faults faults;
-  const Diagram& diagram = model.job.plan.diagram;
-  const DiagramView view(diagram, loader);
+  model.job = run::make_job(loader, file, options.settings, options.stop, options.of_points);
+  query::SymbolTable names = names_of(model.job);
+  yaml::Faults faults;
+  const diagram::Diagram& diagram = model.job.plan.diagram;
+  const drawing::DiagramView view(diagram, loader);
   names.diagram = &view;
   add_study(loader, options, model, names, faults);
   names.scene = model.scene = read_scene_of(diagram, names, faults);
-  if (diagram.figure.kind != Node::Kind::empty) model.figures = read_figures(diagram.figure, names, faults);
+  if (diagram.figure.kind != yaml::Node::Kind::empty)
+    model.figures = plot::read_figures(diagram.figure, names, faults);
   if (model.study)
-    for (Figure& figure : model.figures)
-      if (!figure.title.empty()) figure.title += fmt::format(" ({})", whose_trials(*model.study));
+    for (plot::Figure& figure : model.figures)
+      if (!figure.title.empty()) figure.title += fmt::format(" ({})", study::whose_trials(*model.study));
   read_all_claims(diagram, model, names, faults);
-  if (diagram.fit.kind != Node::Kind::empty) model.fit = read_fit(diagram.fit, names, diagram, faults);
+  if (diagram.fit.kind != yaml::Node::Kind::empty)
+    model.fit = estimation::read_fit(diagram.fit, names, diagram, faults);
   faults.throw_if_any();
-  model.hash = diagram_hash(diagram);
+  model.hash = diagram::diagram_hash(diagram);
   return model;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::session

@@ -8,7 +8,7 @@
 #include "engine/view/plot/figure_spec.hpp"
 #include "engine/view/plot/plot_tools.hpp"
 
-namespace stepwire {
+namespace stepwire::session {
 
 namespace {
 
@@ -19,12 +19,13 @@ constexpr double below_axis = 0.1, axis = 0.7;
 /// are too narrow.
 class Coarse {
  public:
-  Coarse(std::string name, const Histogram& times) : name(std::move(name)) {
-    for (std::size_t bin = 0; bin + 1 < Histogram::bins(); ++bin)
-      add(0.5 * static_cast<double>(Histogram::begin_of(bin) + Histogram::begin_of(bin + 1)),
+  Coarse(std::string name, const realtime::Histogram& times) : name(std::move(name)) {
+    for (std::size_t bin = 0; bin + 1 < realtime::Histogram::bins(); ++bin)
+      add(0.5 * static_cast<double>(realtime::Histogram::begin_of(bin) +
+                                    realtime::Histogram::begin_of(bin + 1)),
           times.count_in(bin));
   }
-  Coarse(std::string name, const CyclictestHistogram& times) : name(std::move(name)) {
+  Coarse(std::string name, const realtime::CyclictestHistogram& times) : name(std::move(name)) {
     for (std::size_t us = 0; us < times.counts().size(); ++us)
       add(1e3 * (static_cast<double>(us) + 0.5), times.counts()[us]);
   }
@@ -63,7 +64,7 @@ struct Counted {
 };
 
 Counted counted(const LoopOutcome& outcome) {
-  const Measurements& measured = outcome.loop.measurements();
+  const realtime::Measurements& measured = outcome.loop.measurements();
   Counted counted{{{"wake-up latency", measured.wake_up()},
                    {"response", measured.response()},
                    {"cost of a step", measured.step()}}};
@@ -78,8 +79,8 @@ Counted counted(const LoopOutcome& outcome) {
 }
 
 /// A staircase; what was never counted lies below the axis.
-NumberCurve staircase(const Counted& counted, const Coarse& coarse) {
-  NumberCurve curve{{}, {}, coarse.name};
+plot::NumberCurve staircase(const Counted& counted, const Coarse& coarse) {
+  plot::NumberCurve curve{{}, {}, coarse.name};
   for (std::size_t bin = counted.first; bin <= counted.end; ++bin)
     for (const std::size_t at : {bin, bin + 1}) {
       curve.x.push_back(1e-3 * edge(at));
@@ -88,27 +89,27 @@ NumberCurve staircase(const Counted& counted, const Coarse& coarse) {
   return curve;
 }
 
-void draw_counts(const Counted& counted, PlotBuilder& plot) {
-  name_axis(plot.spec.x, "time", "µs");
-  name_axis(plot.spec.y, "deadlines", "");
-  std::vector<NumberCurve> curves;
+void draw_counts(const Counted& counted, plot::PlotBuilder& plot) {
+  plot::name_axis(plot.spec.x, "time", "µs");
+  plot::name_axis(plot.spec.y, "deadlines", "");
+  std::vector<plot::NumberCurve> curves;
   for (const Coarse& coarse : counted.all) curves.push_back(staircase(counted, coarse));
-  draw_curves(curves, plot);
+  plot::draw_curves(curves, plot);
   plot.plane(0.05);
 }
 
 double stretch_of(const LoopOutcome& outcome) {
-  return outcome.settings.duration / static_cast<double>(Measurements::worst_count);
+  return outcome.settings.duration / static_cast<double>(realtime::Measurements::worst_count);
 }
 
 /// The longest of each in every stretch of the run.
-std::vector<NumberCurve> worst_over_time(const LoopOutcome& outcome) {
-  std::vector<NumberCurve> curves{
+std::vector<plot::NumberCurve> worst_over_time(const LoopOutcome& outcome) {
+  std::vector<plot::NumberCurve> curves{
       {{}, {}, "wake-up latency"}, {{}, {}, "response"}, {{}, {}, "cost of a step"}};
   const auto& all = outcome.loop.measurements().worst();
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i].wake_up == 0 && all[i].response == 0) continue;  // no deadline, or not reached
-    const auto add = [&](NumberCurve& curve, std::int64_t longest) {
+    const auto add = [&](plot::NumberCurve& curve, std::int64_t longest) {
       curve.x.push_back(stretch_of(outcome) * (static_cast<double>(i) + 0.5));
       curve.y.push_back(1e-3 * static_cast<double>(longest));
     };
@@ -119,19 +120,19 @@ std::vector<NumberCurve> worst_over_time(const LoopOutcome& outcome) {
   return curves;
 }
 
-void draw_worst(const LoopOutcome& outcome, PlotBuilder& plot) {
-  name_axis(plot.spec.x, "time", "s");
-  name_axis(plot.spec.y, fmt::format("longest in {:.4g} s", stretch_of(outcome)), "µs");
-  draw_curves(worst_over_time(outcome), plot);
-  set_line_ranges(plot);
+void draw_worst(const LoopOutcome& outcome, plot::PlotBuilder& plot) {
+  plot::name_axis(plot.spec.x, "time", "s");
+  plot::name_axis(plot.spec.y, fmt::format("longest in {:.4g} s", stretch_of(outcome)), "µs");
+  plot::draw_curves(worst_over_time(outcome), plot);
+  plot::set_line_ranges(plot);
 }
 
 }  // namespace
 
-FigureSpec loop_figure(const LoopOutcome& outcome) {
+plot::FigureSpec loop_figure(const LoopOutcome& outcome) {
   const Counted all = counted(outcome);
-  const Diagram& diagram = outcome.loop.simulation().plan().diagram;
-  FigureBuilder figure(
+  const diagram::Diagram& diagram = outcome.loop.simulation().plan().diagram;
+  plot::FigureBuilder figure(
       {.title = fmt::format("{}: {:.6g} Hz, {}", diagram.title.empty() ? diagram.file : diagram.title,
                             outcome.settings.rate, outcome.served.policy),
        .columns = 2},
@@ -143,4 +144,4 @@ FigureSpec loop_figure(const LoopOutcome& outcome) {
   return figure.finished();
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::session

@@ -5,7 +5,9 @@
 #include "engine/model/diagram/flatten.hpp"
 #include "engine/simulate/realtime/machine.hpp"
 
-namespace stepwire {
+namespace stepwire::session {
+
+using json::Json;
 
 namespace {
 
@@ -14,15 +16,15 @@ Json or_null(const std::string& text) {
 }
 
 /// [[begin of bin, count], ..] of the bins in which something is.
-Json bins_json(const Histogram& times) {
+Json bins_json(const realtime::Histogram& times) {
   Json bins = Json::list();
-  for (std::size_t bin = 0; bin < Histogram::bins(); ++bin)
+  for (std::size_t bin = 0; bin < realtime::Histogram::bins(); ++bin)
     if (times.count_in(bin) > 0)
-      bins.push(Json::list({Json(Histogram::begin_of(bin)), Json(times.count_in(bin))}));
+      bins.push(Json::list({Json(realtime::Histogram::begin_of(bin)), Json(times.count_in(bin))}));
   return bins;
 }
 
-Json times_json(const Histogram& times) {
+Json times_json(const realtime::Histogram& times) {
   return Json::object()
       .set("count", times.count())
       .set("min", times.min())
@@ -36,12 +38,12 @@ Json times_json(const Histogram& times) {
 
 Json worst_json(const LoopOutcome& outcome) {
   Json wake_up = Json::list(), response = Json::list(), step = Json::list();
-  for (const Measurements::Worst& worst : outcome.loop.measurements().worst()) {
+  for (const realtime::Measurements::Worst& worst : outcome.loop.measurements().worst()) {
     wake_up.push(worst.wake_up);
     response.push(worst.response);
     step.push(worst.step);
   }
-  const double stretch = outcome.settings.duration / static_cast<double>(Measurements::worst_count);
+  const double stretch = outcome.settings.duration / static_cast<double>(realtime::Measurements::worst_count);
   return Json::object()
       .set("stretch_s", stretch)
       .set("wake_up", std::move(wake_up))
@@ -51,7 +53,7 @@ Json worst_json(const LoopOutcome& outcome) {
 
 Json groups_json(const LoopOutcome& outcome) {
   Json groups = Json::list();
-  for (const GroupCost& cost : outcome.loop.group_costs())
+  for (const realtime::GroupCost& cost : outcome.loop.group_costs())
     groups.push(Json::object()
                     .set("type", cost.type)
                     .set("blocks", cost.blocks)
@@ -63,7 +65,7 @@ Json groups_json(const LoopOutcome& outcome) {
 }
 
 Json thread_json(const LoopOutcome& outcome) {
-  const ThreadCounts& counts = outcome.loop.counts();
+  const realtime::ThreadCounts& counts = outcome.loop.counts();
   return Json::object()
       .set("policy", outcome.served.policy)
       .set("cpu", outcome.settings.cpu ? Json(*outcome.settings.cpu) : Json())
@@ -84,9 +86,9 @@ Json rows_json(const std::optional<LoopRows>& rows) {
       .set("lost_to_disk", rows->lost_to_disk);
 }
 
-Json baseline_json(const std::optional<Cyclictest>& baseline) {
+Json baseline_json(const std::optional<realtime::Cyclictest>& baseline) {
   if (!baseline) return {};
-  const CyclictestHistogram& times = baseline->histogram();
+  const realtime::CyclictestHistogram& times = baseline->histogram();
   return Json::object()
       .set("command", baseline->command())
       .set("count", times.count())
@@ -97,7 +99,7 @@ Json baseline_json(const std::optional<Cyclictest>& baseline) {
 }
 
 Json machine_json() {
-  const Machine machine = Machine::here();
+  const realtime::Machine machine = realtime::Machine::here();
   return Json::object()
       .set("processor", machine.processor)
       .set("processors", machine.processors)
@@ -110,7 +112,7 @@ Json machine_json() {
 }
 
 Json deadlines_json(const LoopOutcome& outcome) {
-  const Deadlines& deadlines = outcome.loop.deadlines();
+  const realtime::Deadlines& deadlines = outcome.loop.deadlines();
   return Json::object()
       .set("planned", outcome.settings.deadlines)
       .set("passed", deadlines.index())
@@ -120,12 +122,12 @@ Json deadlines_json(const LoopOutcome& outcome) {
       .set("longest_row", deadlines.longest_row());
 }
 
-Json diagram_json(const Executor& simulation) {
-  const Plan& plan = simulation.plan();
+Json diagram_json(const run::Executor& simulation) {
+  const plan::Plan& plan = simulation.plan();
   return Json::object()
       .set("file", plan.diagram.file)
       .set("title", plan.diagram.title)
-      .set("hash", diagram_hash(plan.diagram))
+      .set("hash", diagram::diagram_hash(plan.diagram))
       .set("blocks", plan.diagram.blocks.size())
       .set("states", plan.layout.state_count + plan.layout.discrete_count)
       .set("step_s", plan.diagram.step)
@@ -135,7 +137,7 @@ Json diagram_json(const Executor& simulation) {
 }  // namespace
 
 Json loop_json(const LoopOutcome& outcome) {
-  const Loop& loop = outcome.loop;
+  const realtime::Loop& loop = outcome.loop;
   Json faults = Json::list();
   if (const auto fault = loop.simulation().fault()) faults.push(fault->fault.text());
   return Json::object()
@@ -147,7 +149,7 @@ Json loop_json(const LoopOutcome& outcome) {
       .set("steps", loop.steps())
       .set("ticks", loop.simulation().tick())
       .set("deadlines", deadlines_json(outcome))
-      .set("resolution", Histogram::resolution)
+      .set("resolution", realtime::Histogram::resolution)
       .set("wake_up", times_json(loop.measurements().wake_up()))
       .set("response", times_json(loop.measurements().response()))
       .set("step", times_json(loop.measurements().step()))
@@ -161,18 +163,18 @@ Json loop_json(const LoopOutcome& outcome) {
       .set("compiler", compiler_version());
 }
 
-std::string end_word(Loop::End end) {
+std::string end_word(realtime::Loop::End end) {
   switch (end) {
-    case Loop::End::stopped:
+    case realtime::Loop::End::stopped:
       return "stopped after too many misses in a row";
-    case Loop::End::interrupted:
+    case realtime::Loop::End::interrupted:
       return "interrupted";
-    case Loop::End::fault:
+    case realtime::Loop::End::fault:
       return "ended by the diagram";
-    case Loop::End::done:
+    case realtime::Loop::End::done:
       break;
   }
   return "done";
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::session

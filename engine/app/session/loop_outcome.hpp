@@ -9,7 +9,7 @@
 #include "engine/simulate/realtime/loop.hpp"
 #include "engine/simulate/realtime/serve.hpp"
 
-namespace stepwire {
+namespace stepwire::session {
 
 /// What became of the rows of a loop.
 struct LoopRows {
@@ -23,11 +23,11 @@ struct LoopRows {
 
 /// All that a loop has to report; the loop itself tells what it measured.
 struct LoopOutcome {
-  const Loop& loop;
+  const realtime::Loop& loop;
   const LoopSettings& settings;
-  Served served;
+  realtime::Served served;
   std::optional<LoopRows> rows;  ///< none where nothing was recorded
-  std::optional<Cyclictest> baseline;
+  std::optional<realtime::Cyclictest> baseline;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::session

@@ -15,7 +15,7 @@
 #include "engine/simulate/run/memory.hpp"
 #include "engine/view/render/figure_file.hpp"
 
-namespace stepwire {
+namespace stepwire::session {
 
 namespace {
 
@@ -24,78 +24,79 @@ constexpr double min_numbers = 1 << 16, max_numbers = 1 << 23;
 constexpr double slice = 1.0;  // [s] of each in turn with a baseline
 
 /// A loop runs the file once with its own values, so its sweep, figures and claims are left alone.
-Plan plan_for_loop(const LoopCall& call, const Registry& registry, const LoopSettings& settings) {
-  Loader loader(registry, call.load.limits);
-  Plan plan = make_plan(loader.load_point(call.file, call.load.settings));
-  require_solver_memory(plan);
-  ticks_per_period(plan.diagram, settings.rate);
-  require_fit_for_loop(plan);
+plan::Plan plan_for_loop(const LoopCall& call, const Registry& registry, const LoopSettings& settings) {
+  diagram::Loader loader(registry, call.load.limits);
+  plan::Plan plan = plan::make_plan(loader.load_point(call.file, call.load.settings));
+  run::require_solver_memory(plan);
+  realtime::ticks_per_period(plan.diagram, settings.rate);
+  realtime::require_fit_for_loop(plan);
   return plan;
 }
 
-std::size_t ring_size(const Plan& plan, const LoopSettings& settings) {
-  const auto of_tick = static_cast<double>(LoopRecorder::numbers_per_tick(plan));
-  const auto ticks = static_cast<double>(ticks_per_period(plan.diagram, settings.rate));
+std::size_t ring_size(const plan::Plan& plan, const LoopSettings& settings) {
+  const auto of_tick = static_cast<double>(realtime::LoopRecorder::numbers_per_tick(plan));
+  const auto ticks = static_cast<double>(realtime::ticks_per_period(plan.diagram, settings.rate));
   const double wanted = seconds_in_ring * settings.rate * ticks * of_tick;
   return static_cast<std::size_t>(
       std::max(std::clamp(wanted, min_numbers, max_numbers), 16.0 * ticks * of_tick));
 }
 
 /// A folder with a replay of the data files as they are now.
-std::unique_ptr<OwnedFolder> folder_with_replay(const std::string& path, const Plan& plan) {
-  auto folder = std::make_unique<OwnedFolder>(path, [&] { return files_read(plan); });
-  write_replay(path, plan);
+std::unique_ptr<io::OwnedFolder> folder_with_replay(const std::string& path, const plan::Plan& plan) {
+  auto folder = std::make_unique<io::OwnedFolder>(path, [&] { return replay::files_read(plan); });
+  replay::write_replay(path, plan);
   return folder;
 }
 
 /// The folder that a loop writes: its rows while it runs, and at its end what it came to.
 class LoopFolder {
  public:
-  LoopFolder(const Plan& plan, const LoopSettings& settings, const std::string& path)
+  LoopFolder(const plan::Plan& plan, const LoopSettings& settings, const std::string& path)
       : path_(path),
         owned_(folder_with_replay(path, plan)),
         ring_(ring_size(plan, settings)),
         recorder_(plan, ring_),
-        writer_(ring_, path, loop_files(plan)) {}
+        writer_(ring_, path, realtime::loop_files(plan)) {}
 
-  LoopRecorder& recorder() { return recorder_; }
+  realtime::LoopRecorder& recorder() { return recorder_; }
   LoopRows finish() {
     writer_.finish();
     return {writer_.rows(), recorder_.lost(), writer_.lost(), writer_.trouble()};
   }
   void describe(const LoopOutcome& outcome) const {
-    write_file(path_ + "/loop.json", loop_json(outcome).text() + "\n");
-    write_figure(path_, "loop", loop_figure(outcome), "loop-figure");
+    io::write_file(path_ + "/loop.json", loop_json(outcome).text() + "\n");
+    render::write_figure(path_, "loop", loop_figure(outcome), "loop-figure");
   }
 
  private:
   const std::string path_;
-  std::unique_ptr<OwnedFolder> owned_;
-  RowRing ring_;
-  LoopRecorder recorder_;
-  RowWriter writer_;
+  std::unique_ptr<io::OwnedFolder> owned_;
+  realtime::RowRing ring_;
+  realtime::LoopRecorder recorder_;
+  realtime::RowWriter writer_;
 };
 
 /// Compiled code, where the call names it and it can be; with `auto`, too, since a loop has no time for it
 /// later.
-std::optional<CompiledPlan> code_for(const Plan& plan, ExecutionMode engine, const Monitor& monitor) {
-  if (engine == ExecutionMode::interpreted) return std::nullopt;
-  GeneratedCode source;
-  std::optional<CompiledPlan> code = source.compile(plan, {}, {});
+std::optional<plan::CompiledPlan> code_for(const plan::Plan& plan, run::ExecutionMode engine,
+                                           const Monitor& monitor) {
+  if (engine == run::ExecutionMode::interpreted) return std::nullopt;
+  codegen::GeneratedCode source;
+  std::optional<plan::CompiledPlan> code = source.compile(plan, {}, {});
   monitor.note_interpreted(source.take_problem());
   return code;
 }
 
 /// Serves all deadlines; in slices, with one of the baseline before each, where there is one.
-Served serve_all(Loop& loop, const LoopSettings& settings, std::optional<Cyclictest>& baseline,
-                 const Monitor& monitor) {
+realtime::Served serve_all(realtime::Loop& loop, const LoopSettings& settings,
+                           std::optional<realtime::Cyclictest>& baseline, const Monitor& monitor) {
   const auto count =
       baseline ? std::max<std::int64_t>(1, std::llround(slice * settings.rate)) : settings.deadlines;
-  Served served;
+  realtime::Served served;
   while (!loop.ended()) {
     const std::int64_t left = settings.deadlines - loop.deadlines().index();
     if (baseline && !monitor.interrupted()) baseline->run(std::min(count, left));
-    served = serve_in_real_time(loop, count, settings.policy, settings.cpu);
+    served = realtime::serve_in_real_time(loop, count, settings.policy, settings.cpu);
   }
   return served;
 }
@@ -105,26 +106,26 @@ Served serve_all(Loop& loop, const LoopSettings& settings, std::optional<Cyclict
 void run_loop(const LoopCall& call, const Registry& registry, const Monitor& monitor,
               const std::function<void(const LoopOutcome&)>& report) {
   const LoopSettings settings = read_loop_settings(call.words);
-  const Plan plan = plan_for_loop(call, registry, settings);
-  std::optional<Cyclictest> baseline;
+  const plan::Plan plan = plan_for_loop(call, registry, settings);
+  std::optional<realtime::Cyclictest> baseline;
   if (call.baseline) baseline.emplace(settings.rate, settings.policy, settings.cpu);
   std::optional<LoopFolder> folder;
   if (!call.out.empty()) folder.emplace(plan, settings, call.out);
-  NoDevice device;
-  SystemClock clock(settings.spin);
-  const std::optional<CompiledPlan> compiled = code_for(plan, call.engine, monitor);
-  const LoopOptions options{settings.rate,
-                            settings.deadlines,
-                            settings.overrun,
-                            monitor.interrupt,
-                            compiled ? &*compiled : nullptr,
-                            monitor.observers};
-  Loop loop(plan, options, device, clock, folder ? &folder->recorder() : nullptr);
+  realtime::NoDevice device;
+  realtime::SystemClock clock(settings.spin);
+  const std::optional<plan::CompiledPlan> compiled = code_for(plan, call.engine, monitor);
+  const realtime::LoopOptions options{settings.rate,
+                                      settings.deadlines,
+                                      settings.overrun,
+                                      monitor.interrupt,
+                                      compiled ? &*compiled : nullptr,
+                                      monitor.observers};
+  realtime::Loop loop(plan, options, device, clock, folder ? &folder->recorder() : nullptr);
   LoopOutcome outcome{loop, settings, serve_all(loop, settings, baseline, monitor), {}, std::move(baseline)};
   if (folder) outcome.rows = folder->finish();
-  processes_stop() = false;  // of an interrupted loop there is a picture, too
+  subprocess::processes_stop() = false;  // of an interrupted loop there is a picture, too
   report(outcome);
   if (folder) folder->describe(outcome);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::session

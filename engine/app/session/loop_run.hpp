@@ -7,7 +7,7 @@
 #include "engine/app/session/loop_outcome.hpp"
 #include "engine/app/session/monitor.hpp"
 
-namespace stepwire {
+namespace stepwire::session {
 
 /// What a call asks of a real-time loop.
 struct LoopCall {
@@ -16,7 +16,7 @@ struct LoopCall {
   LoopWords words;
   std::string out;  ///< folder; empty: nothing is recorded
   bool baseline = false;
-  ExecutionMode engine = ExecutionMode::interpreted;
+  run::ExecutionMode engine = run::ExecutionMode::interpreted;
 };
 
 /// Runs a file in real time with its own values; judges no claims. Its rows, loop.json and loop.svg are
@@ -25,4 +25,4 @@ struct LoopCall {
 void run_loop(const LoopCall& call, const Registry& registry, const Monitor& monitor,
               const std::function<void(const LoopOutcome&)>& report);
 
-}  // namespace stepwire
+}  // namespace stepwire::session

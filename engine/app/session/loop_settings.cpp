@@ -8,7 +8,7 @@
 #include "engine/base/unit/unit.hpp"
 #include "engine/base/yaml/error.hpp"
 
-namespace stepwire {
+namespace stepwire::session {
 
 namespace {
 
@@ -25,8 +25,8 @@ class Reader {
   /// A number with or without its unit; nan where it is none.
   double number(const std::string& option, const std::string& text, const std::string& unit,
                 const std::string& example) {
-    const auto quantity = parse_quantity(text);
-    const auto dimension = parse_unit(unit)->dimension;
+    const auto quantity = unit::parse_quantity(text);
+    const auto dimension = unit::parse_unit(unit)->dimension;
     if (quantity && quantity->dimension.value_or(dimension) == dimension) return quantity->value;
     refuse(option, text, fmt::format("must be a number in {}, such as {}", unit, example));
     return std::nan("");
@@ -37,10 +37,10 @@ class Reader {
     if (!right) refuse(option, text, message);
   }
 
-  const Faults& faults() const { return faults_; }
+  const yaml::Faults& faults() const { return faults_; }
 
  private:
-  Faults faults_;
+  yaml::Faults faults_;
 };
 
 void read_times(const LoopWords& words, Reader& reader, LoopSettings& settings) {
@@ -66,7 +66,7 @@ void read_times(const LoopWords& words, Reader& reader, LoopSettings& settings) 
 void read_cpu(const LoopWords& words, Reader& reader, LoopSettings& settings) {
   settings.cpu = words.cpu;
   if (!words.cpu) return;
-  const auto cpus = allowed_cpus();
+  const auto cpus = realtime::allowed_cpus();
   reader.refuse_unless(std::find(cpus.begin(), cpus.end(), *words.cpu) != cpus.end(), "--cpu",
                        std::to_string(*words.cpu),
                        fmt::format("is not there; this program may use {}", fmt::join(cpus, ", ")));
@@ -79,10 +79,10 @@ LoopSettings read_loop_settings(const LoopWords& words) {
   LoopSettings settings;
   read_times(words, reader, settings);
   read_cpu(words, reader, settings);
-  const auto policy = parse_policy(words.policy);
+  const auto policy = realtime::parse_policy(words.policy);
   reader.refuse_unless(policy.has_value(), "--policy", words.policy,
                        "must be fifo:PRIORITY with 1 to 99, such as fifo:80, or other");
-  const auto overrun = parse_overrun(words.overrun);
+  const auto overrun = realtime::parse_overrun(words.overrun);
   reader.refuse_unless(
       overrun.has_value(), "--overrun", words.overrun,
       "must be skip, catch-up, or stop:N with the number of misses in a row, such as stop:3");
@@ -92,4 +92,4 @@ LoopSettings read_loop_settings(const LoopWords& words) {
   return settings;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::session

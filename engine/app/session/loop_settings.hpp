@@ -7,7 +7,7 @@
 #include "engine/simulate/realtime/deadlines.hpp"
 #include "engine/simulate/realtime/real_time_thread.hpp"
 
-namespace stepwire {
+namespace stepwire::session {
 
 /// What a call of `loop` may ask, as written.
 struct LoopWords {
@@ -21,12 +21,12 @@ struct LoopSettings {
   double duration = 0.0;  ///< [s]
   std::int64_t deadlines = 0;
   std::int64_t spin = 0;  ///< [ns]
-  ThreadPolicy policy;
-  Overrun overrun;
+  realtime::ThreadPolicy policy;
+  realtime::Overrun overrun;
   std::optional<int> cpu;
 };
 
 /// Throws Error with all that is wrong.
 LoopSettings read_loop_settings(const LoopWords& words);
 
-}  // namespace stepwire
+}  // namespace stepwire::session

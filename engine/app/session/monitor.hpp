@@ -7,7 +7,7 @@
 
 #include "engine/simulate/run/observer.hpp"
 
-namespace stepwire {
+namespace stepwire::session {
 
 /// How a door watches what takes long, and ends it. Calls come from any thread.
 struct Monitor {
@@ -15,7 +15,7 @@ struct Monitor {
   /// The fraction done, 0 to 1, and what a fit or a study says of it.
   std::function<void(double fraction, const std::string& what)> progress;
   std::function<void(const std::string& text)> diagnostic;  ///< such as why nothing is compiled
-  std::vector<RunObserver*> observers;                      ///< of every run and trial; must outlive the call
+  std::vector<run::RunObserver*> observers;                 ///< of every run and trial; must outlive the call
 
   bool interrupted() const { return interrupt && *interrupt; }
   void show(double fraction, const std::string& what = {}) const {
@@ -27,4 +27,4 @@ struct Monitor {
   }
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::session

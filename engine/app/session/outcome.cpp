@@ -5,12 +5,12 @@
 
 #include "engine/view/scene/scene_states.hpp"
 
-namespace stepwire {
+namespace stepwire::session {
 
 namespace {
 
-Verdict not_judged(const Claim& claim, const std::string& why) {
-  Verdict verdict;
+claim::Verdict not_judged(const claim::Claim& claim, const std::string& why) {
+  claim::Verdict verdict;
   verdict.kind = claim.kind;
   verdict.that = claim.that;
   verdict.check = claim.check;
@@ -27,24 +27,25 @@ void judge_claims(const LoadedModel& model, Outcome& outcome) {
   const bool early = outcome.early();
   if (model.scene && !early) {
     outcome.shown = outcome.result.recordings;
-    add_scene_states(*model.scene, outcome.shown);
+    scene::add_scene_states(*model.scene, outcome.shown);
   }
-  for (const Claim& claim : model.claims)
+  for (const claim::Claim& claim : model.claims)
     outcome.verdicts.push_back(early ? not_judged(claim, "the run ended early")
-                                     : judge(claim, outcome.recordings()));
+                                     : claim::judge(claim, outcome.recordings()));
 }
 
-Outcome run_model(const LoadedModel& model, const RunOptions& options) {
+Outcome run_model(const LoadedModel& model, const run::RunOptions& options) {
   Outcome outcome;
   const auto start = std::chrono::steady_clock::now();
-  outcome.result = run_job(model.job, options);
+  outcome.result = run::run_job(model.job, options);
   outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   judge_claims(model, outcome);
   return outcome;
 }
 
-Outcome run_model(const LoadedModel& model, ExecutionMode engine, CodeSource& code, const Monitor& monitor) {
-  RunOptions options;
+Outcome run_model(const LoadedModel& model, run::ExecutionMode engine, plan::CodeSource& code,
+                  const Monitor& monitor) {
+  run::RunOptions options;
   options.engine = engine;
   options.code = &code;
   options.interrupt = monitor.interrupt;
@@ -53,4 +54,4 @@ Outcome run_model(const LoadedModel& model, ExecutionMode engine, CodeSource& co
   return run_model(model, options);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::session

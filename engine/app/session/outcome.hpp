@@ -6,17 +6,18 @@
 #include "engine/app/session/loaded_model.hpp"
 #include "engine/app/session/monitor.hpp"
 
-namespace stepwire {
+namespace stepwire::session {
 
 /// What became of a file.
 struct Outcome {
-  RunResult result;
-  std::vector<Recording> shown;  ///< the recordings with what the scene shows; empty where there is none
-  std::vector<Verdict> verdicts;
+  run::RunResult result;
+  std::vector<record::Recording>
+      shown;  ///< the recordings with what the scene shows; empty where there is none
+  std::vector<claim::Verdict> verdicts;
   double seconds = 0.0;  ///< of the run itself, without loading and drawing
 
   /// What figures and claims read.
-  std::span<const Recording> recordings() const { return shown.empty() ? result.recordings : shown; }
+  std::span<const record::Recording> recordings() const { return shown.empty() ? result.recordings : shown; }
   /// Did it end before its time, by a fault or an interruption?
   bool early() const { return !result.faults.empty() || result.interrupted; }
 };
@@ -25,8 +26,9 @@ struct Outcome {
 void judge_claims(const LoadedModel& model, Outcome& outcome);
 
 /// Runs and judges. Claims about a run that ended early are not judged and do not hold.
-Outcome run_model(const LoadedModel& model, const RunOptions& options);
+Outcome run_model(const LoadedModel& model, const run::RunOptions& options);
 /// The same, watched; `code` compiles what the engine does not interpret.
-Outcome run_model(const LoadedModel& model, ExecutionMode engine, CodeSource& code, const Monitor& monitor);
+Outcome run_model(const LoadedModel& model, run::ExecutionMode engine, plan::CodeSource& code,
+                  const Monitor& monitor);
 
-}  // namespace stepwire
+}  // namespace stepwire::session

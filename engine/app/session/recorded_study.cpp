@@ -9,7 +9,9 @@
 #include "engine/base/io/file.hpp"
 #include "engine/simulate/replay/replay_folder.hpp"
 
-namespace stepwire {
+namespace stepwire::session {
+
+using json::Json;
 
 namespace {
 
@@ -20,16 +22,16 @@ std::string path_in(const std::string& folder, const std::string& name) {
 }
 
 /// Under which name a signal is recorded.
-std::string recorded_name(const Diagram& diagram, const SignalRef& wanted) {
-  for (const RecordRequest& record : diagram.records)
-    for (const RecordedSignal& signal : record.signals)
+std::string recorded_name(const diagram::Diagram& diagram, const diagram::SignalRef& wanted) {
+  for (const diagram::RecordRequest& record : diagram.records)
+    for (const diagram::RecordedSignal& signal : record.signals)
       if (signal.signal.block == wanted.block && signal.signal.output == wanted.output) return signal.name;
   return {};
 }
 
-Json conditions_json(const StudyRequest& request) {
+Json conditions_json(const study::StudyRequest& request) {
   Json all = Json::object();
-  for (const StudyCondition& condition : request.conditions) {
+  for (const study::StudyCondition& condition : request.conditions) {
     Json on = Json::object();
     if (condition.feedback.haptic) on.set("haptic", 1);
     if (condition.feedback.visual) on.set("visual", 1);
@@ -39,24 +41,24 @@ Json conditions_json(const StudyRequest& request) {
   return all;
 }
 
-Json published_json(const PublishedValues& published) {
+Json published_json(const study::PublishedValues& published) {
   Json values = Json::object();
-  for (const NamedValue& value : published.values) values.set(value.name, value.value);
+  for (const study::NamedValue& value : published.values) values.set(value.name, value.value);
   return Json::object().set("source", published.source).set("values", std::move(values));
 }
 
-Json published_json(const PublishedStudy& published) {
+Json published_json(const study::PublishedStudy& published) {
   Json json = Json::object(), examples = Json::list(), order = Json::list();
   if (!published.means.values.empty()) json.set("means", published_json(published.means));
   if (!published.probabilities.values.empty())
     json.set("probabilities", published_json(published.probabilities));
-  for (const PublishedValues& one : published.examples) examples.push(published_json(one));
+  for (const study::PublishedValues& one : published.examples) examples.push(published_json(one));
   for (const auto& names : published.order) order.push(Json::list_of(names));
   return json.set("examples", std::move(examples)).set("order", std::move(order));
 }
 
 /// The section of a diagram file that asks for the same study of the copied trials; what is JSON is YAML.
-Json section_json(const StudyRequest& request, const Diagram& diagram) {
+Json section_json(const study::StudyRequest& request, const diagram::Diagram& diagram) {
   Json section = Json::object()
                      .set("task", request.task)
                      .set("trials", copy_name)
@@ -73,7 +75,7 @@ Json section_json(const StudyRequest& request, const Diagram& diagram) {
 
 /// The first line in which a file of the folder differs from what it should be.
 std::string difference(const std::string& path, const std::string& wanted) {
-  std::istringstream there(read_file(path)), here(wanted);
+  std::istringstream there(io::read_file(path)), here(wanted);
   std::string one, other;
   for (std::size_t line = 1;; ++line) {
     const bool more = static_cast<bool>(std::getline(there, one));
@@ -88,29 +90,29 @@ std::string difference(const std::string& path, const std::string& wanted) {
 }  // namespace
 
 void write_recorded(const std::string& folder, const LoadedModel& model) {
-  write_replay(folder, model.job.plan);
-  write_file(path_in(folder, copy_name), read_file(model.study->trials));
-  const std::string file = path_in(folder, flattened_name);
-  write_file(file, fmt::format("{}study: {}\n", read_file(file),
-                               section_json(*model.study, model.job.plan.diagram).text(-1)));
+  replay::write_replay(folder, model.job.plan);
+  io::write_file(path_in(folder, copy_name), io::read_file(model.study->trials));
+  const std::string file = path_in(folder, replay::flattened_name);
+  io::write_file(file, fmt::format("{}study: {}\n", io::read_file(file),
+                                   section_json(*model.study, model.job.plan.diagram).text(-1)));
 }
 
 bool has_recorded(const std::string& folder, const Registry& registry) {
-  const std::string file = path_in(folder, flattened_name);
+  const std::string file = path_in(folder, replay::flattened_name);
   if (!std::filesystem::exists(file)) return false;
-  Loader loader(registry, wide_limits);
+  diagram::Loader loader(registry, replay::wide_limits);
   return loader.document(file).root.find("study") != nullptr;
 }
 
 std::string verify_recorded(const std::string& folder, const Registry& registry) {
   LoadOptions options;
-  options.limits = wide_limits;
-  LoadedModel model = load_model(registry, path_in(folder, flattened_name), options);
-  const Experiments experiments{score_recorded(*model.study, model.job.plan.diagram)};
+  options.limits = replay::wide_limits;
+  LoadedModel model = load_model(registry, path_in(folder, replay::flattened_name), options);
+  const study::Experiments experiments{study::score_recorded(*model.study, model.job.plan.diagram)};
   const Outcome outcome = study_outcome(model, experiments);
   const std::string errors =
       difference(path_in(folder, "errors.csv"), errors_text(model, experiments, outcome));
   return errors.empty() ? difference(path_in(folder, "tables.txt"), tables_text(model, experiments)) : errors;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::session

@@ -4,7 +4,7 @@
 
 #include "engine/app/session/loaded_model.hpp"
 
-namespace stepwire {
+namespace stepwire::session {
 
 /// Writes into the folder of a study of recorded trials what verify_recorded() needs: the flattened diagram
 /// with the study as its section, and a copy of the trials. Throws EnvironmentError.
@@ -17,4 +17,4 @@ bool has_recorded(const std::string& folder, const Registry& registry);
 /// have come out otherwise; empty where all bits agree. Throws Error, TableError, EnvironmentError.
 std::string verify_recorded(const std::string& folder, const Registry& registry);
 
-}  // namespace stepwire
+}  // namespace stepwire::session

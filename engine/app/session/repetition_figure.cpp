@@ -8,7 +8,7 @@
 #include "engine/view/plot/figure_spec.hpp"
 #include "engine/view/plot/plot_tools.hpp"
 
-namespace stepwire {
+namespace stepwire::session {
 
 namespace {
 
@@ -17,35 +17,36 @@ bool is_probability(const std::string& name) {
 }
 
 /// Its panel with a line at the thesis' value. The more experiments, the finer its bins.
-void draw_value(const Distribution& one, FigureBuilder& figure) {
+void draw_value(const study::Distribution& one, plot::FigureBuilder& figure) {
   const bool p = is_probability(one.name);
   std::vector<double> values = one.values;
   const double bins = std::clamp(std::floor(1.5 * std::sqrt(static_cast<double>(values.size()))), 6.0, 40.0);
   if (p)
     for (double& value : values) value = std::log10(value);
   std::erase_if(values, [](double value) { return !std::isfinite(value); });
-  Panel panel{.title = "", .bins = bins};
+  plot::Panel panel{.title = "", .bins = bins};
   if (!std::isnan(one.published)) {
     panel.title = fmt::format("thesis: {:.3g}", one.published);
     panel.lines = {p ? std::log10(one.published) : one.published};
   }
-  PlotBuilder& plot = figure.add(panel);
-  name_axis(plot.spec.x, p ? "log10 of P, " + one.name.substr(2) : one.name, "1");
-  draw_histogram(values, plot);
+  plot::PlotBuilder& plot = figure.add(panel);
+  plot::name_axis(plot.spec.x, p ? "log10 of P, " + one.name.substr(2) : one.name, "1");
+  plot::draw_histogram(values, plot);
 }
 
 }  // namespace
 
-FigureSpec repetition_figure(const std::vector<ExperimentOutcome>& experiments, const StudyRequest& request) {
-  std::vector<Distribution> known = distributions_of_errors(experiments, request);
-  std::ranges::move(distributions_of_p(experiments, request), std::back_inserter(known));
-  FigureBuilder figure(
+plot::FigureSpec repetition_figure(const std::vector<study::ExperimentOutcome>& experiments,
+                                   const study::StudyRequest& request) {
+  std::vector<study::Distribution> known = study::distributions_of_errors(experiments, request);
+  std::ranges::move(study::distributions_of_p(experiments, request), std::back_inserter(known));
+  plot::FigureBuilder figure(
       {.title = fmt::format("Task {}: {} experiments with simulated operators, and the thesis'", request.task,
                             experiments.size()),
        .columns = 2},
       known.size());
-  for (const Distribution& one : known) draw_value(one, figure);
+  for (const study::Distribution& one : known) draw_value(one, figure);
   return figure.finished();
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::session

@@ -5,12 +5,12 @@
 
 #include "engine/simulate/replay/replay_folder.hpp"
 
-namespace stepwire {
+namespace stepwire::session {
 
-std::unique_ptr<OwnedFolder> own_results(const std::string& folder, const LoadedModel& model) {
+std::unique_ptr<io::OwnedFolder> own_results(const std::string& folder, const LoadedModel& model) {
   if (folder.empty()) return nullptr;
-  auto owned = std::make_unique<OwnedFolder>(folder, [&] {
-    std::set<std::string> files = files_read(model.job);
+  auto owned = std::make_unique<io::OwnedFolder>(folder, [&] {
+    std::set<std::string> files = replay::files_read(model.job);
     files.insert({folder + "/experiments.csv", folder + "/experiments.json"});
     if (model.study && !model.study->trials.empty()) files.insert(model.study->trials);
     return files;
@@ -19,4 +19,4 @@ std::unique_ptr<OwnedFolder> own_results(const std::string& folder, const Loaded
   return owned;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::session

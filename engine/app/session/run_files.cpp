@@ -12,35 +12,38 @@
 #include "engine/view/render/figure_file.hpp"
 #include "engine/view/render/scene_animation.hpp"
 
-namespace stepwire {
+namespace stepwire::session {
+
+using json::Json;
 
 namespace {
 
-ColumnWords words_of(const Recording& recording) {
-  ColumnWords words;
-  for (const Categories& column : recording.categories)
+table::ColumnWords words_of(const record::Recording& recording) {
+  table::ColumnWords words;
+  for (const record::Categories& column : recording.categories)
     for (const std::string& text : column.texts) words[column.column].push_back(unquoted(text));
   return words;
 }
 
 /// Swept words stand in their column as numbers: a MAT file keeps these, a table for people has the words.
-void write_recordings(const std::string& folder, const RunResult& result) {
+void write_recordings(const std::string& folder, const run::RunResult& result) {
   for (std::size_t i = 0; i < result.recordings.size(); ++i) {
-    const Table& table = result.recordings[i].table;
-    write_csv(folder + "/" + numbered("signals", i, ".csv"), table, words_of(result.recordings[i]));
-    write_mat(folder + "/" + numbered("signals", i, ".mat"), table);
+    const table::Table& table = result.recordings[i].table;
+    table::write_csv(folder + "/" + io::numbered("signals", i, ".csv"), table,
+                     words_of(result.recordings[i]));
+    mat::write_mat(folder + "/" + io::numbered("signals", i, ".mat"), table);
   }
 }
 
 constexpr std::size_t max_listed = 10'000;  // values of an axis; sweep.csv has all
 
 /// What was varied, in the order in which a MAT file numbers words from 0.
-Json sweep_json(const Job& job) {
+Json sweep_json(const run::Job& job) {
   if (job.points.empty()) return {};
   Json axes = Json::list();
-  for (const Sweep::Axis& axis : job.plan.diagram.sweep->axes) {
+  for (const diagram::Sweep::Axis& axis : job.plan.diagram.sweep->axes) {
     Json values = Json::list();
-    const auto listed = has_words(axis) ? words_of(axis) : axis.values;
+    const auto listed = run::has_words(axis) ? words_of(axis) : axis.values;
     if (listed.size() <= max_listed)
       for (const std::string& value : listed) values.push(unquoted(value));
     axes.push(Json::object()
@@ -51,18 +54,18 @@ Json sweep_json(const Job& job) {
   return axes;
 }
 
-Json parameter_value(const DiagramParameter& parameter) {
+Json parameter_value(const diagram::DiagramParameter& parameter) {
   if (const double* number = std::get_if<double>(&parameter.value.content)) return *number;
   return parameter.text;
 }
 
-Json parameters_json(const Diagram& diagram) {
+Json parameters_json(const diagram::Diagram& diagram) {
   Json list = Json::list();
-  for (const DiagramParameter& parameter : diagram.parameters)
+  for (const diagram::DiagramParameter& parameter : diagram.parameters)
     list.push(Json::object()
                   .set("name", parameter.name)
                   .set("value", parameter_value(parameter))
-                  .set("unit", parameter.dimension ? Json(si_name(*parameter.dimension)) : Json())
+                  .set("unit", parameter.dimension ? Json(unit::si_name(*parameter.dimension)) : Json())
                   .set("written", parameter.text)
                   .set("assumed", parameter.assumed)
                   .set("set", parameter.set));
@@ -71,15 +74,16 @@ Json parameters_json(const Diagram& diagram) {
 
 Json fault_texts(const Outcome& outcome) {
   Json faults = Json::list();
-  for (const RunFault& fault : outcome.result.faults) faults.push(fault.fault.text());
+  for (const run::RunFault& fault : outcome.result.faults) faults.push(fault.fault.text());
   return faults;
 }
 
 void write_scene(const std::string& folder, const LoadedModel& model, const Outcome& outcome,
                  std::vector<std::string>& pictures) {
   pictures.emplace_back("scene.svg");
-  write_file(folder + "/" + pictures.back(),
-             animated_scene(*model.scene, model.file, outcome.recordings(), model.job.plan.diagram.title));
+  io::write_file(
+      folder + "/" + pictures.back(),
+      render::animated_scene(*model.scene, model.file, outcome.recordings(), model.job.plan.diagram.title));
 }
 
 }  // namespace
@@ -87,11 +91,11 @@ void write_scene(const std::string& folder, const LoadedModel& model, const Outc
 Json claims_json(const LoadedModel& model, const Outcome& outcome) {
   Json list = Json::list();
   const auto& figure = model.job.plan.diagram.thesis.figure;
-  for (const Verdict& verdict : outcome.verdicts) {
+  for (const claim::Verdict& verdict : outcome.verdicts) {
     Json claim = Json::object();
     claim.set("file", model.file).set("figure", figure ? Json(*figure) : Json()).set("that", verdict.that);
     claim.set("check", verdict.check).set("value", verdict.value).set("holds", verdict.holds);
-    if (verdict.kind == Claim::Kind::invariant) claim.set("invariant", true);
+    if (verdict.kind == claim::Claim::Kind::invariant) claim.set("invariant", true);
     if (!verdict.disagrees.empty()) claim.set("disagrees", verdict.disagrees);
     if (!verdict.note.empty()) claim.set("note", verdict.note);
     list.push(std::move(claim));
@@ -99,14 +103,16 @@ Json claims_json(const LoadedModel& model, const Outcome& outcome) {
   return list;
 }
 
-Json run_json(const LoadedModel& model, const Outcome& outcome) {
-  const Diagram& diagram = model.job.plan.diagram;
+Json diagnostics_json(const Outcome& outcome) {
   Json diagnostics = Json::list();
-  for (const RaisedDiagnostic& diagnostic : outcome.result.diagnostics)
-    diagnostics.push(Json::object()
-                         .set("block", diagnostic.block)
-                         .set("time", diagnostic.time)
-                         .set("text", diagnostic.text));
+  for (const run::RaisedDiagnostic& raised : outcome.result.diagnostics)
+    diagnostics.push(
+        Json::object().set("block", raised.block).set("time", raised.time).set("text", raised.text));
+  return diagnostics;
+}
+
+Json run_json(const LoadedModel& model, const Outcome& outcome) {
+  const diagram::Diagram& diagram = model.job.plan.diagram;
   return Json::object()
       .set("file", model.file)
       .set("title", diagram.title)
@@ -121,7 +127,7 @@ Json run_json(const LoadedModel& model, const Outcome& outcome) {
       .set("compiled_ticks", outcome.result.compiled_ticks)
       .set("blocks", diagram.blocks.size())
       .set("block_folders", Json::list_of(model.blocksets))
-      .set("notices", std::move(diagnostics))
+      .set("notices", diagnostics_json(outcome))
       .set("faults", fault_texts(outcome))
       .set("interrupted", outcome.result.interrupted)
       .set("version", program_version())
@@ -132,17 +138,18 @@ Json run_json(const LoadedModel& model, const Outcome& outcome) {
 std::vector<std::string> write_outputs(const std::string& folder, const LoadedModel& model,
                                        const Outcome& outcome) {
   write_recordings(folder, outcome.result);
-  write_file(folder + "/claims.json", claims_json(model, outcome).text() + "\n");
-  write_file(folder + "/run.json", run_json(model, outcome).text() + "\n");
+  io::write_file(folder + "/claims.json", claims_json(model, outcome).text() + "\n");
+  io::write_file(folder + "/run.json", run_json(model, outcome).text() + "\n");
   std::vector<std::string> pictures;
   // Of a run that ended early the recordings are kept; a picture of them might be taken for the whole.
   if (!outcome.result.faults.empty() || outcome.result.interrupted) return pictures;
   for (std::size_t i = 0; i < model.figures.size(); ++i) {
-    pictures.push_back(numbered("figure", i, ".svg"));
-    write_figure(folder, numbered("figure", i, ""), figure_spec(model.figures[i], outcome.recordings()));
+    pictures.push_back(io::numbered("figure", i, ".svg"));
+    render::write_figure(folder, io::numbered("figure", i, ""),
+                         plot::figure_spec(model.figures[i], outcome.recordings()));
   }
   if (model.scene) write_scene(folder, model, outcome, pictures);
   return pictures;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::session

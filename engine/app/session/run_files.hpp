@@ -6,7 +6,7 @@
 #include "engine/app/session/outcome.hpp"
 #include "engine/base/json/json.hpp"
 
-namespace stepwire {
+namespace stepwire::session {
 
 /// Writes all that a run leaves behind into a folder: signals.csv, signals.mat, pictures with their specs
 /// (figure.svg, figure.json), claims.json, run.json. Each file appears whole or not at all. Returns the names
@@ -15,8 +15,8 @@ std::vector<std::string> write_outputs(const std::string& folder, const LoadedMo
                                        const Outcome& outcome);
 
 /// The verdicts as a list of {file, figure, that, check, value, holds, disagrees?, note?}.
-Json claims_json(const LoadedModel& model, const Outcome& outcome);
+json::Json claims_json(const LoadedModel& model, const Outcome& outcome);
 /// What was run: hash of the flattened diagram, parameters, step, solver, version, compiler, duration.
-Json run_json(const LoadedModel& model, const Outcome& outcome);
+json::Json run_json(const LoadedModel& model, const Outcome& outcome);
 
-}  // namespace stepwire
+}  // namespace stepwire::session

@@ -1,22 +1,22 @@
 #include "engine/app/session/session.hpp"
 
-namespace stepwire {
+namespace stepwire::session {
 
 LoadedModel Session::load(const std::string& file, const LoadOptions& options) const {
   return load_model(registry_, file, options);
 }
 
-Outcome Session::run(const LoadedModel& model, ExecutionMode engine) {
+Outcome Session::run(const LoadedModel& model, run::ExecutionMode engine) {
   Outcome outcome = run_model(model, engine, code_, monitor_);
   monitor_.note_interpreted(code_.take_problem());
   return outcome;
 }
 
-FitResult Session::fit(const LoadedModel& model, const FitCall& call) {
+estimation::FitResult Session::fit(const LoadedModel& model, const FitCall& call) {
   return fit_model(registry_, model, call, monitor_);
 }
 
-LoadedModel Session::fitted(const LoadedModel& model, const FitResult& result) const {
+LoadedModel Session::fitted(const LoadedModel& model, const estimation::FitResult& result) const {
   return load(model.file, with_fitted(model.options, result));
 }
 
@@ -24,8 +24,8 @@ Studies::Shared Session::study(const LoadedModel& model, const StudyCall& call) 
   return studies_.experiments(registry_, model, call, monitor_);
 }
 
-Verification Session::replay(const std::string& folder) const {
-  return verify(folder, registry_, monitor_.interrupt);
+replay::Verification Session::replay(const std::string& folder) const {
+  return replay::verify(folder, registry_, monitor_.interrupt);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::session

@@ -9,7 +9,7 @@
 #include "engine/simulate/codegen/generated_code.hpp"
 #include "engine/simulate/replay/verify.hpp"
 
-namespace stepwire {
+namespace stepwire::session {
 
 /// What the doors to the engine do with diagram files: each call returns data, throws Error for what is wrong
 /// in a file and EnvironmentError for what is wrong around it, and shows what takes long to the monitor.
@@ -29,21 +29,21 @@ class Session {
   /// before the first step is found here.
   LoadedModel load(const std::string& file, const LoadOptions& options = {}) const;
   /// Runs a model, or all points of its sweep, and judges its claims.
-  Outcome run(const LoadedModel& model, ExecutionMode engine = ExecutionMode::automatic);
+  Outcome run(const LoadedModel& model, run::ExecutionMode engine = run::ExecutionMode::automatic);
   /// Finds the parameters that the model's section `fit` names.
-  FitResult fit(const LoadedModel& model, const FitCall& call = {});
+  estimation::FitResult fit(const LoadedModel& model, const FitCall& call = {});
   /// The model with what a fit found.
-  LoadedModel fitted(const LoadedModel& model, const FitResult& result) const;
+  LoadedModel fitted(const LoadedModel& model, const estimation::FitResult& result) const;
   /// Performs the model's study, or finds that it was performed; study_outcome() puts it into the model.
   Studies::Shared study(const LoadedModel& model, const StudyCall& call = {});
   /// Replays what a run left in its folder.
-  Verification replay(const std::string& folder) const;
+  replay::Verification replay(const std::string& folder) const;
 
  private:
   const Registry& registry_;
   Monitor monitor_;
-  GeneratedCode code_;
+  codegen::GeneratedCode code_;
   Studies studies_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::session

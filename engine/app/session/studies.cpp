@@ -13,14 +13,14 @@
 #include "engine/simulate/codegen/generated_code.hpp"
 #include "engine/simulate/run/pooling.hpp"
 
-namespace stepwire {
+namespace stepwire::session {
 
 namespace {
 
 /// How far the experiments are.
 class StudyProgress {
  public:
-  StudyProgress(const StudyRequest& request, std::size_t studies, std::size_t experiments,
+  StudyProgress(const study::StudyRequest& request, std::size_t studies, std::size_t experiments,
                 const Monitor& monitor)
       : monitor_(monitor),
         trials_(experiments * studies * request.subjects.size() *
@@ -41,46 +41,47 @@ class StudyProgress {
 };
 
 /// Those of the first seed, with the outcomes of the others; none where the user interrupted.
-Experiments perform_all(TrialRuns& runs, const LoadedModel& model, const std::vector<std::uint64_t>& seeds,
-                        KeptExperiments& kept, const Monitor& monitor) {
-  const StudyRequest& request = *model.study;
-  StudyProgress progress(request, study_count(model.job), seeds.size(), monitor);
-  Experiments first;
-  ExperimentSink sink;
+study::Experiments perform_all(study::TrialRuns& runs, const LoadedModel& model,
+                               const std::vector<std::uint64_t>& seeds, KeptExperiments& kept,
+                               const Monitor& monitor) {
+  const study::StudyRequest& request = *model.study;
+  StudyProgress progress(request, study::study_count(model.job), seeds.size(), monitor);
+  study::Experiments first;
+  study::ExperimentSink sink;
   sink.told = [&] { progress.trial(); };
-  sink.done = [&](Experiments experiments) {
+  sink.done = [&](study::Experiments experiments) {
     kept.add(experiments);
     progress.experiment();
     if (experiments.front().seed == request.seed) first = std::move(experiments);
   };
-  perform(runs, request, model.job, seeds, sink);
+  study::perform(runs, request, model.job, seeds, sink);
   if (monitor.interrupted()) return {};
   kept.complete(first);
   return first;
 }
 
-Experiments make_experiments(const Registry& registry, const LoadedModel& model, const StudyCall& call,
-                             const Monitor& monitor) {
-  const StudyRequest& request = *model.study;
-  if (!request.trials.empty()) return {score_recorded(request, model.job.plan.diagram)};
+study::Experiments make_experiments(const Registry& registry, const LoadedModel& model, const StudyCall& call,
+                                    const Monitor& monitor) {
+  const study::StudyRequest& request = *model.study;
+  if (!request.trials.empty()) return {study::score_recorded(request, model.job.plan.diagram)};
   KeptExperiments kept(model, call.kept);
   const std::vector<std::uint64_t> seeds = kept.missing();
-  Loader loader(registry, model.options.limits);
-  GeneratedCode code;
-  TrialSource source = trial_source(
-      loader, model, engine_of(model, call, study_count(model.job) * seeds.size()), code, monitor);
+  diagram::Loader loader(registry, model.options.limits);
+  codegen::GeneratedCode code;
+  study::TrialSource source = trial_source(
+      loader, model, engine_of(model, call, study::study_count(model.job) * seeds.size()), code, monitor);
   source.threads = call.threads;
-  std::optional<TrialRuns> runs(std::in_place, std::move(source), request, model.job, seeds.size());
-  Experiments experiments = perform_all(*runs, model, seeds, kept, monitor);
+  std::optional<study::TrialRuns> runs(std::in_place, std::move(source), request, model.job, seeds.size());
+  study::Experiments experiments = perform_all(*runs, model, seeds, kept, monitor);
   runs.reset();  // so that nothing is compiled any more, which may have a problem to tell
   monitor.note_interpreted(code.take_problem());
   return experiments;
 }
 
 /// What tells the trials apart, as the axes of a sweep: those of the file's own come first.
-Sweep axes_of(const LoadedModel& model) {
-  const StudyRequest& request = *model.study;
-  Sweep sweep = model.job.plan.diagram.sweep.value_or(Sweep{});
+diagram::Sweep axes_of(const LoadedModel& model) {
+  const study::StudyRequest& request = *model.study;
+  diagram::Sweep sweep = model.job.plan.diagram.sweep.value_or(diagram::Sweep{});
   sweep.axes.push_back({"subject", request.subject_names(), {}, {}});
   sweep.axes.push_back({"condition", request.condition_names(), {}, {}});
   return sweep;
@@ -88,53 +89,53 @@ Sweep axes_of(const LoadedModel& model) {
 
 }  // namespace
 
-ExecutionMode engine_of(const LoadedModel& model, const StudyCall& call, std::size_t experiments) {
-  if (call.engine != ExecutionMode::automatic) return call.engine;
+run::ExecutionMode engine_of(const LoadedModel& model, const StudyCall& call, std::size_t experiments) {
+  if (call.engine != run::ExecutionMode::automatic) return call.engine;
   // What an interpreted block takes per tick, and the part of `stop` that a trial lasts.
   constexpr double per_block = 2e-8, part = 0.25;
   // [s]: from when a compilation is worth a core of its own, and from when it is worth waiting for.
   constexpr double beside = 4.0, ahead = 20.0;
-  const Plan& plan = model.job.plan;
+  const plan::Plan& plan = model.job.plan;
   const auto trials =
       static_cast<double>(model.study->subjects.size() * model.study->conditions.size() * experiments);
   const double ticks = static_cast<double>(plan.steps) * part * trials;
   const double cores = std::max(1u, std::thread::hardware_concurrency());
   const double seconds = per_block * static_cast<double>(plan.diagram.blocks.size()) * ticks / cores;
-  return seconds > ahead    ? ExecutionMode::compiled
-         : seconds > beside ? ExecutionMode::automatic
-                            : ExecutionMode::interpreted;
+  return seconds > ahead    ? run::ExecutionMode::compiled
+         : seconds > beside ? run::ExecutionMode::automatic
+                            : run::ExecutionMode::interpreted;
 }
 
-TrialSource trial_source(Loader& loader, const LoadedModel& model, ExecutionMode engine, CodeSource& code,
-                         const Monitor& monitor) {
-  TrialSource source{loader, model.file, model.options.settings, engine, &code, 0, monitor.interrupt};
+study::TrialSource trial_source(diagram::Loader& loader, const LoadedModel& model, run::ExecutionMode engine,
+                                plan::CodeSource& code, const Monitor& monitor) {
+  study::TrialSource source{loader, model.file, model.options.settings, engine, &code, 0, monitor.interrupt};
   if (const auto& stop = model.options.stop) source.settings.push_back({"stop", *stop, "--stop " + *stop});
   source.observers = monitor.observers;
   return source;
 }
 
 std::string study_key(const LoadedModel& model, bool with_seed) {
-  const StudyRequest& request = *model.study;
+  const study::StudyRequest& request = *model.study;
   std::string key = fmt::format(
       "{} {} {} {} {} {} {} {} {}", model.hash, request.task, fmt::join(request.subjects, ","),
       with_seed ? fmt::format("{}+{}", request.seed, request.experiments) : "", request.subject_parameter,
       request.seed_parameter, request.position, request.attempts, request.trials);
-  for (const StudyCondition& condition : request.conditions) {
+  for (const study::StudyCondition& condition : request.conditions) {
     key += " " + condition.feedback.name;
-    for (const Setting& setting : condition.settings)
+    for (const diagram::Setting& setting : condition.settings)
       key += fmt::format(",{}={}", setting.name, setting.value);
   }
   for (std::size_t point = 0; point < model.job.points.size(); ++point)
-    key += fmt::format(" ({})", settings_text(model.job.settings_of(point)));
+    key += fmt::format(" ({})", run::settings_text(model.job.settings_of(point)));
   for (const std::size_t condition : request.first) key += fmt::format(" first {}", condition);
   for (const std::size_t condition : request.practice) key += fmt::format(" practice {}", condition);
-  for (const CarriedValue& carried : request.carry)
+  for (const study::CarriedValue& carried : request.carry)
     key += fmt::format(" {}={}", carried.parameter, carried.signal);
   if (request.circle)
     key += fmt::format(" {} {} {} {}", request.circle->of, request.circle->x, request.circle->y,
                        request.circle->radius);
   if (request.way_back)
-    for (const SignalRef& signal : {request.way_back->position, request.way_back->direction})
+    for (const diagram::SignalRef& signal : {request.way_back->position, request.way_back->direction})
       key += fmt::format(" {}.{}", signal.block, signal.output);
   return key;
 }
@@ -153,36 +154,36 @@ Studies::Shared Studies::experiments(const Registry& registry, const LoadedModel
   }
   if (is_new) try {
       promise.set_value(
-          std::make_shared<const Experiments>(make_experiments(registry, model, call, monitor)));
+          std::make_shared<const study::Experiments>(make_experiments(registry, model, call, monitor)));
     } catch (...) {
       promise.set_exception(std::current_exception());
     }
   return future.get();
 }
 
-Outcome study_outcome(LoadedModel& model, const Experiments& experiments) {
+Outcome study_outcome(LoadedModel& model, const study::Experiments& experiments) {
   Outcome outcome;
   const auto start = std::chrono::steady_clock::now();
   outcome.result.interrupted = experiments.empty();
   if (!experiments.empty()) {
     if (model.job.points.empty())
-      fill_study_tables(experiments.front(), *model.study, model.tables);
+      study::fill_study_tables(experiments.front(), *model.study, model.tables);
     else
-      fill_sweep_tables(experiments, *model.study, model.tables);
-    outcome.result.recordings = study_recordings(experiments, *model.study, model.job);
+      study::fill_sweep_tables(experiments, *model.study, model.tables);
+    outcome.result.recordings = study::study_recordings(experiments, *model.study, model.job);
     model.job.plan.diagram.sweep = axes_of(model);
     model.job.points.clear();
     model.job.family = experiments.front().family;
     model.job.trials = true;
   }
-  for (const Experiment& experiment : experiments) {
+  for (const study::Experiment& experiment : experiments) {
     outcome.result.ticks += experiment.ticks;
     outcome.result.compiled_ticks += experiment.compiled_ticks;
-    for (const TrialRun& run : experiment.runs) model.job.points.push_back(run.point);
+    for (const study::TrialRun& run : experiment.runs) model.job.points.push_back(run.point);
   }
   judge_claims(model, outcome);
   outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return outcome;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::session

@@ -11,11 +11,11 @@
 #include "engine/app/session/outcome.hpp"
 #include "engine/base/json/json.hpp"
 
-namespace stepwire {
+namespace stepwire::session {
 
 /// How a call wants its studies to be made.
 struct StudyCall {
-  ExecutionMode engine = ExecutionMode::automatic;
+  run::ExecutionMode engine = run::ExecutionMode::automatic;
   unsigned threads = 0;  ///< 0: all cores
   std::string kept{};    ///< folder in which experiments are kept that are done; empty: none
 };
@@ -24,7 +24,7 @@ struct StudyCall {
 /// experiments.
 class Studies {
  public:
-  using Shared = std::shared_ptr<const Experiments>;
+  using Shared = std::shared_ptr<const study::Experiments>;
 
   /// The experiments of a file, one for each point of its sweep, performed now or before. From any thread;
   /// who asks for some that are being performed waits for them. Throws Error.
@@ -38,19 +38,20 @@ class Studies {
 
 /// Puts the experiments into the place of a run: their trials as runs of the model, tables, recordings; and
 /// judges the claims.
-Outcome study_outcome(LoadedModel& model, const Experiments& experiments);
+Outcome study_outcome(LoadedModel& model, const study::Experiments& experiments);
 
 /// Writes what verify() needs, trials.csv (of a sweep one for each point: trials-2.csv, ...), errors.csv,
 /// study.json, tables.txt into a folder. Throws EnvironmentError.
-void write_study(const std::string& folder, const LoadedModel& model, const Experiments& experiments,
+void write_study(const std::string& folder, const LoadedModel& model, const study::Experiments& experiments,
                  const Outcome& outcome);
 
 /// What errors.csv and tables.txt have.
-std::string errors_text(const LoadedModel& model, const Experiments& experiments, const Outcome& outcome);
-std::string tables_text(const LoadedModel& model, const Experiments& experiments);
+std::string errors_text(const LoadedModel& model, const study::Experiments& experiments,
+                        const Outcome& outcome);
+std::string tables_text(const LoadedModel& model, const study::Experiments& experiments);
 
 /// All that it found, for programs.
-Json study_json(const LoadedModel& model, const Experiments& experiments);
+json::Json study_json(const LoadedModel& model, const study::Experiments& experiments);
 
 /// All that decides on the experiment of a model, as a text; with or without the seeds, which decide who the
 /// people are.
@@ -58,10 +59,10 @@ std::string study_key(const LoadedModel& model, bool with_seed = true);
 
 /// How the trials of so many experiments are computed: as the call says, else by how long they would take
 /// interpreted. The longest wait for a compilation, shorter ones have it beside them, others have none.
-ExecutionMode engine_of(const LoadedModel& model, const StudyCall& call, std::size_t experiments);
+run::ExecutionMode engine_of(const LoadedModel& model, const StudyCall& call, std::size_t experiments);
 
 /// The runs of a model as trials; `code` is for what is compiled.
-TrialSource trial_source(Loader& loader, const LoadedModel& model, ExecutionMode engine, CodeSource& code,
-                         const Monitor& monitor);
+study::TrialSource trial_source(diagram::Loader& loader, const LoadedModel& model, run::ExecutionMode engine,
+                                plan::CodeSource& code, const Monitor& monitor);
 
-}  // namespace stepwire
+}  // namespace stepwire::session

@@ -14,20 +14,22 @@
 #include "engine/simulate/run/pooling.hpp"
 #include "engine/view/render/figure_file.hpp"
 
-namespace stepwire {
+namespace stepwire::session {
+
+using json::Json;
 
 namespace {
 
-Json settings_json(const std::vector<Setting>& settings) {
+Json settings_json(const std::vector<diagram::Setting>& settings) {
   Json json = Json::object();
-  for (const Setting& setting : settings) json.set(setting.name, unquoted(setting.value));
+  for (const diagram::Setting& setting : settings) json.set(setting.name, unquoted(setting.value));
   return json;
 }
 
-Json trials_json(const Experiment& experiment) {
+Json trials_json(const study::Experiment& experiment) {
   Json list = Json::list();
   for (std::size_t i = 0; i < experiment.trials.size(); ++i) {
-    const PathError& row = experiment.errors.rows[i];
+    const study::PathError& row = experiment.errors.rows[i];
     Json trial = Json::object()
                      .set("subject", row.subject)
                      .set("condition", row.condition)
@@ -48,72 +50,74 @@ Json trials_json(const Experiment& experiment) {
   return list;
 }
 
-Json orders_json(const Experiment& experiment, const StudyRequest& request) {
+Json orders_json(const study::Experiment& experiment, const study::StudyRequest& request) {
   Json orders = Json::object();
   for (const std::size_t subject : request.subjects) {
     Json names = Json::list();
-    for (const std::size_t condition : order_of_conditions(request, experiment.seed, subject))
+    for (const std::size_t condition : study::order_of_conditions(request, experiment.seed, subject))
       names.push(request.conditions[condition].feedback.name);
     orders.set(std::to_string(subject), std::move(names));
   }
   return orders;
 }
 
-Json analysis_json(const TaskAnalysis& analysis, const StudyRequest& request, std::uint64_t seed) {
+Json analysis_json(const study::TaskAnalysis& analysis, const study::StudyRequest& request,
+                   std::uint64_t seed) {
   Json means = Json::object();
-  for (const NamedValue& mean : analysis.means) means.set(mean.name, mean.value);
+  for (const study::NamedValue& mean : analysis.means) means.set(mean.name, mean.value);
   Json both = Json::list();
-  for (const SideBySide& one : compare(request.published, analysis)) both.push(side_by_side_json(one));
+  for (const study::SideBySide& one : study::compare(request.published, analysis))
+    both.push(study::side_by_side_json(one));
   return Json::object()
       .set("means", std::move(means))
-      .set("anova", anova_json(analysis.additive))
-      .set("anova_with_subject", anova_json(analysis.with_subject))
+      .set("anova", study::anova_json(analysis.additive))
+      .set("anova_with_subject", study::anova_json(analysis.with_subject))
       .set("repeated_measures",
-           analysis.repeated ? anova_json(*analysis.repeated) : Json(analysis.not_repeated))
+           analysis.repeated ? study::anova_json(*analysis.repeated) : Json(analysis.not_repeated))
       .set("within_subjects",
-           analysis.within ? comparisons_json(*analysis.within, seed) : Json(analysis.not_within))
+           analysis.within ? study::comparisons_json(*analysis.within, seed) : Json(analysis.not_within))
       .set("side_by_side", std::move(both));
 }
 
 /// What came out of each experiment.
-Json experiments_json(const Experiment& experiment, const StudyRequest& request) {
+Json experiments_json(const study::Experiment& experiment, const study::StudyRequest& request) {
   Json list = Json::list();
-  for (const ExperimentOutcome& one : outcomes(experiment, request)) {
+  for (const study::ExperimentOutcome& one : study::outcomes(experiment, request)) {
     Json json = Json::object().set("seed", one.seed);
-    for (const NamedValue& value : one.values) json.set(value.name, value.value);
+    for (const study::NamedValue& value : one.values) json.set(value.name, value.value);
     list.push(std::move(json));
   }
   return list;
 }
 
-std::string all_tables(const std::vector<NamedTable>& tables) {
+std::string all_tables(const std::vector<query::NamedTable>& tables) {
   std::string all;
-  for (const NamedTable& one : tables) all += (all.empty() ? "" : "\n") + text(*one.table);
+  for (const query::NamedTable& one : tables) all += (all.empty() ? "" : "\n") + text::text(*one.table);
   return all;
 }
 
 /// Of a sweep, the tables of each of its points behind those of the model.
-std::string tables_of_points(const StudyRequest& request, const Experiments& experiments) {
+std::string tables_of_points(const study::StudyRequest& request, const study::Experiments& experiments) {
   std::string all;
-  for (const Experiment& experiment : experiments) {
+  for (const study::Experiment& experiment : experiments) {
     if (experiment.sets.empty()) continue;
-    std::vector<NamedTable> tables = empty_study_tables(false);
-    fill_study_tables(experiment, request, tables);
-    all += fmt::format("\n\nWith {}\n\n{}", settings_text(experiment.sets), all_tables(tables));
+    std::vector<query::NamedTable> tables = study::empty_study_tables(false);
+    study::fill_study_tables(experiment, request, tables);
+    all += fmt::format("\n\nWith {}\n\n{}", run::settings_text(experiment.sets), all_tables(tables));
   }
   return all;
 }
 
 /// How many columns of a recording, behind the time, say at which point of a sweep its rows are.
-std::ptrdiff_t swept_columns_of(const Recording& recording) {
-  const auto first = std::ranges::find(recording.table.columns, "subject", &Column::name);
+std::ptrdiff_t swept_columns_of(const record::Recording& recording) {
+  const auto first = std::ranges::find(recording.table.columns, "subject", &table::Column::name);
   return first - recording.table.columns.begin() - 1;
 }
 
 /// What follows the columns of the errors: how the trials of a person followed each other.
-void add_sequence(const LoadedModel& model, const Experiments& experiments, Table& table) {
+void add_sequence(const LoadedModel& model, const study::Experiments& experiments, table::Table& table) {
   for (std::size_t i = 0; i < experiments.size(); ++i) {
-    const auto more = sequence_columns(experiments[i], *model.study, model.job.plan.diagram);
+    const auto more = study::sequence_columns(experiments[i], *model.study, model.job.plan.diagram);
     const std::size_t first = table.columns.size() - (i == 0 ? 0 : more.size());
     for (std::size_t c = 0; c < more.size(); ++c) {
       if (i == 0) table.columns.push_back({more[c].name, more[c].unit, {}});
@@ -124,30 +128,32 @@ void add_sequence(const LoadedModel& model, const Experiments& experiments, Tabl
 }
 
 /// Trials with the values that were carried into them.
-std::string trials_text(const LoadedModel& model, const Experiment& experiment) {
-  std::vector<Column> columns = sequence_columns(experiment, *model.study, model.job.plan.diagram);
+std::string trials_text(const LoadedModel& model, const study::Experiment& experiment) {
+  std::vector<table::Column> columns =
+      study::sequence_columns(experiment, *model.study, model.job.plan.diagram);
   if (columns.size() == 1) columns.clear();  // the order alone is in the errors
-  return trials_csv(experiment.trials, columns);
+  return study::trials_csv(experiment.trials, columns);
 }
 
 /// The errors of all trials; those of a sweep behind the swept values, as the recording of errors has them.
-std::string errors_csv(const LoadedModel& model, const Experiments& experiments, const Recording& recording) {
-  PathErrors all = experiments.front().errors;
+std::string errors_csv(const LoadedModel& model, const study::Experiments& experiments,
+                       const record::Recording& recording) {
+  study::PathErrors all = experiments.front().errors;
   for (std::size_t i = 1; i < experiments.size(); ++i)
     all.rows.insert(all.rows.end(), experiments[i].errors.rows.begin(), experiments[i].errors.rows.end());
-  ColumnWords words;
-  Table table = error_table(all, words);
+  table::ColumnWords words;
+  table::Table table = study::error_table(all, words);
   if (model.study->trials.empty()) add_sequence(model, experiments, table);
   const auto swept = recording.table.columns.begin() + 1;
   table.columns.insert(table.columns.begin(), swept, swept + swept_columns_of(recording));
-  for (const Categories& one : recording.categories)
+  for (const record::Categories& one : recording.categories)
     for (const std::string& text : one.texts)
       if (one.column != "subject" && one.column != "condition") words[one.column].push_back(unquoted(text));
-  return csv_text(table, words);
+  return table::csv_text(table, words);
 }
 
 /// Adds what one experiment found.
-Json add_experiment(Json json, const Experiment& experiment, const StudyRequest& request) {
+Json add_experiment(Json json, const study::Experiment& experiment, const study::StudyRequest& request) {
   json.set("rule", experiment.errors.rule)
       .set("remarks", Json::list_of(experiment.remarks))
       .set("trials", trials_json(experiment));
@@ -161,33 +167,34 @@ Json add_experiment(Json json, const Experiment& experiment, const StudyRequest&
 
 }  // namespace
 
-void write_study(const std::string& folder, const LoadedModel& model, const Experiments& experiments,
+void write_study(const std::string& folder, const LoadedModel& model, const study::Experiments& experiments,
                  const Outcome& outcome) {
   if (model.study->trials.empty())
-    write_replay(folder, model.job);
+    replay::write_replay(folder, model.job);
   else
     write_recorded(folder, model);
   for (std::size_t i = 0; i < experiments.size(); ++i)
-    write_file(folder + "/" + numbered("trials", i, ".csv"), trials_text(model, experiments[i]));
-  write_file(folder + "/errors.csv", errors_text(model, experiments, outcome));
-  write_file(folder + "/study.json", study_json(model, experiments).text() + "\n");
-  write_file(folder + "/tables.txt", tables_text(model, experiments));
+    io::write_file(folder + "/" + io::numbered("trials", i, ".csv"), trials_text(model, experiments[i]));
+  io::write_file(folder + "/errors.csv", errors_text(model, experiments, outcome));
+  io::write_file(folder + "/study.json", study_json(model, experiments).text() + "\n");
+  io::write_file(folder + "/tables.txt", tables_text(model, experiments));
   if (model.study->experiments > 1 && experiments.size() == 1)
-    write_figure(folder, "experiments",
-                 repetition_figure(outcomes(experiments.front(), *model.study), *model.study),
-                 "experiments-figure");
+    render::write_figure(folder, "experiments",
+                         repetition_figure(study::outcomes(experiments.front(), *model.study), *model.study),
+                         "experiments-figure");
 }
 
-std::string errors_text(const LoadedModel& model, const Experiments& experiments, const Outcome& outcome) {
+std::string errors_text(const LoadedModel& model, const study::Experiments& experiments,
+                        const Outcome& outcome) {
   return errors_csv(model, experiments, outcome.result.recordings[model.job.plan.diagram.records.size()]);
 }
 
-std::string tables_text(const LoadedModel& model, const Experiments& experiments) {
+std::string tables_text(const LoadedModel& model, const study::Experiments& experiments) {
   return all_tables(model.tables) + tables_of_points(*model.study, experiments);
 }
 
-Json study_json(const LoadedModel& model, const Experiments& experiments) {
-  const StudyRequest& request = *model.study;
+Json study_json(const LoadedModel& model, const study::Experiments& experiments) {
+  const study::StudyRequest& request = *model.study;
   Json json = Json::object()
                   .set("file", model.file)
                   .set("task", request.task)
@@ -197,9 +204,9 @@ Json study_json(const LoadedModel& model, const Experiments& experiments) {
   for (std::size_t i = 0; i < experiments.size(); ++i)
     points.push(add_experiment(Json::object()
                                    .set("sets", settings_json(experiments[i].sets))
-                                   .set("trials_file", numbered("trials", i, ".csv")),
+                                   .set("trials_file", io::numbered("trials", i, ".csv")),
                                experiments[i], request));
   return json.set("points", std::move(points));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::session

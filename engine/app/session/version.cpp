@@ -1,6 +1,6 @@
 #include "engine/app/session/version.hpp"
 
-namespace stepwire {
+namespace stepwire::session {
 
 std::string program_version() {
   return STEPWIRE_VERSION;
@@ -15,4 +15,4 @@ std::string compiler_version() {
   return name + __VERSION__ + " " + STEPWIRE_FLAGS;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::session

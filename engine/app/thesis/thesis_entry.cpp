@@ -12,13 +12,13 @@
 #include "engine/base/io/file.hpp"
 #include "engine/view/gallery/gallery_picture.hpp"
 
-namespace stepwire {
+namespace stepwire::thesis {
 
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string label_of(const Diagram& diagram) {
+std::string label_of(const diagram::Diagram& diagram) {
   std::string label;
   if (diagram.thesis.figure) label = fmt::format("Figure {}", *diagram.thesis.figure);
   if (diagram.thesis.table)
@@ -31,30 +31,30 @@ constexpr std::array<std::pair<int, int>, 6> table_places{
     {{1, 4}, {2, 26}, {3, 42}, {4, 43}, {5, 45}, {6, 46}}};
 
 /// What is drawn beside the figures of a file.
-GalleryPicture extra_picture(const std::string& file) {
+gallery::GalleryPicture extra_picture(const std::string& file) {
   static const std::map<std::string, std::string> words{
       {"scene.svg", "The scene in motion"},
       {"fit-records.svg", "Records and the fitted model"},
       {"fit-curves.svg", "Curves of the fitted model"},
       {"fit-correlation.svg", "Correlation of the fitted parameters"}};
-  GalleryPicture picture;
+  gallery::GalleryPicture picture;
   picture.title = words.contains(file) ? words.at(file) : fs::path(file).stem().string();
   picture.alt = picture.title;
   picture.own = true;
   return picture;
 }
 
-GalleryPicture picture_of(const Figure& figure) {
-  GalleryPicture picture;
+gallery::GalleryPicture picture_of(const plot::Figure& figure) {
+  gallery::GalleryPicture picture;
   picture.caption = figure.caption;
-  picture.alt = described(figure);
+  picture.alt = gallery::described(figure);
   picture.own = figure.own;
   return picture;
 }
 
 }  // namespace
 
-std::pair<int, int> place_of(const GalleryEntry& entry) {
+std::pair<int, int> place_of(const gallery::GalleryEntry& entry) {
   if (entry.figure) return {*entry.figure, 0};
   for (const auto& [table, figure] : table_places)
     if (entry.table == table) return {figure, table};
@@ -62,9 +62,10 @@ std::pair<int, int> place_of(const GalleryEntry& entry) {
 }
 
 /// A part that is used several times assumes the same each time.
-void add_assumption(const DiagramParameter& parameter, std::vector<Assumption>& assumptions) {
+void add_assumption(const diagram::DiagramParameter& parameter,
+                    std::vector<gallery::Assumption>& assumptions) {
   const auto short_name = [](const std::string& name) { return name.substr(name.rfind('.') + 1); };
-  const auto is_same = [&](const Assumption& known) {
+  const auto is_same = [&](const gallery::Assumption& known) {
     return short_name(known.name) == short_name(parameter.name) && known.value == parameter.text &&
            known.doc == parameter.doc;
   };
@@ -72,8 +73,8 @@ void add_assumption(const DiagramParameter& parameter, std::vector<Assumption>& 
     assumptions.push_back({parameter.name, parameter.text, parameter.doc});
 }
 
-void describe_entry(const LoadedModel& model, GalleryEntry& entry) {
-  const Diagram& diagram = model.job.plan.diagram;
+void describe_entry(const session::LoadedModel& model, gallery::GalleryEntry& entry) {
+  const diagram::Diagram& diagram = model.job.plan.diagram;
   entry.label = label_of(diagram);
   entry.figure = diagram.thesis.figure;
   entry.table = diagram.thesis.table;
@@ -83,21 +84,21 @@ void describe_entry(const LoadedModel& model, GalleryEntry& entry) {
   entry.source_caption = diagram.thesis.caption;
   entry.source_says = diagram.thesis.says;
   entry.departures = diagram.thesis.departures;
-  for (const DiagramParameter& parameter : diagram.parameters)
+  for (const diagram::DiagramParameter& parameter : diagram.parameters)
     if (parameter.assumed) add_assumption(parameter, entry.assumptions);
 }
 
-GallerySource source_of(const std::string& file, const std::string& root) {
+gallery::GallerySource source_of(const std::string& file, const std::string& root) {
   const fs::path inside = fs::weakly_canonical(file).lexically_relative(fs::weakly_canonical(root));
   const bool outside = inside.empty() || *inside.begin() == "..";
   const fs::path place = outside ? "elsewhere" / fs::path(file).filename() : inside;
-  return {"diagrams/" + place.generic_string(), read_file(file)};
+  return {"diagrams/" + place.generic_string(), io::read_file(file)};
 }
 
-std::vector<GallerySource> sources_of(const LoadedModel& model, const std::string& root) {
-  std::vector<GallerySource> sources;
+std::vector<gallery::GallerySource> sources_of(const session::LoadedModel& model, const std::string& root) {
+  std::vector<gallery::GallerySource> sources;
   std::vector<std::string> seen;
-  for (const ScopeInfo& scope : model.job.plan.diagram.scopes) {
+  for (const diagram::ScopeInfo& scope : model.job.plan.diagram.scopes) {
     if (std::ranges::find(seen, scope.file) != seen.end()) continue;
     seen.push_back(scope.file);
     sources.push_back(source_of(scope.file, root));
@@ -105,31 +106,31 @@ std::vector<GallerySource> sources_of(const LoadedModel& model, const std::strin
   return sources;
 }
 
-void add_pictures(const LoadedModel& model, const std::vector<std::string>& files, const std::string& out,
-                  GalleryEntry& entry) {
+void add_pictures(const session::LoadedModel& model, const std::vector<std::string>& files,
+                  const std::string& out, gallery::GalleryEntry& entry) {
   std::map<std::string, std::string> texts;
   for (std::size_t i = 0; i < files.size(); ++i) {
-    const bool of_figure = i < model.figures.size() && files[i] == numbered("figure", i, ".svg");
-    GalleryPicture picture = of_figure ? picture_of(model.figures[i]) : extra_picture(files[i]);
+    const bool of_figure = i < model.figures.size() && files[i] == io::numbered("figure", i, ".svg");
+    gallery::GalleryPicture picture = of_figure ? picture_of(model.figures[i]) : extra_picture(files[i]);
     picture.file = files[i];
-    texts[files[i]] = read_file(fmt::format("{}/{}/{}", out, entry.folder, files[i]));
-    read_picture(picture, texts[files[i]]);
+    texts[files[i]] = io::read_file(fmt::format("{}/{}/{}", out, entry.folder, files[i]));
+    gallery::read_picture(picture, texts[files[i]]);
     picture.alt = fmt::format("{}, picture {} of {}: {}", entry.label.empty() ? entry.title : entry.label,
                               i + 1, files.size(), picture.alt);
     entry.pictures.push_back(std::move(picture));
   }
-  write_file(fmt::format("{}/{}/pictures.js", out, entry.folder), picture_script(texts));
+  io::write_file(fmt::format("{}/{}/pictures.js", out, entry.folder), gallery::picture_script(texts));
 }
 
-void add_downloads(const std::string& out, GalleryEntry& entry) {
+void add_downloads(const std::string& out, gallery::GalleryEntry& entry) {
   std::error_code error;
   for (const auto& file : fs::directory_iterator(fs::path(out) / entry.folder, error))
     if (file.is_regular_file(error))
       entry.downloads.push_back({file.path().filename().string(), file.file_size(error)});
-  std::ranges::sort(entry.downloads, {}, [](const GalleryDownload& file) {
+  std::ranges::sort(entry.downloads, {}, [](const gallery::GalleryDownload& file) {
     const fs::path path = file.file;
     return std::pair(path.stem(), path.extension());
   });
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::thesis

@@ -6,26 +6,26 @@
 #include "engine/app/session/loaded_model.hpp"
 #include "engine/view/gallery/gallery.hpp"
 
-namespace stepwire {
+namespace stepwire::thesis {
 
 /// What the file says of itself: label, title, captions, departures, assumed values.
-void describe_entry(const LoadedModel& model, GalleryEntry& entry);
+void describe_entry(const session::LoadedModel& model, gallery::GalleryEntry& entry);
 
 /// Copies of the diagram file and of the parts that it uses, which lie in the gallery as they lie around
 /// `root`, so that they can be run there.
-std::vector<GallerySource> sources_of(const LoadedModel& model, const std::string& root);
-GallerySource source_of(const std::string& file, const std::string& root);
+std::vector<gallery::GallerySource> sources_of(const session::LoadedModel& model, const std::string& root);
+gallery::GallerySource source_of(const std::string& file, const std::string& root);
 
 /// The pictures that a run left in its folder under `out`, with their sizes and words, and a script that has
 /// their texts. Throws EnvironmentError.
-void add_pictures(const LoadedModel& model, const std::vector<std::string>& files, const std::string& out,
-                  GalleryEntry& entry);
+void add_pictures(const session::LoadedModel& model, const std::vector<std::string>& files,
+                  const std::string& out, gallery::GalleryEntry& entry);
 
 /// Everything in the folder of an entry that a reader may take along.
-void add_downloads(const std::string& out, GalleryEntry& entry);
+void add_downloads(const std::string& out, gallery::GalleryEntry& entry);
 
 /// Where an entry stands in the thesis: behind which figure, and tables behind the figure itself; what is
 /// neither figure nor table comes last.
-std::pair<int, int> place_of(const GalleryEntry& entry);
+std::pair<int, int> place_of(const gallery::GalleryEntry& entry);
 
-}  // namespace stepwire
+}  // namespace stepwire::thesis

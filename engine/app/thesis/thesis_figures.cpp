@@ -22,7 +22,7 @@
 #include "engine/base/subprocess/process.hpp"
 #include "engine/simulate/replay/replay_folder.hpp"
 
-namespace stepwire {
+namespace stepwire::thesis {
 
 namespace {
 
@@ -41,13 +41,14 @@ std::vector<fs::path> figure_files(const ThesisCall& call) {
   for (const auto& entry : fs::directory_iterator(call.diagrams, error))
     if (entry.path().extension() == ".yaml" && wanted(entry.path().stem().string(), call.only))
       files.push_back(entry.path());
-  if (error) throw EnvironmentError(fmt::format("{}: {}", call.diagrams, error.message()));
+  if (error) throw io::EnvironmentError(fmt::format("{}: {}", call.diagrams, error.message()));
   std::sort(files.begin(), files.end());
   if (files.empty())
-    throw Error(Fault{{call.diagrams, {}},
-                      "",
-                      fmt::format("no diagram file here begins with {}", fmt::join(call.only, " or ")),
-                      {}});
+    throw yaml::Error(
+        yaml::Fault{{call.diagrams, {}},
+                    "",
+                    fmt::format("no diagram file here begins with {}", fmt::join(call.only, " or ")),
+                    {}});
   return files;
 }
 
@@ -56,8 +57,8 @@ std::string kept_folder(const ThesisCall& call) {
   return (fs::path(call.out) / "experiments").string();
 }
 
-OwnedFolder::Files kept_files(const ThesisCall& call) {
-  OwnedFolder::Files files;
+io::OwnedFolder::Files kept_files(const ThesisCall& call) {
+  io::OwnedFolder::Files files;
   std::error_code error;
   for (const auto& file : fs::recursive_directory_iterator(kept_folder(call), error))
     files.insert(file.path().string());
@@ -67,12 +68,12 @@ OwnedFolder::Files kept_files(const ThesisCall& call) {
 /// Makes the figures, several at a time; each entry stands at its file's place.
 class Maker {
  public:
-  Maker(const ThesisCall& call, const Registry& registry, const Monitor& monitor,
+  Maker(const ThesisCall& call, const Registry& registry, const session::Monitor& monitor,
         const std::function<void(const ThesisFigure&)>& made)
       : call_(call), registry_(registry), monitor_(monitor), made_(made), files_(figure_files(call)) {
     figures_.resize(files_.size());
     for (std::size_t i = 0; i < files_.size(); ++i) {
-      GalleryEntry& entry = figures_[i].entry;
+      gallery::GalleryEntry& entry = figures_[i].entry;
       entry.title = entry.folder = files_[i].stem().string();
       entry.error = not_made;
     }
@@ -81,13 +82,13 @@ class Maker {
   void run() {
     const std::size_t count =
         std::min<std::size_t>(files_.size(), std::max(1u, std::thread::hardware_concurrency()));
-    const auto others = begin_threads(count, [this] { work(); });
+    const auto others = parallel::begin_threads(count, [this] { work(); });
     work();
   }
 
   /// In the order of the thesis.
-  std::vector<GalleryEntry> entries() const {
-    std::vector<GalleryEntry> entries;
+  std::vector<gallery::GalleryEntry> entries() const {
+    std::vector<gallery::GalleryEntry> entries;
     for (const ThesisFigure& figure : figures_) entries.push_back(figure.entry);
     std::ranges::stable_sort(entries, {}, place_of);
     return entries;
@@ -108,7 +109,7 @@ class Maker {
     figure.entry.sources = {source_of(file.string(), root())};
     try {
       fill(file, figure);
-    } catch (const ProcessStopped&) {
+    } catch (const subprocess::ProcessStopped&) {
       figure.error = std::current_exception();
     } catch (const std::exception& error) {
       const std::string_view reason = error.what();
@@ -118,17 +119,17 @@ class Maker {
   }
 
   void fill(const fs::path& file, ThesisFigure& figure) {
-    GalleryEntry& entry = figure.entry;
+    gallery::GalleryEntry& entry = figure.entry;
     const std::string folder = (fs::path(call_.out) / file.stem()).string();
-    LoadedModel model = load_model(registry_, file.string(), {});
+    session::LoadedModel model = session::load_model(registry_, file.string(), {});
     std::vector<std::string> fitted;
     if (model.fit) fitted = fit_first(model, folder);
     describe_entry(model, entry);
     entry.sources = sources_of(model, root());
-    Outcome outcome = model.study ? study(model, folder) : run(model, folder);
+    session::Outcome outcome = model.study ? study(model, folder) : run(model, folder);
     if (!outcome.result.interrupted) {
       entry.verdicts = outcome.verdicts;
-      std::vector<std::string> pictures = write_outputs(folder, model, outcome);
+      std::vector<std::string> pictures = session::write_outputs(folder, model, outcome);
       pictures.insert(pictures.end(), fitted.begin(), fitted.end());
       add_pictures(model, pictures, call_.out, entry);
       add_downloads(call_.out, entry);
@@ -142,50 +143,50 @@ class Maker {
   /// What diagram files and their parts lie in.
   std::string root() const { return fs::path(call_.diagrams).parent_path().string(); }
 
-  Outcome run(const LoadedModel& model, const std::string& folder) const {
-    write_replay(folder, model.job);
-    RunOptions options;
+  session::Outcome run(const session::LoadedModel& model, const std::string& folder) const {
+    replay::write_replay(folder, model.job);
+    run::RunOptions options;
     options.interrupt = monitor_.interrupt;
     options.observers = monitor_.observers;
     // The figures themselves are made in parallel, until no more of them wait than there are cores.
     const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
     options.threads = next_ + cores < files_.size() ? 1 : 0;
-    return run_model(model, options);
+    return session::run_model(model, options);
   }
 
-  Outcome study(LoadedModel& model, const std::string& folder) {
-    StudyCall call;
-    call.kept = fmt::format("{}/{}", kept_folder(call_), hash_of(experiments_note(model)));
+  session::Outcome study(session::LoadedModel& model, const std::string& folder) {
+    session::StudyCall call;
+    call.kept = fmt::format("{}/{}", kept_folder(call_), hash::hash_of(session::experiments_note(model)));
     const auto experiments = studies_.experiments(registry_, model, call, quiet());
-    Outcome outcome = study_outcome(model, *experiments);
-    if (!outcome.result.interrupted) write_study(folder, model, *experiments, outcome);
+    session::Outcome outcome = session::study_outcome(model, *experiments);
+    if (!outcome.result.interrupted) session::write_study(folder, model, *experiments, outcome);
     return outcome;
   }
 
   /// The names of its pictures.
-  std::vector<std::string> fit_first(LoadedModel& model, const std::string& folder) const {
-    FitCall call;
+  std::vector<std::string> fit_first(session::LoadedModel& model, const std::string& folder) const {
+    session::FitCall call;
     call.threads = 1;
-    const FitResult result = fit_model(registry_, model, call, quiet());
-    const std::vector<std::string> pictures = write_fit(folder, model, result);
+    const estimation::FitResult result = session::fit_model(registry_, model, call, quiet());
+    const std::vector<std::string> pictures = session::write_fit(folder, model, result);
     if (!result.interrupted && !result.refused)
-      model = load_model(registry_, model.file, with_fitted(model.options, result));
+      model = session::load_model(registry_, model.file, session::with_fitted(model.options, result));
     return pictures;
   }
 
   /// The progress is that of all figures.
-  Monitor quiet() const { return {monitor_.interrupt, {}, {}, monitor_.observers}; }
+  session::Monitor quiet() const { return {monitor_.interrupt, {}, {}, monitor_.observers}; }
 
   const ThesisCall& call_;
   const Registry& registry_;
-  const Monitor& monitor_;
+  const session::Monitor& monitor_;
   const std::function<void(const ThesisFigure&)>& made_;
   std::vector<fs::path> files_;
   std::vector<ThesisFigure> figures_;
   std::atomic<std::size_t> next_ = 0;
   std::size_t done_ = 0;
   std::mutex mutex_;
-  Studies studies_;
+  session::Studies studies_;
 };
 
 constexpr const char* introduction =
@@ -194,23 +195,24 @@ constexpr const char* introduction =
     "the thesis says of a figure, and what its pictures are said to show; invariants are what must hold "
     "throughout: limits, energy, safety.";
 
-void write_gallery(const std::string& out, const std::vector<GalleryEntry>& entries) {
-  for (const auto& [place, text] : gallery_files({"The thesis, figure by figure", introduction, entries}))
-    write_file((fs::path(out) / place).string(), text);
+void write_gallery(const std::string& out, const std::vector<gallery::GalleryEntry>& entries) {
+  for (const auto& [place, text] :
+       gallery::gallery_files({"The thesis, figure by figure", introduction, entries}))
+    io::write_file((fs::path(out) / place).string(), text);
 }
 
 }  // namespace
 
-std::vector<GalleryEntry> make_thesis(const ThesisCall& call, const Registry& registry,
-                                      const Monitor& monitor,
-                                      const std::function<void(const ThesisFigure&)>& made) {
+std::vector<gallery::GalleryEntry> make_thesis(const ThesisCall& call, const Registry& registry,
+                                               const session::Monitor& monitor,
+                                               const std::function<void(const ThesisFigure&)>& made) {
   Maker maker(call, registry, monitor, made);
-  const OwnedFolder folder(call.out, [&] { return kept_files(call); });
+  const io::OwnedFolder folder(call.out, [&] { return kept_files(call); });
   maker.run();
-  std::vector<GalleryEntry> entries = maker.entries();
+  std::vector<gallery::GalleryEntry> entries = maker.entries();
   if (!monitor.interrupted()) print_chapters(call.out, entries);
   write_gallery(call.out, entries);
   return entries;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::thesis

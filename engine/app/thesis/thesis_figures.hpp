@@ -9,7 +9,7 @@
 #include "engine/app/session/outcome.hpp"
 #include "engine/view/gallery/gallery.hpp"
 
-namespace stepwire {
+namespace stepwire::thesis {
 
 /// Which figures of the thesis are made, and where.
 struct ThesisCall {
@@ -20,8 +20,8 @@ struct ThesisCall {
 
 /// One diagram file of the thesis, made or not.
 struct ThesisFigure {
-  GalleryEntry entry;
-  Outcome outcome;           ///< without its recordings
+  gallery::GalleryEntry entry;
+  session::Outcome outcome;  ///< without its recordings
   std::exception_ptr error;  ///< why it was not made; null where it was
 };
 
@@ -29,8 +29,8 @@ struct ThesisFigure {
 /// Then writes the pages, unless interrupted with chapters as PDF, and returns the entries in the order of
 /// the thesis; the first page is `out`/index.html. Throws EnvironmentError; Error where no file begins as
 /// `only` says.
-std::vector<GalleryEntry> make_thesis(const ThesisCall& call, const Registry& registry,
-                                      const Monitor& monitor,
-                                      const std::function<void(const ThesisFigure&)>& made);
+std::vector<gallery::GalleryEntry> make_thesis(const ThesisCall& call, const Registry& registry,
+                                               const session::Monitor& monitor,
+                                               const std::function<void(const ThesisFigure&)>& made);
 
-}  // namespace stepwire
+}  // namespace stepwire::thesis

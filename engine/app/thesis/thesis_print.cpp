@@ -13,22 +13,22 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/subprocess/process.hpp"
 
-namespace stepwire {
+namespace stepwire::thesis {
 
 namespace {
 
 constexpr const char* printer = "rsvg-convert";
 
 std::string printed(const std::string& program, const std::vector<std::string>& files) {
-  Hash hash;
+  hash::Hash hash;
   hash.add(printer);
-  for (const std::string& file : files) hash.add(read_file(file));
-  const Cache cache;
+  for (const std::string& file : files) hash.add(io::read_file(file));
+  const io::Cache cache;
   const std::string name = hash.text() + ".pdf";
   if (std::optional<std::string> text = cache.find(name)) return *std::move(text);
-  ProcessCall call{.command = {program, "--format=pdf"}};
+  subprocess::ProcessCall call{.command = {program, "--format=pdf"}};
   call.command.insert(call.command.end(), files.begin(), files.end());
-  const ProcessResult answer = run_helper(printer, call);
+  const subprocess::ProcessResult answer = subprocess::run_helper(printer, call);
   cache.keep(name, answer.output);
   return answer.output;
 }
@@ -36,18 +36,18 @@ std::string printed(const std::string& program, const std::vector<std::string>& 
 /// The entries of one chapter, and their pictures.
 struct Chapter {
   std::string file;
-  std::vector<GalleryEntry*> entries;
+  std::vector<gallery::GalleryEntry*> entries;
   std::vector<std::string> pictures;
 
-  void add(const std::string& out, GalleryEntry& entry) {
+  void add(const std::string& out, gallery::GalleryEntry& entry) {
     entry.print = {file, pictures.size() + 1};
     entries.push_back(&entry);
-    for (const GalleryPicture& picture : entry.pictures)
+    for (const gallery::GalleryPicture& picture : entry.pictures)
       pictures.push_back(fmt::format("{}/{}/{}", out, entry.folder, picture.file));
   }
 
   void leave_out(const std::string& note) {
-    for (GalleryEntry* entry : entries) {
+    for (gallery::GalleryEntry* entry : entries) {
       entry->print = {};
       entry->note = note;
     }
@@ -58,7 +58,7 @@ struct Chapter {
       return leave_out(fmt::format(
           "There is no PDF, since {} is not installed; on Debian it is the package librsvg2-bin.", printer));
     try {
-      write_file(out + "/" + file, printed(program, pictures));
+      io::write_file(out + "/" + file, printed(program, pictures));
     } catch (const std::exception& error) {  // also where an interruption has ended the printer
       leave_out(fmt::format("There is no PDF: {}", error.what()));
     }
@@ -74,19 +74,19 @@ std::string print_name(const std::string& chapter) {
 
 }  // namespace
 
-void print_chapters(const std::string& out, std::vector<GalleryEntry>& entries) {
+void print_chapters(const std::string& out, std::vector<gallery::GalleryEntry>& entries) {
   std::map<std::string, Chapter> chapters;
-  for (GalleryEntry& entry : entries) {
+  for (gallery::GalleryEntry& entry : entries) {
     if (entry.pictures.empty()) continue;
-    const std::string name = print_name(chapter_of(entry));
+    const std::string name = print_name(gallery::chapter_of(entry));
     Chapter& chapter = chapters[name];
     chapter.file = name;
     chapter.add(out, entry);
   }
-  const std::string program = find_program(printer);
+  const std::string program = subprocess::find_program(printer);
   std::vector<Chapter*> all;
   for (auto& [name, chapter] : chapters) all.push_back(&chapter);
-  in_parallel(all.size(), 0, [&](std::size_t i) { all[i]->print(program, out); });
+  parallel::in_parallel(all.size(), 0, [&](std::size_t i) { all[i]->print(program, out); });
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::thesis

@@ -7,13 +7,13 @@
 #include "engine/base/mat/mat_file.hpp"
 #include "engine/base/table/table_file.hpp"
 
-namespace stepwire {
+namespace stepwire::data_file {
 
-RecordTable read_data_file(const std::string& path) {
+table::RecordTable read_data_file(const std::string& path) {
   const std::string ending = std::filesystem::path(path).extension().string();
-  if (ending == ".csv" || ending == ".CSV") return read_record_csv(path);
-  if (ending == ".mat" || ending == ".MAT") return {read_mat(path)};
-  throw TableError(fmt::format("{}: a table is a .csv or a .mat file, not '{}'", path, ending));
+  if (ending == ".csv" || ending == ".CSV") return table::read_record_csv(path);
+  if (ending == ".mat" || ending == ".MAT") return {mat::read_mat(path)};
+  throw table::TableError(fmt::format("{}: a table is a .csv or a .mat file, not '{}'", path, ending));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::data_file

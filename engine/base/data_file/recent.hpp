@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-namespace stepwire {
+namespace stepwire::data_file {
 
 /// What was made before, kept under a name for whoever asks again. Safe from several threads. What was asked
 /// for longest ago goes where all together would hold more than `max_numbers`.
@@ -65,4 +65,4 @@ class Recent {
   std::list<Entry> entries_;  ///< the one that was asked for last is first
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::data_file

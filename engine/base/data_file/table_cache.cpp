@@ -5,16 +5,16 @@
 #include "engine/base/data_file/data_file.hpp"
 #include "engine/base/io/file.hpp"
 
-namespace stepwire {
+namespace stepwire::data_file {
 
 namespace {
 
 constexpr std::size_t numbers_of_process = 8'000'000;
 constexpr std::chrono::seconds coarsest_clock{2};
 
-std::size_t numbers_in(const Table& table) {
+std::size_t numbers_in(const table::Table& table) {
   std::size_t count = 0;
-  for (const Column& column : table.columns) count += column.values.size();
+  for (const table::Column& column : table.columns) count += column.values.size();
   return count;
 }
 
@@ -34,7 +34,7 @@ TableCache::Stamp TableCache::stamp_of(const std::string& path) {
   return stamp;
 }
 
-std::shared_ptr<const RecordTable> TableCache::read(const std::string& path) {
+std::shared_ptr<const table::RecordTable> TableCache::read(const std::string& path) {
   const Stamp stamp = stamp_of(path);
   auto known = recent_.find(path, [&](const Known& one) { return one.stamp == stamp; });
   if (!known) {
@@ -46,4 +46,4 @@ std::shared_ptr<const RecordTable> TableCache::read(const std::string& path) {
   return {known, &known->table};
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::data_file

@@ -8,7 +8,7 @@
 #include "engine/base/data_file/recent.hpp"
 #include "engine/base/table/record_table.hpp"
 
-namespace stepwire {
+namespace stepwire::data_file {
 
 /// Tables as they were read from files, so that a record which many runs play is parsed once. Safe from
 /// several threads. Those that were asked for longest ago go where all together would hold more than
@@ -20,7 +20,7 @@ class TableCache {
   /// The table in a .csv or .mat file, as read_data_file() reads it and with its errors. What was read
   /// before is given, the same object, as long as the file has the same size and time of change; a file that
   /// changed within the last two seconds is read anew, since clocks of file systems are coarse.
-  std::shared_ptr<const RecordTable> read(const std::string& path);
+  std::shared_ptr<const table::RecordTable> read(const std::string& path);
   /// Of this process, for 64 MB of numbers.
   static TableCache& of_process();
 
@@ -34,7 +34,7 @@ class TableCache {
   };
   struct Known {
     Stamp stamp;
-    RecordTable table;
+    table::RecordTable table;
   };
 
   static Stamp stamp_of(const std::string& path);
@@ -42,4 +42,4 @@ class TableCache {
   Recent<Known> recent_;  ///< by path
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::data_file

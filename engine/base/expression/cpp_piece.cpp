@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace stepwire {
+namespace stepwire::expression {
 namespace {
 
 /// Those of language.hpp that formulas name; all others are in <cmath>.
@@ -86,4 +86,4 @@ CppPiece cpp_choice(const CppPiece& condition, const CppPiece& a, const CppPiece
   return choice(cpp_truth(condition), a, b);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::expression

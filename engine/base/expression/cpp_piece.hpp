@@ -6,7 +6,7 @@
 
 #include "engine/base/expression/operation.hpp"
 
-namespace stepwire {
+namespace stepwire::expression {
 
 /// A part of an expression of C++.
 struct CppPiece {
@@ -21,4 +21,4 @@ CppPiece cpp_truth(const CppPiece& piece);
 CppPiece cpp_operation(const Operation& operation, const std::vector<CppPiece>& values);
 CppPiece cpp_choice(const CppPiece& condition, const CppPiece& a, const CppPiece& b);
 
-}  // namespace stepwire
+}  // namespace stepwire::expression

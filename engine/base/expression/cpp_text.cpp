@@ -5,7 +5,7 @@
 #include "engine/base/expression/cpp_piece.hpp"
 #include "engine/base/expression/fold.hpp"
 
-namespace stepwire {
+namespace stepwire::expression {
 namespace {
 
 struct MakeCpp {
@@ -35,4 +35,4 @@ std::string cpp_condition_text(const Program& program, const VariableText& varia
   return cpp_truth(cpp_of(program, variable)).text;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::expression

@@ -5,7 +5,7 @@
 #include "engine/base/expression/expression.hpp"
 #include "engine/base/expression/program.hpp"
 
-namespace stepwire {
+namespace stepwire::expression {
 
 /// A checked expression as one of C++, whose value has the bits that an evaluation gives; only the sign of a
 /// nan may differ. It is a double or a bool, binds as weakly as ?: does, and stands in namespace
@@ -17,4 +17,4 @@ std::string cpp_text(const Program& program, const VariableText& variable);
 /// Whether that is not 0: a bool.
 std::string cpp_condition_text(const Program& program, const VariableText& variable);
 
-}  // namespace stepwire
+}  // namespace stepwire::expression

@@ -9,7 +9,7 @@
 #include "engine/base/expression/fold.hpp"
 #include "engine/base/expression/language.hpp"
 
-namespace stepwire {
+namespace stepwire::expression {
 namespace {
 
 struct Complaint {
@@ -84,4 +84,4 @@ void check_draws(const Program& program, std::span<const std::optional<double>> 
     throw ExpressionError(result.wrong->text, result.wrong->place);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::expression

@@ -8,7 +8,7 @@
 #include "engine/base/expression/measure.hpp"
 #include "engine/base/expression/program.hpp"
 
-namespace stepwire {
+namespace stepwire::expression {
 namespace {
 
 /// The values on the way of an evaluation, the last of them in a register. Kinds of instructions are compared
@@ -95,7 +95,7 @@ Measure Expression::measure(const std::vector<Measure>& variables) const {
 }
 
 void Expression::check_draws(std::span<const std::optional<double>> values) const {
-  stepwire::check_draws(*program_, values);
+  stepwire::expression::check_draws(*program_, values);
 }
 
 double Expression::operator()(std::span<const double> values) const {
@@ -118,4 +118,4 @@ std::string Expression::cpp_condition(const VariableText& variable) const {
   return cpp_condition_text(*program_, variable);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::expression

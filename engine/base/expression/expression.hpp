@@ -11,7 +11,7 @@
 
 #include "engine/base/unit/unit.hpp"
 
-namespace stepwire {
+namespace stepwire::expression {
 
 /// What is wrong with an expression, and where: `position` counts characters of the text from 0.
 class ExpressionError : public std::runtime_error {
@@ -23,8 +23,8 @@ class ExpressionError : public std::runtime_error {
 
 /// What is known of the unit of a value. A bare number is SI of whatever it meets in a sum or a comparison.
 struct Measure {
-  std::optional<Dimension> dimension;  ///< none where it is not known
-  bool sure = false;                   ///< no bare number is a factor of it, which could be in any unit
+  std::optional<unit::Dimension> dimension;  ///< none where it is not known
+  bool sure = false;                         ///< no bare number is a factor of it, which could be in any unit
 };
 
 /// How C++ gets at variable i of an expression.
@@ -78,4 +78,4 @@ class Expression {
   std::shared_ptr<const Program> program_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::expression

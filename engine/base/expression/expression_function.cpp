@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace stepwire {
+namespace stepwire::expression {
 namespace {
 
 class ExpressionSource final : public Function::Source {
@@ -26,4 +26,4 @@ Function function_of(Expression expression, std::vector<std::size_t> places) {
   return Function(std::make_shared<ExpressionSource>(std::move(expression), std::move(places)));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::expression

@@ -5,9 +5,9 @@
 #include "engine/base/expression/expression.hpp"
 #include "engine/base/math/function.hpp"
 
-namespace stepwire {
+namespace stepwire::expression {
 
 /// An expression as a function that a block holds: its variable i is the number v[places[i]].
 Function function_of(Expression expression, std::vector<std::size_t> places);
 
-}  // namespace stepwire
+}  // namespace stepwire::expression

@@ -6,7 +6,7 @@
 
 #include "engine/base/expression/program.hpp"
 
-namespace stepwire {
+namespace stepwire::expression {
 
 /// Removes the last pieces, and returns them.
 template <class Piece>
@@ -34,4 +34,4 @@ Piece fold(const Program& program, const Make& make) {
   return std::move(pieces.back());
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::expression

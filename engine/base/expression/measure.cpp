@@ -7,7 +7,7 @@
 
 #include "engine/base/expression/fold.hpp"
 
-namespace stepwire {
+namespace stepwire::expression {
 namespace {
 
 /// A value on the way: what is known of its unit, and of a bare number the number, which may be an exponent.
@@ -17,7 +17,7 @@ struct Piece {
   std::optional<double> number{};
 };
 
-const Piece truth{{Dimension{}, true}};
+const Piece truth{{unit::Dimension{}, true}};
 
 bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -90,7 +90,7 @@ class MakeMeasure {
     const bool differ = x.dimension != y.dimension;
     if (differ && x.sure && y.sure)
       throw ExpressionError(fmt::format("'{}' joins {} and {}; they must have the same unit", sign,
-                                        si_name(*x.dimension), si_name(*y.dimension)),
+                                        unit::si_name(*x.dimension), unit::si_name(*y.dimension)),
                             place);
     return differ ? Piece{} : Piece{{x.dimension, x.sure || y.sure}};
   }
@@ -100,7 +100,9 @@ class MakeMeasure {
 
   static Piece product(std::string_view sign, const Piece& a, const Piece& b) {
     if (a.bare && b.bare) return a;
-    const auto one = [](const Piece& piece) { return piece.bare ? Dimension{} : piece.measure.dimension; };
+    const auto one = [](const Piece& piece) {
+      return piece.bare ? unit::Dimension{} : piece.measure.dimension;
+    };
     const auto x = one(a), y = one(b);
     if (!x || !y) return {};
     return {{sign == "*" ? *x * *y : *x / *y, a.measure.sure && b.measure.sure}};
@@ -109,9 +111,9 @@ class MakeMeasure {
   static Piece to_the(const Piece& a, const Piece& b) {
     if (a.bare) return {{}, true, folded(*find_operator("^"), {a, b})};
     const auto& dimension = a.measure.dimension;
-    if (dimension == Dimension{}) return {a.measure};
+    if (dimension == unit::Dimension{}) return {a.measure};
     if (!dimension || !b.number) return {};
-    return {{power(*dimension, *b.number), a.measure.sure}};
+    return {{unit::power(*dimension, *b.number), a.measure.sure}};
   }
 
   /// A length has neither a sine nor an exponential. Times may stand there, see below; logarithms and
@@ -121,10 +123,10 @@ class MakeMeasure {
     const bool takes_all =
         !is_one_of(function, {"sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp"});
     if (takes_all || value.bare || !measure.sure || !measure.dimension) return;
-    if (*measure.dimension == Dimension{} || *measure.dimension == Dimension{{0, 0, 1}}) return;
+    if (*measure.dimension == unit::Dimension{} || *measure.dimension == unit::Dimension{{0, 0, 1}}) return;
     throw ExpressionError(
         fmt::format("'{}' takes a pure number, and this one is in {}; divide it by a value of that unit",
-                    function, si_name(*measure.dimension)),
+                    function, unit::si_name(*measure.dimension)),
         place);
   }
 
@@ -132,7 +134,7 @@ class MakeMeasure {
   /// known for sure; a logarithm and a rounding have none at all then.
   static Piece of_a_pure_number(const Piece& value) {
     const Measure& measure = value.measure;
-    if (value.bare || measure.dimension == Dimension{}) return {{Dimension{}, measure.sure}};
+    if (value.bare || measure.dimension == unit::Dimension{}) return {{unit::Dimension{}, measure.sure}};
     return {};
   }
 
@@ -145,4 +147,4 @@ Measure measure_of(const Program& program, const std::vector<Measure>& variables
   return fold<Piece>(program, MakeMeasure(variables)).measure;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::expression

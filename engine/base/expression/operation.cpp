@@ -8,7 +8,7 @@
 
 #include "engine/base/expression/language.hpp"
 
-namespace stepwire {
+namespace stepwire::expression {
 namespace {
 
 constexpr int any_number = std::numeric_limits<int>::max();
@@ -98,4 +98,4 @@ const Operation* find_function(std::string_view name) {
   return find(functions, name);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::expression

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-namespace stepwire {
+namespace stepwire::expression {
 
 /// How strongly the operators of the language bind, which is how those of C++ do; a power is a call there.
 enum class Binding { open, condition, either, both, comparison, sum, product, prefix, power, atom };
@@ -24,4 +24,4 @@ extern const Operation minus, negation;  ///< the signs before a value
 const Operation* find_operator(std::string_view sign);
 const Operation* find_function(std::string_view name);
 
-}  // namespace stepwire
+}  // namespace stepwire::expression

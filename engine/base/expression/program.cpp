@@ -12,7 +12,7 @@
 #include "engine/base/expression/expression.hpp"
 #include "engine/base/expression/token.hpp"
 
-namespace stepwire {
+namespace stepwire::expression {
 namespace {
 
 using Known = std::function<bool(std::string_view)>;
@@ -264,4 +264,4 @@ Program translate(std::string_view text, const Known& known) {
   return program;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::expression

@@ -9,7 +9,7 @@
 #include "engine/base/expression/operation.hpp"
 #include "engine/base/unit/unit.hpp"
 
-namespace stepwire {
+namespace stepwire::expression {
 
 inline constexpr std::size_t longest_text = 5000;
 
@@ -30,7 +30,7 @@ struct Instruction {
 struct Program {
   struct Number {
     double value;
-    std::optional<Dimension> dimension;  ///< where it carries a unit
+    std::optional<unit::Dimension> dimension;  ///< where it carries a unit
   };
   /// A variable in the text: which one, and at which character.
   struct Use {
@@ -46,4 +46,4 @@ struct Program {
 /// Checks a text. Throws ExpressionError.
 Program translate(std::string_view text, const std::function<bool(std::string_view)>& known);
 
-}  // namespace stepwire
+}  // namespace stepwire::expression

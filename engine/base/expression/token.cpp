@@ -11,7 +11,7 @@
 #include "engine/base/expression/expression.hpp"
 #include "engine/base/unit/unit.hpp"
 
-namespace stepwire {
+namespace stepwire::expression {
 namespace {
 
 using Known = std::function<bool(std::string_view)>;
@@ -70,7 +70,7 @@ class Lexer {
     const char* const end = text_.data() + text_.size();
     const auto [rest, error] = std::from_chars(text_.data() + at_, end, value);
     at_ = static_cast<std::size_t>(rest - text_.data());
-    std::optional<Dimension> dimension;
+    std::optional<unit::Dimension> dimension;
     if (const auto unit = take_unit()) {
       value = unit->to_si(value);
       dimension = unit->dimension;
@@ -84,18 +84,18 @@ class Lexer {
   }
 
   /// A number directly before a unit has it; "5 1/s" has, "51/s" is a quotient.
-  std::optional<Unit> take_unit() {
+  std::optional<unit::Unit> take_unit() {
     const std::size_t before = at_;
     skip_blanks();
     const std::string_view rest = text_.substr(at_);
     const bool apart = at_ > before || peek() != '1';
-    const std::size_t length = apart ? unit_prefix(rest, known_) : 0;
+    const std::size_t length = apart ? unit::unit_prefix(rest, known_) : 0;
     if (length == 0) {
       at_ = before;
       return std::nullopt;
     }
     at_ += length;
-    return parse_unit(rest.substr(0, length));
+    return unit::parse_unit(rest.substr(0, length));
   }
 
   Token name() {
@@ -163,4 +163,4 @@ std::vector<Token> tokens(std::string_view text, const Known& known) {
   return result;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::expression

@@ -8,7 +8,7 @@
 
 #include "engine/base/unit/unit.hpp"
 
-namespace stepwire {
+namespace stepwire::expression {
 
 /// One piece of an expression. A number has its value (SI, where it carries a unit).
 struct Token {
@@ -17,7 +17,7 @@ struct Token {
   std::string_view text;
   std::size_t position = 0;
   double value = 0.0;
-  std::optional<Dimension> dimension{};  ///< of a number that carries a unit
+  std::optional<unit::Dimension> dimension{};  ///< of a number that carries a unit
 
   bool is(std::string_view sign) const { return kind == Kind::sign && text == sign; }
 };
@@ -26,4 +26,4 @@ struct Token {
 /// name: "4 A/m" is 4 A over m where m is known. Throws ExpressionError.
 std::vector<Token> tokens(std::string_view text, const std::function<bool(std::string_view)>& known);
 
-}  // namespace stepwire
+}  // namespace stepwire::expression

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <new>
 
-namespace stepwire {
+namespace stepwire::hash {
 
 struct Hash::State {
   XXH3_state_t* state = XXH3_createState();
@@ -40,4 +40,4 @@ std::string hash_of(std::string_view text) {
   return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::hash

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace stepwire {
+namespace stepwire::hash {
 
 /// A hash of 128 bits (XXH3) of several pieces, by which what was made of them is found again or known to be
 /// whole. It keeps nobody from making another text of the same hash on purpose.
@@ -28,4 +28,4 @@ class Hash {
 /// Of one text.
 std::string hash_of(std::string_view text);
 
-}  // namespace stepwire
+}  // namespace stepwire::hash

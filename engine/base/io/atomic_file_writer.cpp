@@ -12,7 +12,7 @@
 #include "engine/base/io/owned_folder.hpp"
 #include "engine/base/io/temporary.hpp"
 
-namespace stepwire {
+namespace stepwire::io {
 
 namespace fs = std::filesystem;
 
@@ -67,4 +67,4 @@ void AtomicFileWriter::finish() {
   refuse_file(path_, closed ? error.value() : reason);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::io

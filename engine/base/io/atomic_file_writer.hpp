@@ -6,7 +6,7 @@
 
 #include "engine/base/io/leftovers.hpp"
 
-namespace stepwire {
+namespace stepwire::io {
 
 /// A file that is written piece by piece under a temporary name beside `path`, which it replaces at the end;
 /// without finish() nothing of it is left. A disk that is full loses pieces, never a part of one.
@@ -35,4 +35,4 @@ class AtomicFileWriter {
   std::int64_t size_ = 0;  ///< [bytes] of whole pieces
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::io

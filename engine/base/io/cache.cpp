@@ -21,7 +21,7 @@
 #include "engine/base/io/leftovers.hpp"
 #include "engine/base/io/temporary.hpp"
 
-namespace stepwire {
+namespace stepwire::io {
 
 namespace {
 
@@ -32,7 +32,7 @@ constexpr std::string_view seal_word = "\nstepwire ";
 constexpr std::size_t seal_size = seal_word.size() + 33;
 
 std::string seal_of(const std::string& name, std::string_view content) {
-  return fmt::format("{}{}\n", seal_word, Hash().add(name).add(content).text());
+  return fmt::format("{}{}\n", seal_word, hash::Hash().add(name).add(content).text());
 }
 
 /// The first problem, for take_cache_problem().
@@ -202,4 +202,4 @@ void Cache::drop_old() const {
   }
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::io

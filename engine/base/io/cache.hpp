@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-namespace stepwire {
+namespace stepwire::io {
 
 /// Where results are kept that take long to make and follow from their input alone: $STEPWIRE_CACHE, else
 /// $XDG_CACHE_HOME/stepwire, else ~/.cache/stepwire. It need not be there.
@@ -35,4 +35,4 @@ class Cache {
 /// The first reason for which a cache of this process kept or gave nothing; empty once told.
 std::string take_cache_problem();
 
-}  // namespace stepwire
+}  // namespace stepwire::io

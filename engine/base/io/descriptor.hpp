@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace stepwire {
+namespace stepwire::io {
 
 /// A file descriptor that is closed when it goes.
 class Descriptor {
@@ -29,4 +29,4 @@ class Descriptor {
   int number_ = -1;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::io

@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace stepwire {
+namespace stepwire::io {
 
 /// Something outside of the diagram is missing or refuses: a full disk, no gnuplot, no data folder, no
 /// permission.
@@ -12,4 +12,4 @@ class EnvironmentError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::io

@@ -16,7 +16,7 @@
 #include "engine/base/io/owned_folder.hpp"
 #include "engine/base/io/temporary.hpp"
 
-namespace stepwire {
+namespace stepwire::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -120,4 +120,4 @@ void write_file(const std::string& path, std::string_view content) {
   write_and_rename(target, content, path);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::io

@@ -5,7 +5,7 @@
 
 #include "engine/base/io/environment_error.hpp"
 
-namespace stepwire {
+namespace stepwire::io {
 
 /// Names of files of one kind: "signals.csv", "signals-2.csv", ... for the indices 0, 1, ...
 std::string numbered(const std::string& stem, std::size_t index, const std::string& ending);
@@ -21,4 +21,4 @@ void require_folder(const std::string& path);
 /// Missing folders are made; what is no plain file ("/dev/stdout") is written as it is. Throws
 /// EnvironmentError with the system's reason.
 void write_file(const std::string& path, std::string_view content);
-}  // namespace stepwire
+}  // namespace stepwire::io

@@ -8,7 +8,7 @@
 #include <csignal>
 #include <cstring>
 
-namespace stepwire {
+namespace stepwire::io {
 
 namespace {
 
@@ -73,4 +73,4 @@ void remove_leftovers() noexcept {
     if (place.state == State::ready) remove(place);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::io

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace stepwire {
+namespace stepwire::io {
 
 /// A temporary file, or a folder with all that is in it, that goes, too, where a signal ends this process at
 /// once.
@@ -26,4 +26,4 @@ void forget_group(pid_t group);
 /// Removes the files and ends the groups that are noted now. A signal handler may call it.
 void remove_leftovers() noexcept;
 
-}  // namespace stepwire
+}  // namespace stepwire::io

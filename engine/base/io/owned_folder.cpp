@@ -17,7 +17,7 @@
 #include "engine/base/io/temporary.hpp"
 #include "engine/base/text/characters.hpp"
 
-namespace stepwire {
+namespace stepwire::io {
 
 namespace {
 
@@ -148,7 +148,7 @@ void OwnedFolder::refuse_foreign(const std::string& name, const std::string& sho
 
 /// A name that would be two lines of the list is in none.
 void OwnedFolder::note(const std::string& name) {
-  if (!names_.insert(name).second || visible(name) != name || name.starts_with('#')) return;
+  if (!names_.insert(name).second || text::visible(name) != name || name.starts_with('#')) return;
   const std::string text = (names_.size() == 1 ? list_head : "") + name + "\n";
   [[maybe_unused]] const ssize_t written =
       ::write(list_, text.data(), text.size());  // a full disk shows at the file itself
@@ -167,4 +167,4 @@ void note_written(const std::string& path) {
     }
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::io

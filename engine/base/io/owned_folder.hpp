@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace stepwire {
+namespace stepwire::io {
 
 /// A folder for what one run writes. As long as it is there no other run may write into the folder. Which
 /// files runs have written stands in its file ".stepwire": what the run before left is removed at the
@@ -47,4 +47,4 @@ class OwnedFolder {
 /// EnvironmentError where a file that no run wrote is in its place there, or a link leads out of the folder.
 void note_written(const std::string& path);
 
-}  // namespace stepwire
+}  // namespace stepwire::io

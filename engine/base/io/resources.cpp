@@ -9,7 +9,7 @@
 
 #include "engine/base/io/environment_error.hpp"
 
-namespace stepwire {
+namespace stepwire::io {
 
 namespace {
 
@@ -63,4 +63,4 @@ std::string resource(const std::string& name) {
                   name, places, share));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::io

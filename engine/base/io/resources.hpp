@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace stepwire {
+namespace stepwire::io {
 
 /// What comes with the program and is read while it runs lies in one folder, share/stepwire, as folders or
 /// links to them: "headers" (of engine and blocks), "public" (those of
@@ -19,4 +19,4 @@ std::string find_resource(const std::string& name);
 /// Notes the folder share/stepwire of the package that the running program was built with.
 void note_package(std::string share);
 
-}  // namespace stepwire
+}  // namespace stepwire::io

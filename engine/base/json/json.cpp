@@ -6,7 +6,7 @@
 
 #include "engine/base/text/characters.hpp"
 
-namespace stepwire {
+namespace stepwire::json {
 
 /// What the library writes, made of ours.
 struct JsonText {
@@ -67,8 +67,8 @@ Json& Json::set(std::string key, Json value) {
 }
 
 std::string Json::text(int indent) const {
-  return json_escaped(
+  return text::json_escaped(
       JsonText::of(*this).dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::json

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-namespace stepwire {
+namespace stepwire::json {
 
 /// A JSON value to be written: null, true or false, a number, text, a list, or an object that keeps its
 /// order.
@@ -57,4 +57,4 @@ class Json {
   Value value_ = nullptr;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::json

@@ -7,13 +7,13 @@
 
 #include "engine/base/table/table_file.hpp"
 
-namespace stepwire {
+namespace stepwire::mat {
 namespace {
 
 class Inflation {
  public:
   explicit Inflation(std::string_view packed) : packed_(packed) {
-    if (::inflateInit(&stream_) != Z_OK) throw TableError("there is no memory to unpack it");
+    if (::inflateInit(&stream_) != Z_OK) throw table::TableError("there is no memory to unpack it");
   }
   ~Inflation() { ::inflateEnd(&stream_); }
   Inflation(const Inflation&) = delete;
@@ -32,7 +32,7 @@ class Inflation {
       filled += got;
       ended_ = state == Z_STREAM_END;
       if ((state != Z_OK && !ended_) || (got == 0 && !ended_ && stream_.avail_in == 0 && packed_.empty()))
-        throw TableError("what is packed is damaged or cut off");
+        throw table::TableError("what is packed is damaged or cut off");
     }
     return filled;
   }
@@ -69,9 +69,9 @@ std::string inflate_all(std::string_view packed, std::size_t size) {
   Inflation inflation(packed);
   const std::size_t got = inflation.fill(all.data(), all.size());
   if (got != size || !inflation.ended())
-    throw TableError("what is packed has not the size that it should have");
+    throw table::TableError("what is packed has not the size that it should have");
   all.resize(size);
   return all;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::mat

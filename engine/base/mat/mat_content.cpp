@@ -6,7 +6,7 @@
 
 #include "engine/base/table/table_file.hpp"
 
-namespace stepwire {
+namespace stepwire::mat {
 namespace {
 
 template <class T>
@@ -75,7 +75,7 @@ std::size_t mat_count(const std::vector<std::size_t>& size) {
   constexpr std::size_t most = std::numeric_limits<std::size_t>::max() / 16;  // of complex doubles
   std::size_t count = 1;
   for (const std::size_t one : size) {
-    if (one != 0 && count > most / one) throw TableError("the dimensions are beyond any memory");
+    if (one != 0 && count > most / one) throw table::TableError("the dimensions are beyond any memory");
     count *= one;
   }
   return count;
@@ -85,4 +85,4 @@ std::size_t max_unpacked(std::size_t file_size) {
   return (std::size_t{64} << 20) + 20 * file_size;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::mat

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace stepwire {
+namespace stepwire::mat {
 
 /// Kinds of numbers in a MAT file, as its level 5 counts them.
 enum class MatNumber : std::uint32_t {
@@ -53,4 +53,4 @@ MatContent read_mat_level_4(std::string_view file);
 MatContent read_mat_level_5(std::string_view file, bool swap);
 MatContent read_mat_level_7(const std::string& path, std::size_t file_size);
 
-}  // namespace stepwire
+}  // namespace stepwire::mat

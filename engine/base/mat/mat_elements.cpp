@@ -6,7 +6,7 @@
 
 #include "engine/base/table/table_file.hpp"
 
-namespace stepwire {
+namespace stepwire::mat {
 namespace {
 
 constexpr std::size_t tag_size = 8;
@@ -42,7 +42,7 @@ std::string utf8_of(const std::vector<double>& units) {
 }  // namespace
 
 MatElement MatElements::tag() const {
-  if (rest_.size() < tag_size) throw TableError("the file is damaged or cut off");
+  if (rest_.size() < tag_size) throw table::TableError("the file is damaged or cut off");
   const std::vector<double> words = mat_numbers(rest_.substr(0, tag_size), MatNumber::uint32, swap_);
   const auto type = static_cast<std::uint32_t>(words[0]);
   if (type > 0xFFFF) return {type & 0xFFFF, type >> 16, {}};
@@ -56,7 +56,7 @@ MatElement MatElements::next() {
   const bool small = first > 0xFFFF;
   const std::size_t begin = small ? 4 : tag_size;
   if (element.length > (small ? 4 : rest_.size() - tag_size))
-    throw TableError("the file is damaged or cut off");
+    throw table::TableError("the file is damaged or cut off");
   element.bytes = rest_.substr(begin, element.length);
   const std::size_t filled = element.type == MatElement::packed ? 0 : (8 - element.length % 8) % 8;
   rest_.remove_prefix(std::min(rest_.size(), small ? tag_size : tag_size + element.length + filled));
@@ -67,7 +67,8 @@ std::vector<double> MatElements::numbers(const MatElement& element) const {
   const auto kind = static_cast<MatNumber>(element.type);
   const std::size_t one = mat_number_size(kind);
   if (one == 0 || element.bytes.size() % one != 0)
-    throw TableError(fmt::format("{} bytes of type {} are no numbers", element.bytes.size(), element.type));
+    throw table::TableError(
+        fmt::format("{} bytes of type {} are no numbers", element.bytes.size(), element.type));
   return mat_numbers(element.bytes, kind, swap_);
 }
 
@@ -81,7 +82,7 @@ std::string mat_text(const MatElements& of, const MatElement& element) {
                      element.type == MatElement::of(MatNumber::uint8);
   if (bytes) return std::string(element.bytes);
   if (element.type == MatElement::of(MatNumber::uint16)) return with(MatNumber::uint16);
-  throw TableError(fmt::format("its text is of type {}, which it cannot be", element.type));
+  throw table::TableError(fmt::format("its text is of type {}, which it cannot be", element.type));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::mat

@@ -8,7 +8,7 @@
 
 #include "engine/base/mat/mat_content.hpp"
 
-namespace stepwire {
+namespace stepwire::mat {
 
 /// A data element of level 5: what kind of content, and its bytes.
 struct MatElement {
@@ -45,4 +45,4 @@ class MatElements {
 /// The text of an element of characters, as UTF-8. Throws TableError as MatElements::numbers.
 std::string mat_text(const MatElements& of, const MatElement& element);
 
-}  // namespace stepwire
+}  // namespace stepwire::mat

@@ -4,15 +4,15 @@
 
 #include "engine/base/table/table.hpp"
 
-namespace stepwire {
+namespace stepwire::mat {
 
 /// Every real vector of a MATLAB file (level 4, 5 or 7.3), one column each; a matrix gives columns "name(1)",
 /// "name(2)", ... Columns may differ in length here. Errors as read_csv. A damaged
 /// file is an error, except that inside a file of level 7.3 only the HDF5 library can tell.
-Table read_mat(const std::string& path);
+table::Table read_mat(const std::string& path);
 
 /// Variables are named as the columns with what MATLAB does not allow replaced by '_' (made unique), doubles,
 /// one column vector each; beside them the cell arrays "names" and "units" in the same order.
-void write_mat(const std::string& path, const Table& table);
+void write_mat(const std::string& path, const table::Table& table);
 
-}  // namespace stepwire
+}  // namespace stepwire::mat

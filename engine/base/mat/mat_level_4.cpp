@@ -11,7 +11,7 @@
 // of the name; the name; the numbers. The digits of the type are byte order, 0, kind of numbers, kind of
 // matrix.
 
-namespace stepwire {
+namespace stepwire::mat {
 namespace {
 
 constexpr std::size_t header_size = 20, longest_name_4 = 1000;
@@ -38,13 +38,13 @@ class Level4 {
 
  private:
   std::string_view take(std::size_t count) {
-    if (count > rest_.size()) throw TableError("the file is damaged or cut off");
+    if (count > rest_.size()) throw table::TableError("the file is damaged or cut off");
     const std::string_view taken = rest_.substr(0, count);
     rest_.remove_prefix(count);
     return taken;
   }
 
-  [[noreturn]] static void refuse() { throw TableError("this is no MAT file, or it is damaged"); }
+  [[noreturn]] static void refuse() { throw table::TableError("this is no MAT file, or it is damaged"); }
 
   void matrix() {
     const std::string_view header = take(header_size);
@@ -71,8 +71,8 @@ class Level4 {
 }  // namespace
 
 MatContent read_mat_level_4(std::string_view file) {
-  if (file.empty()) throw TableError("the file is empty");
+  if (file.empty()) throw table::TableError("the file is empty");
   return Level4(file).read();
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::mat

@@ -8,7 +8,7 @@
 #include "engine/base/mat/mat_elements.hpp"
 #include "engine/base/table/table_file.hpp"
 
-namespace stepwire {
+namespace stepwire::mat {
 namespace {
 
 constexpr std::size_t file_header = 128;
@@ -41,21 +41,21 @@ Head head_of(MatElements& parts) {
   Head head;
   const MatElement flags = parts.next();
   if (flags.type != MatElement::of(MatNumber::uint32) || flags.bytes.size() != 8)
-    throw TableError("a variable does not begin with its type");
+    throw table::TableError("a variable does not begin with its type");
   const auto flag = static_cast<std::uint32_t>(parts.numbers(flags).front());
   head.type = flag & 0xFF;
   head.complex = (flag & 0x800) != 0;
   const MatElement size = parts.next();
   if (size.type != MatElement::of(MatNumber::int32) || size.bytes.size() < 8)
-    throw TableError("the dimensions of a variable are damaged");
+    throw table::TableError("the dimensions of a variable are damaged");
   for (const double count : parts.numbers(size)) {
-    if (count < 0.0) throw TableError("a dimension of a variable is below 0");
+    if (count < 0.0) throw table::TableError("a dimension of a variable is below 0");
     head.size.push_back(static_cast<std::size_t>(count));
   }
   const MatElement name = parts.next();
   if (name.type != MatElement::of(MatNumber::int8) && name.type != MatElement::of(MatNumber::uint8) &&
       name.type != MatElement::utf8)
-    throw TableError("the name of a variable is damaged");
+    throw table::TableError("the name of a variable is damaged");
   head.name = name.bytes.substr(0, name.bytes.find('\0'));
   return head;
 }
@@ -71,10 +71,10 @@ std::vector<double> values_of(const Head& head, MatElements& parts) {
   const std::size_t one = mat_number_size(kind);
   const bool broken = kind == MatNumber::float32 || kind == MatNumber::float64;
   if (one == 0 || (broken && head.type >= first_integer))
-    throw TableError(fmt::format("its numbers are of type {}, which they cannot be", element.type));
+    throw table::TableError(fmt::format("its numbers are of type {}, which they cannot be", element.type));
   if (element.bytes.size() != mat_count(head.size) * one)
-    throw TableError(fmt::format("it is {} and has {} bytes of numbers, not {}", size_text(head.size),
-                                 element.bytes.size(), mat_count(head.size) * one));
+    throw table::TableError(fmt::format("it is {} and has {} bytes of numbers, not {}", size_text(head.size),
+                                        element.bytes.size(), mat_count(head.size) * one));
   std::vector<double> values = parts.numbers(element);
   if (head.type == single)
     for (double& value : values) value = static_cast<double>(static_cast<float>(value));
@@ -92,11 +92,11 @@ std::vector<std::string> texts_of(const Head& head, MatElements& parts) {
   std::vector<std::string> texts;
   for (; texts.size() < count && !parts.empty();) {
     const MatElement cell = parts.next();
-    if (cell.type != MatElement::matrix) throw TableError("a cell is none");
+    if (cell.type != MatElement::matrix) throw table::TableError("a cell is none");
     texts.push_back(text_of(parts.inside(cell)));
   }
   if (texts.size() != count)
-    throw TableError(fmt::format("it is {} and has {} cells", size_text(head.size), texts.size()));
+    throw table::TableError(fmt::format("it is {} and has {} cells", size_text(head.size), texts.size()));
   return texts;
 }
 
@@ -105,8 +105,8 @@ template <class Action>
 auto named(const Head& head, const Action& action) {
   try {
     return action();
-  } catch (const TableError& error) {
-    throw TableError(fmt::format("'{}' is damaged: {}", head.name, error.what()));
+  } catch (const table::TableError& error) {
+    throw table::TableError(fmt::format("'{}' is damaged: {}", head.name, error.what()));
   }
 }
 
@@ -122,7 +122,8 @@ class Level5 {
     while (!elements_.empty()) {
       const MatElement element = elements_.next();
       if (element.type != MatElement::matrix && element.type != MatElement::packed)
-        throw TableError(fmt::format("a data element is of type {}, which is no variable", element.type));
+        throw table::TableError(
+            fmt::format("a data element is of type {}, which is no variable", element.type));
       element.type == MatElement::packed ? unpack(element.bytes) : take(elements_.inside(element));
     }
     return std::move(content_);
@@ -133,13 +134,13 @@ class Level5 {
   void unpack(std::string_view packed) {
     const std::string start = inflate_start(packed, longest_head);
     const MatElement tag = MatElements(start, swap_).tag();
-    if (tag.type != MatElement::matrix) throw TableError("what is packed is no variable");
+    if (tag.type != MatElement::matrix) throw table::TableError("what is packed is no variable");
     MatElements front(std::string_view(start).substr(8), swap_);
     const Head head = head_of(front);
     if (!head.counts()) return;
     const std::size_t size = 8 + tag.length;
     if (size > budget_)
-      throw TableError(
+      throw table::TableError(
           fmt::format("'{}' unpacks to {} MB, and what lies before it to {} MB; a file of this size may "
                       "unpack to {} MB in all",
                       head.name, size >> 20, (most_ - budget_) >> 20, most_ >> 20));
@@ -173,4 +174,4 @@ MatContent read_mat_level_5(std::string_view file, bool swap) {
   return Level5(file, swap).read();
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::mat

@@ -7,7 +7,7 @@
 #include "engine/base/mat/mat_elements.hpp"
 #include "engine/base/table/table_file.hpp"
 
-namespace stepwire {
+namespace stepwire::mat {
 namespace {
 
 struct Free {
@@ -100,7 +100,7 @@ class Level7 {
  private:
   [[noreturn]] static void fail(const std::string& message) {
     const std::string& complaint = Library::the().complaint;
-    throw TableError(message + (complaint.empty() ? "" : " (" + complaint + ")"));
+    throw table::TableError(message + (complaint.empty() ? "" : " (" + complaint + ")"));
   }
 
   void take(matvar_t& variable) {
@@ -154,4 +154,4 @@ MatContent read_mat_level_7(const std::string& path, std::size_t file_size) {
   return Level7(path, file_size).read();
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::mat

@@ -9,7 +9,7 @@
 #include "engine/base/mat/mat_file.hpp"
 #include "engine/base/table/table_file.hpp"
 
-namespace stepwire {
+namespace stepwire::mat {
 namespace {
 
 constexpr std::size_t max_columns = 20'000;
@@ -30,21 +30,21 @@ Header header_of(std::string_view file) {
 }
 
 MatContent content_of(const std::string& path) {
-  const std::string file = read_file(path);
+  const std::string file = io::read_file(path);
   const Header header = header_of(file);
   if (header.version == 0x0200) return read_mat_level_7(path, file.size());
   return header.version == 0x0100 ? read_mat_level_5(file, header.swap) : read_mat_level_4(file);
 }
 
 /// A vector is one column; of anything larger each column is one.
-void append_columns(Table& table, MatVariable& variable) {
+void append_columns(table::Table& table, MatVariable& variable) {
   const std::size_t longest = *std::max_element(variable.size.begin(), variable.size.end());
   const std::vector<double>& all = variable.values;
   if (longest == all.size()) return table.columns.push_back({variable.name, "", std::move(variable.values)});
   const std::size_t rows = variable.size.front();
   if (all.size() / rows + table.columns.size() > max_columns)
-    throw TableError(fmt::format("'{}' has {} columns; at most {} are read", variable.name, all.size() / rows,
-                                 max_columns));
+    throw table::TableError(fmt::format("'{}' has {} columns; at most {} are read", variable.name,
+                                        all.size() / rows, max_columns));
   for (std::size_t first = 0; first < all.size(); first += rows) {
     const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
     table.columns.push_back({fmt::format("{}({})", variable.name, first / rows + 1),
@@ -54,7 +54,7 @@ void append_columns(Table& table, MatVariable& variable) {
 }
 
 /// Files of our own keep the names of their columns, which MATLAB would not allow, and their units.
-void name_columns(Table& table, const MatContent& content) {
+void name_columns(table::Table& table, const MatContent& content) {
   const std::size_t count = table.columns.size();
   if (content.names.size() == count && content.units.size() == count) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -63,27 +63,27 @@ void name_columns(Table& table, const MatContent& content) {
     }
   }
   std::set<std::string_view> seen;
-  for (const Column& column : table.columns)
+  for (const table::Column& column : table.columns)
     if (!seen.insert(column.name).second)
-      throw TableError(fmt::format("two columns are named '{}'", column.name));
+      throw table::TableError(fmt::format("two columns are named '{}'", column.name));
 }
 
-Table table_of(MatContent content) {
-  Table table;
+table::Table table_of(MatContent content) {
+  table::Table table;
   for (MatVariable& variable : content.variables) append_columns(table, variable);
-  if (table.columns.empty()) throw TableError("there is no real vector in the file");
+  if (table.columns.empty()) throw table::TableError("there is no real vector in the file");
   name_columns(table, content);
   return table;
 }
 
 }  // namespace
 
-Table read_mat(const std::string& path) {
+table::Table read_mat(const std::string& path) {
   try {
     return table_of(content_of(path));
-  } catch (const TableError& error) {
-    throw TableError(fmt::format("{}: {}", path, error.what()));
+  } catch (const table::TableError& error) {
+    throw table::TableError(fmt::format("{}: {}", path, error.what()));
   }
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::mat

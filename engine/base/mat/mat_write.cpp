@@ -12,7 +12,7 @@
 // system says about a full disk. Layout: "MAT-File Format", The MathWorks. Numbers stand in the byte order of
 // the machine, and the header says which.
 
-namespace stepwire {
+namespace stepwire::mat {
 namespace {
 
 enum class Element : std::uint32_t { int8 = 1, uint16 = 4, int32 = 5, uint32 = 6, float64 = 9, matrix = 14 };
@@ -30,7 +30,8 @@ std::string bytes(const T* values, std::size_t count) {
 
 /// Type, length, the bytes, filled up to a multiple of eight.
 std::string element(Element type, const std::string& content) {
-  if (content.size() > longest_element) throw TableError("a column is too long for a MAT file of level 5");
+  if (content.size() > longest_element)
+    throw table::TableError("a column is too long for a MAT file of level 5");
   const std::array<std::uint32_t, 2> tag{static_cast<std::uint32_t>(type),
                                          static_cast<std::uint32_t>(content.size())};
   return bytes(tag.data(), tag.size()) + content + std::string((8 - content.size() % 8) % 8, '\0');
@@ -70,10 +71,10 @@ std::string text_matrix(const std::string& text) {
                 element(Element::uint16, bytes(units.data(), units.size())));
 }
 
-std::string text_cells(const std::string& name, const std::vector<Column>& columns,
-                       std::string Column::*text) {
+std::string text_cells(const std::string& name, const std::vector<table::Column>& columns,
+                       std::string table::Column::*text) {
   std::string cells;
-  for (const Column& column : columns) cells += text_matrix(column.*text);
+  for (const table::Column& column : columns) cells += text_matrix(column.*text);
   return matrix(Class::cell, columns.size(), 1, name, cells);
 }
 
@@ -104,20 +105,20 @@ std::string header_text() {
 
 }  // namespace
 
-void write_mat(const std::string& path, const Table& table) {
+void write_mat(const std::string& path, const table::Table& table) {
   // What MATLAB would not take back as the name of a variable, and our own two.
   std::set<std::string> used{"names",  "units",     "break",  "case",       "catch",    "continue",
                              "else",   "elseif",    "end",    "for",        "function", "global",
                              "if",     "otherwise", "parfor", "persistent", "return",   "spmd",
                              "switch", "try",       "while",  "classdef"};
   std::string content = header_text();
-  for (const Column& column : table.columns) {
+  for (const table::Column& column : table.columns) {
     content += matrix(Class::float64, column.values.size(), 1, matlab_name(column.name, used),
                       element(Element::float64, bytes(column.values.data(), column.values.size())));
   }
-  content += text_cells("names", table.columns, &Column::name);
-  content += text_cells("units", table.columns, &Column::unit);
-  write_file(path, content);
+  content += text_cells("names", table.columns, &table::Column::name);
+  content += text_cells("units", table.columns, &table::Column::unit);
+  io::write_file(path, content);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::mat

@@ -6,7 +6,7 @@
 #include <mutex>
 #include <system_error>
 
-namespace stepwire {
+namespace stepwire::parallel {
 
 std::vector<std::jthread> begin_threads(std::size_t wanted, const std::function<void()>& work) {
   std::vector<std::jthread> threads;
@@ -37,4 +37,4 @@ void in_parallel(std::size_t count, unsigned threads, const std::function<void(s
   if (failure) std::rethrow_exception(failure);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::parallel

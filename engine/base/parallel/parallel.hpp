@@ -5,7 +5,7 @@
 #include <thread>
 #include <vector>
 
-namespace stepwire {
+namespace stepwire::parallel {
 
 /// Begins threads that work beside the calling one, so that there are `wanted` with it; fewer where the
 /// system gives no more.
@@ -14,4 +14,4 @@ std::vector<std::jthread> begin_threads(std::size_t wanted, const std::function<
 /// Does task(0) to task(count - 1), on so many threads (0: all cores). What a task throws is thrown again.
 void in_parallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& task);
 
-}  // namespace stepwire
+}  // namespace stepwire::parallel

@@ -13,15 +13,15 @@
 
 extern char** environ;
 
-namespace stepwire {
+namespace stepwire::subprocess {
 
 namespace {
 
 /// Two ends of a connection. A socket rather than a pipe, since a write to it need not raise SIGPIPE.
-std::array<Descriptor, 2> connection() {
+std::array<io::Descriptor, 2> connection() {
   std::array<int, 2> ends{-1, -1};
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) ends = {-1, -1};
-  return {Descriptor(ends[0]), Descriptor(ends[1])};
+  return {io::Descriptor(ends[0]), io::Descriptor(ends[1])};
 }
 
 /// Words as the system takes them; they live as long as the strings.
@@ -84,7 +84,7 @@ Child::Child(const std::vector<std::string>& command, const std::string& scratch
   if (!in[1].open() || !out[1].open() || !err[1].open()) return;
   id_ = spawn(command, scratch, {in[1].number(), out[1].number(), err[1].number()});
   if (!alive()) return;
-  note_group(id_);
+  io::note_group(id_);
   input = std::move(in[0]);
   output = std::move(out[0]);
   errors = std::move(err[0]);
@@ -102,7 +102,7 @@ bool Child::ended() const {
 int Child::end() {
   if (!alive()) return 0;
   ::kill(-id_, SIGKILL);
-  forget_group(id_);  // before another process may get its number
+  io::forget_group(id_);  // before another process may get its number
   int status = 0;
   while (::waitpid(id_, &status, 0) < 0 && errno == EINTR) {
   }
@@ -110,4 +110,4 @@ int Child::end() {
   return status;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::subprocess

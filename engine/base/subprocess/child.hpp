@@ -7,7 +7,7 @@
 
 #include "engine/base/io/descriptor.hpp"
 
-namespace stepwire {
+namespace stepwire::subprocess {
 
 /// A program that runs in a process group of its own, with the ends of its three streams.
 class Child {
@@ -25,10 +25,10 @@ class Child {
   /// Ends the group, and gives the status that waitpid() has of the program.
   int end();
 
-  Descriptor input, output, errors;
+  io::Descriptor input, output, errors;
 
  private:
   pid_t id_ = -1;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::subprocess

@@ -16,7 +16,7 @@
 #include "engine/base/subprocess/child.hpp"
 #include "engine/base/subprocess/scratch_folder.hpp"
 
-namespace stepwire {
+namespace stepwire::subprocess {
 
 namespace {
 
@@ -27,7 +27,7 @@ constexpr int milliseconds_between_looks = 20;
 constexpr std::size_t max_errors = 1u << 16u;
 
 /// Writes some of a text that a program reads; closes its side at the end, or when the program has gone.
-void send_some(Descriptor& to, std::string_view& rest) {
+void send_some(io::Descriptor& to, std::string_view& rest) {
   const ssize_t count = ::send(to.number(), rest.data(), rest.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
   if (count > 0) rest.remove_prefix(static_cast<std::size_t>(count));
   const bool gone = count < 0 && errno != EAGAIN && errno != EINTR;
@@ -35,7 +35,7 @@ void send_some(Descriptor& to, std::string_view& rest) {
 }
 
 /// Reads what is there, of which `most` bytes are kept; false if there was nothing.
-bool receive(Descriptor& from, std::string& text, std::size_t most) {
+bool receive(io::Descriptor& from, std::string& text, std::size_t most) {
   std::array<char, 1 << 16> buffer;
   const ssize_t count = ::recv(from.number(), buffer.data(), buffer.size(), MSG_DONTWAIT);
   if (count < 0 && (errno == EAGAIN || errno == EINTR)) return false;
@@ -182,8 +182,8 @@ ProcessResult run_process(const ProcessCall& call) {
 ProcessResult run_helper(const std::string& name, const ProcessCall& call) {
   ProcessResult result = run_process(call);
   if (result.end == End::stopped) throw ProcessStopped(name + " was stopped");
-  if (!result.succeeded()) throw EnvironmentError(result.problem(name));
+  if (!result.succeeded()) throw io::EnvironmentError(result.problem(name));
   return result;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::subprocess

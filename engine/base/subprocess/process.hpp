@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace stepwire {
+namespace stepwire::subprocess {
 
 /// A program to be run, and what bounds it.
 struct ProcessCall {
@@ -56,4 +56,4 @@ ProcessResult run_process(const ProcessCall& call);
 /// problem otherwise. `name` is what users call it.
 ProcessResult run_helper(const std::string& name, const ProcessCall& call);
 
-}  // namespace stepwire
+}  // namespace stepwire::subprocess

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-namespace stepwire {
+namespace stepwire::subprocess {
 
 ScratchFolder::ScratchFolder() {
   const char* given = std::getenv("TMPDIR");
@@ -18,4 +18,4 @@ ScratchFolder::~ScratchFolder() {
   if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::subprocess

@@ -5,7 +5,7 @@
 
 #include "engine/base/io/leftovers.hpp"
 
-namespace stepwire {
+namespace stepwire::subprocess {
 
 /// A folder for temporary files; it goes with all that is in it. Its path is empty where none could be made.
 class ScratchFolder {
@@ -19,7 +19,7 @@ class ScratchFolder {
 
  private:
   std::string path_;
-  std::optional<Leftover> leftover_;
+  std::optional<io::Leftover> leftover_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::subprocess

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
-namespace stepwire {
+namespace stepwire::table {
 namespace {
 
 /// Would a spreadsheet compute this, or this without an apostrophe in front of it? Numbers are what they are.
@@ -33,4 +33,4 @@ std::string csv_word(const std::string& cell) {
   return cell.starts_with('\'') && csv_cell(cell.substr(1)) == cell ? cell.substr(1) : cell;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::table

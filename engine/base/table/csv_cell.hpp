@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace stepwire {
+namespace stepwire::table {
 
 /// A number that fills the whole text; nothing for what is too large or too small to be a double.
 std::optional<double> csv_number(std::string_view text);
@@ -17,4 +17,4 @@ std::string csv_cell(const std::string& word);
 /// The word of such a cell.
 std::string csv_word(const std::string& cell);
 
-}  // namespace stepwire
+}  // namespace stepwire::table

@@ -6,7 +6,7 @@
 
 #include "engine/base/table/record_table.hpp"
 
-namespace stepwire {
+namespace stepwire::table {
 
 /// Cells of a file that are no numbers, the first one of each column.
 class CsvProblems {
@@ -32,4 +32,4 @@ class CsvProblems {
   std::map<std::string, Problem> first_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::table

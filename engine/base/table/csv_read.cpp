@@ -15,7 +15,7 @@
 #include "engine/base/table/table_file.hpp"
 #include "engine/base/text/characters.hpp"
 
-namespace stepwire {
+namespace stepwire::table {
 namespace {
 
 constexpr std::size_t longest_field = 100'000;
@@ -240,7 +240,7 @@ class Csv {
   /// A text as it may stand in a message, whatever the file holds.
   static std::string shown(const std::string& text) {
     constexpr std::size_t most = 40;
-    return text.size() > most ? visible(text.substr(0, most)) + "..." : visible(text);
+    return text.size() > most ? text::visible(text.substr(0, most)) + "..." : text::visible(text);
   }
 
   const std::string& path_;
@@ -267,12 +267,12 @@ Table read_csv(const std::string& path) {
 }
 
 Table read_csv(const std::string& path, ColumnWords& words) {
-  const std::string text = read_file(path);
+  const std::string text = io::read_file(path);
   return Csv(path, text, words).read();
 }
 
 RecordTable read_record_csv(const std::string& path) {
-  const std::string text = read_file(path);
+  const std::string text = io::read_file(path);
   ColumnWords none;
   RecordTable table = Csv(path, text, none, true).read_record();
   if (table.rows() == 0) throw TableError(fmt::format("{}: there are no rows below the header", path));
@@ -280,9 +280,9 @@ RecordTable read_record_csv(const std::string& path) {
 }
 
 Table read_csv_header(const std::string& path) {
-  const std::string text = read_file(path);
+  const std::string text = io::read_file(path);
   ColumnWords none;
   return Csv(path, text, none).read_header();
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::table

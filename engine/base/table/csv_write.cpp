@@ -9,7 +9,7 @@
 #include "engine/base/table/csv_cell.hpp"
 #include "engine/base/table/table_file.hpp"
 
-namespace stepwire {
+namespace stepwire::table {
 namespace {
 
 void append_word(std::string& text, const std::string& given) {
@@ -88,4 +88,4 @@ std::string csv_text(const Table& table, const ColumnWords& words) {
   return text;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::table

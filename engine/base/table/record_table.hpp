@@ -5,7 +5,7 @@
 
 #include "engine/base/table/table.hpp"
 
-namespace stepwire {
+namespace stepwire::table {
 
 /// A table as other programs and people leave it.
 struct RecordTable : Table {
@@ -18,4 +18,4 @@ struct RecordTable : Table {
 /// are left out.
 RecordTable read_record_csv(const std::string& path);
 
-}  // namespace stepwire
+}  // namespace stepwire::table

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace stepwire {
+namespace stepwire::table {
 
 const Column* Table::find(std::string_view name) const {
   const auto at =
@@ -10,4 +10,4 @@ const Column* Table::find(std::string_view name) const {
   return at == columns.end() ? nullptr : &*at;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::table

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace stepwire {
+namespace stepwire::table {
 
 /// One named series of numbers. `unit` is text as in "mm/s"; empty where none is known.
 struct Column {
@@ -21,4 +21,4 @@ struct Table {
   const Column* find(std::string_view name) const;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::table

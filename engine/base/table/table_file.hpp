@@ -8,7 +8,7 @@
 #include "engine/base/io/file.hpp"
 #include "engine/base/table/table.hpp"
 
-namespace stepwire {
+namespace stepwire::table {
 
 /// What is wrong in a data file that a user gave: "press.csv:17: 'abc' is no number".
 class TableError : public std::runtime_error {
@@ -43,7 +43,7 @@ void append_csv_number(std::string& text, double value);
 
 /// Writes the text of the table as write_file() does.
 inline void write_csv(const std::string& path, const Table& table, const ColumnWords& words = {}) {
-  write_file(path, csv_text(table, words));
+  io::write_file(path, csv_text(table, words));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::table

@@ -8,7 +8,7 @@
 #include <iterator>
 #include <utility>
 
-namespace stepwire {
+namespace stepwire::text {
 namespace {
 
 constexpr char32_t no_character = 0xffffffff;
@@ -139,4 +139,4 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
     text.replace(at, from.size(), to);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::text

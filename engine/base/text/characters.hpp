@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace stepwire {
+namespace stepwire::text {
 
 /// Length in bytes of the UTF-8 character at the start of `text`; 0 if it is none.
 std::size_t utf8_length(std::string_view text);
@@ -29,4 +29,4 @@ std::string shell_word(std::string_view text);
 
 void replace_all(std::string& text, const std::string& from, const std::string& to);
 
-}  // namespace stepwire
+}  // namespace stepwire::text

@@ -6,7 +6,7 @@
 
 #include "engine/base/text/characters.hpp"
 
-namespace stepwire {
+namespace stepwire::text {
 namespace {
 
 /// A number, or what stands where there is none.
@@ -79,4 +79,4 @@ std::string text(const TextTable& given) {
   return result;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::text

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace stepwire {
+namespace stepwire::text {
 
 /// A table for readers. Columns of numbers are set to the right, others to the left.
 struct TextTable {
@@ -31,4 +31,4 @@ std::vector<std::string> note_lines(const TextTable& table, std::size_t max_lett
 /// The table in letters of one width, its notes wrapped below it.
 std::string text(const TextTable& table);
 
-}  // namespace stepwire
+}  // namespace stepwire::text

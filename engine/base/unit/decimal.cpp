@@ -8,7 +8,7 @@
 #include <numbers>
 #include <string_view>
 
-namespace stepwire {
+namespace stepwire::unit {
 namespace {
 
 constexpr int exact_powers =
@@ -69,4 +69,4 @@ long double as_published(double value) {
   return value;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::unit

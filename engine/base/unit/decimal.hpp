@@ -1,6 +1,6 @@
 #pragma once
 
-namespace stepwire {
+namespace stepwire::unit {
 
 /// The decimal that a double was most likely written as, to long double precision: 0.1 gives 0.1L.
 long double as_decimal(double value);
@@ -9,4 +9,4 @@ long double as_decimal(double value);
 /// decimal over 9 or 3600 (degF, knot), or so many degrees in radians. Any other double as it is.
 long double as_published(double value);
 
-}  // namespace stepwire
+}  // namespace stepwire::unit

@@ -12,7 +12,7 @@
 
 #include "engine/base/unit/decimal.hpp"
 
-namespace stepwire {
+namespace stepwire::unit {
 namespace {
 
 constexpr std::size_t longest_word = 64;
@@ -127,4 +127,4 @@ std::optional<Unit> named_unit(std::string_view word) {
   return words.find(std::string(word));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::unit

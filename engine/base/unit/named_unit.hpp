@@ -5,10 +5,10 @@
 
 #include "engine/base/unit/unit.hpp"
 
-namespace stepwire {
+namespace stepwire::unit {
 
 /// The unit that is one word, prefix and exponent included: "mm", "lbf", "degC", "%", "m2"; nothing if the
 /// word is none. Safe from several threads.
 std::optional<Unit> named_unit(std::string_view word);
 
-}  // namespace stepwire
+}  // namespace stepwire::unit

@@ -6,7 +6,7 @@
 
 #include "engine/base/unit/unit.hpp"
 
-namespace stepwire {
+namespace stepwire::unit {
 namespace {
 
 using Exponents = std::array<double, 7>;
@@ -68,4 +68,4 @@ std::string si_name(const Dimension& dimension) {
   return numerator + (many_below > 1 ? "/(" + below + ")" : "/" + below);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::unit

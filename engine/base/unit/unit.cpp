@@ -5,7 +5,7 @@
 
 #include "engine/base/unit/decimal.hpp"
 
-namespace stepwire {
+namespace stepwire::unit {
 namespace {
 
 template <class Combine>
@@ -74,4 +74,4 @@ std::optional<Quantity> parse_quantity(std::string_view text) {
   return result;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::unit

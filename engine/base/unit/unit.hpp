@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace stepwire {
+namespace stepwire::unit {
 
 /// Exponents of m, kg, s, A, K, mol, cd. Angles have none: a radian is 1. Halves occur (square roots).
 struct Dimension {
@@ -57,4 +57,4 @@ std::optional<Quantity> parse_quantity(std::string_view text);
 /// start with none. After '*' or '/' a name that is `taken` is no unit: "A" of "A/m" where m is a signal.
 std::size_t unit_prefix(std::string_view text, const std::function<bool(std::string_view)>& taken = {});
 
-}  // namespace stepwire
+}  // namespace stepwire::unit

@@ -4,7 +4,7 @@
 #include "engine/base/unit/named_unit.hpp"
 #include "engine/base/unit/unit.hpp"
 
-namespace stepwire {
+namespace stepwire::unit {
 namespace {
 
 constexpr std::size_t longest_unit = 200;
@@ -172,4 +172,4 @@ std::size_t unit_prefix(std::string_view text, const Taken& taken) {
   return unit && usable(*unit) ? reader.end() : 0;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::unit

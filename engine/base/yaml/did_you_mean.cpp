@@ -8,7 +8,7 @@
 
 #include "engine/base/yaml/error.hpp"
 
-namespace stepwire {
+namespace stepwire::yaml {
 namespace {
 
 constexpr std::size_t longest_word = 64;  // the distance costs the product of both lengths
@@ -102,4 +102,4 @@ std::string unknown_key(const std::string& key, const std::vector<std::string>& 
   return message + nearest_or_all(key, known, "it has");
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::yaml

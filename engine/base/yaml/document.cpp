@@ -14,7 +14,7 @@
 #include "engine/base/yaml/text_check.hpp"
 #include "engine/base/yaml/yaml_reader.hpp"
 
-namespace stepwire {
+namespace stepwire::yaml {
 namespace {
 
 [[noreturn]] void fail(const std::string& file, Mark mark, std::string message) {
@@ -76,4 +76,4 @@ Document read_document(const std::string& path, const DocumentLimits& limits) {
   return parse_document(contents(path, limits), path, limits);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::yaml

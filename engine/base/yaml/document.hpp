@@ -9,7 +9,7 @@
 #include "engine/base/yaml/error.hpp"
 #include "engine/base/yaml/place.hpp"
 
-namespace stepwire {
+namespace stepwire::yaml {
 
 struct Entry;
 
@@ -67,4 +67,4 @@ Document parse_document(std::string_view text, const std::string& file, const Do
 /// (its size is looked at before it is read).
 Document read_document(const std::string& path, const DocumentLimits& limits = {});
 
-}  // namespace stepwire
+}  // namespace stepwire::yaml

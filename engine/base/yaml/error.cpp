@@ -8,7 +8,7 @@
 
 #include "engine/base/text/characters.hpp"
 
-namespace stepwire {
+namespace stepwire::yaml {
 namespace {
 
 constexpr std::size_t max_faults = 100;
@@ -87,7 +87,7 @@ std::string Fault::cure() const {
 }
 
 std::string plain(std::string message) {
-  replace_all(message, std::string(1, cure_mark), "; ");
+  text::replace_all(message, std::string(1, cure_mark), "; ");
   return message;
 }
 
@@ -103,7 +103,7 @@ std::string Fault::text() const {
       --end;  // within a letter of UTF-8
     line = fmt::format("{} ... and {} bytes more", line.substr(0, end), line.size() - end);
   }
-  return visible(line);  // what a user wrote may hold line breaks, and a fault is one line
+  return text::visible(line);  // what a user wrote may hold line breaks, and a fault is one line
 }
 
 Error::Error(Fault fault) : Error(std::vector<Fault>{std::move(fault)}) {}
@@ -126,4 +126,4 @@ void Faults::throw_if_any() const {
   if (!faults_.empty()) throw Error(faults_);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::yaml

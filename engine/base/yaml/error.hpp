@@ -6,7 +6,7 @@
 
 #include "engine/base/yaml/place.hpp"
 
-namespace stepwire {
+namespace stepwire::yaml {
 
 /// Stands between what is wrong and what would be right in a message that holds a text of a user, in which
 /// "; " may occur: a byte that no UTF-8 has. fault_text() puts it there.
@@ -77,4 +77,4 @@ std::string nearest_or_all(const std::string& word, const std::vector<std::strin
 std::string unknown_key(const std::string& key, const std::vector<std::string>& known,
                         const std::string& owner);
 
-}  // namespace stepwire
+}  // namespace stepwire::yaml

@@ -6,7 +6,7 @@
 
 #include "engine/base/yaml/error.hpp"
 
-namespace stepwire {
+namespace stepwire::yaml {
 
 /// Formats a message with texts of users in it: the first "; " of the form itself becomes the cure mark.
 template <class... Values>
@@ -16,4 +16,4 @@ std::string fault_text(fmt::format_string<Values...> form, Values&&... values) {
   return fmt::vformat(marked, fmt::make_format_args(values...));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::yaml

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace stepwire {
+namespace stepwire::yaml {
 
 const Key* Key::find(const std::string& key) const {
   const auto found = std::ranges::find(of, key, &Key::name);
@@ -45,4 +45,4 @@ Key like(std::string example, Key form) {
   return form;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::yaml

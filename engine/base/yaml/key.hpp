@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace stepwire {
+namespace stepwire::yaml {
 
 /// A key of a file as a row of a table: its reader, the schema and the reference page come from it. Without a
 /// name it is what stands in a list, or behind any name.
@@ -125,4 +125,4 @@ Key key(std::string name, std::string doc, Key form = {});
 /// A form with what its value looks like.
 Key like(std::string example, Key form);
 
-}  // namespace stepwire
+}  // namespace stepwire::yaml

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace stepwire {
+namespace stepwire::yaml {
 
 /// Line and column in a file, counted from 1; 0 means the file as a whole.
 struct Mark {
@@ -16,4 +16,4 @@ struct Place {
   Mark mark;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::yaml

@@ -10,7 +10,7 @@
 
 #include "engine/base/yaml/fault_text.hpp"
 
-namespace stepwire {
+namespace stepwire::yaml {
 namespace {
 
 std::string limits_text(const Key& key) {
@@ -161,4 +161,4 @@ void SectionReading::check_beside(const Node& map, const Key& keys) const {
   }
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::yaml

@@ -9,7 +9,7 @@
 #include "engine/base/yaml/document.hpp"
 #include "engine/base/yaml/key.hpp"
 
-namespace stepwire {
+namespace stepwire::yaml {
 
 /// What the keys of a section are read with: its name in messages, and where faults go. Rooms derive from it
 /// what reads their values.
@@ -102,12 +102,12 @@ struct KeyRow : Key {
   using Set = std::function<void(Target& target, const Node& node, const Reading& read)>;
 
   KeyRow(std::string name, std::string doc, Key form, Set set = {})
-      : Key(stepwire::key(std::move(name), std::move(doc), std::move(form))), set(std::move(set)) {}
+      : Key(stepwire::yaml::key(std::move(name), std::move(doc), std::move(form))), set(std::move(set)) {}
 
   /// Sets a member, whose type says how it is read; its default is that of a new `Target`.
   template <class Member>
   KeyRow(std::string name, std::string doc, Key form, Member Target::*member)
-      : Key(stepwire::key(std::move(name), std::move(doc), std::move(form))) {
+      : Key(stepwire::yaml::key(std::move(name), std::move(doc), std::move(form))) {
     otherwise = default_text(*this, Target{}.*member);
     set = [member, row = static_cast<Key>(*this)](Target& target, const Node& node, const Reading& read) {
       read.take(node, row, target.*member);
@@ -151,4 +151,4 @@ struct KeyTable {
   }
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::yaml

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace stepwire {
+namespace stepwire::yaml {
 namespace {
 
 bool is_plain(unsigned char c) {
@@ -13,7 +13,7 @@ bool is_plain(unsigned char c) {
 
 Mark mark_at(std::string_view text, std::size_t position) {
   Mark mark{1, 1};
-  for (std::size_t i = 0; i < position; i += std::max<std::size_t>(1, utf8_length(text.substr(i)))) {
+  for (std::size_t i = 0; i < position; i += std::max<std::size_t>(1, text::utf8_length(text.substr(i)))) {
     ++mark.column;
     if (text[i] == '\n') mark = {mark.line + 1, 1};
   }
@@ -36,11 +36,11 @@ std::optional<TextFault> check_text(std::string_view text) {
     const auto c = static_cast<unsigned char>(text[i]);
     // Old line ends of one carriage return are none to the YAML library: all would be one line.
     const bool line_end = c == '\r' && text.substr(i + 1).starts_with('\n');
-    const std::size_t length = is_plain(c) || line_end ? 1 : c < 0x80 ? 0 : utf8_length(text.substr(i));
+    const std::size_t length = is_plain(c) || line_end ? 1 : c < 0x80 ? 0 : text::utf8_length(text.substr(i));
     if (length == 0) return TextFault{mark_at(text, i), message_for(c)};
     i += length;
   }
   return std::nullopt;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::yaml

@@ -7,7 +7,7 @@
 #include "engine/base/text/characters.hpp"
 #include "engine/base/yaml/place.hpp"
 
-namespace stepwire {
+namespace stepwire::yaml {
 
 /// What makes a text no text: where, and what is wrong with it.
 struct TextFault {
@@ -19,4 +19,4 @@ struct TextFault {
 /// is sound.
 std::optional<TextFault> check_text(std::string_view text);
 
-}  // namespace stepwire
+}  // namespace stepwire::yaml

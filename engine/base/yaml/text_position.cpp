@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace stepwire {
+namespace stepwire::yaml {
 
 Mark LineIndex::mark(const TextPosition& spot) {
   const std::size_t position = std::min(spot.position, text_.size());
@@ -60,4 +60,4 @@ bool lacks_closing_quote(std::string_view text) {
   return true;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::yaml

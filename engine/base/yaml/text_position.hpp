@@ -6,7 +6,7 @@
 
 #include "engine/base/yaml/place.hpp"
 
-namespace stepwire {
+namespace stepwire::yaml {
 
 /// Where a reader stands: bytes from the start of the text, lines and bytes in the line, all counted from
 /// zero.
@@ -40,4 +40,4 @@ bool starts_with_null(std::string_view text);
 /// Whether a text in quotes (perhaps after its anchor) goes on to the end of the file.
 bool lacks_closing_quote(std::string_view text);
 
-}  // namespace stepwire
+}  // namespace stepwire::yaml

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace stepwire {
+namespace stepwire::yaml {
 namespace {
 
 // A list in brackets of about this many numbers can be read; its tokens then take less than 100 MB.
@@ -27,4 +27,4 @@ std::streamsize TextSource::xsgetn(char* to, std::streamsize count) {
   return taken;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::yaml

@@ -3,7 +3,7 @@
 #include <streambuf>
 #include <string_view>
 
-namespace stepwire {
+namespace stepwire::yaml {
 
 /// Hands a text to a stream reader without a copy, and counts what it takes to keep the reader from running
 /// ahead: a scanner that must see the end of a flow list first piles up tokens, each many times larger than
@@ -24,4 +24,4 @@ class TextSource : public std::streambuf {
   std::size_t signs_ = 0;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::yaml

@@ -8,7 +8,7 @@
 
 #include "engine/base/yaml/fault_text.hpp"
 
-namespace stepwire {
+namespace stepwire::yaml {
 namespace {
 
 constexpr std::size_t characters_per_node = 32;  // so that copies of one long text cost what they take
@@ -195,4 +195,4 @@ Node& TreeBuilder::at(const Path& path) {
   return *node;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::yaml

@@ -7,7 +7,7 @@
 #include "engine/base/yaml/document.hpp"
 #include "engine/base/yaml/error.hpp"
 
-namespace stepwire {
+namespace stepwire::yaml {
 
 /// A tree of nodes that grows with what a reader finds from top to bottom. It checks keys, expands aliases
 /// and keeps the limits on depth and size. `anchor` is 0 where a value has none.
@@ -56,4 +56,4 @@ class TreeBuilder {
   Faults faults_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::yaml

@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace stepwire {
+namespace stepwire::yaml {
 namespace {
 
 struct Wording {
@@ -43,4 +43,4 @@ std::string yaml_message(std::string_view library_message) {
   return "not valid YAML: " + std::string(library_message);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::yaml

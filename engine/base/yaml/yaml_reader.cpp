@@ -17,7 +17,7 @@
 #include "engine/base/yaml/tree_builder.hpp"
 #include "engine/base/yaml/yaml_message.hpp"
 
-namespace stepwire {
+namespace stepwire::yaml {
 namespace {
 
 // A mark of the library in our words; where it has none, the file starts.
@@ -31,7 +31,7 @@ TextPosition spot_of(const YAML::Mark& mark) {
 std::string with_whole_escapes(const std::string& text) {
   std::string result;
   for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = utf8_length(std::string_view(text).substr(i));
+    const std::size_t length = text::utf8_length(std::string_view(text).substr(i));
     if (length == 0) result += '\xc2';
     result.append(text, i, std::max<std::size_t>(1, length));
     i += std::max<std::size_t>(1, length);
@@ -160,4 +160,4 @@ Node read_yaml(std::string_view text, const std::string& file, const DocumentLim
   return tree.take();
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::yaml

@@ -9,7 +9,7 @@
 
 #include "engine/base/text/characters.hpp"
 
-namespace stepwire {
+namespace stepwire::yaml {
 namespace {
 
 constexpr std::size_t longest_line = 100;  // [characters] of what stands in brackets
@@ -34,7 +34,7 @@ std::string in_quotes(const std::string& text) {
     if (c == '"' || c == '\\') result += '\\';
     result += c;
   }
-  return visible(result) + '"';  // what visible() writes is what YAML reads as these characters
+  return text::visible(result) + '"';  // what visible() writes is what YAML reads as these characters
 }
 
 std::string scalar_text(const Node& node) {
@@ -112,4 +112,4 @@ std::string yaml_line(const Node& root) {
   return Writer().write_line(root);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::yaml

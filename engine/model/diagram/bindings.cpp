@@ -7,7 +7,7 @@
 #include "engine/base/yaml/fault_text.hpp"
 #include "engine/model/diagram/report.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 namespace {
 
@@ -48,20 +48,20 @@ class Acceptance {
   }
 
   bool in_bounds(const WrittenValue& value, const Origin& origin) {
-    return std::all_of(definition_.bounds.begin(), definition_.bounds.end(), [&](const Entry& bound) {
+    return std::all_of(definition_.bounds.begin(), definition_.bounds.end(), [&](const yaml::Entry& bound) {
       const auto limit = read(bound, value);
       if (!limit) return false;
       if (all_of_numbers(value.value, [&](double number) { return holds(bound.key, number, *limit); }))
         return true;
       report_.add(origin, full_name_,
-                  fault_text("{} is not allowed; it must be {} {}", value.text, words_of(bound.key),
-                             bound.value.text));
+                  yaml::fault_text("{} is not allowed; it must be {} {}", value.text, words_of(bound.key),
+                                   bound.value.text));
       return false;
     });
   }
 
  private:
-  std::optional<double> read(const Entry& bound, const WrittenValue& value) {
+  std::optional<double> read(const yaml::Entry& bound, const WrittenValue& value) {
     const std::string subject = full_name_ + "." + bound.key;
     const auto limit = ValueReader(scope_, report_, definition_.scope, &uses_).read(bound.value, subject);
     if (!limit) return std::nullopt;
@@ -86,8 +86,8 @@ class Acceptance {
 const std::vector<std::string> bound_keys = {"above", "at_least", "below", "at_most"};
 
 GivenBy given_by(const Definition& definition, const std::string& full_name, const Origin& origin) {
-  const Dimension dimension = definition.dimension.value_or(Dimension{});
-  return {origin, full_name, dimension == Dimension{} ? "" : " " + si_name(dimension)};
+  const unit::Dimension dimension = definition.dimension.value_or(unit::Dimension{});
+  return {origin, full_name, dimension == unit::Dimension{} ? "" : " " + unit::si_name(dimension)};
 }
 
 bool accepts(const Definition& definition, const ParameterScope& scope, WrittenValue& value,
@@ -97,4 +97,4 @@ bool accepts(const Definition& definition, const ParameterScope& scope, WrittenV
   return acceptance.in_bounds(value, origin);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

@@ -6,12 +6,12 @@
 
 #include "engine/model/diagram/parameters.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 /// A text of a file that has a value, and where it is read: the same text with other parameters has another
 /// value.
 struct ValueText {
-  Node node;
+  yaml::Node node;
   int names = 0;  ///< index in Diagram::scopes of the file whose parameters it names
   int place = 0;  ///< and of where it stands, which may be a setting
 };
@@ -21,8 +21,9 @@ struct Definition {
   std::string name;  ///< in its file
   int scope = 0;     ///< of that file, in Diagram::scopes
   ValueText text;
-  std::vector<Entry> bounds;  ///< `above`, `at_least`, `below`, `at_most`, read with its file's parameters
-  std::optional<Dimension> dimension;  ///< of the file's own value, which every other one has
+  std::vector<yaml::Entry>
+      bounds;  ///< `above`, `at_least`, `below`, `at_most`, read with its file's parameters
+  std::optional<unit::Dimension> dimension;  ///< of the file's own value, which every other one has
   ParameterUses uses;
 };
 
@@ -66,4 +67,4 @@ GivenBy given_by(const Definition& definition, const std::string& full_name, con
 bool accepts(const Definition& definition, const ParameterScope& scope, WrittenValue& value,
              const Origin& origin, const std::string& full_name, ParameterUses& uses, FaultReport& report);
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 std::string initial_key(const BlockType& type, const StateSpec& state) {
   const auto settable =
@@ -21,4 +21,4 @@ std::vector<std::string> keys_of(const BlockType& type) {
   return keys;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

@@ -5,7 +5,7 @@
 
 #include "engine/model/block/block_type.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 /// Every key that a block of this type may have in a file, `block` itself aside.
 std::vector<std::string> keys_of(const BlockType& type);
@@ -13,4 +13,4 @@ std::vector<std::string> keys_of(const BlockType& type);
 /// The key that gives a state its initial value: `initial` for the only settable one, else `initial_x`.
 std::string initial_key(const BlockType& type, const StateSpec& state);
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

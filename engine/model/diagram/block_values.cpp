@@ -11,7 +11,7 @@
 #include "engine/model/diagram/parameters.hpp"
 #include "engine/model/diagram/report.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 namespace {
 
@@ -63,7 +63,7 @@ std::string unknown_unit(const std::string& text) {
   std::strtod(text.c_str(), &end);
   std::string unit(end);
   unit.erase(0, unit.find_first_not_of(' '));
-  return end == text.c_str() || unit.empty() || parse_unit(unit) ? "" : unit;
+  return end == text.c_str() || unit.empty() || unit::parse_unit(unit) ? "" : unit;
 }
 
 bool is_text(ParameterKind kind) {
@@ -73,7 +73,7 @@ bool is_text(ParameterKind kind) {
 
 std::string other_word(const std::string& text, const std::vector<std::string>& words) {
   const std::string choice = fmt::format("It must be one of: {}", fmt::join(words, ", "));
-  return fmt::format("'{}' is not allowed{}", text, did_you_mean(text, words, choice));
+  return fmt::format("'{}' is not allowed{}", text, yaml::did_you_mean(text, words, choice));
 }
 
 /// What is wrong with an angle per time where periods per time are meant, or the other way round. A radian
@@ -92,9 +92,9 @@ std::string mixed_rates(const std::string& written, const std::string& unit) {
 
 }  // namespace
 
-std::optional<Dimension> demanded_dimension(const ParameterSpec& spec) {
+std::optional<unit::Dimension> demanded_dimension(const ParameterSpec& spec) {
   if (spec.unit.find('\'') != std::string::npos || spec.unit == "*") return std::nullopt;
-  const auto unit = parse_unit(spec.unit);
+  const auto unit = unit::parse_unit(spec.unit);
   return unit ? std::optional(unit->dimension) : std::nullopt;
 }
 
@@ -109,15 +109,15 @@ const ParameterSpec& numbers_of_any_unit() {
 }
 
 std::optional<WrittenValue> ValueReader::read_for(const ParameterSpec& spec,
-                                                  const std::optional<Dimension>& demanded, const Node& node,
-                                                  const std::string& subject) const {
+                                                  const std::optional<unit::Dimension>& demanded,
+                                                  const yaml::Node& node, const std::string& subject) const {
   if (is_text(spec.kind)) return read_words(spec, node, subject);
   auto written = read(node, subject);
   if (!written) return std::nullopt;
   const std::string complaint = unit_complaint(written->dimension, demanded);
   if (!complaint.empty()) return refuse(node, subject, fmt::format("{} {}", written->text, complaint));
   if (const std::string mixed = mixed_rates(written->text, spec.unit); !mixed.empty())
-    return refuse(node, subject, fault_text("{} {}; write it in {}", written->text, mixed, spec.unit));
+    return refuse(node, subject, yaml::fault_text("{} {}; write it in {}", written->text, mixed, spec.unit));
   auto value = convert(spec, *written, node, subject);
   if (!value) return std::nullopt;
   written->value = std::move(*value);
@@ -126,7 +126,7 @@ std::optional<WrittenValue> ValueReader::read_for(const ParameterSpec& spec,
 }
 
 std::optional<Value> ValueReader::convert(const ParameterSpec& spec, const WrittenValue& written,
-                                          const Node& node, const std::string& subject) const {
+                                          const yaml::Node& node, const std::string& subject) const {
   const Value& value = written.value;
   const double* number = std::get_if<double>(&value.content);
   if (spec.kind == ParameterKind::number && number) return value;
@@ -139,19 +139,20 @@ std::optional<Value> ValueReader::convert(const ParameterSpec& spec, const Writt
   if (spec.kind == ParameterKind::matrix)
     if (auto matrix = as_matrix(value)) return matrix;
   if (spec.kind != ParameterKind::flag && refuse_given(written)) return std::nullopt;
-  if (node.quoted && parse_quantity(node.text))
-    return refuse(node, subject,
-                  fault_text("'{}' is text because of its quotes; leave them out for a number", node.text));
+  if (node.quoted && unit::parse_quantity(node.text))
+    return refuse(
+        node, subject,
+        yaml::fault_text("'{}' is text because of its quotes; leave them out for a number", node.text));
   if (const std::string unit = unknown_unit(written.text); !unit.empty())
     return refuse(node, subject,
-                  fault_text("'{}' is no unit; a product of units is written N s or N.s", unit));
+                  yaml::fault_text("'{}' is no unit; a product of units is written N s or N.s", unit));
   if (node.is_list() && node.items.empty())
     return refuse(node, subject, fmt::format("the list is empty; it must be {}", wanted(spec.kind)));
   const std::string what = node.is_scalar() ? "'" + written.text + "'" : written.text;
-  return refuse(node, subject, fault_text("{} is not allowed; it must be {}", what, wanted(spec.kind)));
+  return refuse(node, subject, yaml::fault_text("{} is not allowed; it must be {}", what, wanted(spec.kind)));
 }
 
-bool ValueReader::in_range(const ParameterSpec& spec, const WrittenValue& written, const Node& node,
+bool ValueReader::in_range(const ParameterSpec& spec, const WrittenValue& written, const yaml::Node& node,
                            const std::string& subject) const {
   std::string broken;
   const auto check = [&](double element) {
@@ -166,11 +167,11 @@ bool ValueReader::in_range(const ParameterSpec& spec, const WrittenValue& writte
   const bool with_unit =
       !spec.unit.empty() && spec.unit != "1" && spec.unit != "*" && spec.unit.find('\'') == std::string::npos;
   const std::string unit = with_unit && !broken.ends_with(" 0") ? " " + spec.unit : "";
-  refuse(node, subject, fault_text("{} is not allowed; it must be {}{}", written.text, broken, unit));
+  refuse(node, subject, yaml::fault_text("{} is not allowed; it must be {}{}", written.text, broken, unit));
   return false;
 }
 
-std::optional<WrittenValue> ValueReader::read_words(const ParameterSpec& spec, const Node& node,
+std::optional<WrittenValue> ValueReader::read_words(const ParameterSpec& spec, const yaml::Node& node,
                                                     const std::string& subject) const {
   if (spec.kind == ParameterKind::tree) {
     auto tree = read_tree(node, subject);
@@ -178,7 +179,7 @@ std::optional<WrittenValue> ValueReader::read_words(const ParameterSpec& spec, c
   }
   if (spec.kind == ParameterKind::texts) {
     Value::List list;
-    for (const Node& item : node.as_list()) {
+    for (const yaml::Node& item : node.as_list()) {
       const auto text = item.is_scalar() ? fill_in(item, subject) : refuse(item, subject, "must be a word");
       if (!text) return std::nullopt;
       list.push_back({*text, item.mark.line, item.mark.column});
@@ -199,7 +200,7 @@ std::optional<WrittenValue> ValueReader::read_words(const ParameterSpec& spec, c
   return refuse(node, subject, other_word(*text, spec.words));
 }
 
-std::optional<Value> ValueReader::read_tree(const Node& node, const std::string& subject) const {
+std::optional<Value> ValueReader::read_tree(const yaml::Node& node, const std::string& subject) const {
   Value result;
   result.line = node.mark.line;
   result.column = node.mark.column;
@@ -209,7 +210,7 @@ std::optional<Value> ValueReader::read_tree(const Node& node, const std::string&
     result.content = *text;
   } else if (node.is_list()) {
     Value::List list;
-    for (const Node& item : node.items) {
+    for (const yaml::Node& item : node.items) {
       auto value = read_tree(item, subject);
       if (!value) return std::nullopt;
       list.push_back(std::move(*value));
@@ -217,7 +218,7 @@ std::optional<Value> ValueReader::read_tree(const Node& node, const std::string&
     result.content = std::move(list);
   } else {
     Value::Map map;
-    for (const Entry& entry : node.entries) {
+    for (const yaml::Entry& entry : node.entries) {
       auto value = read_tree(entry.value, subject);
       if (!value) return std::nullopt;
       map.push_back({entry.key, std::move(*value)});
@@ -227,7 +228,7 @@ std::optional<Value> ValueReader::read_tree(const Node& node, const std::string&
   return result;
 }
 
-std::string ValueReader::resolve_file(const std::string& text, const Node& node,
+std::string ValueReader::resolve_file(const std::string& text, const yaml::Node& node,
                                       const std::string& subject) const {
   namespace fs = std::filesystem;
   const fs::path path(text);
@@ -239,11 +240,11 @@ std::string ValueReader::resolve_file(const std::string& text, const Node& node,
     if (fs::is_directory(folder, none)) return (fs::path(folder) / path.lexically_relative("data")).string();
     const std::string why = folder.empty() ? "set STEPWIRE_DATA to that folder"
                                            : fmt::format("STEPWIRE_DATA is '{}', which is no folder", folder);
-    throw EnvironmentError(
-        report_.fault(at(node.mark), subject, fault_text("'{}' is in the data folder; {}", text, why))
+    throw io::EnvironmentError(
+        report_.fault(at(node.mark), subject, yaml::fault_text("'{}' is in the data folder; {}", text, why))
             .text());
   }
   return (fs::path(report_.file_of(scope_)).parent_path() / path).string();
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

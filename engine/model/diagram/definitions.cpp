@@ -9,7 +9,7 @@
 #include "engine/model/diagram/keys.hpp"
 #include "engine/model/diagram/report.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 namespace {
 
@@ -20,23 +20,23 @@ class Definitions {
  public:
   Definitions(Scope& scope, const Overrides& overrides, Settings& settings, Report& report)
       : scope_(scope), overrides_(overrides), settings_(settings), report_(report) {
-    if (const Node* map = scope.document->root.find("parameters"))
-      for (const Entry& entry : map->entries) entries_[entry.key] = &entry;
+    if (const yaml::Node* map = scope.document->root.find("parameters"))
+      for (const yaml::Entry& entry : map->entries) entries_[entry.key] = &entry;
   }
 
   void define_all() {
-    const Node* map = scope_.document->root.find("parameters");
+    const yaml::Node* map = scope_.document->root.find("parameters");
     if (!map) return;
     if (!map->is_map())
       return report_.add(scope_.at(map->mark), "parameters", "must be a map of name: value");
-    for (const Entry& entry : map->entries) define(entry.key);
+    for (const yaml::Entry& entry : map->entries) define(entry.key);
   }
 
  private:
   void define(const std::string& name) {
     const auto found = entries_.find(name);
     if (found == entries_.end() || scope_.parameters.defined(name) || failed_.contains(name)) return;
-    const Entry& entry = *found->second;
+    const yaml::Entry& entry = *found->second;
     if (!is_name(name) || name == "time" || name == "pi" || name == "e")
       return fail(entry,
                   "is no name for a parameter; use letters, digits and '_' ('time', 'pi' and 'e' have a "
@@ -64,20 +64,20 @@ class Definitions {
   /// Of the parameter that was listed last.
   int last_index() const { return static_cast<int>(report_.diagram().parameters.size()) - 1; }
 
-  void fail(const Entry& entry, const std::string& message) {
+  void fail(const yaml::Entry& entry, const std::string& message) {
     if (failed_.insert(entry.key).second) report_.add(scope_.at(entry.mark), entry.key, message);
     scope_.parameters.define(entry.key, {{1.0}, {}, "", true});
   }
 
-  static const Node& definition(const Entry& entry) {
-    const Node* value = entry.value.is_map() ? entry.value.find("value") : nullptr;
+  static const yaml::Node& definition(const yaml::Entry& entry) {
+    const yaml::Node* value = entry.value.is_map() ? entry.value.find("value") : nullptr;
     return value ? *value : entry.value;
   }
 
   /// Every name of this file that occurs in the text as a word; that is more than is needed at worst.
-  void define_what_it_uses(const Node& node) {
-    for (const Node& item : node.items) define_what_it_uses(item);
-    for (const Entry& entry : node.entries)
+  void define_what_it_uses(const yaml::Node& node) {
+    for (const yaml::Node& item : node.items) define_what_it_uses(item);
+    for (const yaml::Entry& entry : node.entries)
       if (entry.key != "doc") define_what_it_uses(entry.value);
     if (!node.is_scalar() || (!node.text.starts_with('=') && !node.text.starts_with('$'))) return;
     std::string word;
@@ -91,7 +91,7 @@ class Definitions {
     }
   }
 
-  std::optional<WrittenValue> evaluate(const Entry& entry) {
+  std::optional<WrittenValue> evaluate(const yaml::Entry& entry) {
     const std::string full = scope_.prefix + entry.key;
     if (entry.value.is_map()) {
       HeadReading(full, scope_, report_).check(entry.value, parameter_form().of.back());
@@ -119,27 +119,28 @@ class Definitions {
   }
 
   /// The definition without what is said about it, as {value: .., unit: ..}.
-  static Node stripped(const Node& node) {
+  static yaml::Node stripped(const yaml::Node& node) {
     if (!node.is_map()) return node;
-    Node result = node;
+    yaml::Node result = node;
     std::erase_if(result.entries,
-                  [](const Entry& entry) { return entry.key != "value" && entry.key != "unit"; });
+                  [](const yaml::Entry& entry) { return entry.key != "value" && entry.key != "unit"; });
     return result;
   }
 
-  static std::vector<Entry> bounds_of(const Node& node) {
-    std::vector<Entry> bounds;
+  static std::vector<yaml::Entry> bounds_of(const yaml::Node& node) {
+    std::vector<yaml::Entry> bounds;
     for (const std::string& key : bound_keys)
-      if (const Node* limit = node.is_map() ? node.find(key) : nullptr) bounds.push_back({key, {}, *limit});
+      if (const yaml::Node* limit = node.is_map() ? node.find(key) : nullptr)
+        bounds.push_back({key, {}, *limit});
     return bounds;
   }
 
   /// Reads what the using file and the call put in the place of the file's own value; says whether the call
   /// did.
-  bool replace(const Entry& entry, const std::string& full, Definition& made,
+  bool replace(const yaml::Entry& entry, const std::string& full, Definition& made,
                std::optional<WrittenValue>& written) {
     value_origin_ = scope_.at(definition(entry).mark);
-    const auto read = [&](const Node& node, const Scope& names, const Origin& origin) {
+    const auto read = [&](const yaml::Node& node, const Scope& names, const Origin& origin) {
       value_origin_ = origin;
       made.text = {node, names.index, origin.scope};
       made.uses.clear();
@@ -153,21 +154,21 @@ class Definitions {
     return setting != nullptr;
   }
 
-  void list(const std::string& full, const Entry& entry, const WrittenValue& written, bool set) {
-    const Node* doc = entry.value.find("doc");
-    const Node* assumed = entry.value.find("assumed");
+  void list(const std::string& full, const yaml::Entry& entry, const WrittenValue& written, bool set) {
+    const yaml::Node* doc = entry.value.find("doc");
+    const yaml::Node* assumed = entry.value.find("assumed");
     const HeadReading read(full, scope_, report_);
     DiagramParameter& listed = report_.diagram().parameters.emplace_back(
         DiagramParameter{full, written.text, written.value, written.dimension, "", false, set});
-    if (doc) below(read, "doc").take(*doc, {}, listed.doc);
-    if (assumed) below(read, "assumed").take(*assumed, form::truth(), listed.assumed);
+    if (doc) yaml::below(read, "doc").take(*doc, {}, listed.doc);
+    if (assumed) yaml::below(read, "assumed").take(*assumed, yaml::form::truth(), listed.assumed);
   }
 
   Scope& scope_;
   const Overrides& overrides_;
   Settings& settings_;
   Report& report_;
-  std::map<std::string, const Entry*> entries_;
+  std::map<std::string, const yaml::Entry*> entries_;
   std::vector<std::string> open_;  ///< what is being defined, the outermost first
   std::set<std::string> failed_;
   Origin value_origin_;
@@ -179,4 +180,4 @@ void define_parameters(Scope& scope, const Overrides& overrides, Settings& setti
   Definitions(scope, overrides, settings, report).define_all();
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

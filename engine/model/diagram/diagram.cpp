@@ -1,9 +1,9 @@
 #include "engine/model/diagram/diagram.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
-Fault Diagram::fault(const Origin& origin, std::string subject, std::string message) const {
-  Fault fault{place(origin), std::move(subject), std::move(message), {}};
+yaml::Fault Diagram::fault(const Origin& origin, std::string subject, std::string message) const {
+  yaml::Fault fault{place(origin), std::move(subject), std::move(message), {}};
   const auto user_of = [this](int scope) { return scopes[static_cast<std::size_t>(scope)].used_at; };
   // Neither the file itself nor a setting is used by anything.
   for (Origin user = user_of(origin.scope); user.scope >= 0; user = user_of(user.scope))
@@ -11,4 +11,4 @@ Fault Diagram::fault(const Origin& origin, std::string subject, std::string mess
   return fault;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

@@ -11,7 +11,7 @@
 #include "engine/base/yaml/document.hpp"
 #include "engine/model/block/block_type.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 struct Binding;
 struct Bindings;
@@ -19,7 +19,7 @@ struct Bindings;
 /// A place in one of the files of a diagram: `scope` says in which file, and who uses it.
 struct Origin {
   int scope = 0;
-  Mark mark;
+  yaml::Mark mark;
 };
 
 /// A file as it is used at one place of a diagram: the diagram itself (scope 0), or a part inside of it.
@@ -34,7 +34,7 @@ struct Source {
   int block = -1;  ///< -1: the constant
   int output = -1;
   Eigen::VectorXd constant;
-  std::optional<Dimension> dimension;  ///< of the constant, if it was written with a unit
+  std::optional<unit::Dimension> dimension;  ///< of the constant, if it was written with a unit
   Origin origin;
   std::shared_ptr<const Binding> text;  ///< of a constant that follows from parameters
 };
@@ -43,7 +43,7 @@ struct Source {
 struct InitialValue {
   int state = -1;
   Eigen::VectorXd value;
-  std::optional<Dimension> dimension;
+  std::optional<unit::Dimension> dimension;
   Origin origin;
 };
 
@@ -55,16 +55,16 @@ struct DiagramBlock {
   AnyBlock block;    ///< with its parameters set
   Origin origin;
   std::vector<std::vector<Source>> inputs;  ///< for each input of the type; empty where not connected
-  std::vector<Mark> input_marks;
-  std::vector<Mark> parameter_marks;
-  std::vector<std::optional<Dimension>>
+  std::vector<yaml::Mark> input_marks;
+  std::vector<yaml::Mark> parameter_marks;
+  std::vector<std::optional<unit::Dimension>>
       parameter_dimensions;         ///< of each parameter, where written with a unit
   std::vector<std::size_t> spread;  ///< parameters whose one number the plan repeats for every element
   std::vector<InitialValue> initial;
-  std::vector<std::pair<std::string, Dimension>>
+  std::vector<std::pair<std::string, unit::Dimension>>
       known_units;              ///< unit variables that the block itself fixes: ("'u", mm)
   std::optional<double> every;  ///< period [s]
-  Mark every_mark;
+  yaml::Mark every_mark;
 
   const BlockType& type() const { return block.type(); }
 };
@@ -109,7 +109,7 @@ struct DiagramOutput {
   std::string name;
   SignalRef signal;
   std::optional<Eigen::VectorXd> safe;  ///< what to hand on once the diagram no longer runs
-  std::optional<Dimension> safe_dimension;
+  std::optional<unit::Dimension> safe_dimension;
   std::string doc;
   Origin origin;
 };
@@ -117,7 +117,7 @@ struct DiagramOutput {
 /// A port of a part with a declared unit: what passes must have it.
 struct UnitDemand {
   Source source;
-  Dimension dimension;
+  unit::Dimension dimension;
   std::string port;  ///< "rig.force"
   Origin origin;
 };
@@ -127,7 +127,7 @@ struct DiagramParameter {
   std::string name;  ///< full: "rig.mass"
   std::string text;  ///< as written or set
   Value value;
-  std::optional<Dimension> dimension;
+  std::optional<unit::Dimension> dimension;
   std::string doc;
   bool assumed = false;
   bool set = false;  ///< not the file's own value
@@ -138,7 +138,7 @@ struct Sweep {
   struct Axis {
     std::string parameter;
     std::vector<std::string> values;
-    std::vector<Mark> marks;  ///< of each value
+    std::vector<yaml::Mark> marks;  ///< of each value
     Origin origin;
     bool label = false;  ///< a column of words about the points, which sets nothing
   };
@@ -159,7 +159,7 @@ struct StopCondition {
     std::size_t offset() const { return element > 0 ? static_cast<std::size_t>(element - 1) : 0; }
   };
 
-  Expression expression;
+  expression::Expression expression;
   std::vector<Variable> variables;
   Origin origin;
 };
@@ -193,20 +193,20 @@ struct Diagram {
   std::vector<RecordRequest> records;
   std::vector<DiagramParameter> parameters;
   std::shared_ptr<const Bindings> bindings;  ///< how its values follow from the parameters
-  std::vector<std::vector<std::optional<Dimension>>>
+  std::vector<std::vector<std::optional<unit::Dimension>>>
       output_dimensions;  ///< [block][output], where known; see infer_units
-  std::vector<std::vector<std::optional<Dimension>>> state_dimensions;  ///< [block][state], where known
+  std::vector<std::vector<std::optional<unit::Dimension>>> state_dimensions;  ///< [block][state], where known
   std::optional<Sweep> sweep;
   std::optional<StopCondition> stop_when;
-  Node figure, claims, invariants;  ///< as written, read by the figure room; empty where absent
-  Node scene;                       ///< as written, read by the figure room; empty where absent
-  Node fit;                         ///< as written, read by the identify room; empty where absent
+  yaml::Node figure, claims, invariants;  ///< as written, read by the figure room; empty where absent
+  yaml::Node scene;                       ///< as written, read by the figure room; empty where absent
+  yaml::Node fit;                         ///< as written, read by the identify room; empty where absent
 
-  Place place(const Origin& origin) const {
+  yaml::Place place(const Origin& origin) const {
     return {scopes[static_cast<std::size_t>(origin.scope)].file, origin.mark};
   }
   /// A fault with its place and everybody who used the part in which it lies.
-  Fault fault(const Origin& origin, std::string subject, std::string message) const;
+  yaml::Fault fault(const Origin& origin, std::string subject, std::string message) const;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

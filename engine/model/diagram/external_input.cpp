@@ -1,6 +1,6 @@
 #include "engine/model/diagram/external_input.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 void ExternalInput::declare(Declare<ExternalInput>& is) {
   is.block("ExternalInput",
@@ -18,4 +18,4 @@ const BlockType& external_input_type() {
   return type;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

@@ -2,7 +2,7 @@
 
 #include "engine/model/block/declare.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 /// An input of a diagram that is run by itself: whoever runs it writes the value, before a tick is evaluated.
 /// Until then it holds the `default` of the file.
@@ -18,4 +18,4 @@ struct ExternalInput {
 /// The type of such blocks; no diagram file can name it.
 const BlockType& external_input_type();
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

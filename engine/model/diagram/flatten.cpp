@@ -14,11 +14,11 @@
 #include "engine/model/diagram/external_input.hpp"
 #include "engine/model/diagram/written.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 namespace {
 
-constexpr Dimension time_dimension{{0.0, 0.0, 1.0}};
+constexpr unit::Dimension time_dimension{{0.0, 0.0, 1.0}};
 
 /// Who reads the text: a person or this program, or the hash, which sees only what decides on numbers.
 enum class Reader { anyone, hash };
@@ -29,7 +29,7 @@ class Flattener {
   Flattener(const Diagram& diagram, const FileName& file_name, Reader reader)
       : diagram_(diagram), file_name_(file_name), reader_(reader) {}
 
-  std::optional<Node> value(const Target& target) const {
+  std::optional<yaml::Node> value(const Target& target) const {
     const DiagramBlock& of = block(target.block);
     const auto index = static_cast<std::size_t>(target.index);
     if (target.kind == Target::Kind::parameter) return parameter(of, index, of.parameter_dimensions[index]);
@@ -40,8 +40,8 @@ class Flattener {
     return std::nullopt;
   }
 
-  Node run() {
-    Node root;
+  yaml::Node run() {
+    yaml::Node root;
     add_head(root);
     add_if_any(root, "inputs", inputs());
     add_if_any(root, "outputs", outputs());
@@ -52,8 +52,8 @@ class Flattener {
   }
 
  private:
-  void add_head(Node& root) const {
-    const std::optional<Dimension> time = unit(time_dimension);
+  void add_head(yaml::Node& root) const {
+    const std::optional<unit::Dimension> time = unit(time_dimension);
     add_key(root, "stepwire", written_text("1"));
     if (reader_ == Reader::anyone && !diagram_.title.empty())
       add_key(root, "title", written_text(diagram_.title));
@@ -65,13 +65,13 @@ class Flattener {
     if (diagram_.stop_when) add_key(root, "stop_when", stop_condition(*diagram_.stop_when));
   }
 
-  static void add_if_any(Node& map, const char* key, Node value) {
+  static void add_if_any(yaml::Node& map, const char* key, yaml::Node value) {
     if (!value.entries.empty() || !value.items.empty()) add_key(map, key, std::move(value));
   }
 
   static Eigen::VectorXd one(double number) { return Eigen::VectorXd::Constant(1, number); }
 
-  std::optional<Dimension> unit(const std::optional<Dimension>& dimension) const {
+  std::optional<unit::Dimension> unit(const std::optional<unit::Dimension>& dimension) const {
     return reader_ == Reader::anyone ? dimension : std::nullopt;
   }
 
@@ -85,7 +85,7 @@ class Flattener {
     return owner.name + "." + type.outputs[static_cast<std::size_t>(signal.output)].name;
   }
 
-  Node stop_condition(const StopCondition& condition) const {
+  yaml::Node stop_condition(const StopCondition& condition) const {
     std::vector<std::string> names;
     for (const auto& [signal, element] : condition.variables)
       names.push_back(signal.block < 0 ? "time"
@@ -94,17 +94,17 @@ class Flattener {
     return written_text(condition.expression.renamed(names));
   }
 
-  void add_doc(Node& port, const std::string& doc) const {
+  void add_doc(yaml::Node& port, const std::string& doc) const {
     if (reader_ == Reader::anyone && !doc.empty()) add_key(port, "doc", written_text(doc));
   }
 
-  Node inputs() const {
-    Node map;
+  yaml::Node inputs() const {
+    yaml::Node map;
     for (const DiagramInput& input : diagram_.inputs) {
       const DiagramBlock& source = block(input.block);
       const auto dimension = unit(source.parameter_dimensions[0]);
-      Node port;
-      if (dimension) add_key(port, "unit", written_text(si_name(*dimension)));
+      yaml::Node port;
+      if (dimension) add_key(port, "unit", written_text(unit::si_name(*dimension)));
       add_key(port, "default", *parameter(source, 0, {}));
       add_doc(port, input.doc);
       add_key(map, input.name, std::move(port));
@@ -112,10 +112,10 @@ class Flattener {
     return map;
   }
 
-  Node outputs() const {
-    Node map;
+  yaml::Node outputs() const {
+    yaml::Node map;
     for (const DiagramOutput& output : diagram_.outputs) {
-      Node port;
+      yaml::Node port;
       add_key(port, "signal", written_text(name(output.signal)));
       if (output.safe) add_key(port, "safe", written_numbers(*output.safe, unit(output.safe_dimension)));
       add_doc(port, output.doc);
@@ -125,29 +125,29 @@ class Flattener {
   }
 
   /// What ports of parts demanded of their signals.
-  Node units() const {
-    Node map;
+  yaml::Node units() const {
+    yaml::Node map;
     std::set<std::string> said;
     for (const UnitDemand& demand : diagram_.unit_demands) {
       if (demand.source.block < 0) continue;
       std::string signal = name({demand.source.block, demand.source.output});
       if (said.insert(signal).second)
-        add_key(map, std::move(signal), written_text(si_name(demand.dimension)));
+        add_key(map, std::move(signal), written_text(unit::si_name(demand.dimension)));
     }
     return map;
   }
 
-  Node blocks() const {
-    Node map;
+  yaml::Node blocks() const {
+    yaml::Node map;
     map.entries.reserve(diagram_.blocks.size());
     for (const DiagramBlock& block : diagram_.blocks)
       if (&block.type() != &external_input_type()) add_key(map, block.name, keys(block));
     return map;
   }
 
-  Node keys(const DiagramBlock& block) const {
+  yaml::Node keys(const DiagramBlock& block) const {
     const BlockType& type = block.type();
-    Node map;
+    yaml::Node map;
     add_key(map, "block", written_text(type.name));
     if (block.every) add_key(map, "every", written_numbers(one(*block.every), unit(time_dimension)));
     for (std::size_t i = 0; i < block.inputs.size(); ++i)
@@ -161,21 +161,21 @@ class Flattener {
     return map;
   }
 
-  Node input(const InputSpec& spec, const std::vector<Source>& sources) const {
+  yaml::Node input(const InputSpec& spec, const std::vector<Source>& sources) const {
     if (!spec.list) return source(sources.front());
-    Node list;
-    list.kind = Node::Kind::list;
+    yaml::Node list;
+    list.kind = yaml::Node::Kind::list;
     for (const Source& element : sources) list.items.push_back(source(element));
     return list;
   }
 
-  Node source(const Source& source) const {
+  yaml::Node source(const Source& source) const {
     if (source.block < 0) return written_numbers(source.constant, unit(source.dimension));
     return written_signal(name({source.block, source.output}));
   }
 
-  std::optional<Node> parameter(const DiagramBlock& block, std::size_t index,
-                                const std::optional<Dimension>& dimension) const {
+  std::optional<yaml::Node> parameter(const DiagramBlock& block, std::size_t index,
+                                      const std::optional<unit::Dimension>& dimension) const {
     const ParameterSpec& spec = block.type().parameters[index];
     Value value = spec.get(block.block.get());
     if (spec.kind == ParameterKind::file) return written_filled_in(file_name_(*value.text()));
@@ -184,14 +184,14 @@ class Flattener {
     return written_value(spec, value, dimension);
   }
 
-  Node record() const {
-    Node list;
-    list.kind = Node::Kind::list;
+  yaml::Node record() const {
+    yaml::Node list;
+    list.kind = yaml::Node::Kind::list;
     for (const RecordRequest& request : diagram_.records) {
-      Node entry;
+      yaml::Node entry;
       if (request.every) add_key(entry, "every", written_numbers(one(*request.every), unit(time_dimension)));
-      Node signals;
-      signals.kind = Node::Kind::list;
+      yaml::Node signals;
+      signals.kind = yaml::Node::Kind::list;
       for (const RecordedSignal& signal : request.signals) signals.items.push_back(recorded(signal));
       add_key(entry, "signals", std::move(signals));
       list.items.push_back(std::move(entry));
@@ -199,10 +199,10 @@ class Flattener {
     return list;
   }
 
-  Node recorded(const RecordedSignal& signal) const {
+  yaml::Node recorded(const RecordedSignal& signal) const {
     std::string full = name(signal.signal);
     if (full == signal.name) return written_text(std::move(full));
-    Node renamed;
+    yaml::Node renamed;
     add_key(renamed, signal.name, written_text(std::move(full)));
     return renamed;
   }
@@ -218,22 +218,23 @@ std::string absolute_path(const std::string& path) {
   return std::filesystem::absolute(path).lexically_normal().string();
 }
 
-std::optional<Node> flattened_value(const Diagram& diagram, const Target& target, const FileName& file_name) {
+std::optional<yaml::Node> flattened_value(const Diagram& diagram, const Target& target,
+                                          const FileName& file_name) {
   return Flattener(diagram, file_name, Reader::anyone).value(target);
 }
 
 std::string flattened_text(const Diagram& diagram, const FileName& file_name) {
-  return yaml_text(Flattener(diagram, file_name, Reader::anyone).run());
+  return yaml::yaml_text(Flattener(diagram, file_name, Reader::anyone).run());
 }
 
 std::string diagram_hash(const Diagram& diagram) {
   std::map<std::string, std::string> known;
   const FileName content = [&](const std::string& path) {
     const auto [hash, is_new] = known.try_emplace(path);
-    if (is_new) hash->second = hash_of(read_file(path));
+    if (is_new) hash->second = hash::hash_of(io::read_file(path));
     return hash->second;
   };
-  return hash_of(yaml_text(Flattener(diagram, content, Reader::hash).run()));
+  return hash::hash_of(yaml::yaml_text(Flattener(diagram, content, Reader::hash).run()));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

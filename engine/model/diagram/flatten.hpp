@@ -6,7 +6,7 @@
 
 #include "engine/model/diagram/bindings.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 /// What a data file is called in a flattened diagram, by the path at which it is found.
 using FileName = std::function<std::string(const std::string& path)>;
@@ -20,11 +20,12 @@ std::string absolute_path(const std::string& path);
 std::string flattened_text(const Diagram& diagram, const FileName& file_name = absolute_path);
 
 /// The value of a block as the flattened diagram has it; nothing where only a default can be.
-std::optional<Node> flattened_value(const Diagram& diagram, const Target& target, const FileName& file_name);
+std::optional<yaml::Node> flattened_value(const Diagram& diagram, const Target& target,
+                                          const FileName& file_name);
 
 /// Hash of all that decides what a diagram computes, the contents of its data files included; 16 hexadecimal
 /// digits (FNV-1a, 64 bits). The same for two files that differ only in layout, units, names of files, or
 /// parts opened by hand. Throws EnvironmentError where a data file cannot be read.
 std::string diagram_hash(const Diagram& diagram);
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

@@ -7,31 +7,31 @@
 #include "engine/base/yaml/fault_text.hpp"
 #include "engine/model/diagram/head_keys.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 namespace {
 
 constexpr double max_steps = 9e15;  // whole numbers beyond are not exact in a double
 
 void read_version(const Scope& scope, Report& report) {
-  const Node& root = scope.document->root;
-  const Node* version = root.find("stepwire");
+  const yaml::Node& root = scope.document->root;
+  const yaml::Node* version = root.find("stepwire");
   if (!version)
     return report.add(scope.at(root.mark), "",
                       "'stepwire: 1' is missing; it says that this is a diagram file of format 1");
   if (version->text != "1")
     report.add(scope.at(version->mark), "stepwire",
-               fault_text("format '{}' is not known; this program reads format 1", version->text));
+               yaml::fault_text("format '{}' is not known; this program reads format 1", version->text));
 }
 
 /// Sets what a row has in the file, or what the call sets in its place.
-void read_row(const KeyRow<Diagram, HeadReading>& row, const Scope& scope, Settings& settings,
+void read_row(const yaml::KeyRow<Diagram, HeadReading>& row, const Scope& scope, Settings& settings,
               Report& report) {
   static const std::vector<std::string> settable{"step", "stop", "solver", "tolerance"};
   const bool may_be_set = std::ranges::find(settable, row.name) != settable.end();
   const Settings::Entry* setting = may_be_set ? settings.take(row.name) : nullptr;
   if (may_be_set) settings.offer(row.name);
-  const Node* node = setting ? &setting->document.root : scope.document->root.find(row.name);
+  const yaml::Node* node = setting ? &setting->document.root : scope.document->root.find(row.name);
   if (!node && (row.name == "step" || row.name == "stop"))
     report.add(scope.at(scope.document->root.mark), "", HeadReading::missing(row));
   if (!node || !row.set) return;
@@ -42,7 +42,7 @@ void read_row(const KeyRow<Diagram, HeadReading>& row, const Scope& scope, Setti
 }  // namespace
 
 void check_head_keys(const Scope& scope, Report& report) {
-  const Node& root = scope.document->root;
+  const yaml::Node& root = scope.document->root;
   if (!root.is_map())
     return report.add(scope.at(root.mark), "",
                       "this is no diagram; a diagram is a map with stepwire, title, step, stop, blocks");
@@ -61,11 +61,12 @@ void read_head(const Scope& scope, Settings& settings, Report& report) {
 void read_head_of_file(const Scope& scope, Report& report) {
   Diagram& diagram = report.diagram();
   read_sweep(scope, report);
-  if (const Node* figure = scope.document->root.find("figure")) diagram.figure = *figure;
-  if (const Node* scene = scope.document->root.find("scene")) diagram.scene = *scene;
-  if (const Node* claims = scope.document->root.find("claims")) diagram.claims = *claims;
-  if (const Node* invariants = scope.document->root.find("invariants")) diagram.invariants = *invariants;
-  if (const Node* fit = scope.document->root.find("fit")) diagram.fit = *fit;
+  if (const yaml::Node* figure = scope.document->root.find("figure")) diagram.figure = *figure;
+  if (const yaml::Node* scene = scope.document->root.find("scene")) diagram.scene = *scene;
+  if (const yaml::Node* claims = scope.document->root.find("claims")) diagram.claims = *claims;
+  if (const yaml::Node* invariants = scope.document->root.find("invariants"))
+    diagram.invariants = *invariants;
+  if (const yaml::Node* fit = scope.document->root.find("fit")) diagram.fit = *fit;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

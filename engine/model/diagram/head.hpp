@@ -4,7 +4,7 @@
 #include "engine/model/diagram/scope.hpp"
 #include "engine/model/diagram/settings.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 /// Reads title, step, stop, solver, thesis, caption of the diagram itself. Settings may replace step, stop
 /// and solver.
@@ -25,4 +25,4 @@ void read_stop_condition(const Scope& scope, const Resolver& resolver, Report& r
 /// Refuses a `stop_when` whose units do not fit each other, once those of the signals are known.
 void check_stop_condition(Report& report);
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

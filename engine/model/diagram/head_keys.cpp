@@ -2,33 +2,36 @@
 
 #include <fmt/format.h>
 
-namespace stepwire {
+namespace stepwire::diagram {
+
+using yaml::form;
+
 namespace {
 
-using HeadRow = KeyRow<Diagram, HeadReading>;
-using ThesisTable = KeyTable<ThesisReference, HeadReading>;
+using HeadRow = yaml::KeyRow<Diagram, HeadReading>;
+using ThesisTable = yaml::KeyTable<ThesisReference, HeadReading>;
 
 const char* const name_pattern = "^[A-Za-z_][A-Za-z0-9_]*$";
 const char* const dotted_pattern = "^[A-Za-z_][A-Za-z0-9_]*([.][A-Za-z_][A-Za-z0-9_]*)*$";
 
 constexpr double highest_number = 999'999;  // of a figure
 
-Key time_form() {
+yaml::Key time_form() {
   return form::above_zero(form::number("s"));
 }
 
 HeadRow time_row(std::string name, std::string doc, double Diagram::*seconds, Origin Diagram::*origin) {
-  const Key form = time_form();
+  const yaml::Key form = time_form();
   return {std::move(name), std::move(doc), form,
-          [=](Diagram& diagram, const Node& node, const HeadReading& read) {
+          [=](Diagram& diagram, const yaml::Node& node, const HeadReading& read) {
             diagram.*origin = read.origin;
             read.take(node, form, diagram.*seconds);
           }};
 }
 
-void read_departures(ThesisReference& thesis, const Node& node, const HeadReading& read) {
+void read_departures(ThesisReference& thesis, const yaml::Node& node, const HeadReading& read) {
   if (!node.is_list()) return read.fault(node.mark, "is a list of sentences: [the limit is 0.35 A, not 1 A]");
-  for (const Node& item : node.items) read.take(item, {}, thesis.departures.emplace_back());
+  for (const yaml::Node& item : node.items) read.take(item, {}, thesis.departures.emplace_back());
 }
 
 const ThesisTable& thesis_table() {
@@ -50,7 +53,7 @@ std::vector<HeadRow> run_rows() {
       time_row("stop", "end of the run, a whole multiple of the step: 5 s", &Diagram::stop,
                &Diagram::stop_origin),
       {"solver", "how continuous states go from tick to tick; none where there are none", form::text(),
-       [](Diagram& diagram, const Node& node, const HeadReading& read) {
+       [](Diagram& diagram, const yaml::Node& node, const HeadReading& read) {
          read.take(node, {}, diagram.solver);
          diagram.solver_origin = read.origin;
        }},
@@ -79,33 +82,34 @@ std::vector<HeadRow> run_rows() {
 }  // namespace
 
 HeadReading::HeadReading(std::string subject, const Scope& scope, Report& report, const Origin& origin)
-    : SectionReading(std::move(subject),
-                     [&report, index = origin.scope](const Mark& mark, const std::string& about,
-                                                     const std::string& message) {
-                       report.add({index, mark}, about, message);
-                     }),
+    : yaml::SectionReading(std::move(subject),
+                           [&report, index = origin.scope](const yaml::Mark& mark, const std::string& about,
+                                                           const std::string& message) {
+                             report.add({index, mark}, about, message);
+                           }),
       scope(scope),
       report(report),
       origin(origin) {}
 
-void HeadReading::take(const Node& node, const Key&, std::string& member) const {
+void HeadReading::take(const yaml::Node& node, const yaml::Key&, std::string& member) const {
   if (!node.is_scalar()) fault(node.mark, "a text is wanted here");
   member = node.text;
 }
 
-std::optional<double> HeadReading::read_number(const Node& node, const Key& key) const {
-  const Dimension dimension = key.unit.empty() ? Dimension{} : parse_unit(key.unit)->dimension;
+std::optional<double> HeadReading::read_number(const yaml::Node& node, const yaml::Key& key) const {
+  const unit::Dimension dimension =
+      key.unit.empty() ? unit::Dimension{} : unit::parse_unit(key.unit)->dimension;
   return ValueReader(scope.parameters, report, origin.scope).read_number(node, dimension, subject);
 }
 
 const std::vector<HeadRow>& head_rows() {
   static const std::vector<HeadRow> rows = [] {
     std::vector<HeadRow> all{
-        needed(HeadRow{"stepwire", "format of this file; always 1", form::whole(1, 1)}),
+        yaml::needed(HeadRow{"stepwire", "format of this file; always 1", form::whole(1, 1)}),
         {"title", "one line on what is shown", form::text(), &Diagram::title},
         {"caption", "a few sentences for the gallery page", form::text(), &Diagram::caption},
         {"thesis", "what of the thesis this file shows", thesis_table().form,
-         [](Diagram& diagram, const Node& node, const HeadReading& read) {
+         [](Diagram& diagram, const yaml::Node& node, const HeadReading& read) {
            thesis_table().read(node, diagram.thesis, read);
          }},
         {"parameters", "numbers and words with a name, used as $name; --set changes them",
@@ -116,94 +120,103 @@ const std::vector<HeadRow>& head_rows() {
          form::names(form::section("output"), 0, name_pattern)},
         {"units", "units that signals have, where their blocks do not say: {pull: N}",
          form::names(form::text())},
-        needed(HeadRow{"blocks", "the blocks by name; an input is a key of its block",
-                       form::names(form::section("block"), 1, dotted_pattern)})};
+        yaml::needed(HeadRow{"blocks", "the blocks by name; an input is a key of its block",
+                             form::names(form::section("block"), 1, dotted_pattern)})};
     for (HeadRow& row : run_rows()) all.push_back(std::move(row));
     return all;
   }();
   return rows;
 }
 
-const Key& head_form() {
-  static const Key form =
-      keys_form("a diagram", "{stepwire: 1, step: 1 ms, stop: 1 s, blocks: {..}}", head_rows());
+const yaml::Key& head_form() {
+  static const yaml::Key form =
+      yaml::keys_form("a diagram", "{stepwire: 1, step: 1 ms, stop: 1 s, blocks: {..}}", head_rows());
   return form;
 }
 
-const Key& parameter_form() {
-  static const Key form = [] {
-    std::vector<Key> keys{
-        needed(key("value", "the default: a number with unit, a list, a word, = expression", form::tree())),
-        key("unit", "unit of the value, where it stands apart: N/mm"), key("doc", "what it is"),
-        otherwise("false", key("assumed", "true: our guess, not from a source", form::truth()))};
+const yaml::Key& parameter_form() {
+  static const yaml::Key form = [] {
+    std::vector<yaml::Key> keys{
+        yaml::needed(yaml::key("value", "the default: a number with unit, a list, a word, = expression",
+                               form::tree())),
+        yaml::key("unit", "unit of the value, where it stands apart: N/mm"), yaml::key("doc", "what it is"),
+        yaml::otherwise("false", yaml::key("assumed", "true: our guess, not from a source", form::truth()))};
     for (const char* bound : {"above", "below", "at_least", "at_most"})
-      keys.push_back(key(bound, "a bound that --set and users of a part are held to", form::number()));
-    return form::either(
-        {form::of(Key::Form::value), form::keys("a parameter", "{value: 2 kg, doc: of the body}", keys)});
+      keys.push_back(yaml::key(bound, "a bound that --set and users of a part are held to", form::number()));
+    return form::either({form::of(yaml::Key::Form::value),
+                         form::keys("a parameter", "{value: 2 kg, doc: of the body}", keys)});
   }();
   return form;
 }
 
-const Key& input_form() {
-  static const Key form = form::either(
-      {form::of(Key::Form::nothing),
-       form::keys(
-           "an input", "{unit: N, default: 0 N}",
-           {key("unit", "unit of what must be wired here"), key("doc", "what it is"),
-            key("default", "feeds the port where the user gives nothing", form::of(Key::Form::source))})});
+const yaml::Key& input_form() {
+  static const yaml::Key form = form::either(
+      {form::of(yaml::Key::Form::nothing),
+       form::keys("an input", "{unit: N, default: 0 N}",
+                  {yaml::key("unit", "unit of what must be wired here"), yaml::key("doc", "what it is"),
+                   yaml::key("default", "feeds the port where the user gives nothing",
+                             form::of(yaml::Key::Form::source))})});
   return form;
 }
 
-const Key& output_form() {
-  static const Key form = form::either(
-      {form::text(), form::keys("an output", "{signal: lag.y, unit: N}",
-                                {needed(key("signal", "a block or its output: carriage.position")),
-                                 key("unit", "unit that it must have"), key("doc", "what it is"),
-                                 key("safe", "what the output holds once a real-time loop has stopped: 0 A",
-                                     form::of(Key::Form::source))})});
+const yaml::Key& output_form() {
+  static const yaml::Key form = form::either(
+      {form::text(),
+       form::keys("an output", "{signal: lag.y, unit: N}",
+                  {yaml::needed(yaml::key("signal", "a block or its output: carriage.position")),
+                   yaml::key("unit", "unit that it must have"), yaml::key("doc", "what it is"),
+                   yaml::key("safe", "what the output holds once a real-time loop has stopped: 0 A",
+                             form::of(yaml::Key::Form::source))})});
   return form;
 }
 
-const Key& record_form() {
-  const Key signal = key("", "a signal (rig.x), a state of a block (lag.x), or all");
-  static const Key form = form::either(
+const yaml::Key& record_form() {
+  const yaml::Key signal = yaml::key("", "a signal (rig.x), a state of a block (lag.x), or all");
+  static const yaml::Key form = form::either(
       {signal,
-       form::keys("an entry of record", "{every: 1 ms, signals: [rig.x]}",
-                  {otherwise("each step", key("every", "time between rows", time_form())),
-                   needed(like("[rig.x]",
-                               key("signals", "what is recorded",
-                                   form::one_or_list(form::either(
-                                       {signal, key("", "signals under names of your own: {position: rig.x}",
-                                                    form::names(signal, 0, dotted_pattern))})))))})});
+       form::keys(
+           "an entry of record", "{every: 1 ms, signals: [rig.x]}",
+           {yaml::otherwise("each step", yaml::key("every", "time between rows", time_form())),
+            yaml::needed(yaml::like(
+                "[rig.x]",
+                yaml::key("signals", "what is recorded",
+                          form::one_or_list(form::either(
+                              {signal, yaml::key("", "signals under names of your own: {position: rig.x}",
+                                                 form::names(signal, 0, dotted_pattern))})))))})});
   return form;
 }
 
-const Key& range_form() {
-  static const Key form = form::keys(
-      "a range", "{from: 1 N, to: 9 N, count: 5}",
-      {needed(key("from", "the first value", form::number())), needed(key("to", "the last", form::number())),
-       needed(key("count", "how many values, both ends included", form::whole(2)))});
+const yaml::Key& range_form() {
+  static const yaml::Key form =
+      form::keys("a range", "{from: 1 N, to: 9 N, count: 5}",
+                 {yaml::needed(yaml::key("from", "the first value", form::number())),
+                  yaml::needed(yaml::key("to", "the last", form::number())),
+                  yaml::needed(yaml::key("count", "how many values, both ends included", form::whole(2)))});
   return form;
 }
 
-const Key& sweep_form() {
-  static const Key form = [] {
-    const Key values = form::list(form::text(), 1);
-    const Key axis = form::either(
-        {values, form::keys("an axis", "{values: [1, 2]}", {needed(key("values", "in this order", values))}),
-         range_form()});
-    Key sweep = form::keys(
+const yaml::Key& sweep_form() {
+  static const yaml::Key form = [] {
+    const yaml::Key values = form::list(form::text(), 1);
+    const yaml::Key axis =
+        form::either({values,
+                      form::keys("an axis", "{values: [1, 2]}",
+                                 {yaml::needed(yaml::key("values", "in this order", values))}),
+                      range_form()});
+    yaml::Key sweep = form::keys(
         "a sweep", "{ratio: [0.1, 0.2], drive: {from: 1 Hz, to: 2 Hz, count: 5}}",
-        {otherwise("false",
-                   key("together", "true: the parameters are paired, else they make a grid", form::truth())),
-         key("one_at_a_time",
+        {yaml::otherwise(
+             "false",
+             yaml::key("together", "true: the parameters are paired, else they make a grid", form::truth())),
+         yaml::key(
+             "one_at_a_time",
              "parameters of which one at a time leaves the file's value: {mass: [1 kg, 3 kg]}; the columns "
              "differs and differs_to say which and to what",
-             like("{mass: [1 kg, 3 kg], drive: [1 Hz, 2 Hz]}", form::names(axis, 1)))});
-    sweep.rest = {key("NAME", "the values of a parameter, step or solver", axis)};
+             yaml::like("{mass: [1 kg, 3 kg], drive: [1 Hz, 2 Hz]}", form::names(axis, 1)))});
+    sweep.rest = {yaml::key("NAME", "the values of a parameter, step or solver", axis)};
     return sweep;
   }();
   return form;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

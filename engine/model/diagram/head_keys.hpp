@@ -5,11 +5,11 @@
 #include "engine/model/diagram/report.hpp"
 #include "engine/model/diagram/scope.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 /// What the head of a file is read with: faults have the places of its scope, or of the setting that stands
 /// in place of a value.
-struct HeadReading : SectionReading {
+struct HeadReading : yaml::SectionReading {
   const Scope& scope;
   Report& report;
   Origin origin;
@@ -19,25 +19,25 @@ struct HeadReading : SectionReading {
   /// Of a value that stands at `origin`.
   HeadReading(std::string subject, const Scope& scope, Report& report, const Origin& origin);
 
-  using SectionReading::take;
-  void take(const Node& node, const Key& key, std::string& text) const;
+  using yaml::SectionReading::take;
+  void take(const yaml::Node& node, const yaml::Key& key, std::string& text) const;
 
  protected:
   /// A number in the unit of the key, `$name` or `= expression`.
-  std::optional<double> read_number(const Node& node, const Key& key) const override;
+  std::optional<double> read_number(const yaml::Node& node, const yaml::Key& key) const override;
 };
 
 /// The rows of the head that set something in the diagram; the form has all its keys.
-const std::vector<KeyRow<Diagram, HeadReading>>& head_rows();
-const Key& head_form();
+const std::vector<yaml::KeyRow<Diagram, HeadReading>>& head_rows();
+const yaml::Key& head_form();
 
 /// What stands behind names under `parameters`, `inputs` and `outputs`, in `record` and in `sweep`.
-const Key& parameter_form();
-const Key& input_form();
-const Key& output_form();
-const Key& record_form();
-const Key& sweep_form();
+const yaml::Key& parameter_form();
+const yaml::Key& input_form();
+const yaml::Key& output_form();
+const yaml::Key& record_form();
+const yaml::Key& sweep_form();
 /// A range of swept values.
-const Key& range_form();
+const yaml::Key& range_form();
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

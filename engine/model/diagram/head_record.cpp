@@ -6,7 +6,7 @@
 #include "engine/model/diagram/head_keys.hpp"
 #include "engine/model/diagram/keys.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 namespace {
 
@@ -27,15 +27,16 @@ void record_all(const Scope& scope, const std::string& prefix, const Origin& ori
 }
 
 /// Signals under names of the file's own: {position: rig.x, force: push.force}.
-void read_named(const Node& map, const Scope& scope, const Resolver& resolver, RecordRequest& request,
+void read_named(const yaml::Node& map, const Scope& scope, const Resolver& resolver, RecordRequest& request,
                 Report& report) {
-  for (const Entry& entry : map.entries) {
+  for (const yaml::Entry& entry : map.entries) {
     const Origin origin = scope.at(entry.value.mark);
     if (!is_dotted_name(entry.key) || entry.key == "time") {
-      report.add(scope.at(entry.mark), "record",
-                 fault_text("'{}' is no name for a signal; use letters, digits, '_' and dots ('time' has a "
-                            "meaning of its own)",
-                            entry.key));
+      report.add(
+          scope.at(entry.mark), "record",
+          yaml::fault_text("'{}' is no name for a signal; use letters, digits, '_' and dots ('time' has a "
+                           "meaning of its own)",
+                           entry.key));
     } else if (!entry.value.is_scalar()) {
       report.add(origin, "record", "a name is given to one signal, as {position: rig.x}");
     } else if (const auto signal = resolver.signal(entry.value.text, scope, origin, "record")) {
@@ -44,7 +45,7 @@ void read_named(const Node& map, const Scope& scope, const Resolver& resolver, R
   }
 }
 
-void read_signal(const Node& node, const Scope& scope, const Resolver& resolver, RecordRequest& request,
+void read_signal(const yaml::Node& node, const Scope& scope, const Resolver& resolver, RecordRequest& request,
                  Report& report) {
   const Origin origin = scope.at(node.mark);
   if (node.is_map()) return read_named(node, scope, resolver, request, report);
@@ -62,19 +63,19 @@ RecordRequest& request_for(std::optional<double> every, const Origin& origin,
   return requests.emplace_back(RecordRequest{every, origin, {}});
 }
 
-void read_entry(const Node& node, const Scope& scope, const Resolver& resolver, Report& report) {
+void read_entry(const yaml::Node& node, const Scope& scope, const Resolver& resolver, Report& report) {
   auto& requests = report.diagram().records;
   if (!node.is_map())
     return read_signal(node, scope, resolver, request_for({}, scope.at(node.mark), requests), report);
-  const Key& form = record_form().of.back();
+  const yaml::Key& form = record_form().of.back();
   const HeadReading read("record", scope, report);
   read.check(node, form);
-  const Node *signals = node.find("signals"), *period = node.find("every");
+  const yaml::Node *signals = node.find("signals"), *period = node.find("every");
   if (!signals) return;
   std::optional<double> every;
-  if (period) below(read, "every").take(*period, *form.find("every"), every);
+  if (period) yaml::below(read, "every").take(*period, *form.find("every"), every);
   RecordRequest& request = request_for(every, scope.at(period ? period->mark : node.mark), requests);
-  for (const Node& item : signals->as_list()) read_signal(item, scope, resolver, request, report);
+  for (const yaml::Node& item : signals->as_list()) read_signal(item, scope, resolver, request, report);
 }
 
 /// Keeps a signal once in a recording, however often it is named; two signals cannot have one name.
@@ -116,21 +117,21 @@ Eigen::Index take_element(std::string& name) {
 }  // namespace
 
 void read_record(const Scope& scope, const Resolver& resolver, Report& report) {
-  const Node* record = scope.document->root.find("record");
+  const yaml::Node* record = scope.document->root.find("record");
   if (!record) return;
-  for (const Node& item : record->as_list()) read_entry(item, scope, resolver, report);
+  for (const yaml::Node& item : record->as_list()) read_entry(item, scope, resolver, report);
   for (RecordRequest& request : report.diagram().records) drop_repeated(request, report);
   refuse_swept_names(report);
 }
 
 void read_stop_condition(const Scope& scope, const Resolver& resolver, Report& report) {
-  const Node* node = scope.document->root.find("stop_when");
+  const yaml::Node* node = scope.document->root.find("stop_when");
   if (!node) return;
   const ValueReader reader(scope.parameters, report, scope.index);
   const auto text = reader.fill_in(*node, "stop_when");
   if (!text) return;
   try {
-    StopCondition condition{Expression(*text), {}, scope.at(node->mark)};
+    StopCondition condition{expression::Expression(*text), {}, scope.at(node->mark)};
     for (std::string name : condition.expression.variables()) {
       const Eigen::Index element = take_element(name);
       if (name == "time") {
@@ -140,7 +141,7 @@ void read_stop_condition(const Scope& scope, const Resolver& resolver, Report& r
       }
     }
     report.diagram().stop_when = std::move(condition);
-  } catch (const ExpressionError& error) {
+  } catch (const expression::ExpressionError& error) {
     report.add(scope.at(node->mark), "stop_when", error.what());
   }
 }
@@ -148,9 +149,9 @@ void read_stop_condition(const Scope& scope, const Resolver& resolver, Report& r
 void check_stop_condition(Report& report) {
   const Diagram& diagram = report.diagram();
   if (!diagram.stop_when) return;
-  std::vector<Measure> measures;
+  std::vector<expression::Measure> measures;
   for (const auto& [signal, element] : diagram.stop_when->variables) {
-    std::optional<Dimension> dimension = parse_unit("s")->dimension;
+    std::optional<unit::Dimension> dimension = unit::parse_unit("s")->dimension;
     const auto block = static_cast<std::size_t>(signal.block);
     if (signal.block >= 0 && signal.output >= 0)
       dimension = diagram.output_dimensions[block][static_cast<std::size_t>(signal.output)];
@@ -160,9 +161,9 @@ void check_stop_condition(Report& report) {
   }
   try {
     static_cast<void>(diagram.stop_when->expression.measure(measures));
-  } catch (const ExpressionError& error) {
+  } catch (const expression::ExpressionError& error) {
     report.add(diagram.stop_when->origin, "stop_when", error.what());
   }
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

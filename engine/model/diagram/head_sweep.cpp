@@ -11,13 +11,13 @@
 #include "engine/model/diagram/head_keys.hpp"
 #include "engine/model/diagram/variation.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 namespace {
 
 constexpr std::size_t max_runs = 100'000;  // of a sweep; each is planned before the first one starts
 
-std::string setting_text(const Node& node) {
+std::string setting_text(const yaml::Node& node) {
   return node.quoted ? fmt::format("\"{}\"", node.text) : node.text;
 }
 
@@ -30,8 +30,8 @@ double value_of_range(double from, double to, double i, double n) {
 }
 
 /// A number as it is written, and its unit: "5 mm" is {5, "mm"}.
-std::optional<std::pair<double, std::string>> number_and_unit(const Node& node) {
-  if (!node.is_scalar() || !parse_quantity(node.text)) return std::nullopt;
+std::optional<std::pair<double, std::string>> number_and_unit(const yaml::Node& node) {
+  if (!node.is_scalar() || !unit::parse_quantity(node.text)) return std::nullopt;
   const std::size_t sign = node.text.starts_with('+') ? 1 : 0;
   double number = 0.0;
   const char* const end = node.text.data() + node.text.size();
@@ -43,7 +43,7 @@ std::optional<std::pair<double, std::string>> number_and_unit(const Node& node) 
 /// Reads {from: .., to: .., count: ..}; gives no values where there is a fault.
 class RangeReading {
  public:
-  RangeReading(const Node& map, const std::string& name, const Scope& scope, Report& report)
+  RangeReading(const yaml::Node& map, const std::string& name, const Scope& scope, Report& report)
       : map_(map), subject_("sweep." + name), scope_(scope), report_(report) {}
 
   std::vector<std::string> values() {
@@ -64,16 +64,16 @@ class RangeReading {
       return texts(written_from->first, written_to->first, count->value, written_from->second);
     const auto& dimension = from->dimension ? from->dimension : to->dimension;
     return texts(from->value, to->value, count->value,
-                 dimension && *dimension != Dimension{} ? si_name(*dimension) : "");
+                 dimension && *dimension != unit::Dimension{} ? unit::si_name(*dimension) : "");
   }
 
  private:
   struct Number {
     double value;
-    std::optional<Dimension> dimension;
+    std::optional<unit::Dimension> dimension;
   };
 
-  std::vector<std::string> refuse(const Mark& mark, std::string message) {
+  std::vector<std::string> refuse(const yaml::Mark& mark, std::string message) {
     report_.add(scope_.at(mark), subject_, std::move(message));
     return {};
   }
@@ -88,12 +88,12 @@ class RangeReading {
   }
 
   std::optional<Number> number(const char* key) {
-    const Node& node = *map_.find(key);
+    const yaml::Node& node = *map_.find(key);
     const auto written = ValueReader(scope_.parameters, report_, scope_.index).read(node, subject_);
     if (!written) return std::nullopt;
     if (const double* number = std::get_if<double>(&written->value.content))
       return Number{*number, written->dimension};
-    refuse(node.mark, fault_text("'{}' is no number; words are swept as a list", written->text));
+    refuse(node.mark, yaml::fault_text("'{}' is no number; words are swept as a list", written->text));
     return std::nullopt;
   }
 
@@ -105,17 +105,17 @@ class RangeReading {
     return texts;
   }
 
-  const Node& map_;
+  const yaml::Node& map_;
   const std::string subject_;
   const Scope& scope_;
   Report& report_;
 };
 
-void read_axis(const Entry& entry, Sweep& sweep, const Scope& scope, Report& report) {
-  const Node* list = entry.value.is_map() ? entry.value.find("values") : &entry.value;
+void read_axis(const yaml::Entry& entry, Sweep& sweep, const Scope& scope, Report& report) {
+  const yaml::Node* list = entry.value.is_map() ? entry.value.find("values") : &entry.value;
   Sweep::Axis axis{entry.key, {}, {}, scope.at(entry.mark)};
   if (list && list->is_list()) {
-    for (const Node& item : list->items) {
+    for (const yaml::Node& item : list->items) {
       axis.values.push_back(setting_text(item));
       axis.marks.push_back(item.mark);
     }
@@ -146,11 +146,11 @@ std::string own_value(const Sweep::Axis& axis, Report& report) {
     for (const DiagramParameter& one : all) names.push_back(one.name);
     report.add(axis.origin, "sweep.one_at_a_time." + axis.parameter,
                fmt::format("is no parameter{}; each point but those that differ in it has the file's value",
-                           nearest_or_all(axis.parameter, names, "there are")));
+                           yaml::nearest_or_all(axis.parameter, names, "there are")));
     return {};
   }
   const double* number = std::get_if<double>(&parameter->value.content);
-  if (!number || parse_quantity(parameter->text)) return parameter->text;
+  if (!number || unit::parse_quantity(parameter->text)) return parameter->text;
   return value_of_number(*number, parameter->dimension).text;  // what follows from others
 }
 
@@ -171,7 +171,7 @@ void set_apart(Sweep& sweep, const Origin& origin, Report& report) {
     }
   for (Sweep::Axis& axis : sweep.axes) {
     std::vector<std::string> values(which.size(), own_value(axis, report));
-    std::vector<Mark> marks(which.size(), axis.origin.mark);
+    std::vector<yaml::Mark> marks(which.size(), axis.origin.mark);
     const auto first = std::ranges::find(which, axis.parameter) - which.begin();
     std::ranges::copy(axis.values, values.begin() + first);
     std::ranges::copy(axis.marks, marks.begin() + first);
@@ -183,8 +183,9 @@ void set_apart(Sweep& sweep, const Origin& origin, Report& report) {
   sweep.axes.push_back(label(differs_to_label, std::move(what), origin));
 }
 
-void read_one_at_a_time(const Node& section, const Node& axes, const Scope& scope, Report& report) {
-  const auto refuse = [&](const Mark& mark, const char* message) {
+void read_one_at_a_time(const yaml::Node& section, const yaml::Node& axes, const Scope& scope,
+                        Report& report) {
+  const auto refuse = [&](const yaml::Mark& mark, const char* message) {
     report.add(scope.at(mark), "sweep.one_at_a_time", message);
   };
   if (section.entries.size() > 1)
@@ -193,7 +194,7 @@ void read_one_at_a_time(const Node& section, const Node& axes, const Scope& scop
     return refuse(axes.mark, "is a map of parameters and their values: {mass: [1 kg, 3 kg]}");
   Sweep sweep;
   const std::size_t before = report.faults().size();
-  for (const Entry& entry : axes.entries) {
+  for (const yaml::Entry& entry : axes.entries) {
     if (entry.key == nothing_differs)
       refuse(entry.mark, "'base' is the word for the point at which no parameter differs; rename it");
     read_axis(entry, sweep, scope, report);
@@ -206,16 +207,17 @@ void read_one_at_a_time(const Node& section, const Node& axes, const Scope& scop
 }  // namespace
 
 void read_sweep(const Scope& scope, Report& report) {
-  const Node* node = scope.document->root.find("sweep");
+  const yaml::Node* node = scope.document->root.find("sweep");
   if (!node) return;
   if (!node->is_map())
     return report.add(scope.at(node->mark), "sweep",
                       "must be a map of parameter: {from, to, count} or {values: [..]}");
-  if (const Node* one = node->find("one_at_a_time")) return read_one_at_a_time(*node, *one, scope, report);
+  if (const yaml::Node* one = node->find("one_at_a_time"))
+    return read_one_at_a_time(*node, *one, scope, report);
   Sweep sweep;
-  if (const Node* together = node->find("together"))
-    HeadReading("sweep.together", scope, report).take(*together, form::truth(), sweep.together);
-  for (const Entry& entry : node->entries) {
+  if (const yaml::Node* together = node->find("together"))
+    HeadReading("sweep.together", scope, report).take(*together, yaml::form::truth(), sweep.together);
+  for (const yaml::Entry& entry : node->entries) {
     if (entry.key != "together") read_axis(entry, sweep, scope, report);
     if (run_count(sweep) > max_runs)
       return report.add(
@@ -231,4 +233,4 @@ void read_sweep(const Scope& scope, Report& report) {
   report.diagram().sweep = std::move(sweep);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 bool is_name(const std::string& text) {
   const auto letter = [](unsigned char c) { return std::isalpha(c) || c == '_'; };
@@ -20,4 +20,4 @@ bool is_dotted_name(const std::string& text) {
   }
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

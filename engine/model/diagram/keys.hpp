@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 /// Is this a name that a block, part, port or parameter may have? Letters, digits and '_', not beginning with
 /// a digit.
@@ -11,4 +11,4 @@ bool is_name(const std::string& text);
 /// Such names with dots between them: "rig.carriage".
 bool is_dotted_name(const std::string& text);
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

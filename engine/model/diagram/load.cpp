@@ -7,7 +7,7 @@
 #include "engine/model/diagram/resolve.hpp"
 #include "engine/model/diagram/unused.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 namespace {
 
@@ -16,7 +16,7 @@ void connect(const PendingInput& pending, const Resolver& resolver, Report& repo
   const InputSpec& spec = block.type().inputs[static_cast<std::size_t>(pending.input)];
   auto& sources = block.inputs[static_cast<std::size_t>(pending.input)];
   const std::string subject = block.name + "." + spec.name;
-  const auto connect_one = [&](const Node& node) {
+  const auto connect_one = [&](const yaml::Node& node) {
     auto source = resolver.source(node, *pending.scope, subject);
     if (!source) return;
     if (source->text) {
@@ -27,11 +27,11 @@ void connect(const PendingInput& pending, const Resolver& resolver, Report& repo
     }
     sources.push_back(std::move(*source));
   };
-  const Node& node = *pending.node;
+  const yaml::Node& node = *pending.node;
   if (spec.list && node.is_list()) {
     if (node.items.empty())
       report.add(pending.scope->at(node.mark), subject, "is an empty list; name at least one signal");
-    for (const Node& item : node.items) connect_one(item);
+    for (const yaml::Node& item : node.items) connect_one(item);
   } else {
     connect_one(node);
   }
@@ -49,13 +49,13 @@ void require_inputs(Report& report) {
 
 /// Units that a file says its signals have.
 void demand_named_units(const Scope& scope, const Resolver& resolver, Report& report) {
-  const Node* units = scope.document->root.find("units");
+  const yaml::Node* units = scope.document->root.find("units");
   if (!units) return;
   if (!units->is_map())
     return report.add(scope.at(units->mark), scope.prefix + "units", "must be a map of signal: unit");
-  for (const Entry& entry : units->entries) {
+  for (const yaml::Entry& entry : units->entries) {
     const std::string subject = scope.prefix + "units." + entry.key;
-    const auto unit = parse_unit(entry.value.text);
+    const auto unit = unit::parse_unit(entry.value.text);
     if (!unit || !entry.value.is_scalar()) {
       report.add(scope.at(entry.value.mark), subject, fmt::format("'{}' is no unit", entry.value.text));
     } else if (auto source = resolver.source(entry.key, scope, scope.at(entry.mark), subject)) {
@@ -143,7 +143,7 @@ void read_sections(Scope& root, Opener& opener, Settings& settings, Report& repo
   if (report.faults().empty()) refuse_unused_parameters(root, report);  // else it may follow from a fault
 }
 
-Diagram build(Loader& loader, const Document& document, const std::vector<Setting>& given,
+Diagram build(Loader& loader, const yaml::Document& document, const std::vector<Setting>& given,
               Extent extent = Extent::whole_file) {
   Diagram diagram;
   diagram.file = document.file;
@@ -166,15 +166,15 @@ Diagram build(Loader& loader, const Document& document, const std::vector<Settin
 
 }  // namespace
 
-const Document& Loader::document(const std::string& path) {
+const yaml::Document& Loader::document(const std::string& path) {
   auto& slot = documents_[path];
-  if (!slot) slot = std::make_unique<Document>(read_document(path, limits_));
+  if (!slot) slot = std::make_unique<yaml::Document>(yaml::read_document(path, limits_));
   return *slot;
 }
 
-void Loader::add(Document document) {
+void Loader::add(yaml::Document document) {
   auto& slot = documents_[document.file];
-  slot = std::make_unique<Document>(std::move(document));
+  slot = std::make_unique<yaml::Document>(std::move(document));
 }
 
 Diagram Loader::load(const std::string& path, const std::vector<Setting>& settings) {
@@ -187,8 +187,8 @@ Diagram Loader::load_point(const std::string& path, const std::vector<Setting>& 
 
 Diagram Loader::load_text(std::string_view text, const std::string& file,
                           const std::vector<Setting>& settings) {
-  const Document document = parse_document(text, file, limits_);
+  const yaml::Document document = yaml::parse_document(text, file, limits_);
   return build(*this, document, settings);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

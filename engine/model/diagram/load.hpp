@@ -10,7 +10,7 @@
 #include "engine/model/block/registry.hpp"
 #include "engine/model/diagram/diagram.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 /// One `--set name=value`, or a value of a sweep; the name reaches into parts ("rig.mass") and blocks
 /// ("lag.tau").
@@ -18,16 +18,16 @@ struct Setting {
   std::string name;
   std::string value;
   std::string written = "--set " + name + "=" + value;  ///< how messages call it: the call, or a file
-  Mark mark{};                                          ///< where in that file
+  yaml::Mark mark{};                                    ///< where in that file
 };
 
 /// Turns diagram files into checked diagrams. Files are read once, however often they are used.
 class Loader {
  public:
   /// The registry must outlive the diagrams, too, whose blocks know their types by it.
-  explicit Loader(const Registry& registry, DocumentLimits limits = {})
+  explicit Loader(const Registry& registry, yaml::DocumentLimits limits = {})
       : registry_(registry), limits_(limits) {}
-  explicit Loader(Registry&&, DocumentLimits = {}) = delete;
+  explicit Loader(Registry&&, yaml::DocumentLimits = {}) = delete;
 
   /// Reads and checks a file. Throws Error with everything that is wrong; EnvironmentError where a block
   /// needs the data folder (STEPWIRE_DATA) and it is not there.
@@ -40,14 +40,14 @@ class Loader {
                     const std::vector<Setting>& settings = {});
 
   const Registry& registry() const { return registry_; }
-  const Document& document(const std::string& path);
+  const yaml::Document& document(const std::string& path);
   /// Takes a document for the file that it names; no such file needs to be there.
-  void add(Document document);
+  void add(yaml::Document document);
 
  private:
   const Registry& registry_;
-  DocumentLimits limits_;
-  std::map<std::string, std::unique_ptr<Document>> documents_;
+  yaml::DocumentLimits limits_;
+  std::map<std::string, std::unique_ptr<yaml::Document>> documents_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

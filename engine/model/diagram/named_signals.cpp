@@ -1,6 +1,6 @@
 #include "engine/model/diagram/named_signals.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 namespace {
 
@@ -26,4 +26,4 @@ std::map<std::string, SignalRef> named_signals(const Diagram& diagram) {
   return all;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

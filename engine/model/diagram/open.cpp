@@ -11,32 +11,32 @@
 #include "engine/model/diagram/block_keys.hpp"
 #include "engine/model/diagram/keys.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 void Opener::open(Scope& scope, const Overrides& overrides) {
-  const Node& root = scope.document->root;
+  const yaml::Node& root = scope.document->root;
   open_files_.push_back(std::filesystem::path(scope.document->file).lexically_normal().string());
   declare_ports(scope);
   define_parameters(scope, overrides, settings_, report_);
   if (!scope.parent) make_inputs(scope);
-  const Node* blocks = root.find("blocks");
+  const yaml::Node* blocks = root.find("blocks");
   if (!blocks || !blocks->is_map() || blocks->entries.empty()) {
     report_.add(scope.at(blocks ? blocks->mark : root.mark), scope.prefix.empty() ? "" : "blocks",
                 "blocks are missing; a diagram has 'blocks:' with a map of name: {block: ..}");
     report_.faults().throw_if_any();  // every name would be unknown
   }
   if (scope.index == 0) report_.diagram().blocks.reserve(blocks->entries.size());
-  for (const Entry& entry : blocks->entries) open_block(scope, entry);
+  for (const yaml::Entry& entry : blocks->entries) open_block(scope, entry);
   open_files_.pop_back();
 }
 
-void Opener::fail(Scope& scope, const Entry& entry, const Mark& mark, std::string message) {
+void Opener::fail(Scope& scope, const yaml::Entry& entry, const yaml::Mark& mark, std::string message) {
   scope.failed.insert(entry.key);
   report_.add(scope.at(mark), scope.prefix + (entry.key.empty() ? "''" : entry.key), std::move(message));
 }
 
-void Opener::open_block(Scope& scope, const Entry& entry) {
-  const Node& map = entry.value;
+void Opener::open_block(Scope& scope, const yaml::Entry& entry) {
+  const yaml::Node& map = entry.value;
   if (!is_dotted_name(entry.key) || entry.key == "time" || entry.key == "all")
     return fail(
         scope, entry, entry.mark,
@@ -48,22 +48,22 @@ void Opener::open_block(Scope& scope, const Entry& entry) {
     return fail(scope, entry, map.mark, "must be a map such as {block: Gain, gain: 2, u: source}");
   if (scope.inputs.contains(entry.key))
     return fail(scope, entry, entry.mark, "is also the name of an input of this part; choose another");
-  const Node* kind = map.find("block");
-  const Node* part = map.find("diagram");
+  const yaml::Node* kind = map.find("block");
+  const yaml::Node* part = map.find("diagram");
   if (part && !kind) return open_part(scope, entry, *part);
   if (!kind || part)
     return fail(scope, entry, map.mark, "needs either 'block:' (a type) or 'diagram:' (a file)");
   if (!kind->is_scalar()) return fail(scope, entry, kind->mark, "'block:' names one type, as Gain");
   const BlockType* type = loader_.registry().find(kind->text);
   if (!type)
-    return fail(
-        scope, entry, kind->mark,
-        fmt::format("there is no block '{}'{}", kind->text,
-                    did_you_mean(kind->text, loader_.registry().names(), "'stepwire blocks' lists them")));
+    return fail(scope, entry, kind->mark,
+                fmt::format("there is no block '{}'{}", kind->text,
+                            yaml::did_you_mean(kind->text, loader_.registry().names(),
+                                               "'stepwire blocks' lists them")));
   make_block(scope, entry, *type);
 }
 
-void Opener::make_block(Scope& scope, const Entry& entry, const BlockType& type) {
+void Opener::make_block(Scope& scope, const yaml::Entry& entry, const BlockType& type) {
   Diagram& diagram = report_.diagram();
   const int index = static_cast<int>(diagram.blocks.size());
   scope.names[entry.key] = {index, nullptr, entry.mark};
@@ -74,13 +74,13 @@ void Opener::make_block(Scope& scope, const Entry& entry, const BlockType& type)
   block.parameter_marks.resize(type.parameters.size());
   block.parameter_dimensions.resize(type.parameters.size());
   apply_preset(scope, entry.value, block);
-  for (const Entry& key : entry.value.entries) read_key(scope, key, block, index);
+  for (const yaml::Entry& key : entry.value.entries) read_key(scope, key, block, index);
   read_settings(scope, block, block.name);
   require_parameters(scope, entry.value, block);
 }
 
-void Opener::apply_preset(Scope& scope, const Node& map, DiagramBlock& block) {
-  const Node* preset = map.find("preset");
+void Opener::apply_preset(Scope& scope, const yaml::Node& map, DiagramBlock& block) {
+  const yaml::Node* preset = map.find("preset");
   const BlockType& type = block.type();
   if (!preset || type.presets.empty()) return;
   std::vector<std::string> names;
@@ -93,8 +93,8 @@ void Opener::apply_preset(Scope& scope, const Node& map, DiagramBlock& block) {
   }
   report_.add(scope.at(preset->mark), block.name + ".preset",
               fmt::format("there is no preset '{}'{}", *wanted,
-                          did_you_mean(*wanted, names,
-                                       fmt::format("{} has: {}", type.name, fmt::join(names, ", ")))));
+                          yaml::did_you_mean(*wanted, names,
+                                             fmt::format("{} has: {}", type.name, fmt::join(names, ", ")))));
 }
 
 int Opener::state_of_key(const BlockType& type, const std::string& key) const {
@@ -104,7 +104,7 @@ int Opener::state_of_key(const BlockType& type, const std::string& key) const {
   return -1;
 }
 
-void Opener::read_key(Scope& scope, const Entry& key, DiagramBlock& block, int index) {
+void Opener::read_key(Scope& scope, const yaml::Entry& key, DiagramBlock& block, int index) {
   const BlockType& type = block.type();
   if (key.key == "block" || (key.key == "preset" && !type.presets.empty())) return;
   if (key.key == "every") return read_period(scope, key.value, block);
@@ -122,7 +122,7 @@ void Opener::read_key(Scope& scope, const Entry& key, DiagramBlock& block, int i
   const std::string all = fmt::format("It has: {}", fmt::join(known, ", "));
   report_.add(scope.at(key.mark), block.name,
               fmt::format("{} has no '{}'{}", type.name, key.key,
-                          is_name(key.key) ? did_you_mean(key.key, known, all)
+                          is_name(key.key) ? yaml::did_you_mean(key.key, known, all)
                                            : "; a comma ends a value: a number has a point, and what has a "
                                              "comma in it stands in quotes"));
 }
@@ -135,7 +135,7 @@ void Opener::read_settings(Scope& scope, DiagramBlock& block, const std::string&
     const int state = state_of_key(type, key);
     if (!parameter && state < 0) continue;
     Settings::Entry* setting = settings_.take(full + "." + key);
-    const Node& node = setting->document.root;
+    const yaml::Node& node = setting->document.root;
     Scope at_setting;
     at_setting.index = setting->origin.scope;
     if (parameter) {
@@ -147,7 +147,7 @@ void Opener::read_settings(Scope& scope, DiagramBlock& block, const std::string&
   }
 }
 
-void Opener::read_parameter(const Scope& scope, int reader_scope, const Node& node, DiagramBlock& block,
+void Opener::read_parameter(const Scope& scope, int reader_scope, const yaml::Node& node, DiagramBlock& block,
                             std::size_t parameter) {
   const ParameterSpec& spec = block.type().parameters[parameter];
   ParameterUses uses;
@@ -173,7 +173,7 @@ void Opener::bind(const Target& target, ValueText text, ParameterUses uses) {
   if (!uses.empty()) bindings.push_back({target, std::move(text), std::move(uses)});
 }
 
-void Opener::read_initial(const Scope& scope, const Node& node, DiagramBlock& block, int state) {
+void Opener::read_initial(const Scope& scope, const yaml::Node& node, DiagramBlock& block, int state) {
   const StateSpec& declared = block.type().states[static_cast<std::size_t>(state)];
   ParameterUses uses;
   const ValueReader reader(scope.parameters, report_, scope.index, &uses);
@@ -186,18 +186,18 @@ void Opener::read_initial(const Scope& scope, const Node& node, DiagramBlock& bl
   bind({Target::Kind::initial, index_of(block), state}, {node, scope.index, scope.index}, std::move(uses));
 }
 
-void Opener::read_period(const Scope& scope, const Node& node, DiagramBlock& block) {
+void Opener::read_period(const Scope& scope, const yaml::Node& node, DiagramBlock& block) {
   const ValueReader reader(scope.parameters, report_, scope.index);
-  const auto period = reader.read_number(node, parse_unit("s")->dimension, block.name + ".every");
+  const auto period = reader.read_number(node, unit::parse_unit("s")->dimension, block.name + ".every");
   block.every_mark = node.mark;
   if (!period) return;
   if (*period <= 0.0)
     return report_.add(scope.at(node.mark), block.name + ".every",
-                       fault_text("{} is not allowed; it must be above 0", node.text));
+                       yaml::fault_text("{} is not allowed; it must be above 0", node.text));
   block.every = *period;
 }
 
-void Opener::require_parameters(const Scope& scope, const Node& map, const DiagramBlock& block) {
+void Opener::require_parameters(const Scope& scope, const yaml::Node& map, const DiagramBlock& block) {
   for (std::size_t i = 0; i < block.type().parameters.size(); ++i) {
     const ParameterSpec& spec = block.type().parameters[i];
     if (spec.required && block.parameter_marks[i].line == 0 && !map.find(spec.name))
@@ -205,4 +205,4 @@ void Opener::require_parameters(const Scope& scope, const Node& map, const Diagr
   }
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

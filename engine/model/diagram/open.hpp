@@ -11,13 +11,13 @@
 #include "engine/model/diagram/scope.hpp"
 #include "engine/model/diagram/settings.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 /// An input as a file wrote it, to be resolved once all names are known.
 struct PendingInput {
   int block;
   int input;
-  const Node* node;
+  const yaml::Node* node;
   const Scope* scope;
 };
 
@@ -35,31 +35,32 @@ class Opener {
   void declare_ports(Scope& scope);
   /// Reports what is wrong with a block or part that cannot be made, and keeps silent about what is wired to
   /// it.
-  void fail(Scope& scope, const Entry& entry, const Mark& mark, std::string message);
-  void open_block(Scope& scope, const Entry& entry);
-  void declare_input(Scope& scope, const Entry& port);
-  void declare_output(Scope& scope, const Entry& port);
+  void fail(Scope& scope, const yaml::Entry& entry, const yaml::Mark& mark, std::string message);
+  void open_block(Scope& scope, const yaml::Entry& entry);
+  void declare_input(Scope& scope, const yaml::Entry& port);
+  void declare_output(Scope& scope, const yaml::Entry& port);
   /// Makes a block for each input of the diagram itself whose `default` is a value.
   void make_inputs(Scope& scope);
-  std::optional<Dimension> declared_unit(const Scope& scope, const Entry& port);
-  void open_part(Scope& scope, const Entry& entry, const Node& path);
-  bool refuse_nesting(Scope& scope, const Entry& entry, const Node& path, const std::string& file);
+  std::optional<unit::Dimension> declared_unit(const Scope& scope, const yaml::Entry& port);
+  void open_part(Scope& scope, const yaml::Entry& entry, const yaml::Node& path);
+  bool refuse_nesting(Scope& scope, const yaml::Entry& entry, const yaml::Node& path,
+                      const std::string& file);
   /// Reads the part's file; false, and a fault, where that cannot be.
-  bool read_part(Scope& scope, const Entry& entry, const Node& path, Scope& part);
+  bool read_part(Scope& scope, const yaml::Entry& entry, const yaml::Node& path, Scope& part);
   /// Hands the keys of the using file to the part's inputs, and returns those for its parameters.
-  Overrides feed(const Scope& scope, const Entry& entry, const Node& path, Scope& part);
-  void make_block(Scope& scope, const Entry& entry, const BlockType& type);
-  void apply_preset(Scope& scope, const Node& map, DiagramBlock& block);
-  void read_key(Scope& scope, const Entry& key, DiagramBlock& block, int index);
+  Overrides feed(const Scope& scope, const yaml::Entry& entry, const yaml::Node& path, Scope& part);
+  void make_block(Scope& scope, const yaml::Entry& entry, const BlockType& type);
+  void apply_preset(Scope& scope, const yaml::Node& map, DiagramBlock& block);
+  void read_key(Scope& scope, const yaml::Entry& key, DiagramBlock& block, int index);
   void read_settings(Scope& scope, DiagramBlock& block, const std::string& full);
-  void read_parameter(const Scope& scope, int reader_scope, const Node& node, DiagramBlock& block,
+  void read_parameter(const Scope& scope, int reader_scope, const yaml::Node& node, DiagramBlock& block,
                       std::size_t parameter);
-  void read_initial(const Scope& scope, const Node& node, DiagramBlock& block, int state);
+  void read_initial(const Scope& scope, const yaml::Node& node, DiagramBlock& block, int state);
   int index_of(const DiagramBlock& block);
   /// Keeps the text of a value that follows from parameters.
   void bind(const Target& target, ValueText text, ParameterUses uses);
-  void read_period(const Scope& scope, const Node& node, DiagramBlock& block);
-  void require_parameters(const Scope& scope, const Node& map, const DiagramBlock& block);
+  void read_period(const Scope& scope, const yaml::Node& node, DiagramBlock& block);
+  void require_parameters(const Scope& scope, const yaml::Node& map, const DiagramBlock& block);
   int state_of_key(const BlockType& type, const std::string& key) const;
 
   Loader& loader_;
@@ -69,4 +70,4 @@ class Opener {
   std::vector<std::string> open_files_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

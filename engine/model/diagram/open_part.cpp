@@ -10,7 +10,7 @@
 #include "engine/model/diagram/open.hpp"
 #include "engine/model/diagram/resolve.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 namespace {
 
@@ -21,15 +21,15 @@ std::string part_path(const std::string& user, const std::string& path) {
   return (std::filesystem::path(user).parent_path() / path).lexically_normal().string();
 }
 
-std::vector<std::string> keys_of_map(const Node& root, const char* key) {
+std::vector<std::string> keys_of_map(const yaml::Node& root, const char* key) {
   std::vector<std::string> names;
-  if (const Node* map = root.find(key))
-    for (const Entry& entry : map->entries) names.push_back(entry.key);
+  if (const yaml::Node* map = root.find(key))
+    for (const yaml::Entry& entry : map->entries) names.push_back(entry.key);
   return names;
 }
 
-std::string doc_of(const Entry& port) {
-  const Node* doc = port.value.is_map() ? port.value.find("doc") : nullptr;
+std::string doc_of(const yaml::Entry& port) {
+  const yaml::Node* doc = port.value.is_map() ? port.value.find("doc") : nullptr;
   return doc ? doc->text : "";
 }
 
@@ -41,25 +41,25 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 
 void Opener::declare_ports(Scope& scope) {
   for (const char* key : {"inputs", "outputs"}) {
-    const Node* ports = scope.document->root.find(key);
+    const yaml::Node* ports = scope.document->root.find(key);
     if (ports && !ports->is_map())
       report_.add(scope.at(ports->mark), scope.prefix + key, "must be a map of the ports' names");
   }
-  if (const Node* inputs = scope.document->root.find("inputs"))
-    for (const Entry& port : inputs->entries) declare_input(scope, port);
-  if (const Node* outputs = scope.document->root.find("outputs"))
-    for (const Entry& port : outputs->entries) declare_output(scope, port);
+  if (const yaml::Node* inputs = scope.document->root.find("inputs"))
+    for (const yaml::Entry& port : inputs->entries) declare_input(scope, port);
+  if (const yaml::Node* outputs = scope.document->root.find("outputs"))
+    for (const yaml::Entry& port : outputs->entries) declare_output(scope, port);
 }
 
-std::optional<Dimension> Opener::declared_unit(const Scope& scope, const Entry& port) {
-  const Node* unit = port.value.is_map() ? port.value.find("unit") : nullptr;
+std::optional<unit::Dimension> Opener::declared_unit(const Scope& scope, const yaml::Entry& port) {
+  const yaml::Node* unit = port.value.is_map() ? port.value.find("unit") : nullptr;
   if (!unit) return std::nullopt;
-  if (const auto parsed = parse_unit(unit->text)) return parsed->dimension;
+  if (const auto parsed = unit::parse_unit(unit->text)) return parsed->dimension;
   report_.add(scope.at(unit->mark), scope.prefix + port.key, fmt::format("'{}' is no unit", unit->text));
   return std::nullopt;
 }
 
-void Opener::declare_input(Scope& scope, const Entry& port) {
+void Opener::declare_input(Scope& scope, const yaml::Entry& port) {
   if (port.value.is_map())
     HeadReading(scope.prefix + port.key, scope, report_).check(port.value, input_form().of.back());
   Scope::Port& declared = scope.inputs[port.key];
@@ -69,16 +69,16 @@ void Opener::declare_input(Scope& scope, const Entry& port) {
   declared.mark = port.mark;
 }
 
-void Opener::declare_output(Scope& scope, const Entry& port) {
+void Opener::declare_output(Scope& scope, const yaml::Entry& port) {
   if (port.value.is_map())
     HeadReading(scope.prefix + port.key, scope, report_).check_unknown(port.value, output_form().of.back());
-  const Node* signal = port.value.is_map() ? port.value.find("signal") : &port.value;
+  const yaml::Node* signal = port.value.is_map() ? port.value.find("signal") : &port.value;
   if (!signal || !signal->is_scalar()) {
     report_.add(scope.at(port.value.mark), scope.prefix + port.key,
                 "names no signal; write the output of a block, as lag.y");
     signal = nullptr;
   }
-  const Node* safe = port.value.is_map() ? port.value.find("safe") : nullptr;
+  const yaml::Node* safe = port.value.is_map() ? port.value.find("safe") : nullptr;
   scope.outputs[port.key] = {signal, safe, declared_unit(scope, port), doc_of(port), port.mark};
 }
 
@@ -102,7 +102,8 @@ void Opener::make_inputs(Scope& scope) {
   }
 }
 
-bool Opener::refuse_nesting(Scope& scope, const Entry& entry, const Node& path, const std::string& file) {
+bool Opener::refuse_nesting(Scope& scope, const yaml::Entry& entry, const yaml::Node& path,
+                            const std::string& file) {
   const auto circle = std::find(open_files_.begin(), open_files_.end(), file);
   if (circle != open_files_.end()) {
     fail(scope, entry, path.mark,
@@ -123,7 +124,7 @@ bool Opener::refuse_nesting(Scope& scope, const Entry& entry, const Node& path, 
   return true;
 }
 
-void Opener::open_part(Scope& scope, const Entry& entry, const Node& path) {
+void Opener::open_part(Scope& scope, const yaml::Entry& entry, const yaml::Node& path) {
   if (!path.is_scalar()) return fail(scope, entry, path.mark, "'diagram:' names a file, as parts/rig.yaml");
   const std::string file = part_path(scope.document->file, path.text);
   if (refuse_nesting(scope, entry, path, file)) return;
@@ -144,12 +145,12 @@ void Opener::open_part(Scope& scope, const Entry& entry, const Node& path) {
                   fmt::format("the input '{}' is missing", name));
 }
 
-bool Opener::read_part(Scope& scope, const Entry& entry, const Node& path, Scope& part) {
+bool Opener::read_part(Scope& scope, const yaml::Entry& entry, const yaml::Node& path, Scope& part) {
   try {
     part.document = &loader_.document(report_.diagram().scopes[static_cast<std::size_t>(part.index)].file);
-  } catch (const Error& error) {
+  } catch (const yaml::Error& error) {
     scope.failed.insert(entry.key);
-    for (const Fault& fault : error.faults())
+    for (const yaml::Fault& fault : error.faults())
       if (fault.place.mark.line > 0) {
         report_.add(part.at(fault.place.mark), scope.prefix + entry.key, fault.message);
       } else {
@@ -163,11 +164,11 @@ bool Opener::read_part(Scope& scope, const Entry& entry, const Node& path, Scope
   return part.document->root.is_map();
 }
 
-Overrides Opener::feed(const Scope& scope, const Entry& entry, const Node& path, Scope& part) {
+Overrides Opener::feed(const Scope& scope, const yaml::Entry& entry, const yaml::Node& path, Scope& part) {
   Overrides overrides{&scope, {}};
   const auto parameters = keys_of_map(part.document->root, "parameters");
   const auto inputs = keys_of_map(part.document->root, "inputs");
-  for (const Entry& key : entry.value.entries) {
+  for (const yaml::Entry& key : entry.value.entries) {
     if (key.key == "diagram") continue;
     if (contains(inputs, key.key)) {
       part.inputs[key.key].fed_by = &key.value;
@@ -176,14 +177,15 @@ Overrides Opener::feed(const Scope& scope, const Entry& entry, const Node& path,
     } else {
       std::vector<std::string> all = parameters;
       all.insert(all.end(), inputs.begin(), inputs.end());
-      report_.add(scope.at(key.mark), scope.prefix + entry.key,
-                  fmt::format("{} has no '{}'{}", path.text, key.key,
-                              did_you_mean(key.key, all,
-                                           all.empty() ? "It has neither inputs nor parameters"
-                                                       : fmt::format("It has: {}", fmt::join(all, ", ")))));
+      report_.add(
+          scope.at(key.mark), scope.prefix + entry.key,
+          fmt::format("{} has no '{}'{}", path.text, key.key,
+                      yaml::did_you_mean(key.key, all,
+                                         all.empty() ? "It has neither inputs nor parameters"
+                                                     : fmt::format("It has: {}", fmt::join(all, ", ")))));
     }
   }
   return overrides;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

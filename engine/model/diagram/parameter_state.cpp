@@ -4,7 +4,7 @@
 
 #include "engine/model/diagram/report.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 namespace {
 
@@ -133,4 +133,4 @@ void ParameterState::replace(const Definition& definition, WrittenValue value) {
   before_.emplace_back(&definition, scope(definition.scope).replace(definition.name, std::move(value)));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

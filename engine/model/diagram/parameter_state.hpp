@@ -7,7 +7,7 @@
 
 #include "engine/model/diagram/variation.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 /// A value of a block that has changed.
 struct ChangedValue {
@@ -45,4 +45,4 @@ class ParameterState {
   std::size_t definitions_before_ = 0, targets_before_ = 0;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

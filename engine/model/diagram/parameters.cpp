@@ -12,12 +12,12 @@
 #include "engine/base/yaml/fault_text.hpp"
 #include "engine/model/diagram/report.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 namespace {
 
 std::string no_parameter(const std::string& name, const ParameterScope& parameters) {
-  return fmt::format("there is no parameter '{}'{}", name, did_you_mean(name, parameters.names()));
+  return fmt::format("there is no parameter '{}'{}", name, yaml::did_you_mean(name, parameters.names()));
 }
 
 std::string no_single_number(const std::string& name) {
@@ -87,19 +87,19 @@ std::vector<std::string> ParameterScope::names() const {
   return result;
 }
 
-const Expression& ParameterScope::expression(const std::string& text) const {
+const expression::Expression& ParameterScope::expression(const std::string& text) const {
   const auto found = expressions_.find(text);
   if (found != expressions_.end()) return found->second;
   const auto known = [this](std::string_view name) { return defined(std::string(name)); };
-  return expressions_.emplace(text, Expression(text, known)).first->second;
+  return expressions_.emplace(text, expression::Expression(text, known)).first->second;
 }
 
-std::string unit_complaint(const std::optional<Dimension>& written,
-                           const std::optional<Dimension>& demanded) {
+std::string unit_complaint(const std::optional<unit::Dimension>& written,
+                           const std::optional<unit::Dimension>& demanded) {
   if (!written || !demanded || *written == *demanded) return "";
-  if (*demanded == Dimension{})
-    return fmt::format("is in {}; it must be a pure number, without a unit", si_name(*written));
-  return fmt::format("is in {}; it must be in {}", si_name(*written), si_name(*demanded));
+  if (*demanded == unit::Dimension{})
+    return fmt::format("is in {}; it must be a pure number, without a unit", unit::si_name(*written));
+  return fmt::format("is in {}; it must be in {}", unit::si_name(*written), unit::si_name(*demanded));
 }
 
 bool means_not_finite(const std::string& text) {
@@ -112,7 +112,8 @@ bool means_not_finite(const std::string& text) {
   return !std::isfinite(std::strtod(begin, &end)) && *end == '\0';
 }
 
-std::nullopt_t ValueReader::refuse(const Node& node, const std::string& subject, std::string message) const {
+std::nullopt_t ValueReader::refuse(const yaml::Node& node, const std::string& subject,
+                                   std::string message) const {
   report_.add(at(node.mark), subject, std::move(message));
   return std::nullopt;
 }
@@ -120,19 +121,20 @@ std::nullopt_t ValueReader::refuse(const Node& node, const std::string& subject,
 bool ValueReader::refuse_given(const WrittenValue& written) const {
   if (!written.given || !written.value.text()) return false;
   report_.add(written.given->origin, written.given->name,
-              fault_text("'{}' is no number; write one, as 2{}, and '=' before what is computed",
-                         written.text, written.given->unit));
+              yaml::fault_text("'{}' is no number; write one, as 2{}, and '=' before what is computed",
+                               written.text, written.given->unit));
   return true;
 }
 
-std::optional<WrittenValue> ValueReader::read(const Node& node, const std::string& subject) const {
+std::optional<WrittenValue> ValueReader::read(const yaml::Node& node, const std::string& subject) const {
   if (node.is_map()) return read_with_unit(node, subject);
   if (node.is_list()) return read_list(node, subject);
   if (node.is_scalar()) return read_scalar(node, subject);
   return refuse(node, subject, "has no value");
 }
 
-std::optional<WrittenValue> ValueReader::read_scalar(const Node& node, const std::string& subject) const {
+std::optional<WrittenValue> ValueReader::read_scalar(const yaml::Node& node,
+                                                     const std::string& subject) const {
   const std::string& text = node.text;
   // An expression with a comma, a colon or a quotation mark in it needs quotes around it.
   if (node.quoted && !text.starts_with('=')) return WrittenValue{{text}, {}, text};
@@ -142,21 +144,22 @@ std::optional<WrittenValue> ValueReader::read_scalar(const Node& node, const std
     return refuse(node, subject, no_parameter(text.substr(1), parameters_));
   }
   if (text.starts_with('=')) return read_expression(node, subject);
-  if (const auto quantity = parse_quantity(text))
+  if (const auto quantity = unit::parse_quantity(text))
     return WrittenValue{{quantity->value}, quantity->dimension, text};
   if (means_not_finite(text))
     return refuse(node, subject,
-                  fault_text("'{}' is not a finite number; a bound that is absent is left out", text));
+                  yaml::fault_text("'{}' is not a finite number; a bound that is absent is left out", text));
   if (text == "true" || text == "false") return WrittenValue{{text == "true"}, {}, text};
   const auto filled = fill_in(node, subject);  // a path such as data/$name.csv
   return filled ? std::optional(WrittenValue{{*filled}, {}, *filled}) : std::nullopt;
 }
 
-std::optional<WrittenValue> ValueReader::read_expression(const Node& node, const std::string& subject) const {
+std::optional<WrittenValue> ValueReader::read_expression(const yaml::Node& node,
+                                                         const std::string& subject) const {
   try {
-    const Expression& expression = parameters_.expression(node.text.substr(1));
+    const expression::Expression& expression = parameters_.expression(node.text.substr(1));
     std::vector<double> values;
-    std::vector<Measure> measures;
+    std::vector<expression::Measure> measures;
     for (const std::string& name : expression.variables()) {
       if (parameters_.failed(name)) return std::nullopt;
       const WrittenValue& parameter = *parameters_.find(name, uses_);
@@ -166,24 +169,24 @@ std::optional<WrittenValue> ValueReader::read_expression(const Node& node, const
       values.push_back(*number);
       measures.push_back({parameter.dimension, parameter.dimension.has_value()});
     }
-    const Measure measure = expression.measure(measures);
+    const expression::Measure measure = expression.measure(measures);
     expression.check_draws(std::vector<std::optional<double>>(values.begin(), values.end()));
     const double result = expression(values);
     if (!std::isfinite(result))
       return refuse(node, subject, fmt::format("'{}' is {}, not a finite number", node.text, result));
     return WrittenValue{{result}, measure.sure ? measure.dimension : std::nullopt, node.text};
-  } catch (const ExpressionError& error) {
-    Mark mark = node.mark;  // of a setting there is none
+  } catch (const expression::ExpressionError& error) {
+    yaml::Mark mark = node.mark;  // of a setting there is none
     if (mark.line > 0) mark.column += 1 + (node.quoted ? 1 : 0) + static_cast<int>(error.position);
     report_.add(at(mark), subject, error.what());
     return std::nullopt;
   }
 }
 
-std::optional<WrittenValue> ValueReader::read_list(const Node& node, const std::string& subject) const {
+std::optional<WrittenValue> ValueReader::read_list(const yaml::Node& node, const std::string& subject) const {
   if (!node.items.empty() && node.items.front().is_list()) return read_rows(node, subject);
   std::vector<WrittenValue> elements;
-  for (const Node& item : node.items) {
+  for (const yaml::Node& item : node.items) {
     auto element = item.is_scalar() ? read_scalar(item, subject)
                                     : refuse(item, subject, "a list holds numbers or words");
     if (!element) return std::nullopt;
@@ -205,11 +208,11 @@ std::optional<WrittenValue> ValueReader::read_list(const Node& node, const std::
   return result;
 }
 
-std::optional<WrittenValue> ValueReader::read_rows(const Node& node, const std::string& subject) const {
+std::optional<WrittenValue> ValueReader::read_rows(const yaml::Node& node, const std::string& subject) const {
   WrittenValue result{{Eigen::MatrixXd()}, {}, "the matrix"};
   auto& matrix = std::get<Eigen::MatrixXd>(result.value.content);
   for (std::size_t row = 0; row < node.items.size(); ++row) {
-    const Node& item = node.items[row];
+    const yaml::Node& item = node.items[row];
     const auto written = item.is_list() ? read_list(item, subject) : std::nullopt;
     const auto* numbers = written ? std::get_if<Eigen::VectorXd>(&written->value.content) : nullptr;
     if (!numbers) return refuse(item, subject, "a matrix is a list of rows of numbers, as [[1, 2], [3, 4]]");
@@ -223,14 +226,15 @@ std::optional<WrittenValue> ValueReader::read_rows(const Node& node, const std::
   return result;
 }
 
-std::optional<WrittenValue> ValueReader::read_with_unit(const Node& node, const std::string& subject) const {
-  const Node* value = node.find("value");
-  const Node* unit_node = node.find("unit");
+std::optional<WrittenValue> ValueReader::read_with_unit(const yaml::Node& node,
+                                                        const std::string& subject) const {
+  const yaml::Node* value = node.find("value");
+  const yaml::Node* unit_node = node.find("unit");
   if (!value || node.entries.size() > (unit_node ? 2u : 1u))
     return refuse(node, subject, "is a map; a number with its unit is written {value: .., unit: ..}");
   auto written = read(*value, subject);
   if (!written || !unit_node) return written;
-  const auto unit = parse_unit(unit_node->text);
+  const auto unit = unit::parse_unit(unit_node->text);
   if (!unit) return refuse(*unit_node, subject, fmt::format("'{}' is no unit", unit_node->text));
   if (written->dimension) return refuse(*unit_node, subject, "the numbers carry units already");
   if (auto* number = std::get_if<double>(&written->value.content)) *number = unit->to_si(*number);
@@ -243,7 +247,7 @@ std::optional<WrittenValue> ValueReader::read_with_unit(const Node& node, const 
   return written;
 }
 
-std::optional<double> ValueReader::read_number(const Node& node, const Dimension& demanded,
+std::optional<double> ValueReader::read_number(const yaml::Node& node, const unit::Dimension& demanded,
                                                const std::string& subject) const {
   const auto written = read(node, subject);
   if (!written) return std::nullopt;
@@ -258,7 +262,7 @@ std::optional<double> ValueReader::read_number(const Node& node, const Dimension
   return *number;
 }
 
-std::optional<std::string> ValueReader::fill_in(const Node& node, const std::string& subject) const {
+std::optional<std::string> ValueReader::fill_in(const yaml::Node& node, const std::string& subject) const {
   std::string result;
   const std::string& text = node.text;
   for (std::size_t i = 0; i < text.size();) {
@@ -284,4 +288,4 @@ std::optional<std::string> ValueReader::fill_in(const Node& node, const std::str
   return result;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

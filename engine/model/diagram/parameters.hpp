@@ -8,7 +8,7 @@
 #include "engine/model/block/spec.hpp"
 #include "engine/model/diagram/diagram.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 class FaultReport;
 
@@ -22,7 +22,7 @@ struct GivenBy {
 /// A value as a file writes it, before it is known what it is for.
 struct WrittenValue {
   Value value;  ///< a number, vector or matrix in SI; a flag; text; a list of text
-  std::optional<Dimension> dimension;
+  std::optional<unit::Dimension> dimension;
   std::string text;     ///< as written, for messages
   bool failed = false;  ///< stands for a definition that was refused; what uses it stays silent
   std::optional<GivenBy> given{};
@@ -51,7 +51,7 @@ class ParameterScope {
   /// Does anything use it that is not evaluated again: a file's times, records, words of presets?
   bool is_structural(const std::string& name) const;
   /// The expression of a text that follows its '='; each text is parsed once. Throws ExpressionError.
-  const Expression& expression(const std::string& text) const;
+  const expression::Expression& expression(const std::string& text) const;
 
  private:
   struct Entry {
@@ -60,7 +60,8 @@ class ParameterScope {
     mutable bool used = false, structural = false;
   };
   std::map<std::string, Entry> values_;
-  mutable std::map<std::string, Expression> expressions_;  // no value depends on what is parsed already
+  mutable std::map<std::string, expression::Expression>
+      expressions_;  // no value depends on what is parsed already
 };
 
 /// Reads values of one file: numbers with units, `$name`, `= expression`, vectors, matrices, text.
@@ -72,34 +73,35 @@ class ValueReader {
       : parameters_(parameters), report_(report), scope_(scope), uses_(uses) {}
 
   /// A value whose purpose is open (a parameter's definition). Nothing, and a fault, if it cannot be read.
-  std::optional<WrittenValue> read(const Node& node, const std::string& subject) const;
+  std::optional<WrittenValue> read(const yaml::Node& node, const std::string& subject) const;
   /// A value for a parameter of a block: converted to its kind, its unit and range checked. `demanded` is the
   /// dimension of a fixed unit; nothing lets any unit pass.
-  std::optional<WrittenValue> read_for(const ParameterSpec& spec, const std::optional<Dimension>& demanded,
-                                       const Node& node, const std::string& subject) const;
+  std::optional<WrittenValue> read_for(const ParameterSpec& spec,
+                                       const std::optional<unit::Dimension>& demanded, const yaml::Node& node,
+                                       const std::string& subject) const;
   /// One finite number of the given dimension.
-  std::optional<double> read_number(const Node& node, const Dimension& demanded,
+  std::optional<double> read_number(const yaml::Node& node, const unit::Dimension& demanded,
                                     const std::string& subject) const;
   /// Replaces each `$name` inside of a text by that parameter's number or text, and `$$` by `$`.
-  std::optional<std::string> fill_in(const Node& node, const std::string& subject) const;
+  std::optional<std::string> fill_in(const yaml::Node& node, const std::string& subject) const;
 
-  Origin at(const Mark& mark) const { return {scope_, mark}; }
+  Origin at(const yaml::Mark& mark) const { return {scope_, mark}; }
 
  private:
-  std::optional<WrittenValue> read_scalar(const Node& node, const std::string& subject) const;
-  std::optional<WrittenValue> read_list(const Node& node, const std::string& subject) const;
-  std::optional<WrittenValue> read_rows(const Node& node, const std::string& subject) const;
-  std::optional<WrittenValue> read_with_unit(const Node& node, const std::string& subject) const;
-  std::optional<WrittenValue> read_expression(const Node& node, const std::string& subject) const;
-  std::optional<WrittenValue> read_words(const ParameterSpec& spec, const Node& node,
+  std::optional<WrittenValue> read_scalar(const yaml::Node& node, const std::string& subject) const;
+  std::optional<WrittenValue> read_list(const yaml::Node& node, const std::string& subject) const;
+  std::optional<WrittenValue> read_rows(const yaml::Node& node, const std::string& subject) const;
+  std::optional<WrittenValue> read_with_unit(const yaml::Node& node, const std::string& subject) const;
+  std::optional<WrittenValue> read_expression(const yaml::Node& node, const std::string& subject) const;
+  std::optional<WrittenValue> read_words(const ParameterSpec& spec, const yaml::Node& node,
                                          const std::string& subject) const;
-  std::optional<Value> read_tree(const Node& node, const std::string& subject) const;
-  std::optional<Value> convert(const ParameterSpec& spec, const WrittenValue& written, const Node& node,
+  std::optional<Value> read_tree(const yaml::Node& node, const std::string& subject) const;
+  std::optional<Value> convert(const ParameterSpec& spec, const WrittenValue& written, const yaml::Node& node,
                                const std::string& subject) const;
-  bool in_range(const ParameterSpec& spec, const WrittenValue& written, const Node& node,
+  bool in_range(const ParameterSpec& spec, const WrittenValue& written, const yaml::Node& node,
                 const std::string& subject) const;
-  std::string resolve_file(const std::string& text, const Node& node, const std::string& subject) const;
-  std::nullopt_t refuse(const Node& node, const std::string& subject, std::string message) const;
+  std::string resolve_file(const std::string& text, const yaml::Node& node, const std::string& subject) const;
+  std::nullopt_t refuse(const yaml::Node& node, const std::string& subject, std::string message) const;
   /// Is it a text that somebody gave to a parameter of which a number is used? Then the fault is theirs.
   bool refuse_given(const WrittenValue& written) const;
 
@@ -110,7 +112,7 @@ class ValueReader {
 };
 
 /// The dimension of a parameter with a fixed unit; nothing where any unit passes, or one that wires decide.
-std::optional<Dimension> demanded_dimension(const ParameterSpec& spec);
+std::optional<unit::Dimension> demanded_dimension(const ParameterSpec& spec);
 
 /// The form of numbers that a wire or a state has: one or several, of any unit.
 const ParameterSpec& numbers_of_any_unit();
@@ -119,6 +121,7 @@ const ParameterSpec& numbers_of_any_unit();
 bool means_not_finite(const std::string& text);
 
 /// Checks that a dimension is the demanded one; a bare number always is. Says what is wrong otherwise.
-std::string unit_complaint(const std::optional<Dimension>& written, const std::optional<Dimension>& demanded);
+std::string unit_complaint(const std::optional<unit::Dimension>& written,
+                           const std::optional<unit::Dimension>& demanded);
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

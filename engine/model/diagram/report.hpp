@@ -6,7 +6,7 @@
 #include "engine/model/diagram/bindings.hpp"
 #include "engine/model/diagram/diagram.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 /// The scope of a value that a call gives while the diagram is there, in no file of it.
 constexpr int given_origin = -1;
@@ -19,7 +19,7 @@ class FaultReport {
   void add(const Origin& origin, std::string subject, std::string message) {
     faults_.add(fault(origin, std::move(subject), std::move(message)));
   }
-  Fault fault(const Origin& origin, std::string subject, std::string message) const {
+  yaml::Fault fault(const Origin& origin, std::string subject, std::string message) const {
     if (origin.scope != given_origin) return about_.fault(origin, std::move(subject), std::move(message));
     return {{given_, origin.mark}, std::move(subject), std::move(message), {}};
   }
@@ -29,14 +29,14 @@ class FaultReport {
   const std::string& file_of(int scope) const {
     return scope == given_origin ? given_ : about_.scopes[static_cast<std::size_t>(scope)].file;
   }
-  const Faults& faults() const { return faults_; }
-  Faults& faults() { return faults_; }
+  const yaml::Faults& faults() const { return faults_; }
+  yaml::Faults& faults() { return faults_; }
   const Diagram& about() const { return about_; }
 
  private:
   const Diagram& about_;
   std::string given_;
-  Faults faults_;
+  yaml::Faults faults_;
 };
 
 /// The same while a diagram is built.
@@ -53,4 +53,4 @@ class Report : public FaultReport {
   Bindings bindings_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

@@ -6,7 +6,7 @@
 #include <cctype>
 #include <utility>
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 namespace {
 
@@ -27,7 +27,7 @@ std::string no_block(const std::string& text, const Scope& scope) {
   const std::string first = text.substr(0, text.find('.')), owner = text.substr(0, text.rfind('.'));
   for (const auto& [name, names] :
        {std::pair(first, &plain), std::pair(text, &dotted), std::pair(owner, &dotted)})
-    if (const std::string cure = did_you_mean(name, *names); !cure.empty())
+    if (const std::string cure = yaml::did_you_mean(name, *names); !cure.empty())
       return fmt::format("there is no block '{}'{}", name, cure);
   return fmt::format("there is no block '{}'", first);
 }
@@ -47,7 +47,7 @@ std::string no_such_output(const DiagramBlock& block, const std::string& name, b
   if (names.empty()) return without_outputs(block);
   if (!std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isdigit(c); }))
     return fmt::format("{} has no output '{}'{}", block.type().name, name,
-                       did_you_mean(name, names, fmt::format("It has: {}", fmt::join(names, ", "))));
+                       yaml::did_you_mean(name, names, fmt::format("It has: {}", fmt::join(names, ", "))));
   return fmt::format("'{0}.{1}' is no signal of its own; {2}", block.name, name,
                      recorded ? fmt::format("'{0}' brings all its elements, {0}.1, ...", block.name)
                               : "pick an element with Select");
@@ -60,9 +60,9 @@ int encode_state(int state) {
 
 }  // namespace
 
-bool names_signal(const Node& node) {
+bool names_signal(const yaml::Node& node) {
   if (!node.is_scalar() || node.text.starts_with('$') || node.text.starts_with('=')) return false;
-  return node.quoted || !(parse_quantity(node.text) || means_not_finite(node.text));
+  return node.quoted || !(unit::parse_quantity(node.text) || means_not_finite(node.text));
 }
 
 std::nullopt_t Resolver::refuse(const Query& query, std::string message) const {
@@ -70,7 +70,7 @@ std::nullopt_t Resolver::refuse(const Query& query, std::string message) const {
   return std::nullopt;
 }
 
-std::optional<Source> Resolver::source(const Node& node, const Scope& scope,
+std::optional<Source> Resolver::source(const yaml::Node& node, const Scope& scope,
                                        const std::string& subject) const {
   return element(node, scope, {scope.at(node.mark), scope.at(node.mark), subject, false});
 }
@@ -92,8 +92,8 @@ std::optional<SignalRef> Resolver::signal(const std::string& text, const Scope& 
   return SignalRef{found->block, -1, -2 - found->output};
 }
 
-std::optional<Source> Resolver::element(const Node& node, const Scope& scope, Query query) const {
-  if (node.kind == Node::Kind::empty)
+std::optional<Source> Resolver::element(const yaml::Node& node, const Scope& scope, Query query) const {
+  if (node.kind == yaml::Node::Kind::empty)
     return refuse(query, "is fed by nothing; name a block or give a number");
   if (names_signal(node)) return reference(node.text, scope, std::move(query));
   if (std::any_of(node.items.begin(), node.items.end(), names_signal))
@@ -191,9 +191,9 @@ std::optional<Source> Resolver::of_part(const std::string& rest, const Scope& pa
   if (rest.empty())
     return refuse(query, fmt::format("'{}' has several outputs; say which: {}.{}", part_name, part_name,
                                      fmt::join(names, fmt::format(", {}.", part_name))));
-  return refuse(query,
-                fmt::format("'{}' has no output '{}'{}", part_name, rest,
-                            did_you_mean(rest, names, fmt::format("It has: {}", fmt::join(names, ", ")))));
+  return refuse(
+      query, fmt::format("'{}' has no output '{}'{}", part_name, rest,
+                         yaml::did_you_mean(rest, names, fmt::format("It has: {}", fmt::join(names, ", ")))));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

@@ -5,10 +5,10 @@
 
 #include "engine/model/diagram/open.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 /// Is this the name of a signal, not a number, `$name`, `= expression`, list or map?
-bool names_signal(const Node& node);
+bool names_signal(const yaml::Node& node);
 
 /// Finds what a reference such as "lag", "lag.y" or "rig.x" means in a file, through the ports of parts.
 class Resolver {
@@ -16,7 +16,7 @@ class Resolver {
   explicit Resolver(Report& report) : report_(report) {}
 
   /// What one element of an input is fed by: a reference, a number, `$name` or `= expression`.
-  std::optional<Source> source(const Node& node, const Scope& scope, const std::string& subject) const;
+  std::optional<Source> source(const yaml::Node& node, const Scope& scope, const std::string& subject) const;
   /// The same for the name of a signal.
   std::optional<Source> source(const std::string& name, const Scope& scope, const Origin& origin,
                                const std::string& subject) const;
@@ -32,7 +32,7 @@ class Resolver {
     bool look_inside;  ///< may states and the inside of parts be named?
     int hops = 0;
   };
-  std::optional<Source> element(const Node& node, const Scope& scope, Query query) const;
+  std::optional<Source> element(const yaml::Node& node, const Scope& scope, Query query) const;
   std::optional<Source> reference(const std::string& text, const Scope& scope, Query query) const;
   std::optional<Source> port(const Scope& scope, const std::string& name, Query query) const;
   std::optional<Source> of_block(const std::string& rest, int block, const Query& query) const;
@@ -42,4 +42,4 @@ class Resolver {
   Report& report_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

@@ -1,6 +1,6 @@
 #include "engine/model/diagram/scope.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 namespace {
 
@@ -37,4 +37,4 @@ std::string Scope::rival_of(const std::string& name) const {
   return longer != names.end() && longer->first.starts_with(name + ".") ? longer->first : "";
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

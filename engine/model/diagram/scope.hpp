@@ -11,12 +11,12 @@
 
 #include "engine/model/diagram/parameters.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 /// One file at one place of the diagram while it is built: what its names mean.
 struct Scope {
   int index = 0;  ///< in Diagram::scopes
-  const Document* document = nullptr;
+  const yaml::Document* document = nullptr;
   Scope* parent = nullptr;
   ParameterScope parameters;
   std::string prefix;
@@ -25,7 +25,7 @@ struct Scope {
   struct Named {
     int block = -1;
     std::unique_ptr<Scope> part;
-    Mark mark;
+    yaml::Mark mark;
   };
   std::map<std::string, Named, std::less<>> names;
   /// Names whose block or part could not be made: reported once, so what is wired to them stays silent.
@@ -33,26 +33,26 @@ struct Scope {
 
   /// A port of this part: what the using file wrote at it, and what may pass.
   struct Port {
-    const Node* fed_by = nullptr;  ///< in the parent's file
-    const Node* fallback = nullptr;
-    std::optional<Dimension> dimension;
+    const yaml::Node* fed_by = nullptr;  ///< in the parent's file
+    const yaml::Node* fallback = nullptr;
+    std::optional<unit::Dimension> dimension;
     std::string doc;
     int block = -1;  ///< that stands for it in the diagram itself, which nobody uses
-    Mark mark;
+    yaml::Mark mark;
   };
   std::map<std::string, Port, std::less<>> inputs;
 
   /// An output of this part: the signal that it is, written in this part's file.
   struct Out {
-    const Node* signal = nullptr;
-    const Node* safe = nullptr;
-    std::optional<Dimension> dimension;
+    const yaml::Node* signal = nullptr;
+    const yaml::Node* safe = nullptr;
+    std::optional<unit::Dimension> dimension;
     std::string doc;
-    Mark mark;
+    yaml::Mark mark;
   };
   std::map<std::string, Out, std::less<>> outputs;
 
-  Origin at(const Mark& mark) const { return {index, mark}; }
+  Origin at(const yaml::Mark& mark) const { return {index, mark}; }
   /// The name of a block or part with which a reference begins: "rig.carriage" of "rig.carriage.position"
   /// where there is such a block, since names of blocks may have dots; empty where there is none.
   std::string_view start_of(std::string_view reference) const;
@@ -68,10 +68,10 @@ auto in_order_of_file(Ports& ports) {
   std::vector<decltype(&*ports.begin())> all;
   for (auto& port : ports) all.push_back(&port);
   std::ranges::stable_sort(all, [](const auto* a, const auto* b) {
-    const Mark &one = a->second.mark, &other = b->second.mark;
+    const yaml::Mark &one = a->second.mark, &other = b->second.mark;
     return std::tie(one.line, one.column) < std::tie(other.line, other.column);
   });
   return all;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 Settings::Settings(const std::vector<Setting>& settings, Report& report) {
   for (const Setting& setting : settings) {
@@ -11,11 +11,11 @@ Settings::Settings(const std::vector<Setting>& settings, Report& report) {
     scopes.push_back({source, "", {-1, {}}});
     const Origin origin{static_cast<int>(scopes.size()) - 1, setting.mark};
     try {
-      Document document = parse_document(setting.value, source);
+      yaml::Document document = yaml::parse_document(setting.value, source);
       // The place of a setting is the setting itself, not a column of its text.
       document.root.mark = setting.mark;
       entries_[setting.name] = {std::move(document), origin, false};
-    } catch (const Error& error) {
+    } catch (const yaml::Error& error) {
       report.add(origin, setting.name, error.faults().front().message);
     }
   }
@@ -45,7 +45,7 @@ void Settings::report_unused(Report& report) const {
   for (const auto& [name, entry] : entries_)
     if (!entry.used)
       report.add(entry.origin, "",
-                 fmt::format("there is no parameter '{}'{}", name, did_you_mean(name, offered_)));
+                 fmt::format("there is no parameter '{}'{}", name, yaml::did_you_mean(name, offered_)));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

@@ -7,7 +7,7 @@
 #include "engine/model/diagram/load.hpp"
 #include "engine/model/diagram/report.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 /// The `--set` of a call, read as YAML values; each must be used by something.
 class Settings {
@@ -15,7 +15,7 @@ class Settings {
   Settings(const std::vector<Setting>& settings, Report& report);
 
   struct Entry {
-    Document document;
+    yaml::Document document;
     Origin origin;  ///< its own scope, so that messages name the setting
     bool used = false;
   };
@@ -33,4 +33,4 @@ class Settings {
   std::vector<std::string> offered_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 namespace {
 
@@ -23,4 +23,4 @@ TypeUnits::TypeUnits(const BlockType& type) {
   for (const auto& spec : type.states) states.push_back(read(spec.unit, *this));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

@@ -6,7 +6,7 @@
 #include "engine/model/block/block_type.hpp"
 #include "engine/model/diagram/unit_expression.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 /// Declared units of one kind of block, read once; its unit variables are numbered from 0.
 struct TypeUnits {
@@ -16,4 +16,4 @@ struct TypeUnits {
   explicit TypeUnits(const BlockType& type);
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

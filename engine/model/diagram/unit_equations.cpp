@@ -2,7 +2,7 @@
 
 #include <deque>
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 void UnitEquations::add(UnitEquation equation, std::string what) {
   std::erase_if(equation.terms, [](const auto& term) { return term.second == 0.0; });
@@ -43,13 +43,13 @@ void UnitEquations::solve(std::size_t variables, const Complain& complain) {
 /// Solves for the only unknown variable and returns it; checks where none is unknown; -1 where nothing is
 /// learnt.
 int UnitEquations::step(const UnitEquation& equation, const Complain& complain) {
-  Dimension known = equation.constant;
+  unit::Dimension known = equation.constant;
   int unknown = -1;
   double exponent = 0.0;
   for (const auto& [variable, power_of] : equation.terms) {
     const auto& value = values_[static_cast<std::size_t>(variable)];
     if (value) {
-      known = known * power(*value, power_of);
+      known = known * unit::power(*value, power_of);
     } else {
       if (unknown >= 0) return -1;
       unknown = variable;
@@ -57,10 +57,10 @@ int UnitEquations::step(const UnitEquation& equation, const Complain& complain) 
     }
   }
   if (unknown < 0) {
-    if (known != Dimension{} && !follows_from_another(equation)) complain(equation, known);
+    if (known != unit::Dimension{} && !follows_from_another(equation)) complain(equation, known);
     return -1;
   }
-  values_[static_cast<std::size_t>(unknown)] = power(known, -1.0 / exponent);
+  values_[static_cast<std::size_t>(unknown)] = unit::power(known, -1.0 / exponent);
   return unknown;
 }
 
@@ -74,14 +74,14 @@ bool UnitEquations::follows_from_another(const UnitEquation& equation) {
   return known;
 }
 
-std::optional<Dimension> UnitEquations::dimension_of(const UnitEquation& product) const {
-  Dimension result = product.constant;
+std::optional<unit::Dimension> UnitEquations::dimension_of(const UnitEquation& product) const {
+  unit::Dimension result = product.constant;
   for (const auto& [variable, exponent] : product.terms) {
     const auto& value = values_[static_cast<std::size_t>(variable)];
     if (!value) return std::nullopt;
-    result = result * power(*value, exponent);
+    result = result * unit::power(*value, exponent);
   }
   return result;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

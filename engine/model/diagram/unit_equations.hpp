@@ -8,11 +8,11 @@
 
 #include "engine/model/diagram/diagram.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 /// A product of powers that must be dimensionless: constant times variables.
 struct UnitEquation {
-  Dimension constant;
+  unit::Dimension constant;
   std::vector<std::pair<int, double>> terms;
   Origin origin;
   int block = -1;  ///< whose port it is about, -1: `port` holds the name
@@ -26,13 +26,13 @@ struct UnitEquation {
 class UnitEquations {
  public:
   /// `complain` gets an equation that does not hold, and what its product is in.
-  using Complain = std::function<void(const UnitEquation& equation, const Dimension& wrong)>;
+  using Complain = std::function<void(const UnitEquation& equation, const unit::Dimension& wrong)>;
 
   void add(UnitEquation equation, std::string what);
   /// For the variables 0 to `variables` - 1.
   void solve(std::size_t variables, const Complain& complain);
   /// Of the product as far as it is solved; nothing where a variable is unknown.
-  std::optional<Dimension> dimension_of(const UnitEquation& product) const;
+  std::optional<unit::Dimension> dimension_of(const UnitEquation& product) const;
 
  private:
   std::vector<std::vector<int>> users() const;
@@ -40,8 +40,8 @@ class UnitEquations {
   bool follows_from_another(const UnitEquation& equation);
 
   std::vector<UnitEquation> equations_;
-  std::vector<std::optional<Dimension>> values_;  ///< of the variables
+  std::vector<std::optional<unit::Dimension>> values_;  ///< of the variables
   std::vector<bool> in_question_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 namespace {
 
@@ -42,9 +42,9 @@ std::optional<UnitExpression> parse_unit_expression(std::string_view text) {
   }
   for (const Factor& factor : split(text)) {
     if (factor.text.front() != '\'') {
-      const auto unit = parse_unit(factor.text);
+      const auto unit = unit::parse_unit(factor.text);
       if (!unit) return std::nullopt;
-      result.constant = result.constant * power(unit->dimension, factor.sign);
+      result.constant = result.constant * unit::power(unit->dimension, factor.sign);
       continue;
     }
     const std::size_t caret = factor.text.find('^');
@@ -54,4 +54,4 @@ std::optional<UnitExpression> parse_unit_expression(std::string_view text) {
   return result;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

@@ -8,12 +8,12 @@
 
 #include "engine/base/unit/unit.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 /// The unit of a port as a block declares it: a constant dimension times powers of unit variables.
 struct UnitExpression {
   bool any = false;  ///< declared "*": nothing is known and nothing is checked
-  Dimension constant;
+  unit::Dimension constant;
   std::vector<std::pair<std::string, double>> variables;  ///< name without the quote, exponent
 };
 
@@ -21,4 +21,4 @@ struct UnitExpression {
 /// be read.
 std::optional<UnitExpression> parse_unit_expression(std::string_view text);
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

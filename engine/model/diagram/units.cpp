@@ -10,7 +10,7 @@
 #include "engine/model/diagram/type_units.hpp"
 #include "engine/model/diagram/unit_equations.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 namespace {
 
@@ -23,7 +23,7 @@ class Inference {
     for (const DiagramBlock& block : diagram_.blocks) add_variables(block.type());
     for (std::size_t i = 0; i < diagram_.blocks.size(); ++i) add_equations(static_cast<int>(i));
     for (const UnitDemand& demand : diagram_.unit_demands) add_demand(demand);
-    equations_.solve(variable_count_, [this](const UnitEquation& equation, const Dimension& wrong) {
+    equations_.solve(variable_count_, [this](const UnitEquation& equation, const unit::Dimension& wrong) {
       complain(equation, wrong);
     });
     store();
@@ -38,7 +38,7 @@ class Inference {
   }
 
   void include(UnitEquation& equation, const UnitExpression& expression, int block, double sign) {
-    equation.constant = equation.constant * power(expression.constant, sign);
+    equation.constant = equation.constant * unit::power(expression.constant, sign);
     const TypeUnits& units = units_of(diagram_.blocks[static_cast<std::size_t>(block)].type());
     for (const auto& [name, exponent] : expression.variables) {
       const auto index =
@@ -112,7 +112,7 @@ class Inference {
   }
 
   /// An equation with what a number is in.
-  void add(UnitEquation equation, const Dimension& dimension, std::string what) {
+  void add(UnitEquation equation, const unit::Dimension& dimension, std::string what) {
     equation.constant = equation.constant / dimension;
     equations_.add(std::move(equation), std::move(what));
   }
@@ -151,19 +151,20 @@ class Inference {
                                : block.name + "." + outputs[static_cast<std::size_t>(source.output)].name;
   }
 
-  void complain(const UnitEquation& equation, const Dimension& wrong) {
+  void complain(const UnitEquation& equation, const unit::Dimension& wrong) {
     const std::string owner =
         equation.block < 0 ? "" : diagram_.blocks[static_cast<std::size_t>(equation.block)].name + ".";
     const std::string subject = owner + (equation.state < 0 ? equation.port : initial_key_of(equation));
     const auto taken = dimension_at(equation);
     if (!taken) {
-      report_.add(equation.origin, subject,
-                  fmt::format("{} does not fit: the units differ by {}", equation.what, si_name(wrong)));
+      report_.add(
+          equation.origin, subject,
+          fmt::format("{} does not fit: the units differ by {}", equation.what, unit::si_name(wrong)));
       return;
     }
     report_.add(equation.origin, subject,
-                fmt::format("{} is in {}, but {} is in {}", equation.what, si_name(*taken / wrong), subject,
-                            si_name(*taken)));
+                fmt::format("{} is in {}, but {} is in {}", equation.what, unit::si_name(*taken / wrong),
+                            subject, unit::si_name(*taken)));
   }
 
   std::string initial_key_of(const UnitEquation& equation) const {
@@ -172,7 +173,7 @@ class Inference {
   }
 
   /// The unit that the port takes, where it is known: the equation's own side.
-  std::optional<Dimension> dimension_at(const UnitEquation& equation) {
+  std::optional<unit::Dimension> dimension_at(const UnitEquation& equation) {
     if (equation.block < 0) {
       for (const UnitDemand& demand : diagram_.unit_demands)
         if (demand.port.c_str() == equation.port) return demand.dimension;
@@ -189,7 +190,7 @@ class Inference {
     return std::nullopt;
   }
 
-  std::optional<Dimension> evaluate(const UnitExpression& expression, int block) {
+  std::optional<unit::Dimension> evaluate(const UnitExpression& expression, int block) {
     if (expression.any) return std::nullopt;
     UnitEquation equation;
     include(equation, expression, block, 1.0);
@@ -223,4 +224,4 @@ void infer_units(Report& report) {
   check_stop_condition(report);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

@@ -2,11 +2,11 @@
 
 #include "engine/model/diagram/report.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 /// Infers the unit of every wire from declared ports, numbers with units and the rules of the blocks between
 /// them; fills Diagram::output_dimensions and state_dimensions, and reports every wire whose ends do not
 /// agree.
 void infer_units(Report& report);
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

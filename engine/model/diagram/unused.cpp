@@ -6,7 +6,7 @@
 #include <cctype>
 #include <set>
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 namespace {
 
@@ -22,27 +22,27 @@ bool mentions(const std::string& text, const std::string& name) {
   return false;
 }
 
-bool mentions(const Node& node, const std::string& name) {
-  const auto in = [&](const Node& child) { return mentions(child, name); };
+bool mentions(const yaml::Node& node, const std::string& name) {
+  const auto in = [&](const yaml::Node& child) { return mentions(child, name); };
   return mentions(node.text, name) || std::any_of(node.items.begin(), node.items.end(), in) ||
          std::any_of(node.entries.begin(), node.entries.end(),
-                     [&](const Entry& entry) { return in(entry.value); });
+                     [&](const yaml::Entry& entry) { return in(entry.value); });
 }
 
 /// Figures, scenes, claims, fits and studies read parameters only after the diagram is built.
-bool is_drawn_or_claimed(const Node& root, const std::string& name) {
+bool is_drawn_or_claimed(const yaml::Node& root, const std::string& name) {
   for (const char* key : {"figure", "scene", "claims", "invariants", "fit", "study"})
-    if (const Node* node = root.find(key); node && mentions(*node, name)) return true;
-  const Node* sweep = root.find("sweep");
-  const Node* one = sweep ? sweep->find("one_at_a_time") : nullptr;
+    if (const yaml::Node* node = root.find(key); node && mentions(*node, name)) return true;
+  const yaml::Node* sweep = root.find("sweep");
+  const yaml::Node* one = sweep ? sweep->find("one_at_a_time") : nullptr;
   return sweep && (sweep->find(name) || (one && one->find(name)));
 }
 
-void refuse_unused(const Scope& scope, std::set<const Document*>& seen, Report& report) {
+void refuse_unused(const Scope& scope, std::set<const yaml::Document*>& seen, Report& report) {
   if (!seen.insert(scope.document).second) return;  // a part that is used twice is told about once
-  const Node& root = scope.document->root;
-  if (const Node* parameters = root.find("parameters"))
-    for (const Entry& entry : parameters->entries)
+  const yaml::Node& root = scope.document->root;
+  if (const yaml::Node* parameters = root.find("parameters"))
+    for (const yaml::Entry& entry : parameters->entries)
       if (!scope.parameters.used(entry.key) && !is_drawn_or_claimed(root, entry.key))
         report.add(scope.at(entry.mark), scope.prefix + entry.key,
                    fmt::format("nothing uses this parameter; use it as ${}, or take it out", entry.key));
@@ -53,8 +53,8 @@ void refuse_unused(const Scope& scope, std::set<const Document*>& seen, Report& 
 }  // namespace
 
 void refuse_unused_parameters(const Scope& scope, Report& report) {
-  std::set<const Document*> seen;
+  std::set<const yaml::Document*> seen;
   refuse_unused(scope, seen, report);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

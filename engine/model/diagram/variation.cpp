@@ -8,7 +8,7 @@
 
 #include "engine/model/diagram/block_keys.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 namespace {
 
@@ -19,7 +19,7 @@ const std::vector<std::string> head_names = {"step", "stop", "solver", "toleranc
 bool is_plain_quantity(const std::string& text) {
   const auto plain = [](unsigned char c) { return std::isalnum(c) || std::strchr("+-. /^*", c); };
   return !text.empty() && text.front() != ' ' && text.back() != ' ' && text.front() != '*' &&
-         std::ranges::all_of(text, plain) && parse_quantity(text);
+         std::ranges::all_of(text, plain) && unit::parse_quantity(text);
 }
 
 /// "u", or "u.2" for the second of a list.
@@ -80,19 +80,19 @@ std::string name_of(const Diagram& diagram, const Target& target) {
   }
 }
 
-Node value_of_text(const std::string& text, const std::string& place) {
-  if (!is_plain_quantity(text)) return parse_document(text, place).root;
-  Node node;
-  node.kind = Node::Kind::scalar;
+yaml::Node value_of_text(const std::string& text, const std::string& place) {
+  if (!is_plain_quantity(text)) return yaml::parse_document(text, place).root;
+  yaml::Node node;
+  node.kind = yaml::Node::Kind::scalar;
   node.text = text;
   return node;
 }
 
-Node value_of_number(double number, const std::optional<Dimension>& dimension) {
-  const bool has_unit = dimension && *dimension != Dimension{};
-  Node node;
-  node.kind = Node::Kind::scalar;
-  node.text = has_unit ? fmt::format("{} {}", number, si_name(*dimension)) : fmt::format("{}", number);
+yaml::Node value_of_number(double number, const std::optional<unit::Dimension>& dimension) {
+  const bool has_unit = dimension && *dimension != unit::Dimension{};
+  yaml::Node node;
+  node.kind = yaml::Node::Kind::scalar;
+  node.text = has_unit ? fmt::format("{} {}", number, unit::si_name(*dimension)) : fmt::format("{}", number);
   return node;
 }
 
@@ -122,10 +122,11 @@ Variation::Name Variation::find(const Diagram& diagram, const std::string& text)
   }
   name.structural = std::ranges::count(head_names, text) > 0;
   if (name.structural) return name;
-  throw Error(Fault{{diagram.file, {}},
-                    text,
-                    fmt::format("there is no parameter '{}'{}", text, did_you_mean(text, names_of(diagram))),
-                    {}});
+  throw yaml::Error(yaml::Fault{
+      {diagram.file, {}},
+      text,
+      fmt::format("there is no parameter '{}'{}", text, yaml::did_you_mean(text, names_of(diagram))),
+      {}});
 }
 
 bool Variation::decides(const Diagram& diagram, int definition) {
@@ -158,4 +159,4 @@ void Variation::follow(const Diagram& diagram) {
   }
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

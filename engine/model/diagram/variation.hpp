@@ -5,13 +5,13 @@
 
 #include "engine/model/diagram/bindings.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 /// A value for a parameter ("rig.mass"), a value of a block ("spring.gain"), an initial value ("lag.initial")
 /// or a constant that is wired to an input ("sum.u.2", "lag.u").
 struct Assignment {
   std::string name;
-  Node value;         ///< as a file writes it: 8 kg, [1, 2], a word
+  yaml::Node value;   ///< as a file writes it: 8 kg, [1, 2], a word
   std::string place;  ///< what messages name as its place
 };
 
@@ -19,9 +19,9 @@ struct Assignment {
 std::string name_of(const Diagram& diagram, const Target& target);
 
 /// The value of an assignment from its text, as `--set` reads it. Throws Error for what is not YAML.
-Node value_of_text(const std::string& text, const std::string& place);
+yaml::Node value_of_text(const std::string& text, const std::string& place);
 /// A number in SI, of a dimension where it has one.
-Node value_of_number(double number, const std::optional<Dimension>& dimension);
+yaml::Node value_of_number(double number, const std::optional<unit::Dimension>& dimension);
 
 /// What changes in a diagram when values of some names change together. Follows from the texts of the
 /// diagram's files alone, whatever the values are.
@@ -60,4 +60,4 @@ class Variation {
   std::vector<Target> targets_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

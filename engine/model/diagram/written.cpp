@@ -7,105 +7,106 @@
 
 #include "engine/model/diagram/resolve.hpp"
 
-namespace stepwire {
+namespace stepwire::diagram {
 
 namespace {
 
-Node number(double value) {
+yaml::Node number(double value) {
   return written_text(fmt::format("{}", value));
 }
 
 template <class Range>
-Node list_of_numbers(const Range& values) {
-  Node list;
-  list.kind = Node::Kind::list;
+yaml::Node list_of_numbers(const Range& values) {
+  yaml::Node list;
+  list.kind = yaml::Node::Kind::list;
   for (const double value : values) list.items.push_back(number(value));
   return list;
 }
 
 /// A pure number that was written with a unit (deg, %) has one as well, so that it fits where one must be.
-Node with_unit(Node value, const std::optional<Dimension>& dimension) {
+yaml::Node with_unit(yaml::Node value, const std::optional<unit::Dimension>& dimension) {
   if (!dimension) return value;
-  if (value.is_scalar() && *dimension != Dimension{}) {
-    value.text += " " + si_name(*dimension);
+  if (value.is_scalar() && *dimension != unit::Dimension{}) {
+    value.text += " " + unit::si_name(*dimension);
     return value;
   }
-  Node map;
+  yaml::Node map;
   add_key(map, "value", std::move(value));
-  add_key(map, "unit", written_text(si_name(*dimension)));
+  add_key(map, "unit", written_text(unit::si_name(*dimension)));
   return map;
 }
 
 struct Writer {
   const ParameterSpec& spec;
-  const std::optional<Dimension>& dimension;
+  const std::optional<unit::Dimension>& dimension;
 
-  std::optional<Node> operator()(double value) const {
+  std::optional<yaml::Node> operator()(double value) const {
     if (spec.kind == ParameterKind::word) return written_text(spec.words[static_cast<std::size_t>(value)]);
     return std::isfinite(value) ? std::optional(with_unit(number(value), dimension)) : std::nullopt;
   }
-  std::optional<Node> operator()(bool value) const { return written_text(value ? "true" : "false"); }
-  std::optional<Node> operator()(const std::string& text) const { return written_filled_in(text); }
-  std::optional<Node> operator()(const Eigen::VectorXd& vector) const {
+  std::optional<yaml::Node> operator()(bool value) const { return written_text(value ? "true" : "false"); }
+  std::optional<yaml::Node> operator()(const std::string& text) const { return written_filled_in(text); }
+  std::optional<yaml::Node> operator()(const Eigen::VectorXd& vector) const {
     if (vector.size() == 0 || !vector.allFinite()) return std::nullopt;
     if (spec.kind == ParameterKind::per_element) return written_numbers(vector, dimension);
     return with_unit(list_of_numbers(vector), dimension);
   }
-  std::optional<Node> operator()(const Eigen::MatrixXd& matrix) const {
+  std::optional<yaml::Node> operator()(const Eigen::MatrixXd& matrix) const {
     if (matrix.size() == 0 || !matrix.allFinite()) return std::nullopt;
-    Node rows;
-    rows.kind = Node::Kind::list;
+    yaml::Node rows;
+    rows.kind = yaml::Node::Kind::list;
     for (const auto& row : matrix.rowwise()) rows.items.push_back(list_of_numbers(row));
     return with_unit(std::move(rows), dimension);
   }
-  std::optional<Node> operator()(const Value::List& list) const {
-    Node node;
-    node.kind = Node::Kind::list;
-    for (const Value& item : list) node.items.push_back(std::visit(*this, item.content).value_or(Node{}));
+  std::optional<yaml::Node> operator()(const Value::List& list) const {
+    yaml::Node node;
+    node.kind = yaml::Node::Kind::list;
+    for (const Value& item : list)
+      node.items.push_back(std::visit(*this, item.content).value_or(yaml::Node{}));
     return node;
   }
-  std::optional<Node> operator()(const Value::Map& map) const {
-    Node node;
-    node.kind = Node::Kind::map;
+  std::optional<yaml::Node> operator()(const Value::Map& map) const {
+    yaml::Node node;
+    node.kind = yaml::Node::Kind::map;
     for (const ValueEntry& entry : map)
-      add_key(node, entry.key, std::visit(*this, entry.value.content).value_or(Node{}));
+      add_key(node, entry.key, std::visit(*this, entry.value.content).value_or(yaml::Node{}));
     return node;
   }
 };
 
 }  // namespace
 
-Node written_text(std::string text) {
-  Node node;
-  node.kind = Node::Kind::scalar;
+yaml::Node written_text(std::string text) {
+  yaml::Node node;
+  node.kind = yaml::Node::Kind::scalar;
   node.text = std::move(text);
   return node;
 }
 
-Node written_filled_in(const std::string& text) {
+yaml::Node written_filled_in(const std::string& text) {
   std::string result;
   for (const char c : text) result.append(c == '$' ? 2 : 1, c);
   return written_text(std::move(result));
 }
 
-Node written_signal(std::string name) {
-  Node node = written_text(std::move(name));
+yaml::Node written_signal(std::string name) {
+  yaml::Node node = written_text(std::move(name));
   node.quoted = !names_signal(node);
   return node;
 }
 
-Node written_numbers(const Eigen::VectorXd& numbers, const std::optional<Dimension>& dimension) {
+yaml::Node written_numbers(const Eigen::VectorXd& numbers, const std::optional<unit::Dimension>& dimension) {
   return with_unit(numbers.size() == 1 ? number(numbers[0]) : list_of_numbers(numbers), dimension);
 }
 
-std::optional<Node> written_value(const ParameterSpec& spec, const Value& value,
-                                  const std::optional<Dimension>& dimension) {
+std::optional<yaml::Node> written_value(const ParameterSpec& spec, const Value& value,
+                                        const std::optional<unit::Dimension>& dimension) {
   return std::visit(Writer{spec, dimension}, value.content);
 }
 
-void add_key(Node& map, std::string key, Node value) {
-  map.kind = Node::Kind::map;
+void add_key(yaml::Node& map, std::string key, yaml::Node value) {
+  map.kind = yaml::Node::Kind::map;
   map.entries.push_back({std::move(key), {}, std::move(value)});
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::diagram

@@ -8,7 +8,7 @@
 #include "engine/model/plan/configuring.hpp"
 #include "engine/model/plan/member_items.hpp"
 
-namespace stepwire {
+namespace stepwire::plan {
 
 namespace {
 
@@ -33,11 +33,11 @@ class Changing {
  public:
   Changing(const Plan& plan, const WrittenBlocks& written) : plan_(plan), written_(written) {}
 
-  void add(const ChangedValue& value) {
+  void add(const diagram::ChangedValue& value) {
     switch (value.target.kind) {
-      case Target::Kind::parameter:
+      case diagram::Target::Kind::parameter:
         return set_parameter(value);
-      case Target::Kind::initial:
+      case diagram::Target::Kind::initial:
         return set_initial(value);
       default:
         return set_constant(value);
@@ -51,7 +51,7 @@ class Changing {
   }
 
  private:
-  const DiagramBlock& block_of(const Target& target) const {
+  const diagram::DiagramBlock& block_of(const diagram::Target& target) const {
     return plan_.diagram.blocks[static_cast<std::size_t>(target.block)];
   }
 
@@ -61,7 +61,8 @@ class Changing {
   }
 
   /// The units of wires are those of the plan; a bare number is in the unit that was there before.
-  void check_unit(const ChangedValue& value, const std::optional<Dimension>& known, const std::string& name) {
+  void check_unit(const diagram::ChangedValue& value, const std::optional<unit::Dimension>& known,
+                  const std::string& name) {
     if (value.value.dimension && value.value.dimension != known)
       refuse_structure(static_cast<std::size_t>(value.target.block), name,
                        "the value has another unit, or one where it had none");
@@ -78,20 +79,22 @@ class Changing {
     return changed_.emplace(block, from).first->second;
   }
 
-  void set_parameter(const ChangedValue& value) {
+  void set_parameter(const diagram::ChangedValue& value) {
     const auto block = static_cast<std::size_t>(value.target.block);
     const auto index = static_cast<std::size_t>(value.target.index);
-    const DiagramBlock& known = block_of(value.target);
+    const diagram::DiagramBlock& known = block_of(value.target);
     const ParameterSpec& spec = known.type().parameters[index];
-    if (!demanded_dimension(spec)) check_unit(value, known.parameter_dimensions[index], spec.name);
+    if (!diagram::demanded_dimension(spec)) check_unit(value, known.parameter_dimensions[index], spec.name);
     if (known.type().file_output) refuse_structure(block, spec.name, "the block writes a file");
     spec.set(written(block).get(), value.value.value);
   }
 
-  void set_initial(const ChangedValue& value) {
+  void set_initial(const diagram::ChangedValue& value) {
     const auto block = static_cast<std::size_t>(value.target.block);
     const auto& all = block_of(value.target).initial;
-    const auto same = [&](const InitialValue& initial) { return initial.state == value.target.index; };
+    const auto same = [&](const diagram::InitialValue& initial) {
+      return initial.state == value.target.index;
+    };
     const auto known = std::ranges::find_if(all, same);
     const auto& numbers = std::get<Eigen::VectorXd>(value.value.value.content);
     const SignalSlot slot = plan_.blocks[block].states[static_cast<std::size_t>(value.target.index)];
@@ -101,11 +104,11 @@ class Changing {
     change_.initial.emplace_back(slot, numbers);
   }
 
-  void set_constant(const ChangedValue& value) {
+  void set_constant(const diagram::ChangedValue& value) {
     const auto block = static_cast<std::size_t>(value.target.block);
     const auto input = static_cast<std::size_t>(value.target.index);
     const auto element = static_cast<std::size_t>(value.target.element);
-    const Source& known = block_of(value.target).inputs[input][element];
+    const diagram::Source& known = block_of(value.target).inputs[input][element];
     const auto& numbers = std::get<Eigen::VectorXd>(value.value.value.content);
     const std::string& name = block_of(value.target).type().inputs[input].name;
     if (numbers.size() != known.constant.size())
@@ -147,7 +150,7 @@ class Changing {
 
   /// Numbers for every element are spread as those of the plan are; all else keeps its number of elements.
   void fit_sizes(std::size_t block, AnyBlock& made) {
-    const DiagramBlock& known = plan_.diagram.blocks[block];
+    const diagram::DiagramBlock& known = plan_.diagram.blocks[block];
     for (std::size_t p = 0; p < known.type().parameters.size(); ++p) {
       const ParameterSpec& spec = known.type().parameters[p];
       if (spec.shape.empty()) continue;
@@ -164,16 +167,16 @@ class Changing {
   const WrittenBlocks& written_;
   WrittenBlocks changed_;
   PlanChange change_;
-  Faults faults_;
+  yaml::Faults faults_;
 };
 
 }  // namespace
 
-PlanChange change_of(const Plan& plan, const std::vector<ChangedValue>& values,
+PlanChange change_of(const Plan& plan, const std::vector<diagram::ChangedValue>& values,
                      const WrittenBlocks& written) {
   Changing changing(plan, written);
-  for (const ChangedValue& value : values) changing.add(value);
+  for (const diagram::ChangedValue& value : values) changing.add(value);
   return changing.take();
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plan

@@ -8,7 +8,7 @@
 #include "engine/model/diagram/parameter_state.hpp"
 #include "engine/model/plan/plan.hpp"
 
-namespace stepwire {
+namespace stepwire::plan {
 
 /// A block of a plan with other values.
 struct RebuiltBlock {
@@ -30,6 +30,7 @@ struct PlanChange {
 using WrittenBlocks = std::map<std::size_t, AnyBlock>;
 
 /// Throws Error where a block refuses its parameters.
-PlanChange change_of(const Plan& plan, const std::vector<ChangedValue>& values, const WrittenBlocks& written);
+PlanChange change_of(const Plan& plan, const std::vector<diagram::ChangedValue>& values,
+                     const WrittenBlocks& written);
 
-}  // namespace stepwire
+}  // namespace stepwire::plan

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace stepwire {
+namespace stepwire::plan {
 
 namespace {
 
@@ -66,4 +66,4 @@ bool NumberTable::read(std::size_t block) {
   return true;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plan

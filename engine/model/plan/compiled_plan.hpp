@@ -8,7 +8,7 @@
 #include "engine/model/plan/member_items.hpp"
 #include "engine/model/plan/variable_blocks.hpp"
 
-namespace stepwire {
+namespace stepwire::plan {
 
 /// What a plan is once it has been compiled: the same calls as the interpreter makes, on the same numbers.
 /// `values` is the workspace of a run, `numbers` what it has of the members that the code reads from a table.
@@ -65,4 +65,4 @@ class CodeSource {
                                               const std::stop_token& stop) = 0;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::plan

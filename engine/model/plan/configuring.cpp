@@ -5,7 +5,7 @@
 #include "engine/base/io/environment_error.hpp"
 #include "engine/model/plan/draft.hpp"
 
-namespace stepwire {
+namespace stepwire::plan {
 
 namespace {
 
@@ -15,7 +15,7 @@ double period_of(const Plan& plan, std::size_t index) {
 
 /// What a block may ask in configure().
 Configure what_is_known(const Plan& plan, std::size_t index) {
-  const DiagramBlock& block = plan.diagram.blocks[index];
+  const diagram::DiagramBlock& block = plan.diagram.blocks[index];
   std::set<std::string> connected;
   std::map<std::string, Eigen::Index> counts;
   for (std::size_t input = 0; input < block.inputs.size(); ++input) {
@@ -26,11 +26,12 @@ Configure what_is_known(const Plan& plan, std::size_t index) {
   return Configure(std::move(connected), period_of(plan, index), std::move(counts));
 }
 
-Fault fault_of(const Plan& plan, std::size_t index, const ParameterRefused& refused) {
-  const DiagramBlock& block = plan.diagram.blocks[index];
+yaml::Fault fault_of(const Plan& plan, std::size_t index, const ParameterRefused& refused) {
+  const diagram::DiagramBlock& block = plan.diagram.blocks[index];
   const BlockType& type = block.type();
   const ParameterSpec* spec = type.parameter(refused.parameter);
-  Mark mark = spec ? block.parameter_marks[static_cast<std::size_t>(spec - type.parameters.data())] : Mark{};
+  yaml::Mark mark =
+      spec ? block.parameter_marks[static_cast<std::size_t>(spec - type.parameters.data())] : yaml::Mark{};
   if (refused.line > 0) mark = {refused.line, refused.column};
   if (mark.line == 0) mark = block.origin.mark;
   return plan.diagram.fault({block.origin.scope, mark}, block.name + "." + refused.parameter, refused.what());
@@ -38,15 +39,15 @@ Fault fault_of(const Plan& plan, std::size_t index, const ParameterRefused& refu
 
 }  // namespace
 
-Configuration configure(const Plan& plan, std::size_t index, void* block, Faults& faults) {
-  const DiagramBlock& known = plan.diagram.blocks[index];
+Configuration configure(const Plan& plan, std::size_t index, void* block, yaml::Faults& faults) {
+  const diagram::DiagramBlock& known = plan.diagram.blocks[index];
   Configure is = what_is_known(plan, index);
   try {
     known.type().configure(block, is);
   } catch (const ParameterRefused& refused) {
     faults.add(fault_of(plan, index, refused));
-  } catch (const EnvironmentError& error) {
-    throw EnvironmentError(plan.diagram.fault(known.origin, known.name, error.what()).text());
+  } catch (const io::EnvironmentError& error) {
+    throw io::EnvironmentError(plan.diagram.fault(known.origin, known.name, error.what()).text());
   }
   return is.answers();
 }
@@ -66,7 +67,7 @@ void prepare(const Plan& plan, std::size_t index, void* block) {
 
 void configure_blocks(Draft& draft) {
   for (std::size_t i = 0; i < draft.blocks.size(); ++i) {
-    DiagramBlock& block = draft.diagram().blocks[i];
+    diagram::DiagramBlock& block = draft.diagram().blocks[i];
     PlannedBlock& planned = draft.plan.blocks[i];
     const BlockType& type = block.type();
     Draft::Block& made = draft.blocks[i];
@@ -79,7 +80,8 @@ void configure_blocks(Draft& draft) {
       draft.report.add(block.origin, block.name,
                        fmt::format("the input '{}' is missing ({})", input, reason));
     for (const auto& [variable, unit] : made.says.units)
-      if (const auto parsed = parse_unit(unit)) block.known_units.emplace_back(variable, parsed->dimension);
+      if (const auto parsed = unit::parse_unit(unit))
+        block.known_units.emplace_back(variable, parsed->dimension);
     made.computes = made.computes && !made.says.skips_outputs;
     made.updates = made.updates && !made.says.skips_update;
     planned.configuration = std::make_shared<const Configuration>(made.says);
@@ -91,4 +93,4 @@ void prepare_blocks(Draft& draft) {
     prepare(draft.plan, b, draft.diagram().blocks[b].block.get());
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plan

@@ -8,7 +8,7 @@
 #include "engine/model/diagram/report.hpp"
 #include "engine/model/plan/plan.hpp"
 
-namespace stepwire {
+namespace stepwire::plan {
 
 /// A plan while it is made: the plan itself and what is known of each block in between.
 struct Draft {
@@ -24,10 +24,10 @@ struct Draft {
   explicit Draft(Plan& plan) : plan(plan), report(plan.diagram), blocks(plan.diagram.blocks.size()) {}
 
   Plan& plan;
-  Report report;
+  diagram::Report report;
   std::vector<Block> blocks;
 
-  Diagram& diagram() { return plan.diagram; }
+  diagram::Diagram& diagram() { return plan.diagram; }
   const BlockType& type(std::size_t block) const { return plan.diagram.blocks[block].type(); }
   /// Does this output change at once when this input does?
   bool depends(std::size_t block, std::size_t input, std::size_t output) const;
@@ -55,4 +55,4 @@ void check_stop_and_safe_values(Draft& draft);
 /// The tables of calls.
 void make_schedule(Draft& draft, const std::vector<int>& order);
 
-}  // namespace stepwire
+}  // namespace stepwire::plan

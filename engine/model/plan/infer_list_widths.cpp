@@ -7,7 +7,7 @@
 
 #include "engine/model/plan/worklist.hpp"
 
-namespace stepwire {
+namespace stepwire::plan {
 
 namespace {
 
@@ -37,7 +37,7 @@ class ListWidthInference {
     const int list = static_cast<int>(lists_.size());
     lists_.push_back({block, input});
     turns_.call(list);
-    for (const Source& source : draft_.diagram().blocks[block].inputs[input])
+    for (const diagram::Source& source : draft_.diagram().blocks[block].inputs[input])
       if (source.block >= 0) watchers_.emplace(sizes_.root(sizes_.of_output(source)), list);
   }
 
@@ -57,11 +57,11 @@ class ListWidthInference {
 
   /// False where too little is known of the elements.
   bool settle(std::size_t index, std::size_t input) {
-    const DiagramBlock& block = draft_.diagram().blocks[index];
+    const diagram::DiagramBlock& block = draft_.diagram().blocks[index];
     const bool total = block.type().inputs[input].shape.starts_with('+');
     Eigen::Index sum = 0, most = 1;
     bool open = false;
-    for (const Source& source : block.inputs[input]) {
+    for (const diagram::Source& source : block.inputs[input]) {
       const auto size = sizes_.value_of(source);
       open = open || !size;
       sum = std::min(sum + size.value_or(0), max_numbers + 1);
@@ -77,7 +77,7 @@ class ListWidthInference {
   }
 
   void refuse(std::size_t index, std::size_t input, Eigen::Index size, Eigen::Index fitting) {
-    const DiagramBlock& block = draft_.diagram().blocks[index];
+    const diagram::DiagramBlock& block = draft_.diagram().blocks[index];
     refused_.insert({index, input});
     draft_.report.add({block.origin.scope, block.input_marks[input]},
                       block.name + "." + block.type().inputs[input].name,
@@ -116,4 +116,4 @@ std::set<std::pair<std::size_t, std::size_t>> infer_list_widths(Draft& draft, Po
   return ListWidthInference(draft, sizes).run();
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plan

@@ -5,7 +5,7 @@
 
 #include "engine/model/plan/port_sizes.hpp"
 
-namespace stepwire {
+namespace stepwire::plan {
 
 /// Of all ports and states together: beyond, a delay or a chain of Mux blocks was meant to be shorter.
 constexpr Eigen::Index max_numbers = Eigen::Index{1} << 26;
@@ -16,4 +16,4 @@ constexpr Eigen::Index max_numbers = Eigen::Index{1} << 26;
 /// loop), so is one of them. Returns the lists (block and input) whose size had to be refused.
 std::set<std::pair<std::size_t, std::size_t>> infer_list_widths(Draft& draft, PortSizes& sizes);
 
-}  // namespace stepwire
+}  // namespace stepwire::plan

@@ -2,7 +2,7 @@
 
 #include "engine/model/plan/draft.hpp"
 
-namespace stepwire {
+namespace stepwire::plan {
 
 namespace {
 
@@ -68,7 +68,7 @@ class LayoutMaker {
     if (state_name.empty()) return;
     const BlockType& type = draft_.type(b);
     const auto state = static_cast<std::size_t>(type.state(state_name));
-    const Source& source =
+    const diagram::Source& source =
         draft_.diagram().blocks[b].inputs[static_cast<std::size_t>(type.input(input_name))].front();
     if (source.block < 0) return;
     const auto from = static_cast<std::size_t>(source.block),
@@ -117,13 +117,14 @@ class LayoutMaker {
   }
 
   void place_inputs(std::size_t b) {
-    const DiagramBlock& block = draft_.diagram().blocks[b];
+    const diagram::DiagramBlock& block = draft_.diagram().blocks[b];
     plan_.blocks[b].inputs.resize(block.inputs.size());
     for (std::size_t i = 0; i < block.inputs.size(); ++i)
-      for (const Source& source : block.inputs[i]) plan_.blocks[b].inputs[i].push_back(slot_of(b, i, source));
+      for (const diagram::Source& source : block.inputs[i])
+        plan_.blocks[b].inputs[i].push_back(slot_of(b, i, source));
   }
 
-  SignalSlot slot_of(std::size_t b, std::size_t input, const Source& source) {
+  SignalSlot slot_of(std::size_t b, std::size_t input, const diagram::Source& source) {
     if (source.block >= 0)
       return plan_.blocks[static_cast<std::size_t>(source.block)]
           .outputs[static_cast<std::size_t>(source.output)];
@@ -155,4 +156,4 @@ void plan_layout(Draft& draft, const std::vector<int>& order) {
   LayoutMaker(draft).run();
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plan

@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-namespace stepwire {
+namespace stepwire::plan {
 
 MemberItems::MemberItems(const BlockType& type, const void* block) {
   for (const MemberSpec& member : type.members) add(member, block);
@@ -58,4 +58,4 @@ std::string MemberItems::natural(std::uint64_t value) {
   return item({static_cast<double>(value >> 32), static_cast<double>(value & 0xffffffffu)});
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plan

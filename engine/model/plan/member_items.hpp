@@ -6,7 +6,7 @@
 #include "engine/model/block/block_type.hpp"
 #include "engine/model/block/literal.hpp"
 
-namespace stepwire {
+namespace stepwire::plan {
 
 /// The numbers that a block's members hold, in the order in which a program writes them: an item is one
 /// number, or a list of them.
@@ -46,4 +46,4 @@ class MemberItems : public LiteralWriter {
   std::string outline_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::plan

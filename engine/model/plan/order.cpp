@@ -8,7 +8,7 @@
 
 #include "engine/model/plan/draft.hpp"
 
-namespace stepwire {
+namespace stepwire::plan {
 
 namespace {
 
@@ -45,7 +45,7 @@ class Order {
   }
 
   /// The node that computes a source, or nothing for states and constants.
-  std::optional<std::size_t> node_of(const Source& source) const {
+  std::optional<std::size_t> node_of(const diagram::Source& source) const {
     if (source.block < 0 || !draft_.blocks[static_cast<std::size_t>(source.block)].computes)
       return std::nullopt;
     return first_node_[static_cast<std::size_t>(source.block)] + static_cast<std::size_t>(source.output);
@@ -62,7 +62,7 @@ class Order {
   void add_edges(std::size_t block) {
     const auto& inputs = draft_.diagram().blocks[block].inputs;
     for (std::size_t i = 0; i < inputs.size(); ++i)
-      for (const Source& source : inputs[i])
+      for (const diagram::Source& source : inputs[i])
         if (const auto from = node_of(source); from && !comes_first(owners_[*from].first, block))
           for (std::size_t o = 0; o < node_count(block); ++o)
             if (draft_.depends(block, i, o)) add_edge(*from, first_node_[block] + o);
@@ -111,13 +111,13 @@ class Order {
   void refuse(const std::vector<std::size_t>& path) {
     std::string hops;
     const auto hop = [&](std::size_t node) {
-      const DiagramBlock& block = draft_.diagram().blocks[owners_[node].first];
-      const Place place = draft_.diagram().place(block.origin);
+      const diagram::DiagramBlock& block = draft_.diagram().blocks[owners_[node].first];
+      const yaml::Place place = draft_.diagram().place(block.origin);
       return fmt::format("{} ({}:{})", name(node), place.file, place.mark.line);
     };
     for (std::size_t node : path) hops += hop(node) + " -> ";
     hops += name(path.front());
-    const DiagramBlock& block = draft_.diagram().blocks[owners_[path.front()].first];
+    const diagram::DiagramBlock& block = draft_.diagram().blocks[owners_[path.front()].first];
     draft_.report.add(
         block.origin, block.name,
         fmt::format("algebraic loop: each of these feeds the next at the same instant: {}; break it with a "
@@ -136,7 +136,7 @@ class Order {
   /// Marks what derivatives need between ticks, and what that needs in turn.
   void mark_stages() {
     std::vector<std::size_t> stack;
-    const auto need = [&](const Source& source) {
+    const auto need = [&](const diagram::Source& source) {
       const auto node = node_of(source);
       if (!node) return;
       const std::size_t block = owners_[*node].first;
@@ -147,7 +147,7 @@ class Order {
     };
     const auto need_inputs = [&](std::size_t block) {
       for (const auto& sources : draft_.diagram().blocks[block].inputs)
-        for (const Source& source : sources) need(source);
+        for (const diagram::Source& source : sources) need(source);
     };
     for (std::size_t b = 0; b < draft_.blocks.size(); ++b)
       if (draft_.type(b).run_derivatives) need_inputs(b);
@@ -274,4 +274,4 @@ std::vector<int> plan_order(Draft& draft) {
   return Order(draft).run();
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plan

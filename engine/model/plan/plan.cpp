@@ -3,15 +3,15 @@
 #include "engine/model/diagram/units.hpp"
 #include "engine/model/plan/draft.hpp"
 
-namespace stepwire {
+namespace stepwire::plan {
 
-SignalSlot Plan::slot(const SignalRef& signal) const {
+SignalSlot Plan::slot(const diagram::SignalRef& signal) const {
   const PlannedBlock& block = blocks[static_cast<std::size_t>(signal.block)];
   return signal.output >= 0 ? block.outputs[static_cast<std::size_t>(signal.output)]
                             : block.states[static_cast<std::size_t>(signal.state)];
 }
 
-std::optional<Dimension> Plan::dimension(const SignalRef& signal) const {
+std::optional<unit::Dimension> Plan::dimension(const diagram::SignalRef& signal) const {
   const auto block = static_cast<std::size_t>(signal.block);
   return signal.output >= 0 ? diagram.output_dimensions[block][static_cast<std::size_t>(signal.output)]
                             : diagram.state_dimensions[block][static_cast<std::size_t>(signal.state)];
@@ -28,7 +28,7 @@ bool Draft::is_state(std::size_t block, std::size_t output) const {
   return !blocks[block].computes && !type(block).outputs[output].state.empty();
 }
 
-Plan make_plan(Diagram diagram) {
+Plan make_plan(diagram::Diagram diagram) {
   Plan plan;
   plan.diagram = std::move(diagram);
   plan.blocks.resize(plan.diagram.blocks.size());
@@ -36,7 +36,7 @@ Plan make_plan(Diagram diagram) {
   plan_rates(draft);
   configure_blocks(draft);
   draft.report.faults().throw_if_any();
-  infer_units(draft.report);
+  diagram::infer_units(draft.report);
   plan_shapes(draft);
   draft.report.faults().throw_if_any();
   prepare_blocks(draft);
@@ -50,4 +50,4 @@ Plan make_plan(Diagram diagram) {
   return plan;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plan

@@ -8,7 +8,7 @@
 
 #include "engine/model/diagram/diagram.hpp"
 
-namespace stepwire {
+namespace stepwire::plan {
 
 /// When a block runs.
 struct Rate {
@@ -70,7 +70,7 @@ struct PlannedBlock {
 
 /// What a run walks: the order of calls and the layout of memory. Nothing in it changes while runs use it.
 struct Plan {
-  Diagram diagram;
+  diagram::Diagram diagram;
   std::int64_t steps = 0;  ///< ticks from 0 to stop
   std::vector<PlannedBlock> blocks;
   std::vector<int> memory_order;  ///< blocks as they lie in memory
@@ -88,10 +88,10 @@ struct Plan {
   std::vector<KernelCall> updates;
   bool updates_continuous = false;  ///< may an update change a continuous state?
 
-  SignalSlot slot(const SignalRef& signal) const;
-  std::optional<Dimension> dimension(const SignalRef& signal) const;
+  SignalSlot slot(const diagram::SignalRef& signal) const;
+  std::optional<unit::Dimension> dimension(const diagram::SignalRef& signal) const;
   /// Where what a stop condition reads lies in the workspace.
-  std::size_t offset(const StopCondition::Variable& variable) const {
+  std::size_t offset(const diagram::StopCondition::Variable& variable) const {
     return variable.signal.block < 0 ? Layout::time : slot(variable.signal).offset + variable.offset();
   }
   double time_of(std::int64_t tick) const { return static_cast<double>(tick) * diagram.step; }
@@ -103,6 +103,6 @@ std::optional<std::int64_t> whole_ticks(double time, double step);
 
 /// Plans a checked diagram. Throws Error for what shows only here: algebraic loops, sizes that do not agree,
 /// rates that do not fit the step, and what blocks refuse about their own parameters.
-Plan make_plan(Diagram diagram);
+Plan make_plan(diagram::Diagram diagram);
 
-}  // namespace stepwire
+}  // namespace stepwire::plan

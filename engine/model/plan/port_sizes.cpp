@@ -2,7 +2,7 @@
 
 #include <charconv>
 
-namespace stepwire {
+namespace stepwire::plan {
 
 int PortSizes::symbol(std::size_t block, const std::string& text) {
   for (const auto& [name, size] : symbols_[block])
@@ -14,7 +14,7 @@ int PortSizes::symbol(std::size_t block, const std::string& text) {
   return size;
 }
 
-int PortSizes::of_output(const Source& source) {
+int PortSizes::of_output(const diagram::Source& source) {
   const auto block = static_cast<std::size_t>(source.block);
   return symbol(block, draft_.type(block).outputs[static_cast<std::size_t>(source.output)].shape);
 }
@@ -24,8 +24,8 @@ int PortSizes::of_list(std::size_t block, std::size_t input) {
   return symbol(block, shape.starts_with('+') ? shape.substr(1) : shape);
 }
 
-std::optional<Eigen::Index> PortSizes::value_of(const Source& source) {
+std::optional<Eigen::Index> PortSizes::value_of(const diagram::Source& source) {
   return source.block < 0 ? std::optional(source.constant.size()) : value(of_output(source));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plan

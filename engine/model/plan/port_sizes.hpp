@@ -7,7 +7,7 @@
 #include "engine/model/plan/draft.hpp"
 #include "engine/model/plan/sizes.hpp"
 
-namespace stepwire {
+namespace stepwire::plan {
 
 /// The sizes of all ports, states and parameters of a draft, found by the letters of the declared shapes.
 class PortSizes : public Sizes {
@@ -17,15 +17,15 @@ class PortSizes : public Sizes {
   /// The size behind a letter or a number in the shapes of one block.
   int symbol(std::size_t block, const std::string& text);
   /// The size of the output that feeds.
-  int of_output(const Source& source);
+  int of_output(const diagram::Source& source);
   /// The size of a list input as a whole.
   int of_list(std::size_t block, std::size_t input);
   /// How many elements feed, where that is known.
-  std::optional<Eigen::Index> value_of(const Source& source);
+  std::optional<Eigen::Index> value_of(const diagram::Source& source);
 
  private:
   const Draft& draft_;
   std::vector<std::vector<std::pair<std::string, int>>> symbols_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::plan

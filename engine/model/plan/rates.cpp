@@ -6,13 +6,13 @@
 #include "engine/base/io/environment_error.hpp"
 #include "engine/model/plan/draft.hpp"
 
-namespace stepwire {
+namespace stepwire::plan {
 
 namespace {
 
 constexpr double max_ticks = 9e15;  // whole numbers beyond are not exact in a double
 
-void require_whole(Draft& draft, double time, const Origin& origin, const std::string& subject,
+void require_whole(Draft& draft, double time, const diagram::Origin& origin, const std::string& subject,
                    std::int64_t& ticks) {
   const double step = draft.diagram().step;
   if (const auto whole = whole_ticks(time, step)) {
@@ -65,9 +65,9 @@ class Rates {
   }
 
   void start(std::size_t index) {
-    const DiagramBlock& block = draft_.diagram().blocks[index];
+    const diagram::DiagramBlock& block = draft_.diagram().blocks[index];
     for (const auto& sources : block.inputs)
-      for (const Source& source : sources)
+      for (const diagram::Source& source : sources)
         if (source.block >= 0) users_[static_cast<std::size_t>(source.block)].push_back(index);
     if (block.every) {
       give_period(index, block);
@@ -77,9 +77,9 @@ class Rates {
     if (rate(index).kind != Rate::Kind::constant) queue_.push_back(index);
   }
 
-  void give_period(std::size_t index, const DiagramBlock& block) {
+  void give_period(std::size_t index, const diagram::DiagramBlock& block) {
     rate(index) = {Rate::Kind::discrete, 1};
-    const Origin origin{block.origin.scope, block.every_mark};
+    const diagram::Origin origin{block.origin.scope, block.every_mark};
     if (block.type().has_continuous_state())
       return draft_.report.add(
           origin, block.name + ".every",
@@ -90,11 +90,11 @@ class Rates {
   }
 
   void raise(std::size_t index) {
-    const DiagramBlock& block = draft_.diagram().blocks[index];
+    const diagram::DiagramBlock& block = draft_.diagram().blocks[index];
     if (block.every || block.type().timing == Timing::continuous) return;
     Rate joined = rate(index);
     for (const auto& sources : block.inputs)
-      for (const Source& source : sources)
+      for (const diagram::Source& source : sources)
         if (source.block >= 0) joined = join(joined, rate(static_cast<std::size_t>(source.block)));
     if (block.type().timing == Timing::discrete && joined.kind == Rate::Kind::continuous)
       joined = {Rate::Kind::discrete, 1};
@@ -109,9 +109,9 @@ class Rates {
 };
 
 void require_solver(Draft& draft) {
-  Diagram& diagram = draft.diagram();
+  diagram::Diagram& diagram = draft.diagram();
   if (!diagram.solver.empty()) return;
-  for (const DiagramBlock& block : diagram.blocks)
+  for (const diagram::DiagramBlock& block : diagram.blocks)
     if (block.type().has_continuous_state())
       return draft.report.add(block.origin, block.name,
                               fmt::format("{} has a continuous state, and the diagram names no solver; add "
@@ -129,14 +129,14 @@ std::optional<std::int64_t> whole_ticks(double time, double step) {
 }
 
 void plan_rates(Draft& draft) {
-  Diagram& diagram = draft.diagram();
+  diagram::Diagram& diagram = draft.diagram();
   require_whole(draft, diagram.stop, diagram.stop_origin, "stop", draft.plan.steps);
   require_solver(draft);
   Rates(draft).run();
-  for (const RecordRequest& request : diagram.records) {
+  for (const diagram::RecordRequest& request : diagram.records) {
     std::int64_t ticks = 1;
     if (request.every) require_whole(draft, *request.every, request.origin, "record.every", ticks);
   }
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plan

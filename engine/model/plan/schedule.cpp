@@ -2,7 +2,7 @@
 
 #include "engine/model/plan/draft.hpp"
 
-namespace stepwire {
+namespace stepwire::plan {
 
 namespace {
 
@@ -99,4 +99,4 @@ void make_schedule(Draft& draft, const std::vector<int>& order) {
     }
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plan

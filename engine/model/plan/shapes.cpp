@@ -6,7 +6,7 @@
 #include "engine/model/plan/configuring.hpp"
 #include "engine/model/plan/infer_list_widths.hpp"
 
-namespace stepwire {
+namespace stepwire::plan {
 
 namespace {
 
@@ -34,11 +34,11 @@ class Shapes {
 
  private:
   void declare(std::size_t index) {
-    const DiagramBlock& block = draft_.diagram().blocks[index];
+    const diagram::DiagramBlock& block = draft_.diagram().blocks[index];
     for (const auto& [name, elements] : draft_.blocks[index].says.sizes)
       sizes_.set(sizes_.symbol(index, name), elements);
     for (std::size_t p = 0; p < block.type().parameters.size(); ++p) declare_parameter(index, block, p);
-    for (const InitialValue& initial : block.initial) {
+    for (const diagram::InitialValue& initial : block.initial) {
       const StateSpec& spec = block.type().states[static_cast<std::size_t>(initial.state)];
       if (initial.value.size() > 1)
         require(index, spec.shape, initial.value.size(), initial.origin, initial.value.size(),
@@ -46,12 +46,12 @@ class Shapes {
     }
   }
 
-  void declare_parameter(std::size_t index, const DiagramBlock& block, std::size_t p) {
+  void declare_parameter(std::size_t index, const diagram::DiagramBlock& block, std::size_t p) {
     const ParameterSpec& spec = block.type().parameters[p];
     if (spec.shape.empty()) return;
     const Value value = spec.get(block.block.get());
-    const Mark mark = block.parameter_marks[p].line ? block.parameter_marks[p] : block.origin.mark;
-    const Origin origin{block.origin.scope, mark};
+    const yaml::Mark mark = block.parameter_marks[p].line ? block.parameter_marks[p] : block.origin.mark;
+    const diagram::Origin origin{block.origin.scope, mark};
     if (const auto* vector = std::get_if<Eigen::VectorXd>(&value.content)) {
       if (spec.kind == ParameterKind::per_element && vector->size() == 1) return;
       require(index, spec.shape, vector->size(), origin, vector->size(), "'" + spec.name + "'");
@@ -65,8 +65,8 @@ class Shapes {
     }
   }
 
-  void require(std::size_t block, const std::string& shape, Eigen::Index elements, const Origin& origin,
-               Eigen::Index shown, const std::string& what) {
+  void require(std::size_t block, const std::string& shape, Eigen::Index elements,
+               const diagram::Origin& origin, Eigen::Index shown, const std::string& what) {
     const int size = sizes_.symbol(block, shape);
     if (!sizes_.set(size, elements))
       draft_.report.add(origin, draft_.diagram().blocks[block].name,
@@ -74,15 +74,15 @@ class Shapes {
   }
 
   void connect(std::size_t index) {
-    const DiagramBlock& block = draft_.diagram().blocks[index];
+    const diagram::DiagramBlock& block = draft_.diagram().blocks[index];
     for (std::size_t i = 0; i < block.inputs.size(); ++i) {
       const InputSpec& spec = block.type().inputs[i];
       if (spec.list) continue;
-      for (const Source& source : block.inputs[i]) connect_one(index, spec, source);
+      for (const diagram::Source& source : block.inputs[i]) connect_one(index, spec, source);
     }
   }
 
-  void connect_one(std::size_t index, const InputSpec& spec, const Source& source) {
+  void connect_one(std::size_t index, const InputSpec& spec, const diagram::Source& source) {
     const int wanted = sizes_.symbol(index, spec.shape);
     const std::string subject = draft_.diagram().blocks[index].name + "." + spec.name;
     if (source.block < 0) {
@@ -98,8 +98,8 @@ class Shapes {
     }
   }
 
-  std::string name_of(const Source& source) const {
-    const DiagramBlock& block = draft_.plan.diagram.blocks[static_cast<std::size_t>(source.block)];
+  std::string name_of(const diagram::Source& source) const {
+    const diagram::DiagramBlock& block = draft_.plan.diagram.blocks[static_cast<std::size_t>(source.block)];
     const auto& outputs = block.type().outputs;
     return outputs.size() == 1 ? block.name
                                : block.name + "." + outputs[static_cast<std::size_t>(source.output)].name;
@@ -107,16 +107,17 @@ class Shapes {
 
   /// At the end, since an element's own size may come to be known only after that of its list.
   void check_elements(std::size_t index) {
-    const DiagramBlock& block = draft_.diagram().blocks[index];
+    const diagram::DiagramBlock& block = draft_.diagram().blocks[index];
     for (std::size_t i = 0; i < block.inputs.size(); ++i) {
       const InputSpec& spec = block.type().inputs[i];
       if (!spec.list || spec.shape.starts_with('+') || refused_.contains({index, i})) continue;
       const Eigen::Index size = sizes_.value(sizes_.of_list(index, i)).value_or(1);
-      for (const Source& source : block.inputs[i]) check_element(source, size, block.name + "." + spec.name);
+      for (const diagram::Source& source : block.inputs[i])
+        check_element(source, size, block.name + "." + spec.name);
     }
   }
 
-  void check_element(const Source& source, Eigen::Index size, const std::string& subject) {
+  void check_element(const diagram::Source& source, Eigen::Index size, const std::string& subject) {
     const auto given = sizes_.value_of(source);
     if (!given || *given == 1 || *given == size) return;
     draft_.report.add(
@@ -126,7 +127,7 @@ class Shapes {
   }
 
   void refuse_small(std::size_t index) {
-    const DiagramBlock& block = draft_.diagram().blocks[index];
+    const diagram::DiagramBlock& block = draft_.diagram().blocks[index];
     for (const auto& [name, least] : draft_.blocks[index].says.min_sizes) {
       const Eigen::Index size = sizes_.value(sizes_.symbol(index, name)).value_or(1);
       if (size < least)
@@ -136,7 +137,7 @@ class Shapes {
   }
 
   void store(std::size_t index) {
-    DiagramBlock& block = draft_.diagram().blocks[index];
+    diagram::DiagramBlock& block = draft_.diagram().blocks[index];
     Draft::Block& made = draft_.blocks[index];
     const auto factor = [&](const std::string& name) {
       return sizes_.value(sizes_.symbol(index, name)).value_or(1);
@@ -158,7 +159,7 @@ class Shapes {
   }
 
   /// Refuses the block with which it becomes too much.
-  bool fits(const DiagramBlock& block, const Draft::Block& made) {
+  bool fits(const diagram::DiagramBlock& block, const Draft::Block& made) {
     if (total_ > max_numbers) return false;
     Eigen::Index own = 0;
     for (const auto* sizes : {&made.output_sizes, &made.state_sizes, &made.input_sizes})
@@ -172,7 +173,7 @@ class Shapes {
     return false;
   }
 
-  static void expand(DiagramBlock& block, const ParameterSpec& spec, Eigen::Index size) {
+  static void expand(diagram::DiagramBlock& block, const ParameterSpec& spec, Eigen::Index size) {
     if (size == 1) return;
     if (std::get<Eigen::VectorXd>(spec.get(block.block.get()).content).size() != 1) return;
     spread(block.block, spec, size);
@@ -191,4 +192,4 @@ void plan_shapes(Draft& draft) {
   Shapes(draft).run();
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plan

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-namespace stepwire {
+namespace stepwire::plan {
 
 /// Sizes that are known or found to be equal to others (union-find).
 class Sizes {
@@ -55,4 +55,4 @@ inline bool Sizes::join(int a, int b) {
   return true;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plan

@@ -4,11 +4,11 @@
 #include "engine/model/diagram/parameters.hpp"
 #include "engine/model/plan/draft.hpp"
 
-namespace stepwire {
+namespace stepwire::plan {
 
 namespace {
 
-void check_stop_condition(Draft& draft, const StopCondition& condition) {
+void check_stop_condition(Draft& draft, const diagram::StopCondition& condition) {
   for (std::size_t i = 0; i < condition.variables.size(); ++i) {
     const auto& [signal, element] = condition.variables[i];
     if (signal.block < 0) continue;
@@ -26,7 +26,7 @@ void check_stop_condition(Draft& draft, const StopCondition& condition) {
 }
 
 /// What is handed on in place of an output must be of its size and unit.
-void check_safe_value(Draft& draft, DiagramOutput& output) {
+void check_safe_value(Draft& draft, diagram::DiagramOutput& output) {
   const std::string subject = output.name + ".safe";
   const Eigen::Index size = draft.plan.slot(output.signal).size;
   if (output.safe->size() == 1) *output.safe = Eigen::VectorXd::Constant(size, (*output.safe)[0]);
@@ -35,7 +35,7 @@ void check_safe_value(Draft& draft, DiagramOutput& output) {
                      fmt::format("has {} elements where the signal has {}", output.safe->size(), size));
   const auto dimension = draft.plan.dimension(output.signal);
   if (!dimension || !output.safe_dimension) return;
-  const std::string complaint = unit_complaint(output.safe_dimension, dimension);
+  const std::string complaint = diagram::unit_complaint(output.safe_dimension, dimension);
   if (!complaint.empty()) draft.report.add(output.origin, subject, complaint);
 }
 
@@ -43,8 +43,8 @@ void check_safe_value(Draft& draft, DiagramOutput& output) {
 
 void check_stop_and_safe_values(Draft& draft) {
   if (draft.diagram().stop_when) check_stop_condition(draft, *draft.diagram().stop_when);
-  for (DiagramOutput& output : draft.diagram().outputs)
+  for (diagram::DiagramOutput& output : draft.diagram().outputs)
     if (output.safe) check_safe_value(draft, output);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plan

@@ -2,7 +2,7 @@
 
 #include "engine/model/plan/draft.hpp"
 
-namespace stepwire {
+namespace stepwire::plan {
 
 namespace {
 
@@ -13,7 +13,7 @@ class TimedBlocks {
     for (std::size_t b = 0; b < draft.blocks.size(); ++b) {
       draft.blocks[b].timed = may_be_timed(b);
       for (const auto& sources : draft.diagram().blocks[b].inputs)
-        for (const Source& source : sources)
+        for (const diagram::Source& source : sources)
           if (source.block >= 0) readers_[static_cast<std::size_t>(source.block)].push_back(b);
     }
   }
@@ -37,7 +37,7 @@ class TimedBlocks {
            draft_.plan.blocks[block].rate.kind == Rate::Kind::continuous;
   }
 
-  bool is_timed(const Source& source) const {
+  bool is_timed(const diagram::Source& source) const {
     if (source.block < 0) return true;
     const auto block = static_cast<std::size_t>(source.block);
     return draft_.blocks[block].timed || is_constant(block);
@@ -46,7 +46,7 @@ class TimedBlocks {
   void check(std::size_t block) {
     if (!draft_.blocks[block].timed) return;
     for (const auto& sources : draft_.diagram().blocks[block].inputs)
-      for (const Source& source : sources)
+      for (const diagram::Source& source : sources)
         if (!is_timed(source)) draft_.blocks[block].timed = false;
     if (!draft_.blocks[block].timed) refused_.push_back(block);
   }
@@ -62,4 +62,4 @@ void find_timed(Draft& draft) {
   TimedBlocks(draft).run();
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plan

@@ -5,7 +5,7 @@
 
 #include "engine/model/plan/member_items.hpp"
 
-namespace stepwire {
+namespace stepwire::plan {
 
 namespace {
 
@@ -22,7 +22,7 @@ void mark_differences(const MemberItems& one, const MemberItems& other, Items& i
 }
 
 /// The members that differ where a parameter does: its own, and all that configure() or prepare() compute.
-std::vector<bool> followers_of(const Plan& plan, const Target& target) {
+std::vector<bool> followers_of(const Plan& plan, const diagram::Target& target) {
   const auto block = static_cast<std::size_t>(target.block);
   const BlockType& type = block_of(plan, block).type();
   std::vector<bool> follow(type.members.size(), plan.blocks[block].written.has_value());
@@ -73,10 +73,10 @@ void mark(const AnyBlock& block, const std::vector<bool>& members, Items& items)
 
 }  // namespace
 
-std::vector<VariableBlock> variable_blocks(const Plan& plan, const Variation& variation) {
+std::vector<VariableBlock> variable_blocks(const Plan& plan, const diagram::Variation& variation) {
   std::map<std::size_t, Items> items;  // by block
-  for (const Target& target : variation.targets())
-    if (target.kind == Target::Kind::parameter)
+  for (const diagram::Target& target : variation.targets())
+    if (target.kind == diagram::Target::Kind::parameter)
       mark(block_of(plan, static_cast<std::size_t>(target.block)), followers_of(plan, target),
            items[static_cast<std::size_t>(target.block)]);
   std::vector<VariableBlock> result;
@@ -108,4 +108,4 @@ void widen(std::vector<VariableBlock>& variable, const Plan& plan, const BlocksO
   }
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plan

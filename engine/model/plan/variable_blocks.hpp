@@ -6,7 +6,7 @@
 #include "engine/model/diagram/variation.hpp"
 #include "engine/model/plan/plan.hpp"
 
-namespace stepwire {
+namespace stepwire::plan {
 
 /// A block of which compiled code reads items from a table; all others stand in the code as the plan has
 /// them.
@@ -21,7 +21,7 @@ using BlocksOfRun = std::function<const void*(std::size_t)>;
 /// The items that may differ between runs of a variation, in the order of memory: the parameters that it sets
 /// and all that their blocks compute, but no length of a list. A length, or another parameter that a block
 /// changes, is found by the run (NumberTable::read), and widen() adds it.
-std::vector<VariableBlock> variable_blocks(const Plan& plan, const Variation& variation);
+std::vector<VariableBlock> variable_blocks(const Plan& plan, const diagram::Variation& variation);
 
 /// Adds what varies in other runs of the plan.
 void unite(std::vector<VariableBlock>& variable, const Plan& plan, const std::vector<VariableBlock>& more);
@@ -29,4 +29,4 @@ void unite(std::vector<VariableBlock>& variable, const Plan& plan, const std::ve
 /// Adds the items in which the blocks of a run differ from those of the plan.
 void widen(std::vector<VariableBlock>& variable, const Plan& plan, const BlocksOfRun& blocks);
 
-}  // namespace stepwire
+}  // namespace stepwire::plan

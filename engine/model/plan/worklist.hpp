@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-namespace stepwire {
+namespace stepwire::plan {
 
 /// Whose turn it is where all would be asked in order, round after round, until nobody has anything new to
 /// say; only those are asked whom something new concerns.
@@ -29,4 +29,4 @@ class Worklist {
   int last_ = -1;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::plan

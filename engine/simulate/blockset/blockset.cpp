@@ -22,7 +22,7 @@
 #include "engine/simulate/codegen/headers.hpp"
 #include "engine/simulate/codegen/library.hpp"
 
-namespace stepwire {
+namespace stepwire::blockset {
 
 namespace {
 
@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 constexpr const char* registration = "_Z15register_blocksRN8stepwire8RegistryE";
 
 [[noreturn]] void refuse(const std::string& folder, const std::string& message) {
-  throw Error(Fault{{folder, {}}, "", message, {}});
+  throw yaml::Error(yaml::Fault{{folder, {}}, "", message, {}});
 }
 
 bool is_source(const fs::path& file) {
@@ -53,20 +53,20 @@ std::vector<std::string> sources_in(const std::string& folder) {
   return sources;
 }
 
-std::vector<std::string> flags_of(const std::string& folder, const IncludedHeaders& headers) {
-  std::vector<std::string> flags = include_options(headers);
+std::vector<std::string> flags_of(const std::string& folder, const codegen::IncludedHeaders& headers) {
+  std::vector<std::string> flags = codegen::include_options(headers);
   // What it defines is what it uses, also where the program has something of the same name.
   flags.insert(flags.end(), {"-idirafter", folder, "-Wl,-Bsymbolic"});
   return flags;
 }
 
-std::string key_of(const std::vector<std::string>& sources, const IncludedHeaders& headers,
-                   const std::vector<std::string>& flags, const Compiler& compiler) {
-  Hash hash;
+std::string key_of(const std::vector<std::string>& sources, const codegen::IncludedHeaders& headers,
+                   const std::vector<std::string>& flags, const codegen::Compiler& compiler) {
+  hash::Hash hash;
   hash.add("blocks");
-  for (const std::string& source : sources) hash.add(source).add(read_file(source));
-  for (const std::string& header : headers.all) hash.add(header).add(header_text(header));
-  for (const std::string& flag : Compiler::flags()) hash.add(flag);
+  for (const std::string& source : sources) hash.add(source).add(io::read_file(source));
+  for (const std::string& header : headers.all) hash.add(header).add(codegen::header_text(header));
+  for (const std::string& flag : codegen::Compiler::flags()) hash.add(flag);
   for (const std::string& flag : flags) hash.add(flag);
   return hash.add(compiler.version()).text() + ".so";
 }
@@ -74,44 +74,44 @@ std::string key_of(const std::vector<std::string>& sources, const IncludedHeader
 /// What the compiler complains of, each with its place; all that it said where no line of it has one.
 [[noreturn]] void refuse_sources(const std::string& folder, const std::string& said) {
   static const std::regex complaint(R"re(^(.+?):(\d+):(\d+): (?:fatal )?error: (.*)$)re");
-  std::vector<Fault> faults;
+  std::vector<yaml::Fault> faults;
   std::istringstream lines(said);
   for (std::string line; std::getline(lines, line);) {
     std::smatch match;
     if (std::regex_match(line, match, complaint))
       faults.push_back({{match[1], {std::stoi(match[2]), std::stoi(match[3])}}, "", match[4], {}});
   }
-  if (!faults.empty()) throw Error(std::move(faults));
+  if (!faults.empty()) throw yaml::Error(std::move(faults));
   refuse(folder, "the blocks of this folder cannot be compiled: " + said);
 }
 
 std::string compiled(const std::string& folder, const std::vector<std::string>& sources,
-                     std::vector<std::string> flags, const Compiler& compiler) {
-  const ScratchFolder scratch;
+                     std::vector<std::string> flags, const codegen::Compiler& compiler) {
+  const subprocess::ScratchFolder scratch;
   const std::string library = scratch.path() + "/blocks.so";
   flags.insert(flags.end(), sources.begin(), std::prev(sources.end()));
   const std::string said = compiler.compile(sources.back(), library, flags, {});
   if (!said.empty()) refuse_sources(folder, said);
-  if (!fs::exists(library)) throw ProcessStopped("the compiler was stopped");
-  return read_file(library);
+  if (!fs::exists(library)) throw subprocess::ProcessStopped("the compiler was stopped");
+  return io::read_file(library);
 }
 
 void* load(const std::string& folder, const std::string& bytes) {
   std::string problem;
-  void* library = load_library(bytes, problem);
+  void* library = codegen::load_library(bytes, problem);
   if (!library) refuse(folder, "the blocks of this folder cannot be loaded: " + problem);
   return library;
 }
 
 /// The compiled blocks of a folder, from the cache or made.
 void* library_of(const std::string& folder) {
-  const Compiler compiler;
-  if (!compiler.found()) throw EnvironmentError(folder + ": " + compiler.problem());
+  const codegen::Compiler compiler;
+  if (!compiler.found()) throw io::EnvironmentError(folder + ": " + compiler.problem());
   const std::vector<std::string> sources = sources_in(folder);
-  const IncludedHeaders headers = with_included(sources);
+  const codegen::IncludedHeaders headers = codegen::with_included(sources);
   const std::vector<std::string> flags = flags_of(folder, headers);
   const std::string key = key_of(sources, headers, flags, compiler);
-  const Cache cache;
+  const io::Cache cache;
   if (const auto kept = cache.find(key)) return load(folder, *kept);
   const std::string made = compiled(folder, sources, flags, compiler);
   void* library = load(folder, made);
@@ -124,7 +124,7 @@ void* library_of(const std::string& folder) {
 void load_blockset(const std::string& path, Registry& registry) {
   std::error_code problem;
   const std::string folder = fs::canonical(path, problem).string();
-  if (problem || !fs::is_directory(folder)) throw EnvironmentError(path + ": is no folder with blocks");
+  if (problem || !fs::is_directory(folder)) throw io::EnvironmentError(path + ": is no folder with blocks");
   if (folder.find_first_of("\"\\\n\r") != folder.npos)
     refuse(folder, "has a character that no #include can name");
   void* library = library_of(folder);
@@ -149,4 +149,4 @@ void load_blocksets_of_environment(Registry& registry) {
     if (!folder.empty()) load_blockset(folder, registry);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::blockset

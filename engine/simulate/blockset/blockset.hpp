@@ -4,7 +4,7 @@
 
 #include "engine/model/block/registry.hpp"
 
-namespace stepwire {
+namespace stepwire::blockset {
 
 /// Adds the blocks of a folder outside of the library. Its sources, one of which defines
 /// `void register_blocks(stepwire::Registry&)`, are compiled into one shared library, which is kept in the
@@ -16,4 +16,4 @@ void load_blockset(const std::string& folder, Registry& registry);
 /// Such folders, as $STEPWIRE_BLOCKS lists them, with ':' between.
 void load_blocksets_of_environment(Registry& registry);
 
-}  // namespace stepwire
+}  // namespace stepwire::blockset

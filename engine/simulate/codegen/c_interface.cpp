@@ -8,7 +8,7 @@
 #include "engine/simulate/codegen/cpp_words.hpp"
 #include "engine/simulate/codegen/tuning_text.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 namespace {
 
@@ -47,7 +47,7 @@ const char* const parameter_checks =
 
 class CText {
  public:
-  CText(const Plan& plan, const Tuning& tuning, const Groups& groups, const std::string& space)
+  CText(const plan::Plan& plan, const Tuning& tuning, const Groups& groups, const std::string& space)
       : plan_(plan), tuning_(tuning), groups_(groups), space_(space) {}
 
   std::string types() const {
@@ -156,7 +156,7 @@ class CText {
     return count;
   }
 
-  const Plan& plan_;
+  const plan::Plan& plan_;
   const Tuning& tuning_;
   const Groups& groups_;
   const std::string& space_;
@@ -190,8 +190,8 @@ std::string in_capitals(std::string text) {
 
 }  // namespace
 
-CInterface c_interface(const Plan& plan, const Tuning& tuning, const Groups& groups, const std::string& space,
-                       const std::string& header, const std::string& c_header) {
+CInterface c_interface(const plan::Plan& plan, const Tuning& tuning, const Groups& groups,
+                       const std::string& space, const std::string& header, const std::string& c_header) {
   const CText text(plan, tuning, groups, space);
   const std::string guard = in_capitals(space) + "_C_H";
   return {fmt::format("#ifndef {0}\n#define {0}\n\n#include <stdbool.h>\n#include <stdint.h>\n\n"
@@ -204,4 +204,4 @@ CInterface c_interface(const Plan& plan, const Tuning& tuning, const Groups& gro
               with_space(tools, space) + text.definitions()};
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

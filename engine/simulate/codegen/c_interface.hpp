@@ -4,7 +4,7 @@
 
 #include "engine/simulate/codegen/groups.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 /// How a generated program is called from C: its names begin with `space`, those of macros are in capitals.
 struct CInterface {
@@ -13,7 +13,7 @@ struct CInterface {
 };
 
 /// `header` is the name of the C++ header, `c_header` that of this one.
-CInterface c_interface(const Plan& plan, const Tuning& tuning, const Groups& groups, const std::string& space,
-                       const std::string& header, const std::string& c_header);
+CInterface c_interface(const plan::Plan& plan, const Tuning& tuning, const Groups& groups,
+                       const std::string& space, const std::string& header, const std::string& c_header);
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

@@ -9,7 +9,7 @@
 #include "engine/base/io/resources.hpp"
 #include "engine/base/subprocess/process.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 namespace {
 
@@ -29,9 +29,9 @@ constexpr const char* included[] = {"algorithm",  "array",  "cmath",  "complex",
                                     "optional",   "span",   "string", "variant", "vector"};
 
 /// Empty where the compiler has done its work, or was stopped.
-std::string problem_of(const ProcessCall& call) {
-  const ProcessResult result = run_process(call);
-  return result.end == ProcessResult::End::stopped ? "" : result.problem("the compiler");
+std::string problem_of(const subprocess::ProcessCall& call) {
+  const subprocess::ProcessResult result = subprocess::run_process(call);
+  return result.end == subprocess::ProcessResult::End::stopped ? "" : result.problem("the compiler");
 }
 
 }  // namespace
@@ -41,8 +41,9 @@ Compiler::Compiler() {
   const char* chosen = std::getenv("CXX");
   if (chosen && *chosen) candidates.insert(candidates.begin(), chosen);
   for (const std::string& candidate : candidates) {
-    const ProcessResult result = run_process({.command = {candidate, "--version"}, .limit = version_limit});
-    if (result.end == ProcessResult::End::overdue) {
+    const subprocess::ProcessResult result =
+        subprocess::run_process({.command = {candidate, "--version"}, .limit = version_limit});
+    if (result.end == subprocess::ProcessResult::End::overdue) {
       problem_ = fmt::format("{} --version did not end within {} s", candidate, version_limit.count());
       return;
     }
@@ -78,14 +79,14 @@ std::vector<std::string> Compiler::command(const std::vector<std::string>& more)
 std::string Compiler::compile(const std::string& source, const std::string& library,
                               const std::vector<std::string>& more, const std::stop_token& stop) const {
   std::vector<std::string> command = this->command(more);
-  const std::string headers = find_resource("precompiled") + "/" + standard_headers;
+  const std::string headers = io::find_resource("precompiled") + "/" + standard_headers;
   // GCC takes what is precompiled only if it fits these flags and this version; clang refuses another's.
   if (is_gcc() && std::filesystem::exists(headers)) command.insert(command.end(), {"-include", headers});
-  command.insert(command.end(), {"-I", resource("headers"), "-I", resource("public")});
-  if (const std::string eigen = find_resource("eigen"); !eigen.empty())
+  command.insert(command.end(), {"-I", io::resource("headers"), "-I", io::resource("public")});
+  if (const std::string eigen = io::find_resource("eigen"); !eigen.empty())
     command.insert(command.end(), {"-isystem", eigen});
   command.insert(command.end(), {"-shared", "-o", library, source});
-  return problem_of({.command = command, .stop = stop, .limit = compiler_limit()});
+  return problem_of({.command = command, .stop = stop, .limit = subprocess::compiler_limit()});
 }
 
 std::string Compiler::precompile(const std::string& folder, const std::vector<std::string>& more) const {
@@ -96,10 +97,10 @@ std::string Compiler::precompile(const std::string& folder, const std::vector<st
   for (const std::string& flag : more) name += flag;
   std::filesystem::create_directories(header +
                                       ".gch");  // GCC picks the one that fits from a folder of this name
-  write_file(header, text);
+  io::write_file(header, text);
   std::vector<std::string> command = this->command(more);
   command.insert(command.end(), {"-x", "c++-header", header, "-o", header + ".gch/" + name});
-  return problem_of({.command = command, .limit = compiler_limit()});
+  return problem_of({.command = command, .limit = subprocess::compiler_limit()});
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 /// A C++ compiler of this machine.
 class Compiler {
@@ -44,4 +44,4 @@ class Compiler {
   std::string problem_ = "no C++ compiler is there (c++, g++ or clang++, or what CXX names)";
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

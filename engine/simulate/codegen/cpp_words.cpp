@@ -4,7 +4,7 @@
 
 #include "engine/base/text/characters.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 namespace {
 
@@ -24,7 +24,7 @@ void part(std::string& text, std::string_view word, const std::string& parted) {
 }  // namespace
 
 std::string cpp_comment(std::string_view text) {
-  std::string result = visible(text);
+  std::string result = text::visible(text);
   part(result, "?\?/", "? ?/");  // once another way to write a backslash
   part(result, "*/", "* /");
   part(result, "/*", "/ *");
@@ -57,4 +57,4 @@ std::string cpp_string(std::string_view text) {
   return result + '"';
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 /// A text of a diagram as part of a comment of C++, wherever it stands there: on one line, and without what
 /// ends a comment or takes the next line into it.
@@ -20,4 +20,4 @@ std::string free_member(std::string_view name, std::set<std::string>& taken);
 /// A text as a string literal of C++ that has its very bytes, whatever they are.
 std::string cpp_string(std::string_view text);
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

@@ -11,7 +11,7 @@
 #include "engine/simulate/codegen/tuning_text.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 namespace {
 
@@ -128,24 +128,24 @@ std::string copies(const Group& group, bool from_workspace) {
   return copies(group.name, group, from_workspace);
 }
 
-std::string fault_text(const Plan& plan) {
+std::string fault_text(const plan::Plan& plan) {
   std::string text;
   for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
-    const DiagramBlock& block = plan.diagram.blocks[b];
+    const diagram::DiagramBlock& block = plan.diagram.blocks[b];
     for (std::size_t n = 0; n < block.type().diagnostics.size(); ++n)
       if (block.type().diagnostics[n].ends_run)
         text += fmt::format("  if (w_[{}] != Diagnostic::never) return {};\n",
                             plan.blocks[b].diagnostics[n].offset,
                             cpp_string(comment_of(plan, b) + ": " + block.type().diagnostics[n].doc));
   }
-  if (plan.layout.state_count > 0 && find_implicit(plan.diagram.solver))
+  if (plan.layout.state_count > 0 && solve::find_implicit(plan.diagram.solver))
     text += fmt::format("  if (w_[{}] != 0.0) return \"the step is too large for the solver\";\n",
                         plan.layout.report);
   return text;
 }
 
 /// The condition under which the run ends early, on the numbers of the workspace.
-std::string stop_text(const Plan& plan) {
+std::string stop_text(const plan::Plan& plan) {
   if (!plan.diagram.stop_when) return "false";
   return plan.diagram.stop_when->expression.cpp_condition([&](std::size_t i) {
     return fmt::format("w_[{}]", plan.offset(plan.diagram.stop_when->variables[i]));
@@ -153,8 +153,8 @@ std::string stop_text(const Plan& plan) {
 }
 
 /// Tells a saved state of one diagram from that of another: what lies where, whatever the numbers are.
-std::string layout_key(const Plan& plan) {
-  Hash hash;
+std::string layout_key(const plan::Plan& plan) {
+  hash::Hash hash;
   const PlaceNames names(plan);
   for (const NamedPlace& place : names.places())
     hash.add(fmt::format("{} {} {}", place.offset, place.size, place.name));
@@ -167,7 +167,7 @@ struct Tuned {
   std::string members, functions, numbers = "nullptr", restore;
 };
 
-Tuned tuned(const Plan& plan, const Tuning& tuning) {
+Tuned tuned(const plan::Plan& plan, const Tuning& tuning) {
   if (tuning.parameters.empty()) return {};
   const std::size_t dependents = dependent_count(plan, tuning);
   std::string numbers;
@@ -198,7 +198,7 @@ std::string states_definitions(const Group& states) {
 
 }  // namespace
 
-std::string struct_text(const Plan& plan, const Tuning& tuning, const Groups& groups,
+std::string struct_text(const plan::Plan& plan, const Tuning& tuning, const Groups& groups,
                         const std::string& name) {
   const bool tunes = !tuning.parameters.empty();
   return fmt::format(struct_head, name, cpp_comment(plan.diagram.title), number_text(plan.diagram.step)) +
@@ -209,10 +209,10 @@ std::string struct_text(const Plan& plan, const Tuning& tuning, const Groups& gr
                      plan.layout.size, tuned(plan, tuning).members, name);
 }
 
-std::string struct_definitions(const Plan& plan, const Tuning& tuning, const Groups& groups,
+std::string struct_definitions(const plan::Plan& plan, const Tuning& tuning, const Groups& groups,
                                const std::string& name) {
-  const Layout& layout = plan.layout;
-  const Tuned tuned = stepwire::tuned(plan, tuning);
+  const plan::Layout& layout = plan.layout;
+  const Tuned tuned = codegen::tuned(plan, tuning);
   return fmt::format("namespace {} {{\n\n", name) + tuned.functions +
          fmt::format(
              "void Diagram::reset() {{\n{0}  tick = 0;\n  ::reset(w_, {1});\n{2}}}\n\n"
@@ -238,4 +238,4 @@ std::string struct_definitions(const Plan& plan, const Tuning& tuning, const Gro
              name);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

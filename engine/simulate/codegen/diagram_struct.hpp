@@ -4,15 +4,15 @@
 
 #include "engine/simulate/codegen/groups.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 /// The header of a generated program: a struct with inputs, outputs, recorded signals and parameters as
 /// members.
-std::string struct_text(const Plan& plan, const Tuning& tuning, const Groups& groups,
+std::string struct_text(const plan::Plan& plan, const Tuning& tuning, const Groups& groups,
                         const std::string& name);
 
 /// Its member functions, on top of evaluate(), advance() and reset() of the GeneratedProgram.
-std::string struct_definitions(const Plan& plan, const Tuning& tuning, const Groups& groups,
+std::string struct_definitions(const plan::Plan& plan, const Tuning& tuning, const Groups& groups,
                                const std::string& name);
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

@@ -9,7 +9,7 @@
 #include "engine/simulate/codegen/literals.hpp"
 #include "engine/simulate/codegen/value_text.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 namespace {
 
@@ -92,23 +92,24 @@ std::string derived_change(const AnyBlock& made, const AnyBlock& before) {
 }
 
 /// Why a block's parameter keeps its value in this plan.
-std::string reason_in(const Plan& plan, const Target& target) {
+std::string reason_in(const plan::Plan& plan, const diagram::Target& target) {
   const auto b = static_cast<std::size_t>(target.block);
-  const DiagramBlock& block = plan.diagram.blocks[b];
+  const diagram::DiagramBlock& block = plan.diagram.blocks[b];
   const ParameterSpec& spec = block.type().parameters[static_cast<std::size_t>(target.index)];
-  const std::string name = name_of(plan.diagram, target);
+  const std::string name = diagram::name_of(plan.diagram, target);
   if (!is_numeric(spec.kind)) return fmt::format("{} is no number", name);
   if (!plan.blocks[b].written) return "";
   const Value value = spec.get(plan.blocks[b].written->get());
   for (const Trials trials(spec, value); const Value& other : trials.values()) {
     try {
-      const PlanChange change = change_of(plan, {{target, {other, {}, "", false}, block.origin}}, {});
+      const plan::PlanChange change =
+          plan::change_of(plan, {{target, {other, {}, "", false}, block.origin}}, {});
       if (!change.structure.empty()) return fmt::format("{} decides on sizes, connections or formulas", name);
       const std::string derived = derived_change(change.blocks.front().made, block.block);
       if (!derived.empty())
         return fmt::format("'{}' of {} follows from {}, and is computed before a run only", derived,
                            block.name, name);
-    } catch (const Error&) {  // a value that the block refuses says nothing about the others
+    } catch (const yaml::Error&) {  // a value that the block refuses says nothing about the others
     }
   }
   return "";
@@ -122,14 +123,14 @@ bool can_prepare(const AnyBlock& block) {
   });
 }
 
-std::string FixedValues::reason_of(const Target& target) {
-  if (target.kind != Target::Kind::parameter) return "";
+std::string FixedValues::reason_of(const diagram::Target& target) {
+  if (target.kind != diagram::Target::Kind::parameter) return "";
   const auto [known, is_new] = known_.try_emplace({target.block, target.index});
   if (is_new) known->second = reason_in(plan_, target);
   return known->second;
 }
 
-std::string FixedValues::reason_of(const ValueText& text) const {
+std::string FixedValues::reason_of(const diagram::ValueText& text) const {
   const ValueTexts all_vary(plan_.diagram, [](std::size_t) { return "x"; });
   if (all_vary.numbers(text.node, text.names)) return "";
   return fmt::format("{} has a unit of its own, or is no number",
@@ -137,20 +138,21 @@ std::string FixedValues::reason_of(const ValueText& text) const {
 }
 
 std::string FixedValues::reason_of_bounds(std::size_t definition) const {
-  const Definition& of = plan_.diagram.bindings->definitions[definition];
-  for (const Entry& bound : of.bounds)
-    if (const std::string reason = reason_of(ValueText{bound.value, of.scope, of.scope}); !reason.empty())
+  const diagram::Definition& of = plan_.diagram.bindings->definitions[definition];
+  for (const yaml::Entry& bound : of.bounds)
+    if (const std::string reason = reason_of(diagram::ValueText{bound.value, of.scope, of.scope});
+        !reason.empty())
       return reason;
   return "";
 }
 
 std::string FixedValues::reason(std::size_t definition) {
-  const Bindings& all = *plan_.diagram.bindings;
+  const diagram::Bindings& all = *plan_.diagram.bindings;
   const auto of_definition = [&](std::size_t d) -> std::string {
     return numbers_of(plan_.diagram.parameters[d].value).empty() ? "is no number" : "";
   };
   if (const std::string reason = of_definition(definition); !reason.empty()) return reason;
-  const Variation variation(plan_.diagram, {plan_.diagram.parameters[definition].name});
+  const diagram::Variation variation(plan_.diagram, {plan_.diagram.parameters[definition].name});
   if (variation.structural()) return "the diagram's times, records or parts follow from it";
   if (const std::string reason = reason_of_bounds(definition); !reason.empty()) return reason;
   for (const int d : variation.definitions()) {
@@ -161,11 +163,11 @@ std::string FixedValues::reason(std::size_t definition) {
       if (!reason.empty()) return reason;
   }
   for (const int b : variation.bindings()) {
-    const Binding& binding = all.bindings[static_cast<std::size_t>(b)];
+    const diagram::Binding& binding = all.bindings[static_cast<std::size_t>(b)];
     for (const std::string& reason : {reason_of(binding.target), reason_of(binding.text)})
       if (!reason.empty()) return reason;
   }
   return "";
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

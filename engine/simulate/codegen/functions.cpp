@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 namespace {
 
@@ -47,4 +47,4 @@ void Functions::add(const std::string& name, const std::string& parameters, cons
   text_ += fmt::format("inline void {}({}) {{\n{}}}\n\n", name, parameters, calls);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

@@ -5,7 +5,7 @@
 
 #include "engine/simulate/codegen/runs.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 /// Writes functions out of pieces of code. A long one is split, since what a compiler needs for a function
 /// grows faster than the function.
@@ -28,4 +28,4 @@ class Functions {
   std::string text_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

@@ -2,22 +2,23 @@
 
 #include "engine/base/subprocess/process.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
-std::optional<CompiledPlan> GeneratedCode::compile(const Plan& plan,
-                                                   const std::vector<VariableBlock>& variable,
-                                                   const std::stop_token& stop) {
+std::optional<plan::CompiledPlan> GeneratedCode::compile(const plan::Plan& plan,
+                                                         const std::vector<plan::VariableBlock>& variable,
+                                                         const std::stop_token& stop) {
   const std::lock_guard lock(mutex_);
   try {
-    const StepFunctions functions = functions_of(make_steps(plan, variable), stop);
-    if (functions.evaluate && functions.advance) return CompiledPlan{functions, variable};
+    const plan::StepFunctions functions = functions_of(make_steps(plan, variable), stop);
+    if (functions.evaluate && functions.advance) return plan::CompiledPlan{functions, variable};
   } catch (const std::exception& error) {  // no reason to end a run, which goes on without
     note(error.what());
   }
   return std::nullopt;
 }
 
-StepFunctions GeneratedCode::functions_of(const GeneratedProgram& program, const std::stop_token& stop) {
+plan::StepFunctions GeneratedCode::functions_of(const GeneratedProgram& program,
+                                                const std::stop_token& stop) {
   if (!compiler_) compiler_.emplace();
   if (!compiler_->found()) {
     note(compiler_->problem());
@@ -25,7 +26,7 @@ StepFunctions GeneratedCode::functions_of(const GeneratedProgram& program, const
   }
   if (const auto known = known_.find(program.text); known != known_.end()) return known->second;
   std::string problem;
-  const StepFunctions functions = cache_.load(program, *compiler_, stop, problem);
+  const plan::StepFunctions functions = cache_.load(program, *compiler_, stop, problem);
   if (!problem.empty() && !stop.stop_requested()) note(problem);
   if (functions.evaluate && functions.advance) known_.emplace(program.text, functions);
   return functions;
@@ -37,8 +38,8 @@ std::string GeneratedCode::take_problem() {
 }
 
 void GeneratedCode::note(const std::string& problem) {
-  if (processes_stop()) return;  // an interruption explains itself
+  if (subprocess::processes_stop()) return;  // an interruption explains itself
   if (!std::exchange(noted_, true)) problem_ = problem;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

@@ -8,27 +8,28 @@
 
 #include "engine/simulate/codegen/library.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 /// Compiled code for runs, made by this machine's compiler and kept in a cache. From any thread.
-class GeneratedCode : public CodeSource {
+class GeneratedCode : public plan::CodeSource {
  public:
-  std::optional<CompiledPlan> compile(const Plan& plan, const std::vector<VariableBlock>& variable,
-                                      const std::stop_token& stop) override;
+  std::optional<plan::CompiledPlan> compile(const plan::Plan& plan,
+                                            const std::vector<plan::VariableBlock>& variable,
+                                            const std::stop_token& stop) override;
 
   /// Why there was no code the first time that there was none; empty once it has been taken.
   std::string take_problem();
 
  private:
-  StepFunctions functions_of(const GeneratedProgram& program, const std::stop_token& stop);
+  plan::StepFunctions functions_of(const GeneratedProgram& program, const std::stop_token& stop);
   void note(const std::string& problem);
 
   std::mutex mutex_;
-  std::optional<Compiler> compiler_;            ///< looked for when it is needed
-  std::map<std::string, StepFunctions> known_;  ///< by the program's text
+  std::optional<Compiler> compiler_;                  ///< looked for when it is needed
+  std::map<std::string, plan::StepFunctions> known_;  ///< by the program's text
   CodeCache cache_;
   std::string problem_;
   bool noted_ = false;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

@@ -12,23 +12,23 @@
 #include "engine/simulate/codegen/cpp_words.hpp"
 #include "engine/simulate/codegen/value_text.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 namespace {
 
-std::string unit_text(const std::optional<Dimension>& dimension) {
-  return dimension ? fmt::format(" [{}]", si_name(*dimension)) : "";
+std::string unit_text(const std::optional<unit::Dimension>& dimension) {
+  return dimension ? fmt::format(" [{}]", unit::si_name(*dimension)) : "";
 }
 
-GroupMember member_of(std::string name, std::string meaning, const SignalSlot& slot) {
+GroupMember member_of(std::string name, std::string meaning, const plan::SignalSlot& slot) {
   GroupMember member{std::move(name), std::move(meaning), {}, {}, slot};
   if (slot.size != 1) member.sizes.push_back(slot.size);
   return member;
 }
 
-std::vector<GroupMember> inputs_of(const Plan& plan) {
+std::vector<GroupMember> inputs_of(const plan::Plan& plan) {
   std::vector<GroupMember> members;
-  for (const DiagramInput& input : plan.diagram.inputs)
+  for (const diagram::DiagramInput& input : plan.diagram.inputs)
     members.push_back(member_of(
         cpp_identifier(input.name) + "_",
         (input.doc.empty() ? input.name : input.doc) + unit_text(plan.dimension({input.block, 0, -1})),
@@ -36,9 +36,9 @@ std::vector<GroupMember> inputs_of(const Plan& plan) {
   return members;
 }
 
-std::vector<GroupMember> outputs_of(const Plan& plan) {
+std::vector<GroupMember> outputs_of(const plan::Plan& plan) {
   std::vector<GroupMember> members;
-  for (const DiagramOutput& output : plan.diagram.outputs)
+  for (const diagram::DiagramOutput& output : plan.diagram.outputs)
     members.push_back(
         member_of(cpp_identifier(output.name) + "_",
                   (output.doc.empty() ? output.name : output.doc) + unit_text(plan.dimension(output.signal)),
@@ -46,16 +46,16 @@ std::vector<GroupMember> outputs_of(const Plan& plan) {
   return members;
 }
 
-std::vector<GroupMember> recorded_of(const Plan& plan) {
+std::vector<GroupMember> recorded_of(const plan::Plan& plan) {
   std::vector<GroupMember> members;
   std::map<std::string, std::size_t> taken;
-  for (const RecordRequest& request : plan.diagram.records)
-    for (const RecordedSignal& signal : request.signals) {
+  for (const diagram::RecordRequest& request : plan.diagram.records)
+    for (const diagram::RecordedSignal& signal : request.signals) {
       const std::string name = recorded_member(signal);
-      const SignalSlot slot = plan.slot(signal.signal);
+      const plan::SignalSlot slot = plan.slot(signal.signal);
       const auto [known, is_new] = taken.emplace(name, slot.offset);
       if (known->second != slot.offset)
-        throw Error(
+        throw yaml::Error(
             plan.diagram.fault(signal.origin, "record",
                                fmt::format("'{}' would be called {} in C++ as another recorded signal is; "
                                            "give it another name",
@@ -66,14 +66,14 @@ std::vector<GroupMember> recorded_of(const Plan& plan) {
   return members;
 }
 
-std::vector<GroupMember> states_of(const Plan& plan) {
+std::vector<GroupMember> states_of(const plan::Plan& plan) {
   std::vector<GroupMember> members;
   std::set<std::string> taken;
   for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
-    const DiagramBlock& block = plan.diagram.blocks[b];
+    const diagram::DiagramBlock& block = plan.diagram.blocks[b];
     for (std::size_t s = 0; s < plan.blocks[b].states.size(); ++s) {
       const StateSpec& spec = block.type().states[s];
-      const SignalRef signal{static_cast<int>(b), -1, static_cast<int>(s)};
+      const diagram::SignalRef signal{static_cast<int>(b), -1, static_cast<int>(s)};
       const std::string name = block.name + "." + spec.name;
       if (plan.blocks[b].states[s].size > 0)
         members.push_back(
@@ -86,9 +86,9 @@ std::vector<GroupMember> states_of(const Plan& plan) {
 }
 
 /// "above 0 kg"
-std::string bounds_text(const Definition& definition) {
+std::string bounds_text(const diagram::Definition& definition) {
   std::string text;
-  for (const Entry& bound : definition.bounds) {
+  for (const yaml::Entry& bound : definition.bounds) {
     std::string words = bound.key;
     std::replace(words.begin(), words.end(), '_', ' ');
     text += fmt::format("; {} {}", words, bound.value.text);
@@ -96,11 +96,11 @@ std::string bounds_text(const Definition& definition) {
   return text;
 }
 
-std::vector<GroupMember> parameters_of(const Plan& plan, const Tuning& tuning) {
+std::vector<GroupMember> parameters_of(const plan::Plan& plan, const Tuning& tuning) {
   std::vector<GroupMember> members;
   for (const int d : tuning.parameters) {
-    const DiagramParameter& parameter = plan.diagram.parameters[static_cast<std::size_t>(d)];
-    const Definition& definition = plan.diagram.bindings->definitions[static_cast<std::size_t>(d)];
+    const diagram::DiagramParameter& parameter = plan.diagram.parameters[static_cast<std::size_t>(d)];
+    const diagram::Definition& definition = plan.diagram.bindings->definitions[static_cast<std::size_t>(d)];
     const bool follows = !definition.uses.empty() && definition.text.node.is_scalar();
     const std::string& text = definition.text.node.text;
     GroupMember member{tuning.members.at(d),
@@ -133,11 +133,11 @@ std::size_t GroupMember::count() const {
   return static_cast<std::size_t>(std::accumulate(sizes.begin(), sizes.end(), Index{1}, std::multiplies<>()));
 }
 
-std::string recorded_member(const RecordedSignal& signal) {
+std::string recorded_member(const diagram::RecordedSignal& signal) {
   return cpp_identifier(signal.name) + "_";
 }
 
-Groups::Groups(const Plan& plan, const Tuning& tuning)
+Groups::Groups(const plan::Plan& plan, const Tuning& tuning)
     : inputs{"Inputs", "inputs", "Written before evaluate().", inputs_of(plan)},
       outputs{"Outputs", "outputs", "As of the last evaluate().", outputs_of(plan)},
       recorded{"Recorded", "recorded", "What the diagram records, as of the last evaluate().",
@@ -147,4 +147,4 @@ Groups::Groups(const Plan& plan, const Tuning& tuning)
                  parameters_of(plan, tuning)},
       states{"States", "states", "What the blocks remember, by name.", states_of(plan)} {}
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

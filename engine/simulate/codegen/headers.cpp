@@ -15,7 +15,7 @@
 #include "engine/model/diagram/external_input.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 namespace {
 
@@ -27,7 +27,7 @@ bool is_public(const std::string& header) {
 
 std::string path_of(const std::string& header) {
   if (is_of_others(header)) return header;
-  return resource(is_public(header) ? "public" : "headers") + "/" + header;
+  return io::resource(is_public(header) ? "public" : "headers") + "/" + header;
 }
 
 /// Others may have folders of these names, too.
@@ -86,8 +86,8 @@ class Gatherer {
       for (const std::string& folder : folders_) {
         const fs::path other = fs::path(folder) / included;
         if (fs::exists(other) && fs::canonical(other) != header)
-          throw EnvironmentError("\"" + included + "\" may be " + header.string() + " or " +
-                                 fs::canonical(other).string() + "; one of them needs another name");
+          throw io::EnvironmentError("\"" + included + "\" may be " + header.string() + " or " +
+                                     fs::canonical(other).string() + "; one of them needs another name");
       }
   }
 
@@ -108,7 +108,7 @@ bool is_of_others(const std::string& header) {
 std::string header_text(const std::string& header) {
   const std::string path = path_of(header);
   std::ifstream file(path);
-  if (!file) throw EnvironmentError(path + ": is not there; code is made with the headers of the blocks");
+  if (!file) throw io::EnvironmentError(path + ": is not there; code is made with the headers of the blocks");
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
@@ -122,13 +122,13 @@ std::vector<std::string> include_options(const IncludedHeaders& headers) {
   return options;
 }
 
-void require_headers(const Plan& plan) {
-  Faults faults;
+void require_headers(const plan::Plan& plan) {
+  yaml::Faults faults;
   for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
-    const DiagramBlock& block = plan.diagram.blocks[b];
+    const diagram::DiagramBlock& block = plan.diagram.blocks[b];
     const BlockType& type = block.type();
     const char* why = type.file_output ? "it writes files"
-                      : type.header.empty() && &type != &external_input_type()
+                      : type.header.empty() && &type != &diagram::external_input_type()
                           ? "no header declares its struct"
                           : nullptr;
     if (why)
@@ -137,7 +137,7 @@ void require_headers(const Plan& plan) {
   }
   // Of two structs with one name a compiler, or the linker, would take one for both.
   std::map<std::string, const BlockType*> structs;
-  for (const DiagramBlock& block : plan.diagram.blocks) {
+  for (const diagram::DiagramBlock& block : plan.diagram.blocks) {
     const BlockType& type = block.type();
     const auto [known, is_new] = structs.try_emplace(type.struct_name, &type);
     if (!is_new && known->second->header != type.header)
@@ -150,14 +150,14 @@ void require_headers(const Plan& plan) {
   faults.throw_if_any();
 }
 
-std::vector<std::string> headers_of(const Plan& plan) {
+std::vector<std::string> headers_of(const plan::Plan& plan) {
   std::set<std::string> headers;
-  for (const DiagramBlock& block : plan.diagram.blocks)
+  for (const diagram::DiagramBlock& block : plan.diagram.blocks)
     if (!block.type().header.empty()) headers.insert(block.type().header);
-  if (const auto method = find_implicit(plan.diagram.solver)) headers.insert(method->header);
+  if (const auto method = solve::find_implicit(plan.diagram.solver)) headers.insert(method->header);
   if (plan.diagram.stop_when) headers.insert(language_header);
   headers.insert("engine/model/block/block.hpp");
   return {headers.begin(), headers.end()};
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

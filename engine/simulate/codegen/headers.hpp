@@ -5,7 +5,7 @@
 
 #include "engine/model/plan/plan.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 // A header is named by its path from the root of our sources ("blocks/math/gain.hpp"), as one of the public
 // ones ("stepwire/block.hpp"), or, where it came with somebody else's block, by its full path.
@@ -27,10 +27,10 @@ std::string header_text(const std::string& header);
 inline constexpr const char* language_header = "engine/base/expression/language.hpp";
 
 /// Refuses what only the program itself can run: throws Error with the lines of all such blocks.
-void require_headers(const Plan& plan);
+void require_headers(const plan::Plan& plan);
 
 /// The headers that the code of a plan needs, from the root of the sources, sorted.
-std::vector<std::string> headers_of(const Plan& plan);
+std::vector<std::string> headers_of(const plan::Plan& plan);
 
 /// Has it a full path, and is none of ours?
 bool is_of_others(const std::string& header);
@@ -38,4 +38,4 @@ bool is_of_others(const std::string& header);
 /// Options for the compiler, which then finds what headers of others include, after what is ours.
 std::vector<std::string> include_options(const IncludedHeaders& headers);
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

@@ -17,7 +17,7 @@
 #include "engine/base/subprocess/scratch_folder.hpp"
 #include "engine/simulate/codegen/headers.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 namespace {
 
@@ -48,17 +48,17 @@ int sealed_file(std::string_view bytes) {
   return file;
 }
 
-StepFunctions open_library(const std::string& bytes, std::string& problem) {
+plan::StepFunctions open_library(const std::string& bytes, std::string& problem) {
   void* library = load_library(bytes, problem);
   if (!library) return {};
-  StepFunctions functions;
+  plan::StepFunctions functions;
   functions.evaluate = reinterpret_cast<decltype(functions.evaluate)>(::dlsym(library, "stepwire_evaluate"));
   functions.advance = reinterpret_cast<decltype(functions.advance)>(::dlsym(library, "stepwire_advance"));
   return functions;
 }
 
 std::string key(const std::string& source, const GeneratedProgram& program, const Compiler& compiler) {
-  Hash hash;
+  hash::Hash hash;
   hash.add(source);
   for (const std::string& header : with_included(program.headers).all) hash.add(header_text(header));
   for (const std::string& flag : Compiler::flags()) hash.add(flag);
@@ -75,11 +75,11 @@ std::vector<std::string> flags_of(const std::vector<std::string>& headers) {
 /// The bytes of the compiled library; none where that fails.
 std::string compiled(const std::string& source, const std::vector<std::string>& flags,
                      const Compiler& compiler, const std::stop_token& stop, std::string& problem) {
-  const ScratchFolder folder;
+  const subprocess::ScratchFolder folder;
   const std::string library = folder.path() + "/program.so";
-  write_file(folder.path() + "/program.cpp", source);
+  io::write_file(folder.path() + "/program.cpp", source);
   problem = compiler.compile(folder.path() + "/program.cpp", library, flags, stop);
-  return problem.empty() && fs::exists(library) ? read_file(library) : "";
+  return problem.empty() && fs::exists(library) ? io::read_file(library) : "";
 }
 
 }  // namespace
@@ -116,8 +116,8 @@ std::string library_source(const GeneratedProgram& program) {
   return source;
 }
 
-StepFunctions CodeCache::load(const GeneratedProgram& program, const Compiler& compiler,
-                              const std::stop_token& stop, std::string& problem) const {
+plan::StepFunctions CodeCache::load(const GeneratedProgram& program, const Compiler& compiler,
+                                    const std::stop_token& stop, std::string& problem) const {
   try {
     const std::string source = library_source(program), name = key(source, program, compiler);
     if (const auto kept = cache_.find(name)) return open_library(*kept, problem);
@@ -131,4 +131,4 @@ StepFunctions CodeCache::load(const GeneratedProgram& program, const Compiler& c
   }
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

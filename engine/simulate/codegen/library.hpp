@@ -9,7 +9,7 @@
 #include "engine/simulate/codegen/compiler.hpp"
 #include "engine/simulate/codegen/program.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 /// Flags for code with these headers that only this machine will run. Eigen adds in an order that depends on
 /// the processor it is compiled for, and the interpreter is compiled for any: only code without it, and
@@ -26,15 +26,15 @@ std::string library_source(const GeneratedProgram& program);
 /// Compiled programs, kept so that the same diagram is compiled once.
 class CodeCache {
  public:
-  explicit CodeCache(Cache cache = Cache()) : cache_(std::move(cache)) {}
+  explicit CodeCache(io::Cache cache = io::Cache()) : cache_(std::move(cache)) {}
 
   /// The functions of a program, from the cache or compiled; they stay loaded. On failure they are null and
   /// `problem` says why, but for that of a stop.
-  StepFunctions load(const GeneratedProgram& program, const Compiler& compiler, const std::stop_token& stop,
-                     std::string& problem) const;
+  plan::StepFunctions load(const GeneratedProgram& program, const Compiler& compiler,
+                           const std::stop_token& stop, std::string& problem) const;
 
  private:
-  Cache cache_;
+  io::Cache cache_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 std::string number_text(double value) {
   if (std::isnan(value)) return "std::numeric_limits<double>::quiet_NaN()";
@@ -61,4 +61,4 @@ std::string Literals::numbers(const double* values, Index size) {
   return "table::" + name;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

@@ -7,7 +7,7 @@
 
 #include "engine/model/block/literal.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 /// Writes numbers of blocks into a program: as they are, longer lists as tables, or as `numbers[i]`, counted
 /// in the order in which they are written. A list that varies begins at the number that another one names, so
@@ -51,4 +51,4 @@ class Literals : public LiteralWriter {
 /// A double as C++ that reads back to the same bits: "5.0", "-unlimited".
 std::string number_text(double value);
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

@@ -7,8 +7,9 @@
 
 int main(int count, char** arguments) {
   if (count != 2) return 2;
-  const stepwire::Compiler compiler;
-  for (const std::vector<std::string>& more : {std::vector<std::string>{stepwire::Compiler::native}, {}})
+  const stepwire::codegen::Compiler compiler;
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{stepwire::codegen::Compiler::native}, {}})
     if (const std::string problem = compiler.precompile(arguments[1], more); !problem.empty())
       fmt::print(stderr, "headers for generated code are not precompiled: {}\n", problem);
 }

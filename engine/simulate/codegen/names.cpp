@@ -7,27 +7,28 @@
 
 #include "engine/simulate/codegen/cpp_words.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 namespace {
 
-std::string line_of(const Plan& plan, const Origin& origin) {
-  const Place place = plan.diagram.place(origin);
+std::string line_of(const plan::Plan& plan, const diagram::Origin& origin) {
+  const yaml::Place place = plan.diagram.place(origin);
   return fmt::format("{}:{}", std::filesystem::path(place.file).filename().string(), place.mark.line);
 }
 
 }  // namespace
 
-std::string comment_of(const Plan& plan, std::size_t block) {
-  const DiagramBlock& from = plan.diagram.blocks[block];
+std::string comment_of(const plan::Plan& plan, std::size_t block) {
+  const diagram::DiagramBlock& from = plan.diagram.blocks[block];
   return cpp_comment(fmt::format("{}: {}, {}", from.name, from.type().name, line_of(plan, from.origin)));
 }
 
-PlaceNames::PlaceNames(const Plan& plan) {
-  for (const DiagramBlock& block : plan.diagram.blocks) blocks_.push_back(free(cpp_identifier(block.name)));
+PlaceNames::PlaceNames(const plan::Plan& plan) {
+  for (const diagram::DiagramBlock& block : plan.diagram.blocks)
+    blocks_.push_back(free(cpp_identifier(block.name)));
   taken_.clear();  // places have a member's name behind that of their block
-  places_.push_back({Layout::time, 1, "time", "of the evaluation [s]"});
-  places_.push_back({Layout::timed, 1, "timed", "for which `timed` was computed last [s]"});
+  places_.push_back({plan::Layout::time, 1, "time", "of the evaluation [s]"});
+  places_.push_back({plan::Layout::timed, 1, "timed", "for which `timed` was computed last [s]"});
   for (const NamedPlace& place : places_) {
     by_offset_[place.offset] = 0;
     taken_.insert(place.name);
@@ -46,17 +47,18 @@ std::string PlaceNames::free(const std::string& name) {
   return own;
 }
 
-void PlaceNames::add(const Plan& plan, std::size_t block, const std::string& member, const SignalSlot& slot) {
+void PlaceNames::add(const plan::Plan& plan, std::size_t block, const std::string& member,
+                     const plan::SignalSlot& slot) {
   if (slot.size == 0 || !by_offset_.emplace(slot.offset, 0).second) return;  // an output may be a state
-  const DiagramBlock& from = plan.diagram.blocks[block];
+  const diagram::DiagramBlock& from = plan.diagram.blocks[block];
   places_.push_back({slot.offset, slot.size, free(blocks_[block] + "_" + member),
                      cpp_comment(fmt::format("{}.{}, {}, {}", from.name, member, from.type().name,
                                              line_of(plan, from.origin)))});
 }
 
-void PlaceNames::add_block(const Plan& plan, std::size_t block) {
+void PlaceNames::add_block(const plan::Plan& plan, std::size_t block) {
   const BlockType& type = plan.diagram.blocks[block].type();
-  const PlannedBlock& planned = plan.blocks[block];
+  const plan::PlannedBlock& planned = plan.blocks[block];
   for (std::size_t s = 0; s < type.states.size(); ++s) {
     add(plan, block, type.states[s].member, planned.states[s]);
     if (type.states[s].continuous && !planned.slope_is_input)
@@ -68,10 +70,10 @@ void PlaceNames::add_block(const Plan& plan, std::size_t block) {
     add(plan, block, type.diagnostics[n].member, planned.diagnostics[n]);
 }
 
-void PlaceNames::add_constants(const Plan& plan, std::size_t block) {
+void PlaceNames::add_constants(const plan::Plan& plan, std::size_t block) {
   const BlockType& type = plan.diagram.blocks[block].type();
   for (std::size_t i = 0; i < type.inputs.size(); ++i)
-    for (const SignalSlot& slot : plan.blocks[block].inputs[i])
+    for (const plan::SignalSlot& slot : plan.blocks[block].inputs[i])
       if (slot.offset >= plan.layout.constants) add(plan, block, type.inputs[i].member, slot);
 }
 
@@ -80,4 +82,4 @@ std::string PlaceNames::at(std::size_t offset) const {
   return found == by_offset_.end() ? fmt::format("{}", offset) : "at::" + places_[found->second].name;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

@@ -7,7 +7,7 @@
 
 #include "engine/model/plan/plan.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 /// One place of the workspace with its name in the program.
 struct NamedPlace {
@@ -20,7 +20,7 @@ struct NamedPlace {
 /// What generated code calls the numbers of a workspace.
 class PlaceNames {
  public:
-  explicit PlaceNames(const Plan& plan);
+  explicit PlaceNames(const plan::Plan& plan);
 
   const std::vector<NamedPlace>& places() const { return places_; }
   /// "at::rig_carriage_position"
@@ -29,9 +29,10 @@ class PlaceNames {
   const std::string& block(std::size_t block) const { return blocks_[block]; }
 
  private:
-  void add(const Plan& plan, std::size_t block, const std::string& member, const SignalSlot& slot);
-  void add_block(const Plan& plan, std::size_t block);
-  void add_constants(const Plan& plan, std::size_t block);
+  void add(const plan::Plan& plan, std::size_t block, const std::string& member,
+           const plan::SignalSlot& slot);
+  void add_block(const plan::Plan& plan, std::size_t block);
+  void add_constants(const plan::Plan& plan, std::size_t block);
 
   std::string free(const std::string& name);
 
@@ -42,6 +43,6 @@ class PlaceNames {
 };
 
 /// "carriage: Mass, platform-1d.yaml:31", as part of a comment.
-std::string comment_of(const Plan& plan, std::size_t block);
+std::string comment_of(const plan::Plan& plan, std::size_t block);
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

@@ -8,7 +8,7 @@
 #include "engine/simulate/codegen/statements.hpp"
 #include "engine/simulate/codegen/value_text.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 std::string PreparedText::call(const PreparedBlock& block) {
   const auto& members = plan_.diagram.blocks[block.block].type().members;
@@ -43,15 +43,15 @@ std::string PreparedText::set_up(std::size_t block, std::size_t k) {
 }
 
 std::string PreparedText::member_text(std::size_t block, std::size_t member, std::size_t k) {
-  const DiagramBlock& from = plan_.diagram.blocks[block];
+  const diagram::DiagramBlock& from = plan_.diagram.blocks[block];
   const auto& parameters = from.type().parameters;
   const auto spec = std::ranges::find(parameters, static_cast<int>(member), &ParameterSpec::member);
   if (spec != parameters.end()) {
     const auto index = static_cast<int>(spec - parameters.begin());
     for (std::size_t i = 0; i < tuning_.bindings.size(); ++i) {
-      const Target& target =
+      const diagram::Target& target =
           plan_.diagram.bindings->bindings[static_cast<std::size_t>(tuning_.bindings[i])].target;
-      if (target == Target{Target::Kind::parameter, static_cast<int>(block), index, 0})
+      if (target == diagram::Target{diagram::Target::Kind::parameter, static_cast<int>(block), index, 0})
         return from_binding(block, *spec, i, k);
     }
     if (spec->kind == ParameterKind::per_element) {
@@ -87,4 +87,4 @@ std::string PreparedText::tables() const {
   return tables.empty() ? "" : "namespace table {\n" + tables + "}  // namespace table\n\n";
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

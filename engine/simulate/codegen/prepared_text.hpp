@@ -6,7 +6,7 @@
 #include "engine/simulate/codegen/literals.hpp"
 #include "engine/simulate/codegen/tuning.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 /// Writes calls of prepare() as C++: a block is set up from parameters and prepares its members, an element
 /// at a time, so that none of them takes memory.
@@ -15,7 +15,7 @@ class PreparedText {
   /// `element(i, k)`: number k of the value of the i-th binding of the tuning.
   using Element = std::function<std::string(std::size_t i, std::size_t k)>;
 
-  PreparedText(const Plan& plan, const Tuning& tuning, Element element)
+  PreparedText(const plan::Plan& plan, const Tuning& tuning, Element element)
       : plan_(plan), tuning_(tuning), element_(std::move(element)) {}
 
   std::string call(const PreparedBlock& block);
@@ -28,10 +28,10 @@ class PreparedText {
   std::string from_binding(std::size_t block, const ParameterSpec& spec, std::size_t binding,
                            std::size_t k) const;
 
-  const Plan& plan_;
+  const plan::Plan& plan_;
   const Tuning& tuning_;
   Element element_;
   Literals literals_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

@@ -12,7 +12,7 @@
 #include "engine/simulate/codegen/solver_text.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 namespace {
 
@@ -22,20 +22,20 @@ const std::string state_arguments = "w, numbers, tick";
 const std::string state_parameters =
     "[[maybe_unused]] double* w, [[maybe_unused]] const double* numbers, [[maybe_unused]] std::int64_t tick";
 
-bool is_external(const Plan& plan, std::size_t block) {
-  return &plan.diagram.blocks[block].type() == &external_input_type();
+bool is_external(const plan::Plan& plan, std::size_t block) {
+  return &plan.diagram.blocks[block].type() == &diagram::external_input_type();
 }
 
 class Maker {
  public:
-  Maker(const Plan& plan, const std::vector<VariableBlock>& variable,
+  Maker(const plan::Plan& plan, const std::vector<plan::VariableBlock>& variable,
         const std::map<std::size_t, std::size_t>& places)
       : plan_(plan),
         places_(places),
         names_(plan),
         statements_(plan, names_, variable, literals_),
         small_(calls(plan.stage) + calls(plan.derivatives) <= max_inlined &&
-               !find_implicit(plan.diagram.solver)),
+               !solve::find_implicit(plan.diagram.solver)),
         functions_(small_) {}
 
   void add_steps() {
@@ -64,22 +64,22 @@ class Maker {
                     "  for (int i = {0}; i < {1}; ++i) w[i] = Diagnostic::never;\n{2}"
                     "  start(w, numbers);\n  once(w, numbers);\n}}\n",
                     plan_.layout.diagnostics, plan_.layout.diagnostics + plan_.layout.diagnostic_count,
-                    constants_text(), number_text(Layout::never)));
+                    constants_text(), number_text(plan::Layout::never)));
   }
 
   void add_follow() {
     functions_.add_text(
         fmt::format("\ninline void follow_values(double* w, [[maybe_unused]] const double* numbers) {{\n{}"
                     "  w[at::timed] = {};\n  once(w, numbers);\n}}\n",
-                    constants_text(), number_text(Layout::never)));
+                    constants_text(), number_text(plan::Layout::never)));
   }
 
   GeneratedProgram program() const;
 
  private:
-  static std::size_t calls(const std::vector<KernelCall>& batches) {
+  static std::size_t calls(const std::vector<plan::KernelCall>& batches) {
     std::size_t count = 0;
-    for (const KernelCall& batch : batches) count += batch.count;
+    for (const plan::KernelCall& batch : batches) count += batch.count;
     return count;
   }
 
@@ -141,17 +141,17 @@ class Maker {
     if (!small_) return places;
     places.fresh = "s";
     places.is_fresh.assign(plan_.layout.derivatives + plan_.layout.state_count, false);
-    places.is_fresh[Layout::time] = true;
+    places.is_fresh[plan::Layout::time] = true;
     for (std::size_t i = plan_.layout.states; i < plan_.layout.derivatives; ++i) places.is_fresh[i] = true;
-    for (const KernelCall& batch : plan_.stage)
-      for (const PlannedBlock& block : plan_.blocks)
+    for (const plan::KernelCall& batch : plan_.stage)
+      for (const plan::PlannedBlock& block : plan_.blocks)
         if (block.memory >= batch.first && in(batch, block))
-          for (const SignalSlot& slot : block.outputs)
+          for (const plan::SignalSlot& slot : block.outputs)
             std::fill_n(places.is_fresh.begin() + static_cast<std::ptrdiff_t>(slot.offset), slot.size, true);
     return places;
   }
 
-  bool in(const KernelCall& batch, const PlannedBlock& block) const {
+  bool in(const plan::KernelCall& batch, const plan::PlannedBlock& block) const {
     const auto index = static_cast<std::size_t>(&block - plan_.blocks.data());
     const Kernels& kernels = plan_.diagram.blocks[index].type().run_outputs;
     return block.memory < batch.end && kernels.contains(batch.run);
@@ -178,8 +178,8 @@ class Maker {
   std::vector<Code> given_slopes() const {
     std::vector<Code> code;
     if (!small_) return code;
-    for (const PlannedBlock& block : plan_.blocks)
-      for (const SignalSlot& slot : block.derivatives)
+    for (const plan::PlannedBlock& block : plan_.blocks)
+      for (const plan::SignalSlot& slot : block.derivatives)
         for (std::size_t i = slot.offset; i < slot.offset + static_cast<std::size_t>(slot.size); ++i)
           if (block.slope_is_input && i >= plan_.layout.derivatives)  // discrete states have no slopes
             code.push_back(
@@ -218,9 +218,9 @@ class Maker {
 
   /// Values with which a block begins; everything is 0 before.
   void add_initial(std::size_t b, std::vector<Code>& code) {
-    const DiagramBlock& block = plan_.diagram.blocks[b];
-    const PlannedBlock& planned = plan_.blocks[b];
-    const auto assign = [&](const SignalSlot& slot, bool always, const auto& value) {
+    const diagram::DiagramBlock& block = plan_.diagram.blocks[b];
+    const plan::PlannedBlock& planned = plan_.blocks[b];
+    const auto assign = [&](const plan::SignalSlot& slot, bool always, const auto& value) {
       std::string text;
       for (Index k = 0; k < slot.size; ++k)
         if (const std::string number = number_at(slot.offset + static_cast<std::size_t>(k), value(k));
@@ -230,11 +230,11 @@ class Maker {
     };
     for (std::size_t s = 0; s < planned.states.size(); ++s)
       assign(planned.states[s], false, [&](Index) { return block.type().states[s].initial; });
-    for (const InitialValue& initial : block.initial)
+    for (const diagram::InitialValue& initial : block.initial)
       assign(planned.states[static_cast<std::size_t>(initial.state)], true,
              [&](Index k) { return initial.value[initial.value.size() == 1 ? 0 : k]; });
     if (is_external(plan_, b)) {
-      const PerElement& value = static_cast<const ExternalInput*>(block.block.get())->value;
+      const PerElement& value = static_cast<const diagram::ExternalInput*>(block.block.get())->value;
       assign(planned.outputs.front(), false, [&](Index k) { return value[k]; });
     }
   }
@@ -243,7 +243,7 @@ class Maker {
     std::move(more.begin(), more.end(), std::back_inserter(to));
   }
 
-  const Plan& plan_;
+  const plan::Plan& plan_;
   const std::map<std::size_t, std::size_t>& places_;  ///< of numbers that vary
   PlaceNames names_;
   Literals literals_;
@@ -258,7 +258,7 @@ GeneratedProgram Maker::program() const {
 
 }  // namespace
 
-GeneratedProgram make_program(const Plan& plan, const Tuning& tuning) {
+GeneratedProgram make_program(const plan::Plan& plan, const Tuning& tuning) {
   require_headers(plan);
   Maker maker(plan, tuning.variable, tuning.places);
   maker.add_steps();
@@ -271,7 +271,7 @@ GeneratedProgram make_program(const Plan& plan, const Tuning& tuning) {
   return program;
 }
 
-GeneratedProgram make_steps(const Plan& plan, const std::vector<VariableBlock>& variable) {
+GeneratedProgram make_steps(const plan::Plan& plan, const std::vector<plan::VariableBlock>& variable) {
   require_headers(plan);
   const std::map<std::size_t, std::size_t> none;
   Maker maker(plan, variable, none);
@@ -279,4 +279,4 @@ GeneratedProgram make_steps(const Plan& plan, const std::vector<VariableBlock>& 
   return maker.program();
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

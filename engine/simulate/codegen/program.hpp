@@ -5,7 +5,7 @@
 
 #include "engine/simulate/codegen/tuning.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 /// What a plan computes, as functions of C++ on the numbers of its workspace:
 ///
@@ -23,10 +23,10 @@ struct GeneratedProgram {
 /// with their lines. What may change is read from `numbers`, those of the tuning; then there is also
 ///
 ///     void follow_values(double* w, const double* numbers)   what follows from the numbers alone, once more
-GeneratedProgram make_program(const Plan& plan, const Tuning& tuning = {});
+GeneratedProgram make_program(const plan::Plan& plan, const Tuning& tuning = {});
 
 /// The steps alone, for runs that begin in the interpreter: without reset(), and `variable` members read from
 /// a NumberTable.
-GeneratedProgram make_steps(const Plan& plan, const std::vector<VariableBlock>& variable);
+GeneratedProgram make_steps(const plan::Plan& plan, const std::vector<plan::VariableBlock>& variable);
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

@@ -13,7 +13,7 @@
 #include "engine/simulate/codegen/program.hpp"
 #include "engine/simulate/codegen/program_main.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 namespace {
 
@@ -143,7 +143,7 @@ std::string source_text(const GeneratedProgram& program, const OwnNames& names, 
 
 }  // namespace
 
-std::map<std::string, std::string> program_files(const Plan& plan, const Tuning& tuning,
+std::map<std::string, std::string> program_files(const plan::Plan& plan, const Tuning& tuning,
                                                  const ProgramOptions& options) {
   const GeneratedProgram program = make_program(plan, tuning);
   const OwnNames names(options.name);
@@ -168,4 +168,4 @@ std::map<std::string, std::string> program_files(const Plan& plan, const Tuning&
   return files;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

@@ -5,7 +5,7 @@
 
 #include "engine/simulate/codegen/tuning.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 /// How a program is written.
 struct ProgramOptions {
@@ -17,7 +17,7 @@ struct ProgramOptions {
 /// A plan as a program of its own, by file name: a header with one struct, its source, a main() that writes
 /// what the diagram records as the file's run does, a CMakeLists.txt with a library and that program, and the
 /// headers of blocks that they need. Throws Error for what cannot be generated, with its line.
-std::map<std::string, std::string> program_files(const Plan& plan, const Tuning& tuning,
+std::map<std::string, std::string> program_files(const plan::Plan& plan, const Tuning& tuning,
                                                  const ProgramOptions& options);
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

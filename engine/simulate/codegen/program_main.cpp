@@ -7,7 +7,7 @@
 #include "engine/simulate/codegen/groups.hpp"
 #include "engine/simulate/record/recorder.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 namespace {
 
@@ -51,14 +51,14 @@ constexpr char main_form[] =
     "return 2;\n}}\n";
 
 /// A function that writes one row of a recording.
-std::string row_function(const RecordRequest& request, const Plan& plan, std::size_t number) {
+std::string row_function(const diagram::RecordRequest& request, const plan::Plan& plan, std::size_t number) {
   std::string text = fmt::format(
       "void write_row_{}(std::FILE* file, const Diagram& d) {{\n"
       "  char digits[32];\n"
       "  std::fwrite(digits, 1, static_cast<std::size_t>(std::to_chars(digits, digits + "
       "sizeof digits, d.time()).ptr - digits), file);\n",
       number);
-  for (const RecordedSignal& signal : request.signals) {
+  for (const diagram::RecordedSignal& signal : request.signals) {
     const Index size = plan.slot(signal.signal).size;
     for (Index k = 0; k < size; ++k)
       text += fmt::format("  write_number(file, d.recorded.{}{}, ',');\n", recorded_member(signal),
@@ -67,19 +67,19 @@ std::string row_function(const RecordRequest& request, const Plan& plan, std::si
   return text + "  std::fputc('\\n', file);\n}\n\n";
 }
 
-std::string open_text(const RecordRequest& request, const Plan& plan, std::size_t number) {
-  std::vector<Column> columns;
-  for (const RecordedColumn& column : recorded_columns(plan, request))
-    columns.push_back({column.name, column.dimension ? si_name(*column.dimension) : "", {}});
+std::string open_text(const diagram::RecordRequest& request, const plan::Plan& plan, std::size_t number) {
+  std::vector<table::Column> columns;
+  for (const record::RecordedColumn& column : record::recorded_columns(plan, request))
+    columns.push_back({column.name, column.dimension ? unit::si_name(*column.dimension) : "", {}});
   std::string titles;
-  append_csv_head(titles, columns);
+  table::append_csv_head(titles, columns);
   return fmt::format("  std::FILE* file_{0} = open(folder, {1}, {2});\n", number,
-                     cpp_string(numbered("signals", number, ".csv")), cpp_string(titles));
+                     cpp_string(io::numbered("signals", number, ".csv")), cpp_string(titles));
 }
 
 }  // namespace
 
-std::string main_text(const Plan& plan, const std::string& header, const std::string& space) {
+std::string main_text(const plan::Plan& plan, const std::string& header, const std::string& space) {
   std::string text = fmt::format(
       "#include <charconv>\n#include <cmath>\n#include <cstdio>\n#include <cstdlib>\n"
       "#include <string>\n\n#include {0}\n\nnamespace {{\n\nusing {1}::Diagram;\n",
@@ -88,10 +88,10 @@ std::string main_text(const Plan& plan, const std::string& header, const std::st
   text += open_function;
   std::string opening, rows, closing;
   for (std::size_t i = 0; i < plan.diagram.records.size(); ++i) {
-    const RecordRequest& request = plan.diagram.records[i];
+    const diagram::RecordRequest& request = plan.diagram.records[i];
     text += row_function(request, plan, i);
     opening += open_text(request, plan, i);
-    const std::int64_t every = ticks_between_rows(plan, request);
+    const std::int64_t every = record::ticks_between_rows(plan, request);
     rows += every == 1
                 ? fmt::format("    write_row_{0}(file_{0}, d);\n", i)
                 : fmt::format("    if (d.tick % {1} == 0 || last) write_row_{0}(file_{0}, d);\n", i, every);
@@ -100,4 +100,4 @@ std::string main_text(const Plan& plan, const std::string& header, const std::st
   return text + fmt::format(main_form, opening, rows, plan.steps, closing);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

@@ -8,7 +8,7 @@
 
 #include "engine/model/diagram/external_input.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 namespace {
 
@@ -22,7 +22,7 @@ std::string type_of_number(const std::string& text) {
 /// Blocks whose set-ups are alike but for what fills the holes, as a loop over k.
 class Loop {
  public:
-  Loop(const Plan& plan, std::vector<std::size_t> blocks, std::vector<Statements::Pieces> set_ups)
+  Loop(const plan::Plan& plan, std::vector<std::size_t> blocks, std::vector<Statements::Pieces> set_ups)
       : plan_(plan), blocks_(std::move(blocks)), set_ups_(std::move(set_ups)) {}
 
   /// Can the blocks be told apart by numbers and places alone?
@@ -100,7 +100,7 @@ class Loop {
     std::string type;
   };
 
-  const Plan& plan_;
+  const plan::Plan& plan_;
   std::vector<std::size_t> blocks_;
   std::vector<Statements::Pieces> set_ups_;
   std::vector<Column> columns_;
@@ -135,7 +135,7 @@ std::size_t even_row(const SetUps& set_ups, std::size_t from) {
 /// table or into calls.
 class BatchCode {
  public:
-  BatchCode(const Plan& plan, const Statements& statements, const std::vector<std::size_t>& blocks,
+  BatchCode(const plan::Plan& plan, const Statements& statements, const std::vector<std::size_t>& blocks,
             Phase phase, const Places& places, std::int64_t period)
       : plan_(plan),
         statements_(statements),
@@ -174,7 +174,7 @@ class BatchCode {
       code.push_back({statements_.call(blocks_[i], phase_, places_), period_});
   }
 
-  const Plan& plan_;
+  const plan::Plan& plan_;
   const Statements& statements_;
   const std::vector<std::size_t>& blocks_;
   Phase phase_;
@@ -185,12 +185,12 @@ class BatchCode {
 
 }  // namespace
 
-std::vector<Code> calls_of(const Plan& plan, const Statements& statements,
-                           const std::vector<KernelCall>& batches, Phase phase, const Places& places) {
+std::vector<Code> calls_of(const plan::Plan& plan, const Statements& statements,
+                           const std::vector<plan::KernelCall>& batches, Phase phase, const Places& places) {
   std::map<std::size_t, std::size_t> at_memory;
   for (std::size_t b = 0; b < plan.blocks.size(); ++b) at_memory[plan.blocks[b].memory] = b;
   std::vector<Code> code;
-  for (const KernelCall& batch : batches) {
+  for (const plan::KernelCall& batch : batches) {
     std::vector<std::size_t> blocks;
     const std::size_t bytes = plan.diagram.blocks[at_memory.at(batch.first)].type().bytes;
     for (std::size_t i = 0; i < batch.count; ++i) blocks.push_back(at_memory.at(batch.first + i * bytes));
@@ -200,7 +200,7 @@ std::vector<Code> calls_of(const Plan& plan, const Statements& statements,
   return code;
 }
 
-std::vector<Code> starts_of(const Plan& plan, const Statements& statements, const Places& places) {
+std::vector<Code> starts_of(const plan::Plan& plan, const Statements& statements, const Places& places) {
   std::vector<Code> code;
   std::vector<std::size_t> blocks;
   const auto type_of = [&](std::size_t block) { return &plan.diagram.blocks[block].type(); };
@@ -211,10 +211,10 @@ std::vector<Code> starts_of(const Plan& plan, const Statements& statements, cons
   for (int index : plan.memory_order) {
     const auto b = static_cast<std::size_t>(index);
     if (!blocks.empty() && type_of(blocks.front()) != type_of(b)) flush();
-    if (type_of(b)->start && type_of(b) != &external_input_type()) blocks.push_back(b);
+    if (type_of(b)->start && type_of(b) != &diagram::external_input_type()) blocks.push_back(b);
   }
   flush();
   return code;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

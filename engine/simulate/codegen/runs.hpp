@@ -5,7 +5,7 @@
 
 #include "engine/simulate/codegen/statements.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 /// Code of one call, or of a loop over several blocks of one type, and how much of it there is.
 struct Code {
@@ -15,10 +15,10 @@ struct Code {
 
 /// The calls of a table of a plan, in its order. Blocks of one type that lie one behind the other are called
 /// in a loop where they are many and differ in nothing but numbers and places.
-std::vector<Code> calls_of(const Plan& plan, const Statements& statements,
-                           const std::vector<KernelCall>& batches, Phase phase, const Places& places);
+std::vector<Code> calls_of(const plan::Plan& plan, const Statements& statements,
+                           const std::vector<plan::KernelCall>& batches, Phase phase, const Places& places);
 
 /// The same for start(), of all blocks that have it, in the order in which they lie in memory.
-std::vector<Code> starts_of(const Plan& plan, const Statements& statements, const Places& places);
+std::vector<Code> starts_of(const plan::Plan& plan, const Statements& statements, const Places& places);
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

@@ -6,7 +6,7 @@
 #include "engine/simulate/solve/additions.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 namespace {
 
@@ -14,13 +14,13 @@ constexpr std::size_t few = 16;  // states that are written out one by one
 
 class ExplicitText {
  public:
-  ExplicitText(const std::vector<SolverStage>& stages, const Plan& plan, bool small)
+  ExplicitText(const std::vector<solve::SolverStage>& stages, const plan::Plan& plan, bool small)
       : stages_(stages), states_(plan.layout.state_count), small_(small), timed_(!plan.timed.empty()) {}
 
   std::string text() const {
     std::string text = small_ ? fmt::format("  double s[first_derivative], dot[{}];\n", states_)
                               : "  double* const s = w;\n  double* const dot = w + first_derivative;\n";
-    for (int place = 0; place < places_of(stages_); ++place)
+    for (int place = 0; place < solve::places_of(stages_); ++place)
       text += fmt::format("  double {}[{}];\n", name(place), states_);
     text += each([](const std::string& i) { return fmt::format("start[{0}] = w[states + {0}];", i); });
     text += "  derivatives(w, numbers, dot);\n";
@@ -33,7 +33,7 @@ class ExplicitText {
 
  private:
   static std::string name(int place) {
-    return place == Addition::start ? "start" : fmt::format("sum_{}", place);
+    return place == solve::Addition::start ? "start" : fmt::format("sum_{}", place);
   }
 
   std::string evaluation_text(double fraction) const {
@@ -55,14 +55,14 @@ class ExplicitText {
   }
 
   /// A slope is added to all sums on one way through memory.
-  std::string additions_text(const SolverStage& stage, bool last) const {
+  std::string additions_text(const solve::SolverStage& stage, bool last) const {
     const auto element = [&](int place, const std::string& i) {
-      if (place != Addition::states) return fmt::format("{}[{}]", name(place), i);
+      if (place != solve::Addition::states) return fmt::format("{}[{}]", name(place), i);
       return fmt::format("{}[states + {}]", last ? "w" : "s", i);
     };
     return each([&](const std::string& i) {
       std::string text;
-      for (const Addition& addition : stage.additions)
+      for (const solve::Addition& addition : stage.additions)
         text +=
             fmt::format("{}{} = {} + (step * {}) * dot[{}];", text.empty() ? "" : " ",
                         element(addition.to, i), element(addition.from, i), number_text(addition.weight), i);
@@ -70,12 +70,12 @@ class ExplicitText {
     });
   }
 
-  const std::vector<SolverStage>& stages_;
+  const std::vector<solve::SolverStage>& stages_;
   std::size_t states_;
   bool small_, timed_;
 };
 
-std::string implicit_text(const ImplicitMethod& method, const Plan& plan) {
+std::string implicit_text(const solve::ImplicitMethod& method, const plan::Plan& plan) {
   return fmt::format(
       "  double* const dot = w + first_derivative;\n"
       "  derivatives(w, numbers, dot);\n"
@@ -89,10 +89,10 @@ std::string implicit_text(const ImplicitMethod& method, const Plan& plan) {
 
 }  // namespace
 
-std::string solver_text(const Plan& plan, bool small) {
-  if (const auto tableau = find_tableau(plan.diagram.solver))
-    return ExplicitText(stages_of(*tableau), plan, small).text();
-  return implicit_text(*find_implicit(plan.diagram.solver), plan);
+std::string solver_text(const plan::Plan& plan, bool small) {
+  if (const auto tableau = solve::find_tableau(plan.diagram.solver))
+    return ExplicitText(solve::stages_of(*tableau), plan, small).text();
+  return implicit_text(*solve::find_implicit(plan.diagram.solver), plan);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

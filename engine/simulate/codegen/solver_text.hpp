@@ -4,13 +4,13 @@
 
 #include "engine/model/plan/plan.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 /// The body of the part of advance() that takes the states over a step, after the updates: the same
 /// operations in the same order as the solver's. It calls `derivatives(w, numbers, dot)` for the slopes at
 /// the tick and `slopes(w, s, numbers, dot)` for those at a stage, whose time and states stand in `s`.
 /// With `small` the stages have numbers of their own, which a compiler can keep in registers; else they work
 /// in `w`.
-std::string solver_text(const Plan& plan, bool small);
+std::string solver_text(const plan::Plan& plan, bool small);
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 const char* function_of(Phase phase) {
   switch (phase) {
@@ -19,7 +19,7 @@ const char* function_of(Phase phase) {
   }
 }
 
-std::string struct_of(const Plan& plan, std::size_t block) {
+std::string struct_of(const plan::Plan& plan, std::size_t block) {
   const std::string& name = plan.diagram.blocks[block].type().struct_name;
   return name.starts_with("stepwire::") ? name.substr(10) : name;
 }
@@ -38,14 +38,14 @@ std::map<std::string, std::string> defaults_of(const BlockType& type) {
 
 }  // namespace
 
-Statements::Statements(const Plan& plan, const PlaceNames& names, const std::vector<VariableBlock>& variable,
-                       Literals& literals)
+Statements::Statements(const plan::Plan& plan, const PlaceNames& names,
+                       const std::vector<plan::VariableBlock>& variable, Literals& literals)
     : plan_(plan), names_(names), members_(plan.blocks.size()) {
   std::map<std::string, std::map<std::string, std::string>> defaults;
   auto next = variable.begin();
   for (int index : plan.memory_order) {
     const auto b = static_cast<std::size_t>(index);
-    const DiagramBlock& block = plan.diagram.blocks[b];
+    const diagram::DiagramBlock& block = plan.diagram.blocks[b];
     const auto [known, is_new] = defaults.try_emplace(block.type().name);
     if (is_new) known->second = defaults_of(block.type());
     const bool varies = next != variable.end() && next->block == b;
@@ -103,7 +103,7 @@ void Statements::bind_inputs(std::size_t block, const Places& places, Pieces& pi
 void Statements::bind_outputs(std::size_t block, const Places& places, Pieces& pieces) const {
   const BlockType& type = plan_.diagram.blocks[block].type();
   for (std::size_t o = 0; o < type.outputs.size(); ++o) {
-    const SignalSlot& slot = plan_.blocks[block].outputs[o];
+    const plan::SignalSlot& slot = plan_.blocks[block].outputs[o];
     if (slot.size > 0)
       pieces.push_back(place(fmt::format("    b.{}.bind(", type.outputs[o].member), slot.offset,
                              fmt::format(", {});\n", slot.size), places));
@@ -112,9 +112,9 @@ void Statements::bind_outputs(std::size_t block, const Places& places, Pieces& p
 
 void Statements::bind_states(std::size_t block, const Places& places, Pieces& pieces) const {
   const BlockType& type = plan_.diagram.blocks[block].type();
-  const PlannedBlock& planned = plan_.blocks[block];
+  const plan::PlannedBlock& planned = plan_.blocks[block];
   for (std::size_t s = 0; s < type.states.size(); ++s) {
-    const SignalSlot& slot = planned.states[s];
+    const plan::SignalSlot& slot = planned.states[s];
     const std::string& member = type.states[s].member;
     if (slot.size == 0) continue;
     const std::string end = fmt::format(", {});\n", slot.size);
@@ -127,14 +127,14 @@ void Statements::bind_states(std::size_t block, const Places& places, Pieces& pi
 
 void Statements::bind_rest(std::size_t block, const Places& places, Pieces& pieces) const {
   const BlockType& type = plan_.diagram.blocks[block].type();
-  const PlannedBlock& planned = plan_.blocks[block];
+  const plan::PlannedBlock& planned = plan_.blocks[block];
   for (std::size_t n = 0; n < type.diagnostics.size(); ++n)
     pieces.push_back(place(fmt::format("    b.{}.bind(", type.diagnostics[n].member),
                            planned.diagnostics[n].offset, ");\n", places));
   const double period = static_cast<double>(planned.rate.ticks) * plan_.diagram.step;
   for (const ClockSpec& clock : type.clocks) {
     const std::string before = fmt::format("    b.{}.bind(", clock.member);
-    pieces.push_back(clock.bind_time ? place(before, Layout::time, ");\n", places)
+    pieces.push_back(clock.bind_time ? place(before, plan::Layout::time, ");\n", places)
                                      : Piece{before, number_text(period), ");\n"});
   }
 }
@@ -146,4 +146,4 @@ std::string Statements::call(std::size_t block, Phase phase, const Places& place
   return text + fmt::format("    b.{}();\n  }}\n", function_of(phase));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

@@ -8,7 +8,7 @@
 #include "engine/simulate/codegen/literals.hpp"
 #include "engine/simulate/codegen/names.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 /// Where the statements of a function find their numbers: outputs that the function computes and states in
 /// `fresh`, everything else in `w`, slopes in `dot`, also those that are outputs that it computes.
@@ -27,8 +27,8 @@ enum class Phase { outputs, derivatives, update, start };
 class Statements {
  public:
   /// `variable` members are read from the numbers of a run, in the order of NumberTable.
-  Statements(const Plan& plan, const PlaceNames& names, const std::vector<VariableBlock>& variable,
-             Literals& literals);
+  Statements(const plan::Plan& plan, const PlaceNames& names,
+             const std::vector<plan::VariableBlock>& variable, Literals& literals);
 
   /// The call of one block.
   std::string call(std::size_t block, Phase phase, const Places& places) const;
@@ -50,7 +50,7 @@ class Statements {
   void bind_states(std::size_t block, const Places& places, Pieces& pieces) const;
   void bind_rest(std::size_t block, const Places& places, Pieces& pieces) const;
 
-  const Plan& plan_;
+  const plan::Plan& plan_;
   const PlaceNames& names_;
   struct Member {
     std::string name, value;
@@ -62,6 +62,6 @@ class Statements {
 /// "outputs", as the function is called.
 const char* function_of(Phase phase);
 /// "Gain"
-std::string struct_of(const Plan& plan, std::size_t block);
+std::string struct_of(const plan::Plan& plan, std::size_t block);
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

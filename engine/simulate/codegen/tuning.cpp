@@ -10,7 +10,7 @@
 #include "engine/simulate/codegen/fixed_values.hpp"
 #include "engine/simulate/codegen/value_text.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 namespace {
 
@@ -53,7 +53,7 @@ void put_numbers(Value& value, const std::vector<double>& numbers) {
 std::vector<bool> items_of(const std::vector<bool>& members, const AnyBlock& block) {
   std::vector<bool> items;
   for (std::size_t m = 0; m < members.size(); ++m) {
-    MemberItems of_member;
+    plan::MemberItems of_member;
     of_member.add(block.type().members[m], block.get());
     items.insert(items.end(), of_member.items().size(), members[m]);
   }
@@ -62,7 +62,7 @@ std::vector<bool> items_of(const std::vector<bool>& members, const AnyBlock& blo
 
 class Tuner {
  public:
-  explicit Tuner(const Plan& plan) : plan_(plan), all_(*plan.diagram.bindings) {}
+  explicit Tuner(const plan::Plan& plan) : plan_(plan), all_(*plan.diagram.bindings) {}
 
   Tuning take() {
     choose();
@@ -76,7 +76,7 @@ class Tuner {
   }
 
  private:
-  const Binding& binding(std::size_t i) const {
+  const diagram::Binding& binding(std::size_t i) const {
     return all_.bindings[static_cast<std::size_t>(tuning_.bindings[i])];
   }
 
@@ -111,8 +111,8 @@ class Tuner {
 
   /// Marks the numbers of a block's parameter.
   void take_parameter(std::size_t i) {
-    const Target& target = binding(i).target;
-    if (target.kind != Target::Kind::parameter) return;
+    const diagram::Target& target = binding(i).target;
+    if (target.kind != diagram::Target::Kind::parameter) return;
     const auto block = static_cast<std::size_t>(target.block);
     const ParameterSpec& spec = type(block).parameters[static_cast<std::size_t>(target.index)];
     std::vector<bool>& members = members_[block];
@@ -145,9 +145,9 @@ class Tuner {
   }
 
   void place_numbers() {
-    const NumberTable actual(plan_, tuning_.variable,
-                             [&](std::size_t b) { return plan_.diagram.blocks[b].block.get(); });
-    const NumberTable table(plan_, tuning_.variable, [&](std::size_t b) { return marked(b).get(); });
+    const plan::NumberTable actual(plan_, tuning_.variable,
+                                   [&](std::size_t b) { return plan_.diagram.blocks[b].block.get(); });
+    const plan::NumberTable table(plan_, tuning_.variable, [&](std::size_t b) { return marked(b).get(); });
     tuning_.numbers.assign(actual.data(), actual.data() + actual.size());
     std::map<std::size_t, PreparedBlock> prepared;
     for (std::size_t i = 0; i < table.size(); ++i) {
@@ -165,12 +165,12 @@ class Tuner {
 
   /// Numbers of constants on wires and of initial values, behind those of blocks.
   void take_place(std::size_t i) {
-    const Target& target = binding(i).target;
-    if (target.kind == Target::Kind::parameter) return;
-    const PlannedBlock& planned = plan_.blocks[static_cast<std::size_t>(target.block)];
+    const diagram::Target& target = binding(i).target;
+    if (target.kind == diagram::Target::Kind::parameter) return;
+    const plan::PlannedBlock& planned = plan_.blocks[static_cast<std::size_t>(target.block)];
     const auto index = static_cast<std::size_t>(target.index);
-    const bool is_state = target.kind == Target::Kind::initial;
-    const SignalSlot& slot =
+    const bool is_state = target.kind == diagram::Target::Kind::initial;
+    const plan::SignalSlot& slot =
         is_state ? planned.states[index] : planned.inputs[index][static_cast<std::size_t>(target.element)];
     for (std::size_t k = 0; k < static_cast<std::size_t>(slot.size); ++k) {
       tuning_.places[slot.offset + k] = tuning_.numbers.size();
@@ -180,15 +180,16 @@ class Tuner {
     }
   }
 
-  double initial(const Target& target, std::size_t k) const {
-    for (const InitialValue& one : plan_.diagram.blocks[static_cast<std::size_t>(target.block)].initial)
+  double initial(const diagram::Target& target, std::size_t k) const {
+    for (const diagram::InitialValue& one :
+         plan_.diagram.blocks[static_cast<std::size_t>(target.block)].initial)
       if (one.state == target.index)
         return one.value[one.value.size() == 1 ? 0 : static_cast<Eigen::Index>(k)];
     return 0.0;
   }
 
-  const Plan& plan_;
-  const Bindings& all_;
+  const plan::Plan& plan_;
+  const diagram::Bindings& all_;
   Tuning tuning_;
   Marks marks_;
   std::map<std::size_t, AnyBlock> marked_;
@@ -197,8 +198,8 @@ class Tuner {
 
 }  // namespace
 
-Tuning tuning_of(const Plan& plan) {
+Tuning tuning_of(const plan::Plan& plan) {
   return Tuner(plan).take();
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

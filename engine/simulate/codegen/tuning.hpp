@@ -6,7 +6,7 @@
 
 #include "engine/model/plan/compiled_plan.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 /// A parameter that keeps its value in a generated program.
 struct FixedParameter {
@@ -28,12 +28,12 @@ struct PreparedBlock {
 /// What parameters may change in a generated program while it runs, and where they go. A program without any
 /// has every number written in its code.
 struct Tuning {
-  std::vector<int> parameters;          ///< that may change, by their index in Diagram::parameters
-  std::map<int, std::string> members;   ///< what these are called in C++: "rig_mass_"
-  std::vector<FixedParameter> fixed;    ///< all others
-  std::vector<int> bindings;            ///< values of blocks that follow, in Bindings::bindings
-  std::vector<VariableBlock> variable;  ///< blocks that read numbers of a run
-  std::vector<double> numbers;          ///< which these are, of the diagram as it stands
+  std::vector<int> parameters;                ///< that may change, by their index in Diagram::parameters
+  std::map<int, std::string> members;         ///< what these are called in C++: "rig_mass_"
+  std::vector<FixedParameter> fixed;          ///< all others
+  std::vector<int> bindings;                  ///< values of blocks that follow, in Bindings::bindings
+  std::vector<plan::VariableBlock> variable;  ///< blocks that read numbers of a run
+  std::vector<double> numbers;                ///< which these are, of the diagram as it stands
   /// Numbers that are an element of a binding's value: the number, the binding's place in `bindings`, the
   /// element.
   struct Copy {
@@ -47,6 +47,6 @@ struct Tuning {
 
 /// Every parameter of the files that is a number, a list or a matrix may change, unless the plan itself
 /// follows from it, or what configure() computes: that is known before a run only.
-Tuning tuning_of(const Plan& plan);
+Tuning tuning_of(const plan::Plan& plan);
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

@@ -9,7 +9,7 @@
 #include "engine/simulate/codegen/prepared_text.hpp"
 #include "engine/simulate/codegen/value_text.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 namespace {
 
@@ -31,7 +31,7 @@ std::string check_text(const std::string& first, std::size_t count, const std::s
 
 class TuningText {
  public:
-  TuningText(const Plan& plan, const Tuning& tuning)
+  TuningText(const plan::Plan& plan, const Tuning& tuning)
       : plan_(plan), tuning_(tuning), values_(plan.diagram, [this](std::size_t d) { return name_of(d); }) {}
 
   std::string text() {
@@ -59,12 +59,14 @@ class TuningText {
     return found == tuning_.members.end() ? "" : "p." + found->second;
   }
 
-  const Definition& definition(std::size_t d) const { return plan_.diagram.bindings->definitions[d]; }
-  const Binding& binding(std::size_t i) const {
+  const diagram::Definition& definition(std::size_t d) const {
+    return plan_.diagram.bindings->definitions[d];
+  }
+  const diagram::Binding& binding(std::size_t i) const {
     return plan_.diagram.bindings->bindings[static_cast<std::size_t>(tuning_.bindings[i])];
   }
 
-  std::vector<NumberText> numbers(const ValueText& text) const {
+  std::vector<NumberText> numbers(const diagram::ValueText& text) const {
     return *values_.numbers(text.node, text.names);
   }
 
@@ -96,7 +98,7 @@ class TuningText {
   }
 
   void add_definition(std::size_t d) {
-    const DiagramParameter& parameter = plan_.diagram.parameters[d];
+    const diagram::DiagramParameter& parameter = plan_.diagram.parameters[d];
     const std::string name = name_of(d);
     const auto dependent = std::ranges::find(dependents_, static_cast<int>(d));
     if (dependent != dependents_.end()) {
@@ -109,10 +111,10 @@ class TuningText {
     const std::string first = first_of(name, parameter.value);
     const std::size_t count = numbers_of(parameter.value).size();
     body_ += check_text(first, count, "std::isfinite(x)", parameter.name + ": must be a finite number");
-    for (const Entry& bound : definition(d).bounds) add_bound(d, bound, first, count);
+    for (const yaml::Entry& bound : definition(d).bounds) add_bound(d, bound, first, count);
   }
 
-  void add_bound(std::size_t d, const Entry& bound, const std::string& first, std::size_t count) {
+  void add_bound(std::size_t d, const yaml::Entry& bound, const std::string& first, std::size_t count) {
     const std::string limit = numbers({bound.value, definition(d).scope, definition(d).scope}).front().text;
     const std::string sign = bound.key == "above"      ? ">"
                              : bound.key == "at_least" ? ">="
@@ -135,16 +137,17 @@ class TuningText {
       computed = computed || number.computed;
     }
     body_ += fmt::format("  const double value_{}[] = {{{}}};\n", i, texts);
-    const std::string subject = stepwire::name_of(plan_.diagram, binding(i).target);
+    const std::string subject = stepwire::diagram::name_of(plan_.diagram, binding(i).target);
     const auto check = [&](const std::string& condition, const std::string& must) {
       body_ += check_text(fmt::format("value_{}[0]", i), all.size(), condition,
                           fmt::format("{}: must be {}", subject, must));
     };
     if (computed) check("std::isfinite(x)", "a finite number");
-    if (binding(i).target.kind == Target::Kind::parameter) add_range(spec_of(binding(i).target), check);
+    if (binding(i).target.kind == diagram::Target::Kind::parameter)
+      add_range(spec_of(binding(i).target), check);
   }
 
-  const ParameterSpec& spec_of(const Target& target) const {
+  const ParameterSpec& spec_of(const diagram::Target& target) const {
     return plan_.diagram.blocks[static_cast<std::size_t>(target.block)]
         .type()
         .parameters[static_cast<std::size_t>(target.index)];
@@ -169,7 +172,7 @@ class TuningText {
     return fmt::format("value_{}[{}]", binding, counts_[binding] == 1 ? 0 : k);
   }
 
-  const Plan& plan_;
+  const plan::Plan& plan_;
   const Tuning& tuning_;
   ValueTexts values_;
   std::vector<int> dependents_;
@@ -179,12 +182,12 @@ class TuningText {
 
 }  // namespace
 
-std::size_t dependent_count(const Plan& plan, const Tuning& tuning) {
+std::size_t dependent_count(const plan::Plan& plan, const Tuning& tuning) {
   return TuningText(plan, tuning).dependents();
 }
 
-std::string tuning_text(const Plan& plan, const Tuning& tuning) {
+std::string tuning_text(const plan::Plan& plan, const Tuning& tuning) {
   return TuningText(plan, tuning).text();
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

@@ -6,7 +6,7 @@
 
 #include "engine/simulate/codegen/literals.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 namespace {
 
@@ -15,7 +15,7 @@ NumberText constant(double value) {
   return {text.starts_with('-') ? "(" + text + ")" : text, value, false};
 }
 
-bool keeps_numbers(const Unit& unit) {
+bool keeps_numbers(const unit::Unit& unit) {
   return unit.scale == 1.0L && unit.offset == 0.0L;
 }
 
@@ -41,7 +41,7 @@ std::string element_text(const std::string& name, const Value& value, std::size_
 std::vector<NumberText> ValueTexts::parameter(std::size_t d) const {
   const Value& value = diagram_.parameters[d].value;
   const std::string name = name_(d);
-  const std::vector<double> numbers = stepwire::numbers_of(value);
+  const std::vector<double> numbers = stepwire::codegen::numbers_of(value);
   std::vector<NumberText> texts;
   for (std::size_t k = 0; k < numbers.size(); ++k)
     texts.push_back(name.empty() ? constant(numbers[k])
@@ -49,18 +49,18 @@ std::vector<NumberText> ValueTexts::parameter(std::size_t d) const {
   return texts;
 }
 
-ValueTexts::Numbers ValueTexts::numbers(const Node& node, int scope) const {
+ValueTexts::Numbers ValueTexts::numbers(const yaml::Node& node, int scope) const {
   if (node.is_map()) return with_unit(node, scope);
   if (node.is_list()) return list(node, scope);
   return node.is_scalar() ? scalar(node, scope) : std::nullopt;
 }
 
-ValueTexts::Numbers ValueTexts::with_unit(const Node& node, int scope) const {
-  const Node* value = node.find("value");
-  const Node* unit_node = node.find("unit");
+ValueTexts::Numbers ValueTexts::with_unit(const yaml::Node& node, int scope) const {
+  const yaml::Node* value = node.find("value");
+  const yaml::Node* unit_node = node.find("unit");
   auto numbers = value ? this->numbers(*value, scope) : std::nullopt;
   if (!numbers || !unit_node) return numbers;
-  const auto unit = parse_unit(unit_node->text);
+  const auto unit = unit::parse_unit(unit_node->text);
   if (!unit) return std::nullopt;
   if (keeps_numbers(*unit)) return numbers;
   for (NumberText& number : *numbers) {
@@ -70,10 +70,10 @@ ValueTexts::Numbers ValueTexts::with_unit(const Node& node, int scope) const {
   return numbers;
 }
 
-ValueTexts::Numbers ValueTexts::list(const Node& node, int scope) const {
+ValueTexts::Numbers ValueTexts::list(const yaml::Node& node, int scope) const {
   if (!node.items.empty() && node.items.front().is_list()) return rows(node, scope);
   std::vector<NumberText> all;
-  for (const Node& item : node.items) {
+  for (const yaml::Node& item : node.items) {
     const auto one = item.is_scalar() ? scalar(item, scope) : std::nullopt;
     if (!one || one->size() != 1) return std::nullopt;
     all.push_back(one->front());
@@ -81,9 +81,9 @@ ValueTexts::Numbers ValueTexts::list(const Node& node, int scope) const {
   return all;
 }
 
-ValueTexts::Numbers ValueTexts::rows(const Node& node, int scope) const {
+ValueTexts::Numbers ValueTexts::rows(const yaml::Node& node, int scope) const {
   std::vector<std::vector<NumberText>> rows;
-  for (const Node& item : node.items) {
+  for (const yaml::Node& item : node.items) {
     auto row = item.is_list() ? list(item, scope) : std::nullopt;
     if (!row || (!rows.empty() && row->size() != rows.front().size())) return std::nullopt;
     rows.push_back(std::move(*row));
@@ -94,11 +94,11 @@ ValueTexts::Numbers ValueTexts::rows(const Node& node, int scope) const {
   return by_column;
 }
 
-ValueTexts::Numbers ValueTexts::scalar(const Node& node, int scope) const {
+ValueTexts::Numbers ValueTexts::scalar(const yaml::Node& node, int scope) const {
   if (node.quoted && !node.text.starts_with('=')) return std::nullopt;
   if (node.text.starts_with('$')) return named(node.text.substr(1), scope);
   if (node.text.starts_with('=')) return expression(node.text.substr(1), scope);
-  const auto quantity = parse_quantity(node.text);
+  const auto quantity = unit::parse_quantity(node.text);
   return quantity ? Numbers{{constant(quantity->value)}} : std::nullopt;
 }
 
@@ -109,14 +109,14 @@ ValueTexts::Numbers ValueTexts::named(const std::string& name, int scope) const 
   const Value* value = diagram_.bindings->scopes[static_cast<std::size_t>(scope)].value(name);
   if (!value) return std::nullopt;
   std::vector<NumberText> texts;
-  for (const double number : stepwire::numbers_of(*value)) texts.push_back(constant(number));
+  for (const double number : stepwire::codegen::numbers_of(*value)) texts.push_back(constant(number));
   return texts;
 }
 
 ValueTexts::Numbers ValueTexts::expression(const std::string& text, int scope) const {
-  const ParameterScope& of_file = diagram_.bindings->scopes[static_cast<std::size_t>(scope)];
-  const Expression expression(text,
-                              [&](std::string_view name) { return of_file.defined(std::string(name)); });
+  const diagram::ParameterScope& of_file = diagram_.bindings->scopes[static_cast<std::size_t>(scope)];
+  const expression::Expression expression(
+      text, [&](std::string_view name) { return of_file.defined(std::string(name)); });
   std::vector<std::string> variables;
   std::vector<double> constants;
   for (const std::string& name : expression.variables()) {
@@ -130,4 +130,4 @@ ValueTexts::Numbers ValueTexts::expression(const std::string& text, int scope) c
   return {{NumberText{"(" + expression.cpp(variable) + ")", std::nullopt, true}}};
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

@@ -8,7 +8,7 @@
 #include "engine/model/diagram/bindings.hpp"
 #include "engine/model/diagram/diagram.hpp"
 
-namespace stepwire {
+namespace stepwire::codegen {
 
 /// A number of a value of a file, as C++.
 struct NumberText {
@@ -24,27 +24,27 @@ class ValueTexts {
   /// its value.
   using Name = std::function<std::string(std::size_t d)>;
 
-  ValueTexts(const Diagram& diagram, Name name) : diagram_(diagram), name_(std::move(name)) {}
+  ValueTexts(const diagram::Diagram& diagram, Name name) : diagram_(diagram), name_(std::move(name)) {}
 
   /// The numbers of a value: one, those of a list, or those of a matrix column by column. Nothing where the
   /// text holds anything else, or applies a unit to what follows from a parameter. `scope` is that of the
   /// file whose parameters it names.
-  std::optional<std::vector<NumberText>> numbers(const Node& node, int scope) const;
+  std::optional<std::vector<NumberText>> numbers(const yaml::Node& node, int scope) const;
   /// The numbers of a parameter.
   std::vector<NumberText> parameter(std::size_t d) const;
 
  private:
   using Numbers = std::optional<std::vector<NumberText>>;
 
-  Numbers with_unit(const Node& node, int scope) const;
-  Numbers list(const Node& node, int scope) const;
-  Numbers rows(const Node& node, int scope) const;
-  Numbers scalar(const Node& node, int scope) const;
+  Numbers with_unit(const yaml::Node& node, int scope) const;
+  Numbers list(const yaml::Node& node, int scope) const;
+  Numbers rows(const yaml::Node& node, int scope) const;
+  Numbers scalar(const yaml::Node& node, int scope) const;
   Numbers expression(const std::string& text, int scope) const;
   /// The numbers of a parameter of a file by its name there.
   Numbers named(const std::string& name, int scope) const;
 
-  const Diagram& diagram_;
+  const diagram::Diagram& diagram_;
   Name name_;
 };
 
@@ -54,4 +54,4 @@ std::vector<double> numbers_of(const Value& value);
 /// "x" for a single number, "x[2]" of a list, "x[1][0]" of a matrix: C++ for element k of a value.
 std::string element_text(const std::string& name, const Value& value, std::size_t k);
 
-}  // namespace stepwire
+}  // namespace stepwire::codegen

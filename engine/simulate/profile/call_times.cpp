@@ -4,20 +4,20 @@
 #include <map>
 #include <numeric>
 
-namespace stepwire {
+namespace stepwire::profile {
 
 namespace {
 
 constexpr double aim_of_table = 4e-6, aim_of_call = 4e-7;  // [s]; 200 and 20 times what the clock costs
 
 /// Which block lies where in the memory of blocks.
-std::map<std::size_t, std::size_t> blocks_by_memory(const Plan& plan) {
+std::map<std::size_t, std::size_t> blocks_by_memory(const plan::Plan& plan) {
   std::map<std::size_t, std::size_t> blocks;
   for (std::size_t b = 0; b < plan.blocks.size(); ++b) blocks[plan.blocks[b].memory] = b;
   return blocks;
 }
 
-KernelCall only(const KernelCall& batch, std::size_t index, std::size_t bytes) {
+plan::KernelCall only(const plan::KernelCall& batch, std::size_t index, std::size_t bytes) {
   const std::size_t first = batch.first + index * bytes;
   return {batch.run, first, first + bytes, 1, batch.period};
 }
@@ -28,9 +28,9 @@ double ratio(double part, double whole) {
 
 }  // namespace
 
-CallTimes::CallTimes(const Plan& plan, const std::vector<KernelCall>& batches) : plan_(plan) {
+CallTimes::CallTimes(const plan::Plan& plan, const std::vector<plan::KernelCall>& batches) : plan_(plan) {
   const auto blocks = blocks_by_memory(plan);
-  for (const KernelCall& batch : batches) {
+  for (const plan::KernelCall& batch : batches) {
     Call call{batch, {blocks.at(batch.first)}};
     const std::size_t bytes = plan.diagram.blocks[call.blocks.front()].type().bytes;
     for (std::size_t i = 1; i < batch.count; ++i) call.blocks.push_back(blocks.at(batch.first + i * bytes));
@@ -39,7 +39,7 @@ CallTimes::CallTimes(const Plan& plan, const std::vector<KernelCall>& batches) :
   }
 }
 
-void CallTimes::sample(Executor& simulation, const Stopwatch& stopwatch) {
+void CallTimes::sample(run::Executor& simulation, const Stopwatch& stopwatch) {
   ++samples_;
   if (calls_.empty()) return;
   table_ += stopwatch.repeated(aim_of_table, [&] {
@@ -50,7 +50,7 @@ void CallTimes::sample(Executor& simulation, const Stopwatch& stopwatch) {
     if (call.blocks.size() == 1) continue;
     const std::size_t bytes = plan_.diagram.blocks[call.blocks.front()].type().bytes;
     for (std::size_t i = 0; i < call.blocks.size(); ++i) {
-      const KernelCall one = only(call.batch, i, bytes);
+      const plan::KernelCall one = only(call.batch, i, bytes);
       call.alone[i] += stopwatch.repeated(aim_of_call, [&] { simulation.call(one); });
     }
   }
@@ -71,4 +71,4 @@ void CallTimes::add_to(std::vector<BlockCost>& blocks, std::size_t phase, const 
   }
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::profile

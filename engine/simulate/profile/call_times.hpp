@@ -5,15 +5,15 @@
 #include "engine/simulate/profile/profile.hpp"
 #include "engine/simulate/run/executor.hpp"
 
-namespace stepwire {
+namespace stepwire::profile {
 
 /// Times the calls of one table of a plan, sample by sample.
 class CallTimes {
  public:
-  CallTimes(const Plan& plan, const std::vector<KernelCall>& batches);
+  CallTimes(const plan::Plan& plan, const std::vector<plan::KernelCall>& batches);
 
   /// Times each call at the present moment of a simulation. Updates change it; the others do not.
-  void sample(Executor& simulation, const Stopwatch& stopwatch);
+  void sample(run::Executor& simulation, const Stopwatch& stopwatch);
 
   /// How often the batches of a period are called in the whole run.
   using CallCount = std::function<std::int64_t(std::int64_t period)>;
@@ -22,16 +22,16 @@ class CallTimes {
 
  private:
   struct Call {
-    KernelCall batch;
+    plan::KernelCall batch;
     std::vector<std::size_t> blocks;  ///< indices in the plan
     double seconds = 0.0;             ///< of all samples together, repeated alone
     std::vector<double> alone{};      ///< of each block, likewise
   };
 
-  const Plan& plan_;
+  const plan::Plan& plan_;
   std::vector<Call> calls_;
   double table_ = 0.0;  ///< [s], of all samples together: every call, one behind the other
   int samples_ = 0;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::profile

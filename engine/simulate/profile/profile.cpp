@@ -8,7 +8,7 @@
 #include "engine/simulate/profile/call_times.hpp"
 #include "engine/simulate/run/drive.hpp"
 
-namespace stepwire {
+namespace stepwire::profile {
 
 namespace {
 
@@ -17,7 +17,7 @@ constexpr int tries = 3;
 constexpr double aim = 2e-6;  // [s], 100 times what the clock costs
 
 /// Equations that cost nothing, on numbers of their own.
-class NoEquations : public System {
+class NoEquations : public solve::System {
  public:
   explicit NoEquations(std::size_t states) : x_(states), dot_(states) {
     time = &time_;
@@ -38,7 +38,7 @@ class NoEquations : public System {
     evaluations = times = 0;
   }
   /// Takes the numbers of a run: those of all zeros might cost less.
-  void take(const double* values, const Layout& layout) {
+  void take(const double* values, const plan::Layout& layout) {
     std::copy_n(values + layout.states, count, x_.begin());
     std::copy_n(values + layout.derivatives, count, dot_.begin());
   }
@@ -51,13 +51,13 @@ class NoEquations : public System {
 };
 
 /// Pauses a run at a tick, and counts the ticks that are evaluated before it.
-class Segment : public RunObserver {
+class Segment : public run::RunObserver {
  public:
   explicit Segment(std::int64_t end) : end_(end) {}
-  Flow before_tick(const ObservedRun& run) override {
-    if (run.simulation.tick() >= end_) return Flow::pause;
+  run::Flow before_tick(const run::ObservedRun& run) override {
+    if (run.simulation.tick() >= end_) return run::Flow::pause;
     evaluated = run.simulation.tick() + 1;
-    return Flow::go_on;
+    return run::Flow::go_on;
   }
 
   std::int64_t evaluated = 0;
@@ -69,7 +69,7 @@ class Segment : public RunObserver {
 /// Measures one run.
 class Profiler {
  public:
-  Profiler(const Plan& plan, const ProfileOptions& options)
+  Profiler(const plan::Plan& plan, const ProfileOptions& options)
       : plan_(plan),
         options_(options),
         stopwatch_(options.clock),
@@ -80,14 +80,14 @@ class Profiler {
         tables_{CallTimes(plan, plan.timed), CallTimes(plan, plan.outputs), CallTimes(plan, plan.stage),
                 CallTimes(plan, plan.derivatives), CallTimes(plan, plan.updates)} {
     if (!plan.diagram.solver.empty() && plan.layout.state_count > 0)
-      solver_ = make_solver(plan.diagram.solver, plan.layout.state_count);
+      solver_ = solve::make_solver(plan.diagram.solver, plan.layout.state_count);
     recording_.resize(recorders().size());
   }
 
   Profile run() {
     const std::int64_t length = std::max<std::int64_t>(1, (plan_.steps + max_segments) / max_segments);
     while (!ended_ && !(options_.interrupt && *options_.interrupt)) {
-      const Workspace start = simulation_.workspace();
+      const run::Workspace start = simulation_.workspace();
       sample(start);
       seconds_ += stopwatch_.shortest(
           tries, [&] { go_back_to(start); }, [&] { go_on(start.tick + length); });
@@ -96,25 +96,25 @@ class Profiler {
   }
 
  private:
-  std::vector<Recorder>& recorders() { return rows_.recorders(); }
+  std::vector<record::Recorder>& recorders() { return rows_.recorders(); }
 
-  void go_back_to(const Workspace& moment) {
+  void go_back_to(const run::Workspace& moment) {
     simulation_.restore(moment);
-    for (Recorder& recorder : recorders()) recorder.go_back_to(moment.tick);
+    for (record::Recorder& recorder : recorders()) recorder.go_back_to(moment.tick);
   }
 
   /// Runs up to a tick.
   void go_on(std::int64_t tick) {
     Segment segment(tick);
-    RunObserver* const observer = &segment;
-    Drive drive(simulation_, recorders());
+    run::RunObserver* const observer = &segment;
+    run::Drive drive(simulation_, recorders());
     drive.observers = {&observer, 1};
     drive.shows_rows = false;
-    ended_ = drive.run() != Drive::End::paused;
+    ended_ = drive.run() != run::Drive::End::paused;
     evaluated_ = segment.evaluated;
   }
 
-  void sample(const Workspace& moment) {
+  void sample(const run::Workspace& moment) {
     ++samples_;
     simulation_.evaluate();
     check_ += stopwatch_.repeated(aim, [&] { static_cast<void>(simulation_.is_finite()); });
@@ -128,7 +128,7 @@ class Profiler {
 
   void sample_recording(std::int64_t tick) {
     for (std::size_t i = 0; i < recorders().size(); ++i) {
-      Recorder& recorder = recorders()[i];
+      record::Recorder& recorder = recorders()[i];
       const std::int64_t own = tick / recorder.every() * recorder.every();
       recording_[i] += stopwatch_.repeated(aim, [&] {
         recorder.go_back_to(own);
@@ -147,7 +147,7 @@ class Profiler {
   /// In how many of the first ticks a period is due.
   static std::int64_t due(std::int64_t ticks, std::int64_t period) { return (ticks + period - 1) / period; }
 
-  TimeStep step_from(std::int64_t tick) const {
+  solve::TimeStep step_from(std::int64_t tick) const {
     return {plan_.time_of(tick), plan_.time_of(tick + 1), plan_.diagram.step};
   }
 
@@ -162,7 +162,7 @@ class Profiler {
 
   Profile profile() {
     Profile profile{simulation_.tick(), seconds_, {}, others()};
-    for (const DiagramBlock& block : plan_.diagram.blocks)
+    for (const diagram::DiagramBlock& block : plan_.diagram.blocks)
       profile.blocks.push_back({block.name, block.type().name});
     count_evaluations();
     const std::int64_t steps = simulation_.tick(), per_step = equations_.evaluations;
@@ -197,13 +197,13 @@ class Profiler {
     return list;
   }
 
-  const Plan& plan_;
+  const plan::Plan& plan_;
   const ProfileOptions& options_;
   Stopwatch stopwatch_;
-  Executor simulation_;
-  RunRecording rows_;
-  StopConditionEvaluator stopper_;
-  std::unique_ptr<Solver> solver_;
+  run::Executor simulation_;
+  record::RunRecording rows_;
+  run::StopConditionEvaluator stopper_;
+  std::unique_ptr<solve::Solver> solver_;
   NoEquations equations_;
   std::array<CallTimes, phase_count> tables_;
   std::vector<double> recording_;  ///< [s], of all samples together, as the next
@@ -248,7 +248,7 @@ double Profile::left() const {
   return rest;
 }
 
-Profile profile_plan(const Plan& plan, const ProfileOptions& options) {
+Profile profile_plan(const plan::Plan& plan, const ProfileOptions& options) {
   Profile profile = Profiler(plan, options).run();
   add_parts(profile);
   std::stable_sort(profile.blocks.begin(), profile.blocks.end(), [](const BlockCost& a, const BlockCost& b) {
@@ -257,4 +257,4 @@ Profile profile_plan(const Plan& plan, const ProfileOptions& options) {
   return profile;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::profile

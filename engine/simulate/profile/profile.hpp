@@ -8,7 +8,7 @@
 #include "engine/model/plan/plan.hpp"
 #include "engine/simulate/profile/stopwatch.hpp"
 
-namespace stepwire {
+namespace stepwire::profile {
 
 /// What a block is called for: outputs by the time alone, other outputs at ticks, those at the solver's
 /// stages between ticks, derivatives, updates.
@@ -71,6 +71,6 @@ struct ProfileOptions {
 /// the run, which is known. Outputs and derivatives may be repeated; updates change states, so the moment is
 /// restored behind them. What reading the clock adds is taken off. The solver's own arithmetic is timed on
 /// equations that cost nothing.
-Profile profile_plan(const Plan& plan, const ProfileOptions& options);
+Profile profile_plan(const plan::Plan& plan, const ProfileOptions& options);
 
-}  // namespace stepwire
+}  // namespace stepwire::profile

@@ -4,7 +4,7 @@
 #include <functional>
 #include <limits>
 
-namespace stepwire {
+namespace stepwire::profile {
 
 /// Reads a clock that goes on steadily [s].
 using ClockReader = std::function<double()>;
@@ -54,4 +54,4 @@ class Stopwatch {
   double cost_ = 0.0;  ///< [s]
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::profile

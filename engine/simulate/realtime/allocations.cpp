@@ -57,22 +57,22 @@ int posix_memalign(void** memory, std::size_t alignment, std::size_t size) noexc
 
 }  // extern "C"
 
-namespace stepwire {
+namespace stepwire::realtime {
 
 std::optional<std::int64_t> thread_allocations() {
   return count;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::realtime
 
 #else
 
-namespace stepwire {
+namespace stepwire::realtime {
 
 std::optional<std::int64_t> thread_allocations() {
   return std::nullopt;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::realtime
 
 #endif

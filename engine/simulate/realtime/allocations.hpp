@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace stepwire {
+namespace stepwire::realtime {
 
 /// How often this thread has asked for memory so far, by malloc, calloc, realloc, aligned_alloc,
 /// posix_memalign or memalign, and so by new, from our code or any library. A program that calls this
@@ -11,4 +11,4 @@ namespace stepwire {
 /// is not done: with sanitizers, which replace them too, and with other C libraries than glibc.
 std::optional<std::int64_t> thread_allocations();
 
-}  // namespace stepwire
+}  // namespace stepwire::realtime

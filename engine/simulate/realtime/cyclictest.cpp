@@ -10,7 +10,7 @@
 #include "engine/base/io/environment_error.hpp"
 #include "engine/base/subprocess/process.hpp"
 
-namespace stepwire {
+namespace stepwire::realtime {
 
 namespace {
 
@@ -57,23 +57,24 @@ Cyclictest::Cyclictest(double rate, const ThreadPolicy& policy, std::optional<in
       period_(1.0 / rate) {
   if (cpu) words_.push_back(fmt::format("-a{}", *cpu));
   command_ = fmt::format("{}", fmt::join(words_, " "));
-  if (find_program(words_.front()).empty())
-    throw EnvironmentError("cyclictest is not installed; on Debian it is in the package rt-tests");
+  if (subprocess::find_program(words_.front()).empty())
+    throw io::EnvironmentError("cyclictest is not installed; on Debian it is in the package rt-tests");
 }
 
 void Cyclictest::run(std::int64_t wake_ups) {
   const std::int64_t before = histogram_.count();
-  ProcessCall call{.command = words_};
+  subprocess::ProcessCall call{.command = words_};
   call.command.push_back(fmt::format("-l{}", wake_ups));
   call.limit =
       patience + std::chrono::milliseconds(std::llround(1e3 * period_ * static_cast<double>(wake_ups)));
-  const ProcessResult result = run_process(call);
-  if (result.end == ProcessResult::End::stopped) return;  // an interruption; the loop will see it, too
+  const subprocess::ProcessResult result = subprocess::run_process(call);
+  if (result.end == subprocess::ProcessResult::End::stopped)
+    return;  // an interruption; the loop will see it, too
   std::istringstream lines(result.output);
   for (std::string line; std::getline(lines, line);) histogram_.add_line(line);
   if (!result.succeeded() || histogram_.count() == before)
-    throw EnvironmentError(
+    throw io::EnvironmentError(
         fmt::format("cyclictest fails ({}); to see why: {} -l1", result.problem("it"), command_));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::realtime

@@ -7,7 +7,7 @@
 
 #include "engine/simulate/realtime/real_time_thread.hpp"
 
-namespace stepwire {
+namespace stepwire::realtime {
 
 /// Adds up what cyclictest of rt-tests prints as its histogram (options -q -h): lines of a latency in us,
 /// which is its number cut off at whole us, and how often it was seen.
@@ -47,4 +47,4 @@ class Cyclictest {
   CyclictestHistogram histogram_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::realtime

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace stepwire {
+namespace stepwire::realtime {
 
 std::optional<Overrun> parse_overrun(std::string_view text) {
   if (text == "skip") return Overrun{Overrun::Kind::skip, 0};
@@ -43,4 +43,4 @@ void Deadlines::served(std::int64_t written) {
   ++index_;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::realtime

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-namespace stepwire {
+namespace stepwire::realtime {
 
 /// What a loop does about deadlines that it has missed before their step could begin.
 struct Overrun {
@@ -59,4 +59,4 @@ class Deadlines {
   std::int64_t late_ = 0, dropped_ = 0, row_ = 0, longest_row_ = 0;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::realtime

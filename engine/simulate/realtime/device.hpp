@@ -1,6 +1,6 @@
 #pragma once
 
-namespace stepwire {
+namespace stepwire::realtime {
 
 /// The outside world of a loop: sensors that fill the diagram's inputs, actuators that take its outputs.
 ///
@@ -25,4 +25,4 @@ class NoDevice : public Device {
   void write(const double*) noexcept override {}
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::realtime

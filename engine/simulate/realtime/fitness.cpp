@@ -6,22 +6,22 @@
 
 #include "engine/simulate/realtime/loop.hpp"
 
-namespace stepwire {
+namespace stepwire::realtime {
 
-std::int64_t ticks_per_period(const Diagram& diagram, double rate) {
+std::int64_t ticks_per_period(const diagram::Diagram& diagram, double rate) {
   const double period = 1.0 / rate;
-  if (const auto ticks = whole_ticks(period, diagram.step)) return *ticks;
+  if (const auto ticks = plan::whole_ticks(period, diagram.step)) return *ticks;
   const double near = std::max(1.0, std::round(period / diagram.step));
-  throw Error(diagram.fault(
+  throw yaml::Error(diagram.fault(
       diagram.step_origin, "step",
       fmt::format("the period of {:.9g} Hz, {:.6g} s, is no whole multiple of the step {:.6g} s; e.g. a rate "
                   "of {:.9g} Hz, or a step of {:.9g} s, would be",
                   rate, period, diagram.step, 1.0 / (near * diagram.step), period / near)));
 }
 
-void require_fit_for_loop(const Plan& plan) {
-  Faults faults;
-  for (const DiagramBlock& block : plan.diagram.blocks)
+void require_fit_for_loop(const plan::Plan& plan) {
+  yaml::Faults faults;
+  for (const diagram::DiagramBlock& block : plan.diagram.blocks)
     if (!block.type().not_real_time.empty())
       faults.add(
           plan.diagram.fault(block.origin, block.name,
@@ -30,4 +30,4 @@ void require_fit_for_loop(const Plan& plan) {
   faults.throw_if_any();
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::realtime

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <limits>
 
-namespace stepwire {
+namespace stepwire::realtime {
 
 namespace {
 
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
 /// The type of the block that lies at this offset of the memory of blocks.
-const BlockType& type_at(const Plan& plan, std::size_t memory) {
+const BlockType& type_at(const plan::Plan& plan, std::size_t memory) {
   const auto found = std::lower_bound(plan.memory_order.begin(), plan.memory_order.end(), memory,
                                       [&](int block, std::size_t offset) {
                                         return plan.blocks[static_cast<std::size_t>(block)].memory < offset;
@@ -20,17 +20,17 @@ const BlockType& type_at(const Plan& plan, std::size_t memory) {
 
 }  // namespace
 
-GroupCosts::GroupCosts(const Plan& plan, LoopClock& clock)
+GroupCosts::GroupCosts(const plan::Plan& plan, LoopClock& clock)
     : clock_(clock), stretches_{{&plan.outputs, 0, 0, none}} {
   for (const auto* phase : {&plan.timed, &plan.outputs, &plan.updates, &plan.stage, &plan.derivatives})
     cut(plan, *phase);
   for (GroupCost& group : groups_)
     group.blocks = static_cast<std::size_t>(
         std::count_if(plan.diagram.blocks.begin(), plan.diagram.blocks.end(),
-                      [&](const DiagramBlock& block) { return block.type().name == group.type; }));
+                      [&](const diagram::DiagramBlock& block) { return block.type().name == group.type; }));
 }
 
-void GroupCosts::cut(const Plan& plan, const std::vector<KernelCall>& phase) {
+void GroupCosts::cut(const plan::Plan& plan, const std::vector<plan::KernelCall>& phase) {
   for (std::size_t i = 0; i < phase.size(); ++i) {
     const std::string& type = type_at(plan, phase[i].first).name;
     const bool goes_on = i > 0 && groups_[stretches_.back().group].type == type;
@@ -46,7 +46,7 @@ void GroupCosts::cut(const Plan& plan, const std::vector<KernelCall>& phase) {
   }
 }
 
-void GroupCosts::before_tick(Executor& simulation) {
+void GroupCosts::before_tick(run::Executor& simulation) {
   sequence_ = sequence_ * 6364136223846793005u + 1442695040888963407u;  // Knuth's, of full period
   now_ = &stretches_[static_cast<std::size_t>((sequence_ >> 33) % stretches_.size())];
   phase = now_->phase;
@@ -56,7 +56,7 @@ void GroupCosts::before_tick(Executor& simulation) {
   simulation.watch(this);
 }
 
-void GroupCosts::after_tick(Executor& simulation) {
+void GroupCosts::after_tick(run::Executor& simulation) {
   if (ran_) ++now_->samples;
   simulation.watch(nullptr);
 }
@@ -90,4 +90,4 @@ std::vector<GroupCost> GroupCosts::costs() const {
   return costs;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::realtime

@@ -7,7 +7,7 @@
 #include "engine/simulate/realtime/loop_clock.hpp"
 #include "engine/simulate/run/executor.hpp"
 
-namespace stepwire {
+namespace stepwire::realtime {
 
 /// What the blocks of one type cost in a tick.
 struct GroupCost {
@@ -22,26 +22,26 @@ struct GroupCost {
 /// taken by looks at the clock. Which one is chosen by a fixed pseudo-random sequence, since turns in order
 /// would meet blocks of slower rates always or never. An empty stretch is among them: what looking costs by
 /// itself is taken off the others.
-class GroupCosts : private ScheduleProbe {
+class GroupCosts : private run::ScheduleProbe {
  public:
-  GroupCosts(const Plan& plan, LoopClock& clock);
+  GroupCosts(const plan::Plan& plan, LoopClock& clock);
 
   /// Around the first tick of a wake-up.
-  void before_tick(Executor& simulation);
-  void after_tick(Executor& simulation);
+  void before_tick(run::Executor& simulation);
+  void after_tick(run::Executor& simulation);
 
   /// The dearest first.
   std::vector<GroupCost> costs() const;
 
  private:
   struct Stretch {
-    const std::vector<KernelCall>* phase;
+    const std::vector<plan::KernelCall>* phase;
     std::size_t first, end;
     std::size_t group;
     std::int64_t samples = 0, looks = 0, spent = 0;  ///< ticks; times that it ran in them; [ns]
   };
   double cost_of_look() const;
-  void cut(const Plan& plan, const std::vector<KernelCall>& phase);
+  void cut(const plan::Plan& plan, const std::vector<plan::KernelCall>& phase);
   void enter() override;
   void leave() override;
 
@@ -54,4 +54,4 @@ class GroupCosts : private ScheduleProbe {
   std::int64_t entered_ = 0;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::realtime

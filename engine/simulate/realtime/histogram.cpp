@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace stepwire {
+namespace stepwire::realtime {
 
 std::int64_t Histogram::begin_of(std::size_t bin) {
   const std::size_t shift = bin < (2u << precision) ? 0 : (bin >> precision) - 1;
@@ -21,4 +21,4 @@ std::int64_t Histogram::quantile(double fraction) const {
   return max_;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::realtime

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace stepwire {
+namespace stepwire::realtime {
 
 /// Counts times [ns] in bins of fixed number, so that adding one neither allocates nor takes longer as there
 /// are more. Up to 256 ns each ns has its bin; beyond, each power of two is cut into 128 bins of equal
@@ -56,4 +56,4 @@ class Histogram {
   std::int64_t min_ = std::numeric_limits<std::int64_t>::max();
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::realtime

@@ -2,20 +2,20 @@
 
 #include <algorithm>
 
-namespace stepwire {
+namespace stepwire::realtime {
 
 namespace {
 
 constexpr std::int64_t min_lead = 10'000'000;  // [ns]
 constexpr int warm_up_ticks = 100;
 
-Eigen::Index size_of_input(const Plan& plan, const DiagramInput& input) {
+Eigen::Index size_of_input(const plan::Plan& plan, const diagram::DiagramInput& input) {
   return plan.blocks[static_cast<std::size_t>(input.block)].outputs.front().size;
 }
 
 }  // namespace
 
-Loop::Loop(const Plan& plan, const LoopOptions& options, Device& device, LoopClock& clock,
+Loop::Loop(const plan::Plan& plan, const LoopOptions& options, Device& device, LoopClock& clock,
            LoopRecorder* recorder)
     : options_(options),
       ticks_(ticks_per_period(plan.diagram, options.rate)),
@@ -44,8 +44,8 @@ void Loop::warm_up() {
 }
 
 void Loop::prepare_inputs() {
-  const Plan& plan = simulation_.plan();
-  for (const DiagramInput& input : plan.diagram.inputs) {
+  const plan::Plan& plan = simulation_.plan();
+  for (const diagram::DiagramInput& input : plan.diagram.inputs) {
     input_offsets_.push_back(inputs_.size());
     const double* defaults =
         simulation_.values() + plan.blocks[static_cast<std::size_t>(input.block)].outputs.front().offset;
@@ -54,9 +54,9 @@ void Loop::prepare_inputs() {
 }
 
 void Loop::prepare_outputs() {
-  const Plan& plan = simulation_.plan();
-  for (const DiagramOutput& output : plan.diagram.outputs) {
-    const SignalSlot slot = plan.slot(output.signal);
+  const plan::Plan& plan = simulation_.plan();
+  for (const diagram::DiagramOutput& output : plan.diagram.outputs) {
+    const plan::SignalSlot slot = plan.slot(output.signal);
     for (Eigen::Index k = 0; k < slot.size; ++k) {
       output_offsets_.push_back(slot.offset + static_cast<std::size_t>(k));
       safe_.emplace_back();
@@ -153,7 +153,7 @@ void Loop::count_written(std::int64_t k) {
 }
 
 bool Loop::may_tick() {
-  if (watched_.before_tick() == Flow::go_on) return true;
+  if (watched_.before_tick() == run::Flow::go_on) return true;
   end_ = End::stopped;
   return false;
 }
@@ -174,4 +174,4 @@ void Loop::write_safe_values() {
     measurements_.wrote(unwritten_, written - deadlines_.at(unwritten_));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::realtime

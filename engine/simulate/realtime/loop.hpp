@@ -16,7 +16,7 @@
 #include "engine/simulate/run/executor.hpp"
 #include "engine/simulate/run/observed_ticks.hpp"
 
-namespace stepwire {
+namespace stepwire::realtime {
 
 /// How often a loop wakes, for how long, and what it does about missed deadlines.
 struct LoopOptions {
@@ -24,17 +24,17 @@ struct LoopOptions {
   std::int64_t deadlines = 1;  ///< after which it is done
   Overrun overrun;
   const std::atomic<bool>* interrupt = nullptr;  ///< once true, the loop ends at its next wake-up
-  const CompiledPlan* code = nullptr;            ///< to step with; interpreted without it
+  const plan::CompiledPlan* code = nullptr;      ///< to step with; interpreted without it
   /// Called in the loop's thread, within its period; must outlive the loop. One that pauses or stops the run
   /// ends it.
-  std::vector<RunObserver*> observers{};
+  std::vector<run::RunObserver*> observers{};
 };
 
 /// How many ticks one period of the rate is. Throws Error where it is no whole number of the diagram's steps.
-std::int64_t ticks_per_period(const Diagram& diagram, double rate);
+std::int64_t ticks_per_period(const diagram::Diagram& diagram, double rate);
 
 /// Throws Error for every block that says of itself that it is not fit for a real-time loop.
-void require_fit_for_loop(const Plan& plan);
+void require_fit_for_loop(const plan::Plan& plan);
 
 /// A diagram in real time: at each deadline the inputs are read, the tick of that moment is evaluated, the
 /// outputs are written, and only then are the states advanced, through all further ticks of the period; so
@@ -48,7 +48,7 @@ class Loop {
 
   /// Takes all memory, and runs some ticks and goes back to time 0, so that nothing is met for the first time
   /// later. `recorder` may be null. Plan, device, clock and recorder must outlive the loop.
-  Loop(const Plan& plan, const LoopOptions& options, Device& device, LoopClock& clock,
+  Loop(const plan::Plan& plan, const LoopOptions& options, Device& device, LoopClock& clock,
        LoopRecorder* recorder);
 
   /// Serves deadlines until `count` more have passed, all have, or the loop ends early; then hands the safe
@@ -59,7 +59,7 @@ class Loop {
   bool ended() const { return end_.has_value(); }
   /// How it ended; `done` as long as nothing ended it early.
   End end() const { return end_.value_or(End::done); }
-  const Executor& simulation() const { return simulation_; }
+  const run::Executor& simulation() const { return simulation_; }
   const Deadlines& deadlines() const { return deadlines_; }
   const Measurements& measurements() const { return measurements_; }
   std::vector<GroupCost> group_costs() const { return groups_.costs(); }
@@ -87,8 +87,8 @@ class Loop {
   Device& device_;
   LoopClock& clock_;
   LoopRecorder* recorder_;
-  Executor simulation_;
-  ObservedTicks watched_;
+  run::Executor simulation_;
+  run::ObservedTicks watched_;
   Deadlines deadlines_;
   Measurements measurements_;
   GroupCosts groups_;
@@ -102,4 +102,4 @@ class Loop {
   std::optional<End> end_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::realtime

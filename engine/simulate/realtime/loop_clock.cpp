@@ -3,7 +3,7 @@
 #include <cerrno>
 #include <ctime>
 
-namespace stepwire {
+namespace stepwire::realtime {
 
 namespace {
 
@@ -34,4 +34,4 @@ void SystemClock::sleep_until(std::int64_t deadline) {
   while (spin_ > 0 && now() < deadline) pause_processor();
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::realtime

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace stepwire {
+namespace stepwire::realtime {
 
 /// The time by which a loop lives. Times are in ns since a moment of the clock's own, and only grow.
 class LoopClock {
@@ -25,4 +25,4 @@ class SystemClock : public LoopClock {
   std::int64_t spin_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::realtime

@@ -7,7 +7,7 @@
 #include "engine/base/io/file.hpp"
 #include "engine/simulate/record/recorder.hpp"
 
-namespace stepwire {
+namespace stepwire::realtime {
 
 namespace {
 
@@ -15,41 +15,45 @@ constexpr std::size_t before_signals = 4;  // index of the file, time, tick, wal
 constexpr std::size_t before_inputs = 3;
 
 /// A name that a column of the loop's own has would stand twice in the file.
-void refuse_taken(const Plan& plan, const std::string& name, const Origin& origin, Faults& faults) {
+void refuse_taken(const plan::Plan& plan, const std::string& name, const diagram::Origin& origin,
+                  yaml::Faults& faults) {
   for (const std::string taken : {"time", "tick", "wall"})
     if (name == taken)
       faults.add(plan.diagram.fault(
           origin, name, "is also the name of a column that a loop records; give the block another name"));
 }
 
-LoopFile signals_file(const Plan& plan, std::size_t index, Faults& faults) {
-  const RecordRequest& request = plan.diagram.records[index];
-  LoopFile file{numbered("signals", index, ".csv"), {{"time", "s", {}}, {"tick", "", {}}, {"wall", "s", {}}}};
-  for (const RecordedSignal& signal : request.signals) refuse_taken(plan, signal.name, signal.origin, faults);
-  const auto columns = recorded_columns(plan, request);
+LoopFile signals_file(const plan::Plan& plan, std::size_t index, yaml::Faults& faults) {
+  const diagram::RecordRequest& request = plan.diagram.records[index];
+  LoopFile file{io::numbered("signals", index, ".csv"),
+                {{"time", "s", {}}, {"tick", "", {}}, {"wall", "s", {}}}};
+  for (const diagram::RecordedSignal& signal : request.signals)
+    refuse_taken(plan, signal.name, signal.origin, faults);
+  const auto columns = record::recorded_columns(plan, request);
   for (std::size_t i = 1; i < columns.size(); ++i)
-    file.columns.push_back({columns[i].name, columns[i].dimension ? si_name(*columns[i].dimension) : "", {}});
+    file.columns.push_back(
+        {columns[i].name, columns[i].dimension ? unit::si_name(*columns[i].dimension) : "", {}});
   return file;
 }
 
-LoopFile inputs_file(const Plan& plan, Faults& faults) {
+LoopFile inputs_file(const plan::Plan& plan, yaml::Faults& faults) {
   LoopFile file{"inputs.csv", {{"time", "s", {}}, {"tick", "", {}}}};
-  for (const DiagramInput& input : plan.diagram.inputs) {
+  for (const diagram::DiagramInput& input : plan.diagram.inputs) {
     const auto block = static_cast<std::size_t>(input.block);
     refuse_taken(plan, input.name, plan.diagram.blocks[block].origin, faults);
     const auto& dimension = plan.diagram.output_dimensions[block].front();
     const Eigen::Index size = plan.blocks[block].outputs.front().size;
     for (Eigen::Index k = 0; k < size; ++k)
       file.columns.push_back({size == 1 ? input.name : fmt::format("{}.{}", input.name, k + 1),
-                              dimension ? si_name(*dimension) : "",
+                              dimension ? unit::si_name(*dimension) : "",
                               {}});
   }
   return file;
 }
 
-std::size_t input_elements(const Plan& plan) {
+std::size_t input_elements(const plan::Plan& plan) {
   std::size_t count = 0;
-  for (const DiagramInput& input : plan.diagram.inputs)
+  for (const diagram::DiagramInput& input : plan.diagram.inputs)
     count +=
         static_cast<std::size_t>(plan.blocks[static_cast<std::size_t>(input.block)].outputs.front().size);
   return count;
@@ -57,9 +61,9 @@ std::size_t input_elements(const Plan& plan) {
 
 }  // namespace
 
-std::vector<LoopFile> loop_files(const Plan& plan) {
+std::vector<LoopFile> loop_files(const plan::Plan& plan) {
   std::vector<LoopFile> files;
-  Faults faults;
+  yaml::Faults faults;
   for (std::size_t i = 0; i < plan.diagram.records.size(); ++i)
     files.push_back(signals_file(plan, i, faults));
   if (!plan.diagram.inputs.empty()) files.push_back(inputs_file(plan, faults));
@@ -67,11 +71,11 @@ std::vector<LoopFile> loop_files(const Plan& plan) {
   return files;
 }
 
-LoopRecorder::LoopRecorder(const Plan& plan, RowRing& ring) : ring_(ring), step_(plan.diagram.step) {
-  for (const RecordRequest& request : plan.diagram.records) {
+LoopRecorder::LoopRecorder(const plan::Plan& plan, RowRing& ring) : ring_(ring), step_(plan.diagram.step) {
+  for (const diagram::RecordRequest& request : plan.diagram.records) {
     Signals& signals = signals_.emplace_back();
-    signals.every = ticks_between_rows(plan, request);
-    const auto columns = recorded_columns(plan, request);
+    signals.every = record::ticks_between_rows(plan, request);
+    const auto columns = record::recorded_columns(plan, request);
     for (std::size_t i = 1; i < columns.size(); ++i) signals.offsets.push_back(columns[i].offset);
     signals.row.assign(before_signals + signals.offsets.size(), 0.0);
     signals.row[0] = static_cast<double>(signals_.size() - 1);
@@ -105,11 +109,11 @@ void LoopRecorder::push(const std::vector<double>& row) {
   ++(ring_.push(row.data(), row.size()) ? rows_ : lost_);
 }
 
-std::size_t LoopRecorder::numbers_per_tick(const Plan& plan) {
+std::size_t LoopRecorder::numbers_per_tick(const plan::Plan& plan) {
   std::size_t count = plan.diagram.inputs.empty() ? 0 : before_inputs + input_elements(plan);
-  for (const RecordRequest& request : plan.diagram.records)
-    count += before_signals + recorded_columns(plan, request).size() - 1;
+  for (const diagram::RecordRequest& request : plan.diagram.records)
+    count += before_signals + record::recorded_columns(plan, request).size() - 1;
   return count;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::realtime

@@ -8,25 +8,25 @@
 #include "engine/model/plan/plan.hpp"
 #include "engine/simulate/realtime/row_ring.hpp"
 
-namespace stepwire {
+namespace stepwire::realtime {
 
 /// A file that a loop leaves behind, and its columns (without values). The columns `time` and `tick` come
 /// first.
 struct LoopFile {
   std::string name;  ///< "signals.csv"
-  std::vector<Column> columns;
+  std::vector<table::Column> columns;
 };
 
 /// One file for each `record` of the diagram, with time, tick, wall (when the thread woke, since the start)
 /// and the signals as a run names them; and inputs.csv, with time, tick and what the tick was given, where
 /// the diagram has inputs. Throws Error where a signal or input has the name of one of those columns.
-std::vector<LoopFile> loop_files(const Plan& plan);
+std::vector<LoopFile> loop_files(const plan::Plan& plan);
 
 /// Puts rows into the ring, from the loop thread. In the ring a row is the index of its file and the numbers
 /// of its columns.
 class LoopRecorder {
  public:
-  LoopRecorder(const Plan& plan, RowRing& ring);
+  LoopRecorder(const plan::Plan& plan, RowRing& ring);
 
   /// The signals of a tick, for the files whose period it is in. `wall` in s.
   void record_signals(std::int64_t tick, double wall, const double* values);
@@ -38,7 +38,7 @@ class LoopRecorder {
   std::int64_t lost() const { return lost_; }
 
   /// The most numbers that rows of one tick take in the ring.
-  static std::size_t numbers_per_tick(const Plan& plan);
+  static std::size_t numbers_per_tick(const plan::Plan& plan);
 
  private:
   struct Signals {
@@ -55,4 +55,4 @@ class LoopRecorder {
   std::int64_t rows_ = 0, lost_ = 0;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::realtime

@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-namespace stepwire {
+namespace stepwire::realtime {
 
 namespace {
 
@@ -44,4 +44,4 @@ Machine Machine::here() {
   return machine;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::realtime

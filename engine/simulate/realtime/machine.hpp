@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace stepwire {
+namespace stepwire::realtime {
 
 /// What of a machine decides how well it keeps time; each text is "" where the machine does not tell.
 struct Machine {
@@ -18,4 +18,4 @@ struct Machine {
   static Machine here();
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::realtime

@@ -6,7 +6,7 @@
 
 #include "engine/simulate/realtime/histogram.hpp"
 
-namespace stepwire {
+namespace stepwire::realtime {
 
 /// What a loop measures at each of its deadlines [ns]. A deadline that was dropped counts with the lateness
 /// that it had when the loop was ready again, and with the time until outputs were written next: what is not
@@ -55,4 +55,4 @@ class Measurements {
   std::vector<Worst> worst_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::realtime

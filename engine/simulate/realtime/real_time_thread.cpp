@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <system_error>
 
-namespace stepwire {
+namespace stepwire::realtime {
 
 namespace {
 
@@ -115,4 +115,4 @@ std::string RealTimeThread::policy_in_force() {
   return policy == SCHED_OTHER ? "other" : fmt::format("policy {} of sched.h", policy);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::realtime

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace stepwire {
+namespace stepwire::realtime {
 
 /// How the loop thread is scheduled: SCHED_FIFO with a priority of 1 to 99, or as every other thread.
 struct ThreadPolicy {
@@ -50,4 +50,4 @@ class RealTimeThread {
   int latency_file_ = -1;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::realtime

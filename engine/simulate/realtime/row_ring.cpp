@@ -2,7 +2,7 @@
 
 #include <boost/lockfree/spsc_queue.hpp>
 
-namespace stepwire {
+namespace stepwire::realtime {
 
 struct RowRing::Queue {
   explicit Queue(std::size_t capacity) : numbers(capacity) {}
@@ -27,4 +27,4 @@ std::size_t RowRing::pop(double* numbers, std::size_t most) {
   return queue_->numbers.pop(numbers, most);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::realtime

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <memory>
 
-namespace stepwire {
+namespace stepwire::realtime {
 
 /// Hands rows of numbers from one thread to one other without a lock; neither ever waits for the other.
 class RowRing {
@@ -24,4 +24,4 @@ class RowRing {
   std::unique_ptr<Queue> queue_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::realtime

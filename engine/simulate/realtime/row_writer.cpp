@@ -7,7 +7,7 @@
 #include "engine/base/io/atomic_file_writer.hpp"
 #include "engine/base/table/table_file.hpp"
 
-namespace stepwire {
+namespace stepwire::realtime {
 
 namespace {
 
@@ -26,11 +26,12 @@ void append_whole(std::string& text, double value) {
 /// One file and the rows that wait to be written into it.
 class RowWriter::Sink {
  public:
-  Sink(const std::string& path, const std::vector<Column>& columns) : file(path), width_(columns.size()) {
-    append_csv_head(text_, columns);
+  Sink(const std::string& path, const std::vector<table::Column>& columns)
+      : file(path), width_(columns.size()) {
+    table::append_csv_head(text_, columns);
     for (std::size_t i = 0; i < columns.size(); ++i)
       if (columns[i].name == "tick") tick_ = i;
-    if (!file.append(text_)) throw EnvironmentError(file.trouble());
+    if (!file.append(text_)) throw io::EnvironmentError(file.trouble());
     text_.clear();
   }
 
@@ -38,7 +39,7 @@ class RowWriter::Sink {
   void add(const double* row) {
     for (std::size_t i = 0; i < width_; ++i) {
       if (i > 0) text_ += ',';
-      i == tick_ ? append_whole(text_, row[i]) : append_csv_number(text_, row[i]);
+      i == tick_ ? append_whole(text_, row[i]) : table::append_csv_number(text_, row[i]);
     }
     text_ += '\n';
     ++waiting_;
@@ -51,7 +52,7 @@ class RowWriter::Sink {
     text_.clear();
   }
 
-  AtomicFileWriter file;
+  io::AtomicFileWriter file;
   std::int64_t written = 0, lost = 0;  ///< rows
 
  private:
@@ -130,4 +131,4 @@ std::string RowWriter::trouble() const {
   return {};
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::realtime

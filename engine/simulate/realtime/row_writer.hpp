@@ -10,7 +10,7 @@
 #include "engine/simulate/realtime/loop_recorder.hpp"
 #include "engine/simulate/realtime/row_ring.hpp"
 
-namespace stepwire {
+namespace stepwire::realtime {
 
 /// Writes the rows of a ring into the files of a loop, in a thread of its own. The files get their names in
 /// finish(); without it nothing of them is left.
@@ -50,4 +50,4 @@ class RowWriter {
   std::thread thread_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::realtime

@@ -3,7 +3,7 @@
 #include <exception>
 #include <thread>
 
-namespace stepwire {
+namespace stepwire::realtime {
 
 Served serve_in_real_time(Loop& loop, std::int64_t deadlines, const ThreadPolicy& policy,
                           std::optional<int> cpu) {
@@ -23,4 +23,4 @@ Served serve_in_real_time(Loop& loop, std::int64_t deadlines, const ThreadPolicy
   return served;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::realtime

@@ -8,7 +8,7 @@
 #include "engine/simulate/realtime/loop.hpp"
 #include "engine/simulate/realtime/real_time_thread.hpp"
 
-namespace stepwire {
+namespace stepwire::realtime {
 
 /// How the thread of a loop really ran.
 struct Served {
@@ -20,4 +20,4 @@ struct Served {
 Served serve_in_real_time(Loop& loop, std::int64_t deadlines, const ThreadPolicy& policy,
                           std::optional<int> cpu);
 
-}  // namespace stepwire
+}  // namespace stepwire::realtime

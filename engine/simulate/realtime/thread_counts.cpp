@@ -4,7 +4,7 @@
 
 #include "engine/simulate/realtime/allocations.hpp"
 
-namespace stepwire {
+namespace stepwire::realtime {
 
 ThreadCounts ThreadCounts::now() {
   rusage usage{};
@@ -20,4 +20,4 @@ void ThreadCounts::add(const ThreadCounts& from, const ThreadCounts& to) {
   if (to.allocations) allocations = allocations.value_or(0) + *to.allocations - from.allocations.value_or(0);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::realtime

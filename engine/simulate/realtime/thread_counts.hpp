@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace stepwire {
+namespace stepwire::realtime {
 
 /// What a thread has caused so far, as the kernel and the allocator count it.
 struct ThreadCounts {
@@ -18,4 +18,4 @@ struct ThreadCounts {
   void add(const ThreadCounts& from, const ThreadCounts& to);
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::realtime

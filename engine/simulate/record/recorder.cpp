@@ -5,13 +5,13 @@
 #include <cmath>
 #include <utility>
 
-namespace stepwire {
+namespace stepwire::record {
 
-std::vector<RecordedColumn> recorded_columns(const Plan& plan, const RecordRequest& request) {
+std::vector<RecordedColumn> recorded_columns(const plan::Plan& plan, const diagram::RecordRequest& request) {
   std::vector<RecordedColumn> columns;
-  columns.push_back({"time", parse_unit("s")->dimension, Layout::time});
-  for (const RecordedSignal& signal : request.signals) {
-    const SignalSlot slot = plan.slot(signal.signal);
+  columns.push_back({"time", unit::parse_unit("s")->dimension, plan::Layout::time});
+  for (const diagram::RecordedSignal& signal : request.signals) {
+    const plan::SignalSlot slot = plan.slot(signal.signal);
     const auto dimension = plan.dimension(signal.signal);
     for (Eigen::Index k = 0; k < slot.size; ++k)
       columns.push_back({slot.size == 1 ? signal.name : fmt::format("{}.{}", signal.name, k + 1), dimension,
@@ -20,33 +20,34 @@ std::vector<RecordedColumn> recorded_columns(const Plan& plan, const RecordReque
   return columns;
 }
 
-std::int64_t ticks_between_rows(const Plan& plan, const RecordRequest& request) {
+std::int64_t ticks_between_rows(const plan::Plan& plan, const diagram::RecordRequest& request) {
   return request.every ? static_cast<std::int64_t>(std::llround(*request.every / plan.diagram.step)) : 1;
 }
 
-std::size_t max_rows(const Plan& plan, const RecordRequest& request) {
+std::size_t max_rows(const plan::Plan& plan, const diagram::RecordRequest& request) {
   const std::int64_t every = ticks_between_rows(plan, request);
   return static_cast<std::size_t>((plan.steps + every - 1) / every + 1);
 }
 
-std::vector<Column> empty_columns(const Plan& plan, const RecordRequest& request) {
-  std::vector<Column> columns;
+std::vector<table::Column> empty_columns(const plan::Plan& plan, const diagram::RecordRequest& request) {
+  std::vector<table::Column> columns;
   for (RecordedColumn& column : recorded_columns(plan, request))
-    columns.push_back({std::move(column.name), column.dimension ? si_name(*column.dimension) : "", {}});
+    columns.push_back({std::move(column.name), column.dimension ? unit::si_name(*column.dimension) : "", {}});
   return columns;
 }
 
-Recorder::Recorder(const Plan& plan, const RecordRequest& request, std::vector<double*> columns)
+Recorder::Recorder(const plan::Plan& plan, const diagram::RecordRequest& request,
+                   std::vector<double*> columns)
     : every_(ticks_between_rows(plan, request)), columns_(std::move(columns)) {
   for (const RecordedColumn& column : recorded_columns(plan, request)) offsets_.push_back(column.offset);
 }
 
-RunRecording::RunRecording(const Plan& plan) {
-  for (const RecordRequest& request : plan.diagram.records) {
+RunRecording::RunRecording(const plan::Plan& plan) {
+  for (const diagram::RecordRequest& request : plan.diagram.records) {
     Recording recording;
     recording.table.columns = empty_columns(plan, request);
     std::vector<double*> columns;
-    for (Column& column : recording.table.columns) {
+    for (table::Column& column : recording.table.columns) {
       column.values.resize(max_rows(plan, request));
       columns.push_back(column.values.data());
     }
@@ -57,11 +58,11 @@ RunRecording::RunRecording(const Plan& plan) {
 
 std::vector<Recording> RunRecording::take() {
   for (std::size_t i = 0; i < recordings_.size(); ++i)
-    for (Column& column : recordings_[i].table.columns) {
+    for (table::Column& column : recordings_[i].table.columns) {
       column.values.resize(recorders_[i].rows());
       if (column.values.size() < column.values.capacity() / 2) column.values.shrink_to_fit();
     }
   return std::move(recordings_);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::record

@@ -8,29 +8,29 @@
 #include "engine/model/plan/plan.hpp"
 #include "engine/simulate/record/recording.hpp"
 
-namespace stepwire {
+namespace stepwire::record {
 
 /// A column that a request records: where its numbers lie in the workspace.
 struct RecordedColumn {
   std::string name;  ///< "time", or a signal; a vector signal p makes p.1, p.2, ...
-  std::optional<Dimension> dimension;
+  std::optional<unit::Dimension> dimension;
   std::size_t offset;
 };
 /// In their order, the time first.
-std::vector<RecordedColumn> recorded_columns(const Plan& plan, const RecordRequest& request);
+std::vector<RecordedColumn> recorded_columns(const plan::Plan& plan, const diagram::RecordRequest& request);
 
 /// Ticks between two rows of a recording.
-std::int64_t ticks_between_rows(const Plan& plan, const RecordRequest& request);
+std::int64_t ticks_between_rows(const plan::Plan& plan, const diagram::RecordRequest& request);
 /// Rows of a run that goes on to its stop time, whose last tick makes one, too, where the period skips it.
-std::size_t max_rows(const Plan& plan, const RecordRequest& request);
+std::size_t max_rows(const plan::Plan& plan, const diagram::RecordRequest& request);
 /// Columns without rows, with names and units.
-std::vector<Column> empty_columns(const Plan& plan, const RecordRequest& request);
+std::vector<table::Column> empty_columns(const plan::Plan& plan, const diagram::RecordRequest& request);
 
 /// Writes chosen signals of one run at one period, each number once: into the place where it stays.
 class Recorder {
  public:
   /// Writes from the first row of these columns on, which have room for max_rows().
-  Recorder(const Plan& plan, const RecordRequest& request, std::vector<double*> columns);
+  Recorder(const plan::Plan& plan, const diagram::RecordRequest& request, std::vector<double*> columns);
 
   /// Keeps the signals of this tick, if it is one of the recorder's or the last one of the run.
   void record(std::int64_t tick, const double* values, bool last = false) {
@@ -60,7 +60,7 @@ class Recorder {
 /// The recordings of one run, with their recorders.
 class RunRecording {
  public:
-  explicit RunRecording(const Plan& plan);
+  explicit RunRecording(const plan::Plan& plan);
 
   std::vector<Recorder>& recorders() { return recorders_; }
   const std::vector<Recorder>& recorders() const { return recorders_; }
@@ -72,4 +72,4 @@ class RunRecording {
   std::vector<Recorder> recorders_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::record

@@ -6,7 +6,7 @@
 
 #include "engine/base/table/table.hpp"
 
-namespace stepwire {
+namespace stepwire::record {
 
 /// A swept parameter whose values are words (or files): its column holds 0, 1, ..., which stand for these
 /// texts.
@@ -18,9 +18,9 @@ struct Categories {
 /// What one record entry of a run (or of all runs of a sweep) gathered: columns of equal length, "time" first
 /// (unit s), then swept parameters, then signals. All numbers are SI.
 struct Recording {
-  Table table;
+  table::Table table;
   std::vector<std::size_t> starts{0};  ///< first row of each run; one element 0 for a single run
   std::vector<Categories> categories;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::record

@@ -8,7 +8,7 @@
 #include "engine/base/io/file.hpp"
 #include "engine/model/diagram/flatten.hpp"
 
-namespace stepwire {
+namespace stepwire::replay {
 
 namespace {
 
@@ -21,9 +21,9 @@ std::string safe(std::string name) {
 }  // namespace
 
 const std::string& DataCopies::name_of(const std::string& path) {
-  const auto [copy, is_new] = copies_.try_emplace(absolute_path(path));
+  const auto [copy, is_new] = copies_.try_emplace(diagram::absolute_path(path));
   if (!is_new) return copy->second.name;
-  copy->second = {free_name(path), read_file(path)};
+  copy->second = {free_name(path), io::read_file(path)};
   taken_.insert(copy->second.name);
   return copy->second.name;
 }
@@ -32,11 +32,11 @@ std::string DataCopies::free_name(const std::string& path) const {
   const std::filesystem::path file(path);
   const std::string stem = safe(file.stem().string()), ending = safe(file.extension().string());
   for (std::size_t index = 0;; ++index)
-    if (std::string name = numbered(stem, index, ending); !taken_.contains(name)) return name;
+    if (std::string name = io::numbered(stem, index, ending); !taken_.contains(name)) return name;
 }
 
 void DataCopies::write(const std::string& folder) const {
-  for (const auto& [path, copy] : copies_) write_file(folder + "/" + copy.name, copy.content);
+  for (const auto& [path, copy] : copies_) io::write_file(folder + "/" + copy.name, copy.content);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::replay

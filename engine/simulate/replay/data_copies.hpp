@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-namespace stepwire {
+namespace stepwire::replay {
 
 /// Data files as they are now, each under a name of its own, to be written into one folder.
 class DataCopies {
@@ -25,4 +25,4 @@ class DataCopies {
   std::set<std::string> taken_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::replay

@@ -7,18 +7,18 @@
 
 #include "engine/base/table/table_file.hpp"
 
-namespace stepwire {
+namespace stepwire::replay {
 
 namespace {
 
 constexpr std::int64_t ticks_between_looks = 4096;  // at the interrupt flag
 
 [[noreturn]] void refuse(const std::string& file, std::size_t row, std::string message) {
-  throw Error(Fault{{file, {static_cast<int>(row) + 2, 1}}, "", std::move(message), {}});
+  throw yaml::Error(yaml::Fault{{file, {static_cast<int>(row) + 2, 1}}, "", std::move(message), {}});
 }
 
 /// The column `tick`: whole numbers that rise.
-std::vector<std::int64_t> ticks_of(const std::string& file, const Table& table) {
+std::vector<std::int64_t> ticks_of(const std::string& file, const table::Table& table) {
   std::vector<std::int64_t> ticks;
   for (const double value : table.columns[1].values) {
     const bool whole = value >= 0.0 && value < 9e15 && value == std::floor(value);
@@ -42,18 +42,18 @@ struct Cursor {
 /// What was written to the inputs of a diagram.
 class Inputs {
  public:
-  Inputs(const Plan& plan, const std::string& file) {
+  Inputs(const plan::Plan& plan, const std::string& file) {
     if (plan.diagram.inputs.empty()) return;
-    ColumnWords no_words;
-    table_ = read_csv(file, no_words);
+    table::ColumnWords no_words;
+    table_ = table::read_csv(file, no_words);
     require_names(plan, file);
     cursor_.ticks = ticks_of(file, table_);
-    for (const DiagramInput& input : plan.diagram.inputs)
+    for (const diagram::DiagramInput& input : plan.diagram.inputs)
       sizes_.push_back(static_cast<std::size_t>(plan.slot({input.block, 0}).size));
     numbers_.resize(table_.columns.size());
   }
 
-  void write(Executor& simulation) {
+  void write(run::Executor& simulation) {
     if (!cursor_.is_at(simulation.tick())) return;
     for (std::size_t i = 0; i < numbers_.size(); ++i) numbers_[i] = table_.columns[i].values[cursor_.row];
     std::size_t column = 2;
@@ -63,23 +63,24 @@ class Inputs {
   }
 
  private:
-  void require_names(const Plan& plan, const std::string& file) const {
+  void require_names(const plan::Plan& plan, const std::string& file) const {
     std::vector<std::string> wanted{"time", "tick"}, found;
-    for (const DiagramInput& input : plan.diagram.inputs) {
+    for (const diagram::DiagramInput& input : plan.diagram.inputs) {
       const Eigen::Index size = plan.slot({input.block, 0}).size;
       for (Eigen::Index k = 0; k < size; ++k)
         wanted.push_back(size == 1 ? input.name : fmt::format("{}.{}", input.name, k + 1));
     }
-    for (const Column& column : table_.columns) found.push_back(column.name);
+    for (const table::Column& column : table_.columns) found.push_back(column.name);
     if (found != wanted)
-      throw Error(Fault{{file, {1, 1}},
-                        "",
-                        fmt::format("its columns are {}; the inputs of {} make {}", fmt::join(found, ", "),
-                                    plan.diagram.file, fmt::join(wanted, ", ")),
-                        {}});
+      throw yaml::Error(
+          yaml::Fault{{file, {1, 1}},
+                      "",
+                      fmt::format("its columns are {}; the inputs of {} make {}", fmt::join(found, ", "),
+                                  plan.diagram.file, fmt::join(wanted, ", ")),
+                      {}});
   }
 
-  Table table_;
+  table::Table table_;
   Cursor cursor_;
   std::vector<std::size_t> sizes_;
   std::vector<double> numbers_;
@@ -87,15 +88,15 @@ class Inputs {
 
 class LoopReplay {
  public:
-  LoopReplay(const Plan& plan, const std::vector<Recorded>& tables, const std::string& inputs_file)
+  LoopReplay(const plan::Plan& plan, const std::vector<Recorded>& tables, const std::string& inputs_file)
       : simulation_(plan), tables_(tables), inputs_(plan, inputs_file) {
     for (std::size_t i = 0; i < tables.size(); ++i) {
       cursors_.push_back({ticks_of(tables[i].file, tables[i].table)});
-      columns_.push_back(recorded_columns(plan, plan.diagram.records[i]));
+      columns_.push_back(record::recorded_columns(plan, plan.diagram.records[i]));
     }
   }
 
-  void run(const RunOptions& options, Verification& verification) {
+  void run(const run::RunOptions& options, Verification& verification) {
     while (!all_ended() && verification.difference.empty()) {
       inputs_.write(simulation_);
       simulation_.evaluate();
@@ -111,13 +112,14 @@ class LoopReplay {
   }
 
   void count_rows(Verification& verification) const {
-    const Plan& plan = simulation_.plan();
+    const plan::Plan& plan = simulation_.plan();
     for (std::size_t i = 0; i < cursors_.size(); ++i) {
       const auto& ticks = cursors_[i].ticks;
       verification.rows += ticks.size();
       if (ticks.empty()) continue;
       const auto whole =
-          static_cast<std::size_t>(ticks.back() / ticks_between_rows(plan, plan.diagram.records[i])) + 1;
+          static_cast<std::size_t>(ticks.back() / record::ticks_between_rows(plan, plan.diagram.records[i])) +
+          1;
       verification.missing_rows += whole - std::min(whole, ticks.size());
     }
   }
@@ -150,20 +152,20 @@ class LoopReplay {
     return "";
   }
 
-  Executor simulation_;
+  run::Executor simulation_;
   const std::vector<Recorded>& tables_;
   Inputs inputs_;
   std::vector<Cursor> cursors_;
-  std::vector<std::vector<RecordedColumn>> columns_;
+  std::vector<std::vector<record::RecordedColumn>> columns_;
 };
 
 }  // namespace
 
-void replay_loop(const Plan& plan, const std::vector<Recorded>& tables, const std::string& inputs_file,
-                 const RunOptions& options, Verification& verification) {
+void replay_loop(const plan::Plan& plan, const std::vector<Recorded>& tables, const std::string& inputs_file,
+                 const run::RunOptions& options, Verification& verification) {
   LoopReplay replay(plan, tables, inputs_file);
   replay.run(options, verification);
   replay.count_rows(verification);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::replay

@@ -4,14 +4,14 @@
 #include "engine/simulate/replay/verify.hpp"
 #include "engine/simulate/run/run.hpp"
 
-namespace stepwire {
+namespace stepwire::replay {
 
 /// Columns of a loop's table before its signals: time, tick, wall.
 inline constexpr std::size_t first_signal_of_loop = 3;
 
 /// Steps a plan tick by tick with the inputs that were written to it, and compares the rows by their ticks;
 /// adds what came of it. Throws Error where ticks or inputs are not what a loop writes.
-void replay_loop(const Plan& plan, const std::vector<Recorded>& tables, const std::string& inputs_file,
-                 const RunOptions& options, Verification& verification);
+void replay_loop(const plan::Plan& plan, const std::vector<Recorded>& tables, const std::string& inputs_file,
+                 const run::RunOptions& options, Verification& verification);
 
-}  // namespace stepwire
+}  // namespace stepwire::replay

@@ -5,11 +5,11 @@
 #include <bit>
 #include <cmath>
 
-namespace stepwire {
+namespace stepwire::replay {
 
 namespace {
 
-std::string title(const Column& column) {
+std::string title(const table::Column& column) {
   return column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit);
 }
 
@@ -18,10 +18,10 @@ std::string place(const Recorded& recorded, std::size_t row) {
   return fmt::format("{}:{}", recorded.file, row + 2);
 }
 
-std::vector<std::string> titles(const Plan& plan, const RecordRequest& request) {
+std::vector<std::string> titles(const plan::Plan& plan, const diagram::RecordRequest& request) {
   std::vector<std::string> result;
-  for (const RecordedColumn& column : recorded_columns(plan, request))
-    result.push_back(title({column.name, column.dimension ? si_name(*column.dimension) : "", {}}));
+  for (const record::RecordedColumn& column : record::recorded_columns(plan, request))
+    result.push_back(title({column.name, column.dimension ? unit::si_name(*column.dimension) : "", {}}));
   return result;
 }
 
@@ -34,7 +34,7 @@ bool same_bits(double a, double b) {
 
 std::string difference_text(const Recorded& recorded, std::size_t row, std::size_t column, double time,
                             double computed) {
-  const Column& found = recorded.table.columns[column];
+  const table::Column& found = recorded.table.columns[column];
   return fmt::format("{}: {} at {} s is {} and {} when it is replayed", place(recorded, row), found.name,
                      time, found.values[row], computed);
 }
@@ -44,8 +44,8 @@ std::string extra_row_text(const Recorded& recorded, std::size_t row, double end
                      recorded.times()[row], end);
 }
 
-bool has_columns(const Table& table, std::size_t first_signal, const Plan& plan,
-                 const RecordRequest& request) {
+bool has_columns(const table::Table& table, std::size_t first_signal, const plan::Plan& plan,
+                 const diagram::RecordRequest& request) {
   const std::vector<std::string> wanted = titles(plan, request);
   if (table.columns.size() + 1 != first_signal + wanted.size()) return false;
   if (title(table.columns.front()) != wanted.front()) return false;
@@ -54,15 +54,16 @@ bool has_columns(const Table& table, std::size_t first_signal, const Plan& plan,
   return true;
 }
 
-void require_columns(const Recorded& recorded, const Plan& plan, const RecordRequest& request) {
+void require_columns(const Recorded& recorded, const plan::Plan& plan,
+                     const diagram::RecordRequest& request) {
   if (has_columns(recorded.table, recorded.first_signal, plan, request)) return;
   std::vector<std::string> found;
-  for (const Column& column : recorded.table.columns) found.push_back(title(column));
-  throw Error(Fault{{recorded.file, {1, 1}},
-                    "",
-                    fmt::format("its columns are {}; {} records {}", fmt::join(found, ", "),
-                                plan.diagram.file, fmt::join(titles(plan, request), ", ")),
-                    {}});
+  for (const table::Column& column : recorded.table.columns) found.push_back(title(column));
+  throw yaml::Error(yaml::Fault{{recorded.file, {1, 1}},
+                                "",
+                                fmt::format("its columns are {}; {} records {}", fmt::join(found, ", "),
+                                            plan.diagram.file, fmt::join(titles(plan, request), ", ")),
+                                {}});
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::replay

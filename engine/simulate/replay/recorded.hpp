@@ -8,12 +8,12 @@
 #include "engine/base/table/table.hpp"
 #include "engine/simulate/record/recorder.hpp"
 
-namespace stepwire {
+namespace stepwire::replay {
 
 /// A table that a run left in its folder.
 struct Recorded {
   std::string file;  ///< its path, for messages
-  Table table;
+  table::Table table;
   std::size_t first_signal = 1;  ///< column of the first signal; the time is column 0
 
   const std::vector<double>& times() const { return table.columns.front().values; }
@@ -42,9 +42,9 @@ std::string difference_text(const Recorded& recorded, std::size_t row, std::size
 std::string extra_row_text(const Recorded& recorded, std::size_t row, double end);
 
 /// Does a table have these columns of a plan's recording behind its first `first_signal` ones?
-bool has_columns(const Table& table, std::size_t first_signal, const Plan& plan,
-                 const RecordRequest& request);
+bool has_columns(const table::Table& table, std::size_t first_signal, const plan::Plan& plan,
+                 const diagram::RecordRequest& request);
 /// Refuses, as an Error, a table that has not.
-void require_columns(const Recorded& recorded, const Plan& plan, const RecordRequest& request);
+void require_columns(const Recorded& recorded, const plan::Plan& plan, const diagram::RecordRequest& request);
 
-}  // namespace stepwire
+}  // namespace stepwire::replay

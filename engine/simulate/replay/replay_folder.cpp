@@ -11,39 +11,40 @@
 #include "engine/model/diagram/flatten.hpp"
 #include "engine/simulate/replay/data_copies.hpp"
 
-namespace stepwire {
+namespace stepwire::replay {
 
 namespace {
 
-std::string diagram_name(const Job& job, std::size_t member) {
+std::string diagram_name(const run::Job& job, std::size_t member) {
   return job.family->size() == 1 ? flattened_name : fmt::format("diagrams/{:04}.yaml", member + 1);
 }
 
-bool is_file(const Diagram& diagram, const Target& target) {
-  return target.kind == Target::Kind::parameter && diagram.blocks[static_cast<std::size_t>(target.block)]
-                                                           .type()
-                                                           .parameters[static_cast<std::size_t>(target.index)]
-                                                           .kind == ParameterKind::file;
+bool is_file(const diagram::Diagram& diagram, const diagram::Target& target) {
+  return target.kind == diagram::Target::Kind::parameter &&
+         diagram.blocks[static_cast<std::size_t>(target.block)]
+                 .type()
+                 .parameters[static_cast<std::size_t>(target.index)]
+                 .kind == ParameterKind::file;
 }
 
 /// What each run of a sweep sets in its flattened diagram.
 class SweepTable {
  public:
-  SweepTable(const Job& job, const FileName& file_name) : job_(job), file_name_(file_name) {
+  SweepTable(const run::Job& job, const diagram::FileName& file_name) : job_(job), file_name_(file_name) {
     for (std::size_t point = 0; point < job.points.size(); ++point) add(point);
-    for (Column& column : table_.columns)
+    for (table::Column& column : table_.columns)
       for (std::size_t row = 0; row < job.points.size(); ++row)
         column.values.push_back(static_cast<double>(row));
   }
 
-  void write(const std::string& path) const { write_csv(path, table_, words_); }
+  void write(const std::string& path) const { table::write_csv(path, table_, words_); }
 
  private:
   /// A run of a member, and its diagram with the values of the last point.
   struct Member {
-    explicit Member(const Plan& plan) : run(plan), diagram(plan.diagram) {}
-    Executor run;
-    Diagram diagram;
+    explicit Member(const plan::Plan& plan) : run(plan), diagram(plan.diagram) {}
+    run::Executor run;
+    diagram::Diagram diagram;
   };
 
   void add(std::size_t point) {
@@ -54,9 +55,9 @@ class SweepTable {
     job_.family->begin(index, job_.settings_of(point), member.run);
     member.run.put_values(member.diagram);
     if (job_.family->size() > 1) set(point, diagram_column, diagram_name(job_, index));
-    for (const Target& target : job_.family->targets(index))
-      if (const auto value = flattened_value(member.diagram, target, file_name_))
-        set(point, name_of(member.diagram, target), yaml_line(*value));
+    for (const diagram::Target& target : job_.family->targets(index))
+      if (const auto value = diagram::flattened_value(member.diagram, target, file_name_))
+        set(point, name_of(member.diagram, target), yaml::yaml_line(*value));
     for (const auto& [name, words] : words_)
       if (words.size() == point) set(point, name, "");
   }
@@ -71,58 +72,59 @@ class SweepTable {
     words->second.push_back(std::move(text));
   }
 
-  const Job& job_;
-  const FileName& file_name_;
+  const run::Job& job_;
+  const diagram::FileName& file_name_;
   std::map<std::size_t, std::unique_ptr<Member>> members_;
-  Table table_;
-  ColumnWords words_;  ///< of each column, one for each run
+  table::Table table_;
+  table::ColumnWords words_;  ///< of each column, one for each run
 };
 
 }  // namespace
 
-void write_replay(const std::string& folder, const Plan& plan) {
+void write_replay(const std::string& folder, const plan::Plan& plan) {
   DataCopies copies;
-  const std::string text =
-      flattened_text(plan.diagram, [&](const std::string& path) { return "inputs/" + copies.name_of(path); });
+  const std::string text = diagram::flattened_text(
+      plan.diagram, [&](const std::string& path) { return "inputs/" + copies.name_of(path); });
   copies.write(folder + "/inputs");
-  write_file(folder + "/" + flattened_name, text);
+  io::write_file(folder + "/" + flattened_name, text);
 }
 
-void write_replay(const std::string& folder, const Job& job) {
+void write_replay(const std::string& folder, const run::Job& job) {
   if (job.points.empty()) return write_replay(folder, job.plan);
   DataCopies copies;
   const bool one = job.family->size() == 1;
   const std::string up = one ? "inputs/" : "../inputs/";
-  const FileName name = [&](const std::string& path) { return up + copies.name_of(path); };
+  const diagram::FileName name = [&](const std::string& path) { return up + copies.name_of(path); };
   for (std::size_t member = 0; member < job.family->size(); ++member)
-    write_file(folder + "/" + diagram_name(job, member),
-               flattened_text(job.family->plan(member).diagram, name));
-  const FileName beside = [&](const std::string& path) { return "inputs/" + copies.name_of(path); };
+    io::write_file(folder + "/" + diagram_name(job, member),
+                   diagram::flattened_text(job.family->plan(member).diagram, name));
+  const diagram::FileName beside = [&](const std::string& path) { return "inputs/" + copies.name_of(path); };
   SweepTable(job, beside).write(folder + "/" + sweep_name);
   copies.write(folder + "/inputs");
 }
 
-std::set<std::string> files_read(const Plan& plan) {
+std::set<std::string> files_read(const plan::Plan& plan) {
   std::set<std::string> files;
-  for (const ScopeInfo& scope : plan.diagram.scopes) files.insert(scope.file);
-  flattened_text(plan.diagram, [&](const std::string& path) { return *files.insert(path).first; });
+  for (const diagram::ScopeInfo& scope : plan.diagram.scopes) files.insert(scope.file);
+  diagram::flattened_text(plan.diagram, [&](const std::string& path) { return *files.insert(path).first; });
   return files;
 }
 
-std::set<std::string> files_read(const Job& job) {
+std::set<std::string> files_read(const run::Job& job) {
   std::set<std::string> files = files_read(job.plan);
   for (std::size_t point = 0; point < job.points.size(); ++point) {
     const auto& targets = job.family->targets(job.points[point].member);
-    if (std::ranges::none_of(targets,
-                             [&](const Target& target) { return is_file(job.plan.diagram, target); }))
+    if (std::ranges::none_of(
+            targets, [&](const diagram::Target& target) { return is_file(job.plan.diagram, target); }))
       continue;
-    Executor run(job.plan_of(point));
+    run::Executor run(job.plan_of(point));
     job.family->begin(job.points[point].member, job.settings_of(point), run);
-    flattened_text(run.diagram(), [&](const std::string& path) { return *files.insert(path).first; });
+    diagram::flattened_text(run.diagram(),
+                            [&](const std::string& path) { return *files.insert(path).first; });
   }
   for (std::size_t member = 0; job.family && member < job.family->size(); ++member)
     files.merge(files_read(job.family->plan(member)));
   return files;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::replay

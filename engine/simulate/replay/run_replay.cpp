@@ -7,7 +7,7 @@
 
 #include "engine/simulate/record/recorder.hpp"
 
-namespace stepwire {
+namespace stepwire::replay {
 
 namespace {
 
@@ -26,7 +26,8 @@ class Earliest {
   std::string text_;
 };
 
-void compare(const Recorded& recorded, const RowRange& rows, const Table& computed, Earliest& earliest) {
+void compare(const Recorded& recorded, const RowRange& rows, const table::Table& computed,
+             Earliest& earliest) {
   const std::size_t common = std::min(rows.count, computed.rows());
   for (std::size_t k = 0; k < common; ++k) {
     const auto number = [&](std::size_t i) { return computed.columns[i].values[k]; };
@@ -43,20 +44,20 @@ void compare(const Recorded& recorded, const RowRange& rows, const Table& comput
 }
 
 /// Ticks until each table would have one row more than it has: whether the run went on shows there.
-std::int64_t ticks_to_replay(const Plan& plan, const std::vector<RowRange>& rows) {
+std::int64_t ticks_to_replay(const plan::Plan& plan, const std::vector<RowRange>& rows) {
   std::int64_t ticks = 0;
   for (std::size_t i = 0; i < rows.size(); ++i)
-    ticks = std::max(
-        ticks, static_cast<std::int64_t>(rows[i].count) * ticks_between_rows(plan, plan.diagram.records[i]));
+    ticks = std::max(ticks, static_cast<std::int64_t>(rows[i].count) *
+                                record::ticks_between_rows(plan, plan.diagram.records[i]));
   return std::min(ticks, plan.steps);
 }
 
 /// Ends a run behind a tick.
-class UntilTick : public RunObserver {
+class UntilTick : public run::RunObserver {
  public:
   explicit UntilTick(std::int64_t last) : last_(last) {}
-  Flow before_tick(const ObservedRun& run) override {
-    return run.simulation.tick() > last_ ? Flow::stop : Flow::go_on;
+  run::Flow before_tick(const run::ObservedRun& run) override {
+    return run.simulation.tick() > last_ ? run::Flow::stop : run::Flow::go_on;
   }
 
  private:
@@ -65,32 +66,32 @@ class UntilTick : public RunObserver {
 
 }  // namespace
 
-std::vector<std::size_t> replay_run(Executor& simulation, const std::vector<Recorded>& tables,
-                                    const std::vector<RowRange>& rows, const RunOptions& options,
+std::vector<std::size_t> replay_run(run::Executor& simulation, const std::vector<Recorded>& tables,
+                                    const std::vector<RowRange>& rows, const run::RunOptions& options,
                                     Verification& verification) {
-  const Plan& plan = simulation.plan();
+  const plan::Plan& plan = simulation.plan();
   UntilTick until(ticks_to_replay(plan, rows));
-  RunOptions own = options;
+  run::RunOptions own = options;
   own.observers = {&until};
-  TieredExecution interpreted(ExecutionMode::interpreted, nullptr, {}, 0.0);
-  RunRecording recording(plan);
-  const RunEnd end = run_simulation(simulation, recording.recorders(), own, interpreted, 0, 0);
-  const std::vector<Recording> recordings = recording.take();
+  run::TieredExecution interpreted(run::ExecutionMode::interpreted, nullptr, {}, 0.0);
+  record::RunRecording recording(plan);
+  const run::RunEnd end = run::run_simulation(simulation, recording.recorders(), own, interpreted, 0, 0);
+  const std::vector<record::Recording> recordings = recording.take();
   verification.interrupted = verification.interrupted || end.interrupted;
   if (verification.interrupted) return {};
   std::vector<std::size_t> used;
   Earliest earliest;
   for (std::size_t i = 0; i < tables.size(); ++i) {
-    const Table& computed = recordings[i].table;
+    const table::Table& computed = recordings[i].table;
     // A run that broke off before its first row has left none: these are the next one's.
     used.push_back(computed.rows() == 0 ? 0 : rows[i].count);
     verification.rows += used.back();
     if (computed.rows() > used.back())
-      verification.missing_rows += max_rows(plan, plan.diagram.records[i]) - used.back();
+      verification.missing_rows += record::max_rows(plan, plan.diagram.records[i]) - used.back();
     compare(tables[i], {rows[i].first, used.back()}, computed, earliest);
   }
   verification.difference = earliest.text();
   return used;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::replay

@@ -4,7 +4,7 @@
 #include "engine/simulate/replay/verify.hpp"
 #include "engine/simulate/run/run.hpp"
 
-namespace stepwire {
+namespace stepwire::replay {
 
 /// Rows of a table, one behind the other.
 struct RowRange {
@@ -13,8 +13,8 @@ struct RowRange {
 
 /// Runs a plan as far as its rows go and compares them, one entry of `rows` for each table; adds what came of
 /// it. Returns how many rows of each table were this run's.
-std::vector<std::size_t> replay_run(Executor& simulation, const std::vector<Recorded>& tables,
-                                    const std::vector<RowRange>& rows, const RunOptions& options,
+std::vector<std::size_t> replay_run(run::Executor& simulation, const std::vector<Recorded>& tables,
+                                    const std::vector<RowRange>& rows, const run::RunOptions& options,
                                     Verification& verification);
 
-}  // namespace stepwire
+}  // namespace stepwire::replay

@@ -8,7 +8,7 @@
 #include "engine/model/block/registry.hpp"
 #include "engine/simulate/run/executor.hpp"
 
-namespace stepwire {
+namespace stepwire::replay {
 
 /// The runs of a sweep as its folder describes them: diagrams, and what each run sets in which of them.
 class SweepRuns {
@@ -18,7 +18,7 @@ class SweepRuns {
   ~SweepRuns();
 
   /// The simulation of a run, at time 0. Throws Error where the diagram does not take what it sets.
-  Executor& begin(std::size_t run);
+  run::Executor& begin(std::size_t run);
 
  private:
   struct Diagram;
@@ -28,9 +28,9 @@ class SweepRuns {
 
   std::string folder_;
   const Registry& registry_;
-  Table table_;
-  ColumnWords words_;
+  table::Table table_;
+  table::ColumnWords words_;
   std::map<std::string, std::unique_ptr<Diagram>> diagrams_;  ///< by their names in the folder
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::replay

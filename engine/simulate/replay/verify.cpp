@@ -12,7 +12,7 @@
 #include "engine/simulate/replay/run_replay.hpp"
 #include "engine/simulate/replay/sweep_runs.hpp"
 
-namespace stepwire {
+namespace stepwire::replay {
 
 namespace {
 
@@ -23,7 +23,7 @@ struct RunNote {
 };
 
 [[noreturn]] void refuse(const std::string& file, std::string message) {
-  throw Error(Fault{{file, {}}, "", std::move(message), {}});
+  throw yaml::Error(yaml::Fault{{file, {}}, "", std::move(message), {}});
 }
 
 const char* plural(std::size_t count) {
@@ -43,10 +43,10 @@ class Verifier {
     require_file("signals.csv");
     try {
       replay();
-    } catch (const Error& error) {
-      std::vector<Fault> faults = error.faults();
+    } catch (const yaml::Error& error) {
+      std::vector<yaml::Fault> faults = error.faults();
       std::ranges::move(missing_blocksets(), std::back_inserter(faults));
-      throw Error(std::move(faults));
+      throw yaml::Error(std::move(faults));
     }
     return std::move(result_);
   }
@@ -76,20 +76,20 @@ class Verifier {
              "something");
   }
 
-  Plan plan_of(const std::string& name) const {
+  plan::Plan plan_of(const std::string& name) const {
     require_file(name);
-    Loader loader(registry_, wide_limits);
-    return make_plan(loader.load(path(name)));
+    diagram::Loader loader(registry_, wide_limits);
+    return plan::make_plan(loader.load(path(name)));
   }
 
   /// Folders of blocks that the run knew and this program does not.
-  std::vector<Fault> missing_blocksets() const {
-    std::vector<Fault> missing;
+  std::vector<yaml::Fault> missing_blocksets() const {
+    std::vector<yaml::Fault> missing;
     if (!has("run.json")) return missing;
-    const Document note = read_document(path("run.json"), wide_limits);
-    const Node* folders = note.root.find("block_folders");
+    const yaml::Document note = yaml::read_document(path("run.json"), wide_limits);
+    const yaml::Node* folders = note.root.find("block_folders");
     if (!folders) return missing;
-    for (const Node& folder : folders->items)
+    for (const yaml::Node& folder : folders->items)
       if (std::ranges::find(registry_.blocksets(), folder.text) == registry_.blocksets().end())
         missing.push_back(
             {{path("run.json"), folder.mark},
@@ -104,11 +104,11 @@ class Verifier {
   bool is_loop() const {
     const bool may_be_run = has("run.json");
     if (!may_be_run) require_file(flattened_name);
-    const auto header = read_csv_header(path("signals.csv")).columns;
+    const auto header = table::read_csv_header(path("signals.csv")).columns;
     if (!has(flattened_name) || header.size() < first_signal_of_loop || header[1].name != "tick" ||
         header[2].name != "wall")
       return false;
-    const Plan plan = plan_of(flattened_name);
+    const plan::Plan plan = plan_of(flattened_name);
     return !may_be_run || (!plan.diagram.records.empty() &&
                            has_columns({header}, first_signal_of_loop, plan, plan.diagram.records.front()));
   }
@@ -116,25 +116,26 @@ class Verifier {
   RunNote read_note() const {
     require_file("run.json");
     // What is JSON is YAML as well.
-    const Node note = read_document(path("run.json"), wide_limits).root;
-    const Node *sweep = note.find("sweep"), *runs = note.find("runs");
-    const auto count = runs ? parse_quantity(runs->text) : std::nullopt;
+    const yaml::Node note = yaml::read_document(path("run.json"), wide_limits).root;
+    const yaml::Node *sweep = note.find("sweep"), *runs = note.find("runs");
+    const auto count = runs ? unit::parse_quantity(runs->text) : std::nullopt;
     if (!sweep || !count || !(count->value >= 1.0 && count->value < 1e9))
       refuse(path("run.json"), "does not say 'sweep' and 'runs', as every run does");
     RunNote result;
     result.runs = static_cast<std::size_t>(count->value);
-    for (const Node& axis : sweep->items)
-      if (const Node* parameter = axis.find("parameter")) result.swept.push_back(parameter->text);
+    for (const yaml::Node& axis : sweep->items)
+      if (const yaml::Node* parameter = axis.find("parameter")) result.swept.push_back(parameter->text);
     return result;
   }
 
   /// The tables of a plan's recordings; their signals begin behind what else they have.
-  std::vector<Recorded> read_tables(const Plan& plan, std::size_t first_signal, ColumnWords words = {}) {
+  std::vector<Recorded> read_tables(const plan::Plan& plan, std::size_t first_signal,
+                                    table::ColumnWords words = {}) {
     std::vector<Recorded> tables;
     for (std::size_t i = 0; i < plan.diagram.records.size(); ++i) {
-      const std::string name = numbered("signals", i, ".csv");
+      const std::string name = io::numbered("signals", i, ".csv");
       require_file(name);
-      tables.push_back({path(name), read_csv(path(name), words), first_signal});
+      tables.push_back({path(name), table::read_csv(path(name), words), first_signal});
       require_columns(tables.back(), plan, plan.diagram.records[i]);
       result_.signals += tables.back().signals();
     }
@@ -142,7 +143,7 @@ class Verifier {
   }
 
   void verify_loop() {
-    const Plan plan = plan_of(flattened_name);
+    const plan::Plan plan = plan_of(flattened_name);
     const std::vector<Recorded> tables = read_tables(plan, first_signal_of_loop);
     result_.loop = true;
     if (!plan.diagram.inputs.empty()) require_file("inputs.csv");
@@ -150,23 +151,23 @@ class Verifier {
   }
 
   void verify_run() {
-    const Plan plan = plan_of(flattened_name);
+    const plan::Plan plan = plan_of(flattened_name);
     const std::vector<Recorded> tables = read_tables(plan, 1);
     std::vector<RowRange> rows;
     for (const Recorded& table : tables) rows.push_back({0, table.table.rows()});
-    Executor simulation(plan);
+    run::Executor simulation(plan);
     replay_run(simulation, tables, rows, options_, result_);
   }
 
   void verify_sweep(const RunNote& note) {
     result_.runs = note.runs;
     SweepRuns runs(folder_, note.runs, registry_);
-    ColumnWords words;
+    table::ColumnWords words;
     for (const std::string& parameter : note.swept) words[parameter];
     std::vector<Recorded> tables;
     std::vector<RowRange> rows;
     for (std::size_t run = 0; run < note.runs && result_.difference.empty() && !result_.interrupted; ++run) {
-      Executor& simulation = runs.begin(run);
+      run::Executor& simulation = runs.begin(run);
       if (run == 0) {
         tables = read_tables(simulation.plan(), 1 + note.swept.size(), words);
         rows.resize(tables.size());
@@ -190,7 +191,7 @@ class Verifier {
 
   std::string folder_;
   const Registry& registry_;
-  RunOptions options_;
+  run::RunOptions options_;
   Verification result_;
 };
 
@@ -214,4 +215,4 @@ std::string verification_text(const Verification& verification) {
                          : "");
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::replay

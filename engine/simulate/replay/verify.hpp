@@ -6,7 +6,7 @@
 
 #include "engine/model/block/registry.hpp"
 
-namespace stepwire {
+namespace stepwire::replay {
 
 /// What came of replaying a folder.
 struct Verification {
@@ -28,4 +28,4 @@ Verification verify(const std::string& folder, const Registry& registry,
 /// "3 signals in 3001 rows: all bits agree", or the difference, with its place first.
 std::string verification_text(const Verification& verification);
 
-}  // namespace stepwire
+}  // namespace stepwire::replay

@@ -6,20 +6,20 @@
 #include "engine/model/signal/diagnostic.hpp"
 #include "engine/simulate/run/executor.hpp"
 
-namespace stepwire {
+namespace stepwire::run {
 
 namespace {
 
 /// 0 if all are finite.
-double first_not_finite(const double* values, const SignalSlot& slot) {
+double first_not_finite(const double* values, const plan::SignalSlot& slot) {
   for (const double* value = values + slot.offset; value != values + slot.offset + slot.size; ++value)
     if (!std::isfinite(*value)) return *value;
   return 0.0;
 }
 
-RunFault make_fault(const Plan& plan, std::size_t block, const std::string& port, double time,
+RunFault make_fault(const plan::Plan& plan, std::size_t block, const std::string& port, double time,
                     const std::string& message) {
-  const DiagramBlock& from = plan.diagram.blocks[block];
+  const diagram::DiagramBlock& from = plan.diagram.blocks[block];
   const std::string subject = port.empty() ? from.name : from.name + "." + port;
   return {from.name, port, time, plan.diagram.fault(from.origin, subject, message)};
 }
@@ -28,9 +28,9 @@ RunFault make_fault(const Plan& plan, std::size_t block, const std::string& port
 
 std::optional<RunFault> Executor::wrong_step() const {
   const double* report = values() + plan_.layout.report;
-  if (report[0] == StepReport::fine) return std::nullopt;
+  if (report[0] == solve::StepReport::fine) return std::nullopt;
   const std::string message =
-      report[0] == StepReport::unsolved
+      report[0] == solve::StepReport::unsolved
           ? fmt::format(
                 "the solver finds no solution for the step to {:.12g} s, where Newton's method still "
                 "changes this state by {:.2g} of its size; the run ends here. A smaller step, or a "
@@ -64,7 +64,7 @@ std::optional<RunFault> Executor::not_finite() const {
   for (const bool states : {true, false})
     for (int index : plan_.memory_order) {
       const auto b = static_cast<std::size_t>(index);
-      const PlannedBlock& block = plan_.blocks[b];
+      const plan::PlannedBlock& block = plan_.blocks[b];
       const BlockType& type = plan_.diagram.blocks[b].type();
       const auto& slots = states ? block.states : block.outputs;
       for (std::size_t i = 0; i < slots.size(); ++i) {
@@ -99,7 +99,7 @@ std::optional<RunFault> Executor::fault() const {
 std::vector<RaisedDiagnostic> Executor::diagnostics() const {
   std::vector<RaisedDiagnostic> raised;
   for (std::size_t b = 0; b < plan_.blocks.size(); ++b) {
-    const DiagramBlock& block = plan_.diagram.blocks[b];
+    const diagram::DiagramBlock& block = plan_.diagram.blocks[b];
     for (std::size_t n = 0; n < block.type().diagnostics.size(); ++n) {
       const double first = workspace_.values[plan_.blocks[b].diagnostics[n].offset];
       if (!block.type().diagnostics[n].ends_run && first != Diagnostic::never)
@@ -109,4 +109,4 @@ std::vector<RaisedDiagnostic> Executor::diagnostics() const {
   return raised;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::run

@@ -1,8 +1,8 @@
 #include "engine/simulate/run/drive.hpp"
 
-namespace stepwire {
+namespace stepwire::run {
 
-Drive::Drive(Executor& simulation, std::vector<Recorder>& recorders)
+Drive::Drive(Executor& simulation, std::vector<record::Recorder>& recorders)
     : simulation_(simulation), recorders_(recorders), stopper_(simulation.plan()) {}
 
 Drive::End Drive::run() {
@@ -18,7 +18,8 @@ Drive::End Drive::run() {
     if (!simulation_.healthy()) return end(End::finished);
     const bool last = simulation_.finished() || stopper_.stops(simulation_.values());
     if (!observers.empty()) watched_->evaluated(last);
-    for (Recorder& recorder : recorders_) recorder.record(simulation_.tick(), simulation_.values(), last);
+    for (record::Recorder& recorder : recorders_)
+      recorder.record(simulation_.tick(), simulation_.values(), last);
     if (last) return end(End::finished);
     simulation_.advance();
     if (!simulation_.healthy()) return end(End::finished);
@@ -32,7 +33,7 @@ Flow Drive::show_tick() {
   const std::int64_t tick = simulation_.tick();
   const Flow flow = watched_->before_tick();
   if (simulation_.tick() != tick)
-    for (Recorder& recorder : recorders_) recorder.go_back_to(simulation_.tick());
+    for (record::Recorder& recorder : recorders_) recorder.go_back_to(simulation_.tick());
   return flow;
 }
 
@@ -41,4 +42,4 @@ Drive::End Drive::end(End how) {
   return how;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::run

@@ -10,7 +10,7 @@
 #include "engine/simulate/run/observed_ticks.hpp"
 #include "engine/simulate/run/stop_condition.hpp"
 
-namespace stepwire {
+namespace stepwire::run {
 
 /// Goes through the ticks of a run: records, stops where the diagram says, shows observers what happens.
 class Drive {
@@ -25,7 +25,7 @@ class Drive {
     interrupted
   };
 
-  Drive(Executor& simulation, std::vector<Recorder>& recorders);
+  Drive(Executor& simulation, std::vector<record::Recorder>& recorders);
 
   std::size_t index = 0;                         ///< of the run, for observers
   std::span<RunObserver* const> observers;       ///< must outlive the drive
@@ -41,9 +41,9 @@ class Drive {
   End end(End how);
 
   Executor& simulation_;
-  std::vector<Recorder>& recorders_;
+  std::vector<record::Recorder>& recorders_;
   StopConditionEvaluator stopper_;
   std::optional<ObservedTicks> watched_;  ///< once it has begun
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::run

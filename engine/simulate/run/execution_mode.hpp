@@ -1,6 +1,6 @@
 #pragma once
 
-namespace stepwire {
+namespace stepwire::run {
 
 /// How a run is computed. The results are the same to the last bit.
 enum class ExecutionMode {
@@ -9,4 +9,4 @@ enum class ExecutionMode {
   automatic  ///< interpreted at first; compiled once that is worth it and ready
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::run

@@ -10,39 +10,40 @@
 #include "engine/model/signal/diagnostic.hpp"
 #include "engine/simulate/run/finite.hpp"
 
-namespace stepwire {
+namespace stepwire::run {
 
 namespace {
 
 constexpr std::align_val_t block_alignment{64};
 
-std::unique_ptr<Solver> solver_of(const Plan& plan) {
-  const Diagram& diagram = plan.diagram;
+std::unique_ptr<solve::Solver> solver_of(const plan::Plan& plan) {
+  const diagram::Diagram& diagram = plan.diagram;
   if (diagram.solver.empty()) return nullptr;
-  auto solver = make_solver(diagram.solver, plan.layout.state_count);
+  auto solver = solve::make_solver(diagram.solver, plan.layout.state_count);
   if (solver) return plan.layout.state_count > 0 ? std::move(solver) : nullptr;
   std::vector<std::string> names;
-  for (const SolverKind& kind : solver_kinds()) names.push_back(kind.name);
-  throw Error(diagram.fault(diagram.solver_origin, "solver",
-                            fmt::format("there is no solver '{}'{}", diagram.solver,
-                                        did_you_mean(diagram.solver, names,
-                                                     fmt::format("Known are: {}", fmt::join(names, ", "))))));
+  for (const solve::SolverKind& kind : solve::solver_kinds()) names.push_back(kind.name);
+  throw yaml::Error(diagram.fault(
+      diagram.solver_origin, "solver",
+      fmt::format(
+          "there is no solver '{}'{}", diagram.solver,
+          yaml::did_you_mean(diagram.solver, names, fmt::format("Known are: {}", fmt::join(names, ", "))))));
 }
 
 /// One number for all elements, or one for each.
-void write(const SignalSlot& slot, const Eigen::VectorXd& value, double* values) {
+void write(const plan::SignalSlot& slot, const Eigen::VectorXd& value, double* values) {
   for (Eigen::Index k = 0; k < slot.size; ++k)
     values[slot.offset + static_cast<std::size_t>(k)] = value[value.size() == 1 ? 0 : k];
 }
 
 /// Elements of lists are put from `element` on.
-void bind_inputs(const BlockType& type, const PlannedBlock& planned, void* block, double* values,
+void bind_inputs(const BlockType& type, const plan::PlannedBlock& planned, void* block, double* values,
                  Inputs::Element* element) {
   for (std::size_t i = 0; i < type.inputs.size(); ++i) {
     const auto& slots = planned.inputs[i];
     if (type.inputs[i].list) {
       const Inputs::Element* first = element;
-      for (const SignalSlot& slot : slots) *element++ = {values + slot.offset, slot.size};
+      for (const plan::SignalSlot& slot : slots) *element++ = {values + slot.offset, slot.size};
       type.inputs[i].bind_list(block, first, static_cast<Eigen::Index>(slots.size()));
     } else if (slots.empty()) {
       type.inputs[i].unbind(block);
@@ -55,12 +56,12 @@ void bind_inputs(const BlockType& type, const PlannedBlock& planned, void* block
 }  // namespace
 
 /// The continuous part of the diagram at a solver's stage.
-class Executor::Equations : public System {
+class Executor::Equations : public solve::System {
  public:
   explicit Equations(Executor& simulation) : simulation_(simulation) {
-    const Layout& layout = simulation.plan_.layout;
+    const plan::Layout& layout = simulation.plan_.layout;
     double* values = simulation.workspace_.values.data();
-    time = values + Layout::time;
+    time = values + plan::Layout::time;
     x = values + layout.states;
     dot = values + layout.derivatives;
     count = layout.state_count;
@@ -80,7 +81,7 @@ void Executor::FreeBlocks::operator()(std::byte* memory) const {
   ::operator delete(memory, block_alignment);
 }
 
-Executor::Executor(const Plan& plan)
+Executor::Executor(const plan::Plan& plan)
     : plan_(plan),
       solver_(solver_of(plan)),
       blocks_(static_cast<std::byte*>(::operator new(plan.block_bytes + 1, block_alignment))),
@@ -94,7 +95,7 @@ Executor::Executor(const Plan& plan)
   due_.assign(plan.periods.size(), 1);
   for (int block : plan.memory_order) {
     const auto index = static_cast<std::size_t>(block);
-    const DiagramBlock& from = plan.diagram.blocks[index];
+    const diagram::DiagramBlock& from = plan.diagram.blocks[index];
     from.type().copy(memory(index), from.block.get());
   }
   equations_ = std::make_unique<Equations>(*this);
@@ -111,7 +112,7 @@ Executor::~Executor() {
 
 void Executor::bind() {
   std::size_t elements = 0;
-  for (const PlannedBlock& block : plan_.blocks) {
+  for (const plan::PlannedBlock& block : plan_.blocks) {
     first_list_element_.push_back(elements);
     for (const auto& slots : block.inputs) elements += slots.size();
   }
@@ -126,7 +127,7 @@ void Executor::bind() {
 
 void Executor::bind_block(std::size_t index) {
   const BlockType& type = plan_.diagram.blocks[index].type();
-  const PlannedBlock& planned = plan_.blocks[index];
+  const plan::PlannedBlock& planned = plan_.blocks[index];
   double* values = workspace_.values.data();
   void* block = memory(index);
   bind_inputs(type, planned, block, values, list_elements_.data() + first_list_element_[index]);
@@ -138,7 +139,7 @@ void Executor::bind_block(std::size_t index) {
   for (std::size_t n = 0; n < type.diagnostics.size(); ++n)
     type.diagnostics[n].bind(block, values + planned.diagnostics[n].offset);
   for (const ClockSpec& clock : type.clocks)
-    if (clock.bind_time) clock.bind_time(block, values + Layout::time);
+    if (clock.bind_time) clock.bind_time(block, values + plan::Layout::time);
 }
 
 void Executor::reset() {
@@ -146,18 +147,18 @@ void Executor::reset() {
   healthy_ = true;
   auto& values = workspace_.values;
   std::fill(values.begin(), values.end(), 0.0);
-  values[Layout::timed] = Layout::never;
+  values[plan::Layout::timed] = plan::Layout::never;
   write_constants();
   std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(plan_.layout.diagnostics),
               plan_.layout.diagnostic_count, Diagnostic::never);
   for (int block : plan_.memory_order) {
     const auto index = static_cast<std::size_t>(block);
-    const DiagramBlock& from = plan_.diagram.blocks[index];
+    const diagram::DiagramBlock& from = plan_.diagram.blocks[index];
     const auto& states = plan_.blocks[index].states;
     for (std::size_t s = 0; s < states.size(); ++s)
       std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(states[s].offset), states[s].size,
                   from.type().states[s].initial);
-    for (const InitialValue& initial : from.initial)
+    for (const diagram::InitialValue& initial : from.initial)
       write(states[static_cast<std::size_t>(initial.state)], initial.value, values.data());
   }
   for (const auto& [slot, value] : initial_) write(slot, value, values.data());
@@ -175,7 +176,7 @@ void Executor::write_constants() {
 }
 
 void Executor::compute_once() {
-  for (const KernelCall& batch : plan_.once) call(batch);
+  for (const plan::KernelCall& batch : plan_.once) call(batch);
 }
 
 void Executor::restore(const Workspace& workspace) {
@@ -188,12 +189,12 @@ void Executor::restore(const Workspace& workspace) {
 
 void Executor::write_input(std::size_t input, const double* numbers) {
   const auto block = static_cast<std::size_t>(plan_.diagram.inputs[input].block);
-  const SignalSlot& slot = plan_.blocks[block].outputs.front();
+  const plan::SignalSlot& slot = plan_.blocks[block].outputs.front();
   std::copy_n(numbers, slot.size, workspace_.values.begin() + static_cast<std::ptrdiff_t>(slot.offset));
 }
 
-Executor::Table::Table(const std::vector<KernelCall>& batches, std::byte* blocks) : batches(batches) {
-  for (const KernelCall& batch : batches)
+Executor::Table::Table(const std::vector<plan::KernelCall>& batches, std::byte* blocks) : batches(batches) {
+  for (const plan::KernelCall& batch : batches)
     calls.push_back({batch.run, blocks + batch.first, blocks + batch.end});
 }
 
@@ -213,8 +214,8 @@ void Executor::run(const Table& table) {
 
 void Executor::follow_time() {
   double* values = workspace_.values.data();
-  if (values[Layout::timed] == values[Layout::time] || plan_.timed.empty()) return;
-  values[Layout::timed] = values[Layout::time];
+  if (values[plan::Layout::timed] == values[plan::Layout::time] || plan_.timed.empty()) return;
+  values[plan::Layout::timed] = values[plan::Layout::time];
   run(timed_);
 }
 
@@ -247,7 +248,7 @@ void Executor::evaluate() {
   if (code_) {
     code_->functions.evaluate(workspace_.values.data(), numbers_->data(), workspace_.tick);
   } else {
-    workspace_.values[Layout::time] = time();
+    workspace_.values[plan::Layout::time] = time();
     follow_time();
     find_due();
     run_due(outputs_);
@@ -262,7 +263,7 @@ void Executor::advance() {
     take_step();
   }
   if (!ending_diagnostics_.empty() && diagnostic_ends_run()) healthy_ = false;
-  if (workspace_.values[plan_.layout.report] != StepReport::fine) healthy_ = false;
+  if (workspace_.values[plan_.layout.report] != solve::StepReport::fine) healthy_ = false;
   ++workspace_.tick;
 }
 
@@ -275,7 +276,7 @@ void Executor::take_step() {
 }
 
 bool Executor::is_finite() const {
-  const Layout& layout = plan_.layout;
+  const plan::Layout& layout = plan_.layout;
   return all_finite(values() + layout.signals, layout.derivatives + layout.state_count - layout.signals);
 }
 
@@ -285,4 +286,4 @@ bool Executor::diagnostic_ends_run() const {
   return false;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::run

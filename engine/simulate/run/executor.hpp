@@ -15,7 +15,7 @@
 #include "engine/simulate/run/schedule_probe.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
-namespace stepwire {
+namespace stepwire::run {
 
 /// All that moves in a run: copy it to keep a moment, put it back to return there.
 struct Workspace {
@@ -30,17 +30,17 @@ struct Workspace {
 class Executor {
  public:
   /// Throws Error where the diagram names a solver that is not known.
-  explicit Executor(const Plan& plan);
+  explicit Executor(const plan::Plan& plan);
   ~Executor();
   Executor(const Executor&) = delete;
   Executor& operator=(const Executor&) = delete;
 
   /// From now on steps with compiled code, which must outlive this; call it between advance() and evaluate().
   /// Code that has other numbers than this run is not used.
-  void use(const CompiledPlan& code);
+  void use(const plan::CompiledPlan& code);
   bool compiled() const { return code_ != nullptr; }
   /// Adds what code must read from a table for the values that are set now.
-  void widen(std::vector<VariableBlock>& variable) const;
+  void widen(std::vector<plan::VariableBlock>& variable) const;
 
   /// What set() came to.
   enum class Setting {
@@ -51,14 +51,14 @@ class Executor {
   /// from them is evaluated, configured and prepared as by a run that begins with these values. Where the
   /// structure changes, or where a value is refused (throws Error), everything stays as it was. Code that has
   /// one of the values as the plan has it is left, and the run goes on interpreted. Allocates.
-  [[nodiscard]] Setting set(const Variation& variation, std::span<const Assignment> values);
+  [[nodiscard]] Setting set(const diagram::Variation& variation, std::span<const diagram::Assignment> values);
   /// The same for one parameter ("rig.mass"), value of a block ("spring.gain") or initial value, as `--set`
   /// reads it.
   [[nodiscard]] Setting set(const std::string& name, const std::string& value);
   /// The plan's diagram with the values that are set now, its blocks configured.
-  Diagram diagram() const;
+  diagram::Diagram diagram() const;
   /// Puts the values that are set now into a copy of the plan's diagram.
-  void put_values(Diagram& diagram) const;
+  void put_values(diagram::Diagram& diagram) const;
   /// The present value of a parameter of the diagram, by its index in Diagram::parameters.
   const Value& parameter(std::size_t index) const;
   /// Why the last set() needs another plan.
@@ -77,7 +77,7 @@ class Executor {
   std::int64_t tick() const { return workspace_.tick; }
   double time() const { return plan_.time_of(workspace_.tick); }
 
-  const Plan& plan() const { return plan_; }
+  const plan::Plan& plan() const { return plan_; }
   const Workspace& workspace() const { return workspace_; }
   const double* values() const { return workspace_.values.data(); }
   /// Writes an input of the diagram, by its index in Diagram::inputs: as many numbers as it has elements.
@@ -89,7 +89,9 @@ class Executor {
 
   /// Makes one call of the plan, which may be cut down to some of its blocks, at the present moment: for
   /// measuring what it costs.
-  void call(const KernelCall& batch) { batch.run(blocks_.get() + batch.first, blocks_.get() + batch.end); }
+  void call(const plan::KernelCall& batch) {
+    batch.run(blocks_.get() + batch.first, blocks_.get() + batch.end);
+  }
   /// Are all signals and continuous states finite? evaluate() asks this at every tick.
   bool is_finite() const;
 
@@ -100,8 +102,8 @@ class Executor {
  private:
   class Equations;
 
-  void apply(PlanChange& change);
-  void replace(RebuiltBlock& rebuilt);
+  void apply(plan::PlanChange& change);
+  void replace(plan::RebuiltBlock& rebuilt);
   /// Lets the code read a block that was set anew, or leaves the code that cannot.
   void read_numbers(std::size_t block);
   void write_constants();
@@ -118,9 +120,9 @@ class Executor {
       Kernel run;
       std::byte *first, *end;
     };
-    Table(const std::vector<KernelCall>& batches, std::byte* blocks);
+    Table(const std::vector<plan::KernelCall>& batches, std::byte* blocks);
 
-    const std::vector<KernelCall>& batches;
+    const std::vector<plan::KernelCall>& batches;
     std::vector<Call> calls;
   };
 
@@ -141,11 +143,11 @@ class Executor {
     void operator()(std::byte* memory) const;
   };
 
-  const Plan& plan_;
-  std::unique_ptr<Solver> solver_;  ///< none where nothing is continuous
+  const plan::Plan& plan_;
+  std::unique_ptr<solve::Solver> solver_;  ///< none where nothing is continuous
   Workspace workspace_;
   std::vector<double> constants_;
-  std::vector<std::pair<SignalSlot, Eigen::VectorXd>>
+  std::vector<std::pair<plan::SignalSlot, Eigen::VectorXd>>
       initial_;                                  ///< values that were set, in the place of the plan's
   std::vector<Inputs::Element> list_elements_;   ///< of all list inputs, in the order of blocks in memory
   std::vector<std::size_t> first_list_element_;  ///< of each block
@@ -156,11 +158,11 @@ class Executor {
   std::vector<std::size_t> ending_diagnostics_;
   ScheduleProbe* watcher_ = nullptr;
   bool healthy_ = true;
-  const CompiledPlan* code_ = nullptr;        ///< none while interpreted
-  std::optional<NumberTable> numbers_;        ///< that the code reads
-  std::optional<ParameterState> parameters_;  ///< once one is set
-  WrittenBlocks written_;                     ///< of which values were set
+  const plan::CompiledPlan* code_ = nullptr;           ///< none while interpreted
+  std::optional<plan::NumberTable> numbers_;           ///< that the code reads
+  std::optional<diagram::ParameterState> parameters_;  ///< once one is set
+  plan::WrittenBlocks written_;                        ///< of which values were set
   std::string structure_change_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::run

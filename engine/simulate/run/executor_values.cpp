@@ -1,9 +1,9 @@
 // Values that are set while a run goes on.
 #include "engine/simulate/run/executor.hpp"
 
-namespace stepwire {
+namespace stepwire::run {
 
-void Executor::use(const CompiledPlan& code) {
+void Executor::use(const plan::CompiledPlan& code) {
   numbers_.emplace(plan_, code.variable, [this](std::size_t block) { return memory(block); });
   code_ = &code;
   for (const auto& [block, written] : written_) read_numbers(block);
@@ -13,8 +13,8 @@ void Executor::read_numbers(std::size_t block) {
   if (code_ && !numbers_->read(block)) code_ = nullptr;
 }
 
-void Executor::widen(std::vector<VariableBlock>& variable) const {
-  stepwire::widen(variable, plan_, [this](std::size_t block) { return memory(block); });
+void Executor::widen(std::vector<plan::VariableBlock>& variable) const {
+  stepwire::plan::widen(variable, plan_, [this](std::size_t block) { return memory(block); });
 }
 
 const Value& Executor::parameter(std::size_t index) const {
@@ -22,13 +22,13 @@ const Value& Executor::parameter(std::size_t index) const {
   return set ? *set : plan_.diagram.parameters[index].value;
 }
 
-Diagram Executor::diagram() const {
-  Diagram diagram = plan_.diagram;
+diagram::Diagram Executor::diagram() const {
+  diagram::Diagram diagram = plan_.diagram;
   put_values(diagram);
   return diagram;
 }
 
-void Executor::put_values(Diagram& diagram) const {
+void Executor::put_values(diagram::Diagram& diagram) const {
   for (const auto& [index, written] : written_) {
     const BlockType& type = written.type();
     AnyBlock& block = diagram.blocks[index].block;
@@ -36,14 +36,14 @@ void Executor::put_values(Diagram& diagram) const {
     type.copy(block.get(), memory(index));
   }
   for (std::size_t b = 0; b < diagram.blocks.size(); ++b) {
-    const PlannedBlock& planned = plan_.blocks[b];
+    const plan::PlannedBlock& planned = plan_.blocks[b];
     for (std::size_t i = 0; i < planned.inputs.size(); ++i)
       for (std::size_t k = 0; k < planned.inputs[i].size(); ++k)
-        if (Source& source = diagram.blocks[b].inputs[i][k]; source.block < 0)
+        if (diagram::Source& source = diagram.blocks[b].inputs[i][k]; source.block < 0)
           for (Eigen::Index e = 0; e < source.constant.size(); ++e)
             source.constant[e] = constants_[planned.inputs[i][k].offset - plan_.layout.constants +
                                             static_cast<std::size_t>(e)];
-    for (InitialValue& initial : diagram.blocks[b].initial)
+    for (diagram::InitialValue& initial : diagram.blocks[b].initial)
       for (const auto& [slot, value] : initial_)
         if (slot.offset == planned.states[static_cast<std::size_t>(initial.state)].offset)
           initial.value = value;
@@ -52,19 +52,21 @@ void Executor::put_values(Diagram& diagram) const {
 
 Executor::Setting Executor::set(const std::string& name, const std::string& value) {
   const std::string place = "set " + name + "=" + value;
-  return set(Variation(plan_.diagram, {name}), {{{name, value_of_text(value, place), place}}});
+  return set(diagram::Variation(plan_.diagram, {name}),
+             {{{name, diagram::value_of_text(value, place), place}}});
 }
 
-Executor::Setting Executor::set(const Variation& variation, std::span<const Assignment> values) {
+Executor::Setting Executor::set(const diagram::Variation& variation,
+                                std::span<const diagram::Assignment> values) {
   if (variation.structural()) {
-    const auto found = std::ranges::find_if(variation.names(), &Variation::Name::structural);
+    const auto found = std::ranges::find_if(variation.names(), &diagram::Variation::Name::structural);
     structure_change_ = found->text + ": the diagram's times, records or parts follow from it";
     return Setting::structure_changed;
   }
   if (!parameters_) parameters_.emplace(plan_.diagram);
-  const std::vector<ChangedValue> changed = parameters_->set(variation, values);
+  const std::vector<diagram::ChangedValue> changed = parameters_->set(variation, values);
   try {
-    PlanChange change = change_of(plan_, changed, written_);
+    plan::PlanChange change = plan::change_of(plan_, changed, written_);
     structure_change_ = change.structure;
     if (structure_change_.empty()) apply(change);
   } catch (...) {
@@ -78,9 +80,9 @@ Executor::Setting Executor::set(const Variation& variation, std::span<const Assi
   return Setting::done;
 }
 
-void Executor::apply(PlanChange& change) {
+void Executor::apply(plan::PlanChange& change) {
   const std::vector<double> before = workspace_.values;  // a block's start() writes into them
-  for (RebuiltBlock& rebuilt : change.blocks) replace(rebuilt);
+  for (plan::RebuiltBlock& rebuilt : change.blocks) replace(rebuilt);
   std::copy(before.begin(), before.end(), workspace_.values.begin());
   for (const auto& [slot, value] : change.constants)
     for (Eigen::Index k = 0; k < slot.size; ++k)
@@ -93,7 +95,7 @@ void Executor::apply(PlanChange& change) {
   follow_values();
 }
 
-void Executor::replace(RebuiltBlock& rebuilt) {
+void Executor::replace(plan::RebuiltBlock& rebuilt) {
   const BlockType& type = rebuilt.made.type();
   void* block = memory(rebuilt.block);
   type.destroy(block);
@@ -107,7 +109,7 @@ void Executor::replace(RebuiltBlock& rebuilt) {
 void Executor::follow_values() {
   write_constants();
   compute_once();
-  workspace_.values[Layout::timed] = Layout::never;
+  workspace_.values[plan::Layout::timed] = plan::Layout::never;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::run

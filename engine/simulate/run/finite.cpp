@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-namespace stepwire {
+namespace stepwire::run {
 
 namespace {
 
@@ -39,4 +39,4 @@ using Four = double __attribute__((vector_size(32)));
   return rest + sum[0] + sum[1] + sum[2] + sum[3] == 0.0;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::run

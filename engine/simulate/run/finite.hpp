@@ -2,9 +2,9 @@
 
 #include <cstddef>
 
-namespace stepwire {
+namespace stepwire::run {
 
 /// Are all of these numbers finite?
 bool all_finite(const double* numbers, std::size_t count);
 
-}  // namespace stepwire
+}  // namespace stepwire::run

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace stepwire {
+namespace stepwire::run {
 
 /// How a run goes on.
 enum class Flow {
@@ -9,4 +9,4 @@ enum class Flow {
   stop    ///< for good, with what is recorded so far
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::run

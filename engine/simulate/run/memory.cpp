@@ -11,7 +11,7 @@
 #include "engine/simulate/record/recorder.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
-namespace stepwire {
+namespace stepwire::run {
 
 namespace {
 
@@ -40,15 +40,15 @@ std::string gigabytes(double bytes) {
   return fmt::format("{:.3g} GB", bytes * 1e-9);
 }
 
-void require(const Diagram& diagram, const Origin& origin, const std::string& subject, double bytes,
-             const std::string& what, const std::string& cure) {
+void require(const diagram::Diagram& diagram, const diagram::Origin& origin, const std::string& subject,
+             double bytes, const std::string& what, const std::string& cure) {
   const double available = free_memory();
   if (bytes <= available) return;
-  throw EnvironmentError(diagram
-                             .fault(origin, subject,
-                                    fmt::format("{} take about {}, and {} are free; {}", what,
-                                                gigabytes(bytes), gigabytes(available), cure))
-                             .text());
+  throw io::EnvironmentError(diagram
+                                 .fault(origin, subject,
+                                        fmt::format("{} take about {}, and {} are free; {}", what,
+                                                    gigabytes(bytes), gigabytes(available), cure))
+                                 .text());
 }
 
 struct Extent {
@@ -56,11 +56,11 @@ struct Extent {
 };
 
 /// What one entry of `record` keeps of one run.
-Extent extent_of(const Plan& plan, const RecordRequest& request) {
+Extent extent_of(const plan::Plan& plan, const diagram::RecordRequest& request) {
   const double ticks = request.every ? *request.every / plan.diagram.step : 1.0;
   const double rows = static_cast<double>(plan.steps) / ticks + 1.0;
   double columns = 1.0;
-  for (const RecordedSignal& signal : request.signals)
+  for (const diagram::RecordedSignal& signal : request.signals)
     columns += static_cast<double>(plan.slot(signal.signal).size);
   return {rows, rows * columns};
 }
@@ -68,10 +68,10 @@ Extent extent_of(const Plan& plan, const RecordRequest& request) {
 }  // namespace
 
 void require_memory(const Job& job) {
-  const Diagram& diagram = job.plan.diagram;
+  const diagram::Diagram& diagram = job.plan.diagram;
   for (std::size_t r = 0; r < diagram.records.size(); ++r) {
     Extent all;
-    const auto add = [&](const Plan& plan) {
+    const auto add = [&](const plan::Plan& plan) {
       const Extent one = extent_of(plan, plan.diagram.records[r]);
       all.rows += one.rows;
       all.numbers += one.numbers;
@@ -84,11 +84,11 @@ void require_memory(const Job& job) {
   }
 }
 
-void require_solver_memory(const Plan& plan) {
-  if (!find_implicit(plan.diagram.solver)) return;
+void require_solver_memory(const plan::Plan& plan) {
+  if (!solve::find_implicit(plan.diagram.solver)) return;
   const double states = static_cast<double>(plan.layout.state_count);
   require(plan.diagram, plan.diagram.solver_origin, "solver", 2.0 * sizeof(double) * states * states,
           fmt::format("the matrices of {} states", states), "an explicit solver needs none");
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::run

@@ -4,16 +4,17 @@
 
 #include "engine/simulate/record/recorder.hpp"
 
-namespace stepwire {
+namespace stepwire::run {
 
 ObservedTicks::ObservedTicks(const ObservedRun& run, std::span<RunObserver* const> observers, bool rows)
     : run_(run), observers_(observers) {
   if (!rows || observers.empty()) return;
-  const Plan& plan = run.simulation.plan();
-  for (const RecordRequest& request : plan.diagram.records) {
+  const plan::Plan& plan = run.simulation.plan();
+  for (const diagram::RecordRequest& request : plan.diagram.records) {
     Row& row = rows_.emplace_back();
-    row.every = ticks_between_rows(plan, request);
-    for (const RecordedColumn& column : recorded_columns(plan, request)) row.offsets.push_back(column.offset);
+    row.every = record::ticks_between_rows(plan, request);
+    for (const record::RecordedColumn& column : record::recorded_columns(plan, request))
+      row.offsets.push_back(column.offset);
     row.numbers.resize(row.offsets.size());
   }
 }
@@ -43,4 +44,4 @@ void ObservedTicks::end() const {
   for (RunObserver* observer : observers_) observer->end(run_);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::run

@@ -6,7 +6,7 @@
 
 #include "engine/simulate/run/observer.hpp"
 
-namespace stepwire {
+namespace stepwire::run {
 
 /// Shows observers the ticks of one run.
 class ObservedTicks {
@@ -33,4 +33,4 @@ class ObservedTicks {
   std::vector<Row> rows_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::run

@@ -6,7 +6,7 @@
 #include "engine/simulate/run/executor.hpp"
 #include "engine/simulate/run/flow.hpp"
 
-namespace stepwire {
+namespace stepwire::run {
 
 /// A run as it is shown to observers.
 struct ObservedRun {
@@ -35,4 +35,4 @@ class RunObserver {
   virtual void end(const ObservedRun&) {}
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::run

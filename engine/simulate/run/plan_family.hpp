@@ -8,7 +8,7 @@
 #include "engine/model/diagram/load.hpp"
 #include "engine/simulate/run/executor.hpp"
 
-namespace stepwire {
+namespace stepwire::run {
 
 /// The plans of one file for values that a sweep, a study or a fit sets: one plan serves all values that
 /// leave its structure as it is, and each other structure gets a plan of its own. Its calls may come from any
@@ -16,34 +16,35 @@ namespace stepwire {
 class PlanFamily {
  public:
   /// `base` is the plan of the file with `settings`. The loader must outlive the calls of find().
-  PlanFamily(Loader& loader, std::string file, std::vector<Setting> settings, const Plan& base);
+  PlanFamily(diagram::Loader& loader, std::string file, std::vector<diagram::Setting> settings,
+             const plan::Plan& base);
   ~PlanFamily();
 
   /// The member whose plan fits these values, each of another name; where there is none, the file is planned
   /// anew. Throws Error where the values are refused.
-  std::size_t find(const std::vector<Setting>& values);
+  std::size_t find(const std::vector<diagram::Setting>& values);
 
   std::size_t size() const;
-  const Plan& plan(std::size_t member) const;
+  const plan::Plan& plan(std::size_t member) const;
   /// The values of blocks that a run of a member sets.
-  const std::vector<Target>& targets(std::size_t member) const;
+  const std::vector<diagram::Target>& targets(std::size_t member) const;
   /// What differs between the runs of a member's plan, of those values that find() has seen. Members that set
   /// other names in one plan share its code.
-  std::vector<VariableBlock> variable(std::size_t member) const;
+  std::vector<plan::VariableBlock> variable(std::size_t member) const;
   /// Sets the values of a run, for which find() gave this member, and puts it at time 0.
-  void begin(std::size_t member, const std::vector<Setting>& values, Executor& run) const;
+  void begin(std::size_t member, const std::vector<diagram::Setting>& values, Executor& run) const;
 
  private:
   struct Member;
 
   std::size_t add(std::unique_ptr<Member> member);
   Member& member(std::size_t index) const;
-  std::shared_ptr<const Plan> plan_anew(const std::vector<Setting>& values) const;
+  std::shared_ptr<const plan::Plan> plan_anew(const std::vector<diagram::Setting>& values) const;
 
-  Loader& loader_;
+  diagram::Loader& loader_;
   std::string file_;
-  std::vector<Setting> settings_;
-  std::shared_ptr<const Plan> base_;
+  std::vector<diagram::Setting> settings_;
+  std::shared_ptr<const plan::Plan> base_;
   mutable std::mutex finding_;  ///< one find() at a time, which alone adds members
   mutable std::mutex looking_;  ///< the list of members itself
   std::vector<std::unique_ptr<Member>> members_;
@@ -63,4 +64,4 @@ class IdleRuns {
   std::vector<std::vector<std::unique_ptr<Executor>>> idle_;  ///< of each member
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::run

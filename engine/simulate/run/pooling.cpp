@@ -11,7 +11,7 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/simulate/record/recorder.hpp"
 
-namespace stepwire {
+namespace stepwire::run {
 
 namespace {
 
@@ -30,8 +30,8 @@ void lengthen(std::vector<double>& values, std::size_t size) {
 }
 
 /// The swept parameter of a diagram; null where a block's own value is swept.
-const DiagramParameter* parameter_of(const Diagram& diagram, const std::string& name) {
-  const auto found = std::ranges::find(diagram.parameters, name, &DiagramParameter::name);
+const diagram::DiagramParameter* parameter_of(const diagram::Diagram& diagram, const std::string& name) {
+  const auto found = std::ranges::find(diagram.parameters, name, &diagram::DiagramParameter::name);
   return found == diagram.parameters.end() ? nullptr : &*found;
 }
 
@@ -42,7 +42,7 @@ bool is_formula(const std::string& text) {
 
 }  // namespace
 
-std::vector<std::size_t> indices_of(const Sweep& sweep, std::size_t point) {
+std::vector<std::size_t> indices_of(const diagram::Sweep& sweep, std::size_t point) {
   std::vector<std::size_t> result(sweep.axes.size(), point);
   if (sweep.together) return result;
   for (std::size_t axis = sweep.axes.size(); axis-- > 0;) {
@@ -52,20 +52,21 @@ std::vector<std::size_t> indices_of(const Sweep& sweep, std::size_t point) {
   return result;
 }
 
-std::string settings_text(const std::vector<Setting>& settings) {
+std::string settings_text(const std::vector<diagram::Setting>& settings) {
   std::string text;
-  for (const Setting& setting : settings)
+  for (const diagram::Setting& setting : settings)
     text += fmt::format("{}{}={}", text.empty() ? "" : ", ", setting.name, setting.value);
   return text;
 }
 
-bool has_words(const Sweep::Axis& axis) {
+bool has_words(const diagram::Sweep::Axis& axis) {
   if (axis.label) return true;
   return std::ranges::none_of(axis.values, is_formula) &&
-         std::ranges::any_of(axis.values, [](const std::string& value) { return !parse_quantity(value); });
+         std::ranges::any_of(axis.values,
+                             [](const std::string& value) { return !unit::parse_quantity(value); });
 }
 
-std::vector<std::string> words_of(const Sweep::Axis& axis) {
+std::vector<std::string> words_of(const diagram::Sweep::Axis& axis) {
   std::vector<std::string> categories;
   for (const std::string& word : axis.values)
     if (std::ranges::find(categories, word) == categories.end()) categories.push_back(word);
@@ -74,16 +75,16 @@ std::vector<std::string> words_of(const Sweep::Axis& axis) {
 
 SweptColumns::SweptColumns(const Job& job) : job_(job) {
   if (job.points.empty()) return;
-  const Diagram& diagram = job.plan.diagram;
+  const diagram::Diagram& diagram = job.plan.diagram;
   for (std::size_t a = 0; a < diagram.sweep->axes.size(); ++a) {
-    const Sweep::Axis& axis = diagram.sweep->axes[a];
+    const diagram::Sweep::Axis& axis = diagram.sweep->axes[a];
     numbers_.push_back(numbers_of(a));
-    const DiagramParameter* parameter = parameter_of(diagram, axis.parameter);
-    const auto written = parse_quantity(axis.values.front());
+    const diagram::DiagramParameter* parameter = parameter_of(diagram, axis.parameter);
+    const auto written = unit::parse_quantity(axis.values.front());
     auto dimension = written ? written->dimension : std::nullopt;
     if (parameter && !dimension) dimension = parameter->dimension;
     const bool is_words = has_words(axis);
-    columns_.push_back({axis.parameter, dimension && !is_words ? si_name(*dimension) : "", {}});
+    columns_.push_back({axis.parameter, dimension && !is_words ? unit::si_name(*dimension) : "", {}});
     if (!is_words) continue;
     categories_.push_back({axis.parameter, words_of(axis)});
     const auto& categories = categories_.back().texts;
@@ -96,18 +97,18 @@ SweptColumns::SweptColumns(const Job& job) : job_(job) {
 
 /// The numbers of an axis' values; nothing where they are words or one of them is a formula.
 std::vector<double> SweptColumns::numbers_of(std::size_t axis) const {
-  const Sweep::Axis& of = job_.plan.diagram.sweep->axes[axis];
+  const diagram::Sweep::Axis& of = job_.plan.diagram.sweep->axes[axis];
   if (has_words(of) || std::ranges::any_of(of.values, is_formula)) return {};
   std::vector<double> numbers;
-  for (const std::string& value : of.values) numbers.push_back(parse_quantity(value)->value);
+  for (const std::string& value : of.values) numbers.push_back(unit::parse_quantity(value)->value);
   return numbers;
 }
 
 /// The number that a formula gives at a point.
 double SweptColumns::evaluated(std::size_t axis, std::size_t point) const {
-  const Plan& plan = job_.plan_of(point);
+  const plan::Plan& plan = job_.plan_of(point);
   const std::string& name = columns_[axis].name;
-  const DiagramParameter* parameter = parameter_of(plan.diagram, name);
+  const diagram::DiagramParameter* parameter = parameter_of(plan.diagram, name);
   if (!parameter) return unknown;
   Executor run(plan);
   job_.family->begin(job_.points[point].member, job_.settings_of(point), run);
@@ -125,21 +126,21 @@ std::vector<double> SweptColumns::numbers(std::size_t point) const {
   return numbers;
 }
 
-std::vector<Column> SweptColumns::of(std::size_t point) const {
-  std::vector<Column> columns = columns_;
+std::vector<table::Column> SweptColumns::of(std::size_t point) const {
+  std::vector<table::Column> columns = columns_;
   const std::vector<double> values = numbers(point);
   for (std::size_t axis = 0; axis < columns.size(); ++axis) columns[axis].values = {values[axis]};
   return columns;
 }
 
-void SweptColumns::add(Recording& recording, std::size_t point) const {
-  std::vector<Column> columns = of(point);
-  for (Column& column : columns) column.values.assign(recording.table.rows(), column.values.front());
+void SweptColumns::add(record::Recording& recording, std::size_t point) const {
+  std::vector<table::Column> columns = of(point);
+  for (table::Column& column : columns) column.values.assign(recording.table.rows(), column.values.front());
   recording.categories.insert(recording.categories.end(), categories_.begin(), categories_.end());
   recording.table.columns.insert(recording.table.columns.begin() + 1, columns.begin(), columns.end());
 }
 
-void append_runs(Recording& all, Recording&& more) {
+void append_runs(record::Recording& all, record::Recording&& more) {
   if (all.table.columns.empty()) {
     all = std::move(more);
     return;
@@ -154,30 +155,30 @@ void append_runs(Recording& all, Recording&& more) {
 
 PooledRecording::PooledRecording(const Job& job, const SweptColumns& swept, unsigned threads)
     : job_(job), swept_(swept) {
-  for (const RecordRequest& request : job.plan.diagram.records) {
+  for (const diagram::RecordRequest& request : job.plan.diagram.records) {
     Rows rows;
     rows.count.resize(job.points.size());
     std::size_t all = 0;
     for (std::size_t point = 0; point < job.points.size(); ++point) {
       const std::size_t index = all_.size();
       rows.first.push_back(all);
-      all += max_rows(job.plan_of(point), job.plan_of(point).diagram.records[index]);
+      all += record::max_rows(job.plan_of(point), job.plan_of(point).diagram.records[index]);
     }
     auto& columns = rows.recording.table.columns;
-    columns = empty_columns(job.plan, request);
+    columns = record::empty_columns(job.plan, request);
     columns.insert(columns.begin() + 1, swept.columns().begin(), swept.columns().end());
     rows.recording.categories = swept.categories();
-    in_parallel(columns.size(), threads, [&](std::size_t c) { lengthen(columns[c].values, all); });
+    parallel::in_parallel(columns.size(), threads, [&](std::size_t c) { lengthen(columns[c].values, all); });
     all_.push_back(std::move(rows));
   }
 }
 
-std::vector<Recorder> PooledRecording::recorders(std::size_t point) {
-  std::vector<Recorder> recorders;
-  const Plan& plan = job_.plan_of(point);
+std::vector<record::Recorder> PooledRecording::recorders(std::size_t point) {
+  std::vector<record::Recorder> recorders;
+  const plan::Plan& plan = job_.plan_of(point);
   for (std::size_t r = 0; r < all_.size(); ++r) {
     std::vector<double*> columns;
-    for (Column& column : all_[r].recording.table.columns)
+    for (table::Column& column : all_[r].recording.table.columns)
       columns.push_back(column.values.data() + all_[r].first[point]);
     columns.erase(columns.begin() + 1,
                   columns.begin() + 1 + static_cast<std::ptrdiff_t>(swept_.columns().size()));
@@ -186,7 +187,7 @@ std::vector<Recorder> PooledRecording::recorders(std::size_t point) {
   return recorders;
 }
 
-void PooledRecording::done(std::size_t point, const std::vector<Recorder>& recorders) {
+void PooledRecording::done(std::size_t point, const std::vector<record::Recorder>& recorders) {
   const std::vector<double> numbers = swept_.numbers(point);
   for (std::size_t r = 0; r < all_.size(); ++r) {
     Rows& rows = all_[r];
@@ -204,16 +205,16 @@ void PooledRecording::close_gaps(Rows& rows) const {
   for (std::size_t point = 0; point < rows.first.size(); ++point) {
     rows.recording.starts.push_back(end);
     if (end != rows.first[point])
-      for (Column& column : rows.recording.table.columns)
+      for (table::Column& column : rows.recording.table.columns)
         std::copy_n(column.values.begin() + static_cast<std::ptrdiff_t>(rows.first[point]), rows.count[point],
                     column.values.begin() + static_cast<std::ptrdiff_t>(end));
     end += rows.count[point];
   }
-  for (Column& column : rows.recording.table.columns) column.values.resize(end);
+  for (table::Column& column : rows.recording.table.columns) column.values.resize(end);
 }
 
-std::vector<Recording> PooledRecording::take() {
-  std::vector<Recording> recordings;
+std::vector<record::Recording> PooledRecording::take() {
+  std::vector<record::Recording> recordings;
   for (Rows& rows : all_) {
     close_gaps(rows);
     recordings.push_back(std::move(rows.recording));
@@ -221,4 +222,4 @@ std::vector<Recording> PooledRecording::take() {
   return recordings;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::run

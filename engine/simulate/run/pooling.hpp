@@ -5,18 +5,18 @@
 
 #include "engine/simulate/run/run.hpp"
 
-namespace stepwire {
+namespace stepwire::run {
 
 /// Which value each axis takes at a point: the last axis runs fastest.
-std::vector<std::size_t> indices_of(const Sweep& sweep, std::size_t point);
+std::vector<std::size_t> indices_of(const diagram::Sweep& sweep, std::size_t point);
 
 /// Are the values of an axis words, which stand in its column as numbers? Else they are numbers or formulas.
-bool has_words(const Sweep::Axis& axis);
+bool has_words(const diagram::Sweep::Axis& axis);
 /// The words of an axis in their order, each once: its column has their indices.
-std::vector<std::string> words_of(const Sweep::Axis& axis);
+std::vector<std::string> words_of(const diagram::Sweep::Axis& axis);
 
 /// "speed=3, mass=1 kg".
-std::string settings_text(const std::vector<Setting>& settings);
+std::string settings_text(const std::vector<diagram::Setting>& settings);
 
 /// What tells apart the recordings of a job's points: its swept parameters, as columns behind the time. None
 /// without a sweep.
@@ -26,28 +26,28 @@ class SweptColumns {
   explicit SweptColumns(const Job& job);
 
   /// Columns without rows.
-  const std::vector<Column>& columns() const { return columns_; }
+  const std::vector<table::Column>& columns() const { return columns_; }
   /// Where columns hold the numbers of words.
-  const std::vector<Categories>& categories() const { return categories_; }
+  const std::vector<record::Categories>& categories() const { return categories_; }
   /// The numbers of one point, parallel to the columns.
   std::vector<double> numbers(std::size_t point) const;
   /// The same as columns of one row.
-  std::vector<Column> of(std::size_t point) const;
+  std::vector<table::Column> of(std::size_t point) const;
   /// Adds them to what was recorded at a point.
-  void add(Recording& recording, std::size_t point) const;
+  void add(record::Recording& recording, std::size_t point) const;
 
  private:
   std::vector<double> numbers_of(std::size_t axis) const;
   double evaluated(std::size_t axis, std::size_t point) const;
 
   const Job& job_;
-  std::vector<Column> columns_;
-  std::vector<Categories> categories_;
+  std::vector<table::Column> columns_;
+  std::vector<record::Categories> categories_;
   std::vector<std::vector<double>> numbers_;  ///< [axis][value]; empty where they hang on the point
 };
 
 /// Puts the runs of a recording behind those of another one, which has the same columns or none yet.
-void append_runs(Recording& all, Recording&& more);
+void append_runs(record::Recording& all, record::Recording&& more);
 
 /// What all points of a sweep record, in their order. Each point writes its rows where they stay.
 class PooledRecording {
@@ -55,16 +55,16 @@ class PooledRecording {
   PooledRecording(const Job& job, const SweptColumns& swept, unsigned threads);
 
   /// Recorders of a point; from any thread.
-  std::vector<Recorder> recorders(std::size_t point);
+  std::vector<record::Recorder> recorders(std::size_t point);
   /// Notes what they have recorded; from any thread.
-  void done(std::size_t point, const std::vector<Recorder>& recorders);
+  void done(std::size_t point, const std::vector<record::Recorder>& recorders);
   /// Closes the gaps of points that ended early, and gives all recordings.
-  std::vector<Recording> take();
+  std::vector<record::Recording> take();
 
  private:
   /// The recording of one request, with room for all rows.
   struct Rows {
-    Recording recording;
+    record::Recording recording;
     std::vector<std::size_t> first, count;  ///< rows of each point
   };
 
@@ -75,4 +75,4 @@ class PooledRecording {
   std::vector<Rows> all_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::run

@@ -4,7 +4,7 @@
 
 #include "engine/simulate/run/drive.hpp"
 
-namespace stepwire {
+namespace stepwire::run {
 
 namespace {
 
@@ -20,20 +20,21 @@ RunEnd end_of(const Executor& simulation, Drive::End how) {
 
 }  // namespace
 
-RunResult run_plan(const Plan& plan, const RunOptions& options) {
+RunResult run_plan(const plan::Plan& plan, const RunOptions& options) {
   TieredExecution changeover(options.engine, options.code, {{&plan, {}}}, static_cast<double>(plan.steps));
   Executor simulation(plan);
-  RunRecording recording(plan);
+  record::RunRecording recording(plan);
   RunResult result{run_simulation(simulation, recording.recorders(), options, changeover, 0, 0), {}};
   result.recordings = recording.take();
   return result;
 }
 
-RunEnd run_simulation(Executor& simulation, std::vector<Recorder>& recorders, const RunOptions& options,
-                      TieredExecution& changeover, std::size_t member, std::size_t index) {
+RunEnd run_simulation(Executor& simulation, std::vector<record::Recorder>& recorders,
+                      const RunOptions& options, TieredExecution& changeover, std::size_t member,
+                      std::size_t index) {
   std::int64_t changed = -1;  // tick at which compiled code took over
   const auto take_over = [&] {
-    const CompiledPlan* code = simulation.compiled() ? nullptr : changeover.code(member);
+    const plan::CompiledPlan* code = simulation.compiled() ? nullptr : changeover.code(member);
     if (code) simulation.use(*code);
     if (changed < 0 && simulation.compiled()) changed = simulation.tick();
   };
@@ -53,4 +54,4 @@ RunEnd run_simulation(Executor& simulation, std::vector<Recorder>& recorders, co
   return end;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::run

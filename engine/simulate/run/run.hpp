@@ -13,7 +13,7 @@
 #include "engine/simulate/run/plan_family.hpp"
 #include "engine/simulate/run/tiered_execution.hpp"
 
-namespace stepwire {
+namespace stepwire::run {
 
 /// What a call may change about a run.
 struct RunOptions {
@@ -22,7 +22,7 @@ struct RunOptions {
       progress;          ///< called with the fraction done, 0 to 1, now and then, from any thread
   unsigned threads = 0;  ///< for sweeps; 0: all cores
   ExecutionMode engine = ExecutionMode::interpreted;
-  CodeSource* code = nullptr;           ///< for any other engine
+  plan::CodeSource* code = nullptr;     ///< for any other engine
   std::vector<RunObserver*> observers;  ///< of every run; must outlive the call
 };
 
@@ -38,49 +38,51 @@ struct RunEnd {
 
 /// What a run, or all runs of a sweep, gave.
 struct RunResult : RunEnd {
-  std::vector<Recording> recordings;  ///< one for each period at which the file records
+  std::vector<record::Recording> recordings;  ///< one for each period at which the file records
 };
 
 /// Runs a plan once, from 0 to its stop.
-RunResult run_plan(const Plan& plan, const RunOptions& options = {});
+RunResult run_plan(const plan::Plan& plan, const RunOptions& options = {});
 
 /// Runs a simulation that stands at time 0, as the run `index` of several ones that share a changeover to
 /// compiled code, as its `member`.
-RunEnd run_simulation(Executor& simulation, std::vector<Recorder>& recorders, const RunOptions& options,
-                      TieredExecution& changeover, std::size_t member, std::size_t index);
+RunEnd run_simulation(Executor& simulation, std::vector<record::Recorder>& recorders,
+                      const RunOptions& options, TieredExecution& changeover, std::size_t member,
+                      std::size_t index);
 
 /// One run of a sweep, or of a study.
 struct SweepPoint {
-  std::size_t member = 0;      ///< of Job::family, whose plan it runs
-  std::vector<Setting> own{};  ///< what it sets beside the values of its sweep
+  std::size_t member = 0;               ///< of Job::family, whose plan it runs
+  std::vector<diagram::Setting> own{};  ///< what it sets beside the values of its sweep
 };
 
 /// A diagram ready to run: one plan, or one for each structure that the points of its sweep have. Everything
 /// that can be wrong before the first step has been found.
 struct Job {
-  Plan plan;                           ///< with the file's own values
+  plan::Plan plan;                     ///< with the file's own values
   std::vector<SweepPoint> points;      ///< empty without a sweep
   std::shared_ptr<PlanFamily> family;  ///< the plans of the points; null without a sweep
   bool trials = false;                 ///< the points are trials of a study, which set their own values alone
 
   /// The plan that a point runs once its settings are set.
-  const Plan& plan_of(std::size_t point) const { return family->plan(points[point].member); }
+  const plan::Plan& plan_of(std::size_t point) const { return family->plan(points[point].member); }
   /// What a point sets.
-  std::vector<Setting> settings_of(std::size_t point) const;
+  std::vector<diagram::Setting> settings_of(std::size_t point) const;
 };
 
 /// What some or all points of a sweep set beside their own values, in the order of the sweep.
-using PointSettings = std::vector<std::vector<Setting>>;
+using PointSettings = std::vector<std::vector<diagram::Setting>>;
 
 /// Loads and plans a file and all points of its sweep. `stop` replaces the file's stop time. Throws Error.
-Job make_job(Loader& loader, const std::string& path, const std::vector<Setting>& settings = {},
-             std::optional<std::string> stop = {}, const PointSettings& of_points = {});
+Job make_job(diagram::Loader& loader, const std::string& path,
+             const std::vector<diagram::Setting>& settings = {}, std::optional<std::string> stop = {},
+             const PointSettings& of_points = {});
 
 /// The swept parameters of a point: columns of one row, words as their numbers. None without a sweep.
-std::vector<Column> swept_columns(const Job& job, std::size_t point);
+std::vector<table::Column> swept_columns(const Job& job, std::size_t point);
 
 /// Runs a job; the points of a sweep in parallel, pooled in the order of the sweep: the same bits at any
 /// number of threads.
 RunResult run_job(const Job& job, const RunOptions& options = {});
 
-}  // namespace stepwire
+}  // namespace stepwire::run

@@ -4,13 +4,13 @@
 
 #include "engine/base/yaml/error.hpp"
 
-namespace stepwire {
+namespace stepwire::run {
 
 /// What ends a run before its time.
 struct RunFault {
   std::string block, port;
   double time = 0.0;  ///< [s]
-  Fault fault;
+  yaml::Fault fault;
 };
 
 /// What a block had to say during a run.
@@ -19,4 +19,4 @@ struct RaisedDiagnostic {
   double time = 0.0;  ///< when first [s]
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::run

@@ -5,7 +5,7 @@
 
 #include "engine/model/plan/plan.hpp"
 
-namespace stepwire {
+namespace stepwire::run {
 
 /// Is told when a stretch of one phase's batches begins and ends to run, whatever of it is due.
 class ScheduleProbe {
@@ -14,9 +14,9 @@ class ScheduleProbe {
   virtual void enter() = 0;
   virtual void leave() = 0;
 
-  const std::vector<KernelCall>* phase =
+  const std::vector<plan::KernelCall>* phase =
       nullptr;                     ///< timed, outputs, stage, derivatives or updates of the plan
   std::size_t first = 0, end = 0;  ///< the stretch: batches first to end - 1 of the phase
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::run

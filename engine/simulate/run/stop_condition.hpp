@@ -5,22 +5,22 @@
 
 #include "engine/model/plan/plan.hpp"
 
-namespace stepwire {
+namespace stepwire::run {
 
 /// Evaluates `stop_when` at a tick.
 class StopConditionEvaluator {
  public:
-  explicit StopConditionEvaluator(const Plan& plan) {
+  explicit StopConditionEvaluator(const plan::Plan& plan) {
     if (!plan.diagram.stop_when) return;
     condition_ = plan.diagram.stop_when->expression;
-    for (const StopCondition::Variable& variable : plan.diagram.stop_when->variables)
+    for (const diagram::StopCondition::Variable& variable : plan.diagram.stop_when->variables)
       offsets_.push_back(plan.offset(variable));
   }
   bool stops(const double* values) const { return condition_ && (*condition_)(values, offsets_) != 0.0; }
 
  private:
-  std::optional<Expression> condition_;
+  std::optional<expression::Expression> condition_;
   std::vector<std::size_t> offsets_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::run

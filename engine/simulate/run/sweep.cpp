@@ -11,20 +11,20 @@
 #include "engine/simulate/run/run.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
-namespace stepwire {
+namespace stepwire::run {
 
 namespace {
 
-std::size_t point_count(const Sweep& sweep) {
+std::size_t point_count(const diagram::Sweep& sweep) {
   if (sweep.axes.empty()) return 0;
   if (sweep.together) return sweep.axes.front().values.size();
   std::size_t count = 1;
-  for (const Sweep::Axis& axis : sweep.axes) count *= axis.values.size();
+  for (const diagram::Sweep::Axis& axis : sweep.axes) count *= axis.values.size();
   return count;
 }
 
 /// " (in the run with speed=3)".
-std::string which_run(const std::vector<Setting>& settings) {
+std::string which_run(const std::vector<diagram::Setting>& settings) {
   return fmt::format(" (in the run with {})", settings_text(settings));
 }
 
@@ -84,7 +84,8 @@ class SweepRun {
         changeover_(options.engine, options.code, members_of(job), ticks_of(job)) {}
 
   RunResult run() {
-    in_parallel(job_.points.size(), options_.threads, [this](std::size_t point) { run_point(point); });
+    parallel::in_parallel(job_.points.size(), options_.threads,
+                          [this](std::size_t point) { run_point(point); });
     return {ends_.take(), recording_.take()};
   }
 
@@ -112,7 +113,7 @@ class SweepRun {
     const std::size_t member = job_.points[point].member;
     auto run = idle_.take(member);
     job_.family->begin(member, job_.settings_of(point), *run);
-    std::vector<Recorder> recorders = recording_.recorders(point);
+    std::vector<record::Recorder> recorders = recording_.recorders(point);
     RunOptions own;
     own.interrupt = options_.interrupt;
     own.observers = options_.observers;
@@ -134,9 +135,9 @@ class SweepRun {
 };
 
 /// What is set from outside is not swept any more: each run has that value.
-void pin(Sweep& sweep, const std::vector<Setting>& settings) {
-  for (Sweep::Axis& axis : sweep.axes)
-    for (const Setting& setting : settings) {
+void pin(diagram::Sweep& sweep, const std::vector<diagram::Setting>& settings) {
+  for (diagram::Sweep::Axis& axis : sweep.axes)
+    for (const diagram::Setting& setting : settings) {
       if (setting.name != axis.parameter) continue;
       const std::size_t count = sweep.together ? axis.values.size() : 1;
       axis.values.assign(count, setting.value);
@@ -144,47 +145,47 @@ void pin(Sweep& sweep, const std::vector<Setting>& settings) {
     }
 }
 
-std::size_t member_for(PlanFamily& family, const std::vector<Setting>& settings) {
+std::size_t member_for(PlanFamily& family, const std::vector<diagram::Setting>& settings) {
   try {
     return family.find(settings);
-  } catch (const Error& error) {
-    std::vector<Fault> faults = error.faults();
-    for (Fault& fault : faults) fault.message += which_run(settings);
-    throw Error(std::move(faults));
+  } catch (const yaml::Error& error) {
+    std::vector<yaml::Fault> faults = error.faults();
+    for (yaml::Fault& fault : faults) fault.message += which_run(settings);
+    throw yaml::Error(std::move(faults));
   }
 }
 
 /// A tolerance beside a solver that has none. Where the call or the sweep names the solver, that of the file
 /// may be meant for another one.
-void refuse_idle_tolerance(const Document& document, const std::vector<Setting>& settings,
-                           const Diagram& diagram) {
-  if (find_implicit(diagram.solver)) return;
+void refuse_idle_tolerance(const yaml::Document& document, const std::vector<diagram::Setting>& settings,
+                           const diagram::Diagram& diagram) {
+  if (solve::find_implicit(diagram.solver)) return;
   const auto setting = [&](const std::string& name) {
-    return std::ranges::find(settings, name, &Setting::name);
+    return std::ranges::find(settings, name, &diagram::Setting::name);
   };
-  const auto refuse = [](const std::string& file, const Mark& mark) {
-    throw Error(Fault{{file, mark},
-                      "tolerance",
-                      "only rosenbrock and sdirk have one; take it out, or name one of these",
-                      {}});
+  const auto refuse = [](const std::string& file, const yaml::Mark& mark) {
+    throw yaml::Error(yaml::Fault{{file, mark},
+                                  "tolerance",
+                                  "only rosenbrock and sdirk have one; take it out, or name one of these",
+                                  {}});
   };
   if (const auto set = setting("tolerance"); set != settings.end()) refuse(set->written, set->mark);
   const bool sweeps =
-      diagram.sweep &&
-      std::ranges::find(diagram.sweep->axes, "solver", &Sweep::Axis::parameter) != diagram.sweep->axes.end();
-  const Node* own = document.root.find("tolerance");
+      diagram.sweep && std::ranges::find(diagram.sweep->axes, "solver", &diagram::Sweep::Axis::parameter) !=
+                           diagram.sweep->axes.end();
+  const yaml::Node* own = document.root.find("tolerance");
   if (own && !sweeps && setting("solver") == settings.end()) refuse(document.file, own->mark);
 }
 
 }  // namespace
 
-std::vector<Setting> Job::settings_of(std::size_t point) const {
+std::vector<diagram::Setting> Job::settings_of(std::size_t point) const {
   if (trials) return points[point].own;
-  std::vector<Setting> settings;
-  const Diagram& diagram = plan.diagram;
+  std::vector<diagram::Setting> settings;
+  const diagram::Diagram& diagram = plan.diagram;
   const auto index = indices_of(*diagram.sweep, point);
   for (std::size_t axis = 0; axis < diagram.sweep->axes.size(); ++axis) {
-    const Sweep::Axis& swept = diagram.sweep->axes[axis];
+    const diagram::Sweep::Axis& swept = diagram.sweep->axes[axis];
     if (swept.label) continue;
     settings.push_back({swept.parameter, swept.values[index[axis]], diagram.file, swept.marks[index[axis]]});
   }
@@ -192,11 +193,11 @@ std::vector<Setting> Job::settings_of(std::size_t point) const {
   return settings;
 }
 
-Job make_job(Loader& loader, const std::string& path, const std::vector<Setting>& settings,
+Job make_job(diagram::Loader& loader, const std::string& path, const std::vector<diagram::Setting>& settings,
              std::optional<std::string> stop, const PointSettings& of_points) {
-  std::vector<Setting> all = settings;
+  std::vector<diagram::Setting> all = settings;
   if (stop) all.push_back({"stop", *stop, "--stop " + *stop});
-  Job job{make_plan(loader.load(path, all)), {}, {}};
+  Job job{plan::make_plan(loader.load(path, all)), {}, {}};
   require_solver_memory(job.plan);
   refuse_idle_tolerance(loader.document(path), all, job.plan.diagram);
   static_cast<void>(Executor(job.plan));  // a block's start() may find what no plan shows
@@ -205,14 +206,14 @@ Job make_job(Loader& loader, const std::string& path, const std::vector<Setting>
   if (sweep && !sweep->axes.empty())
     job.family = std::make_shared<PlanFamily>(loader, path, std::move(all), job.plan);
   for (std::size_t point = 0; sweep && point < point_count(*sweep); ++point) {
-    job.points.push_back({0, point < of_points.size() ? of_points[point] : std::vector<Setting>{}});
+    job.points.push_back({0, point < of_points.size() ? of_points[point] : std::vector<diagram::Setting>{}});
     job.points.back().member = member_for(*job.family, job.settings_of(point));
   }
   require_memory(job);
   return job;
 }
 
-std::vector<Column> swept_columns(const Job& job, std::size_t point) {
+std::vector<table::Column> swept_columns(const Job& job, std::size_t point) {
   return SweptColumns(job).of(point);
 }
 
@@ -220,4 +221,4 @@ RunResult run_job(const Job& job, const RunOptions& options) {
   return job.points.empty() ? run_plan(job.plan, options) : SweepRun(job, options).run();
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::run

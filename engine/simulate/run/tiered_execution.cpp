@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
-namespace stepwire {
+namespace stepwire::run {
 
 namespace {
 
@@ -14,7 +14,7 @@ constexpr double margin = 2.0;    // times a compilation that must be left to do
 
 }  // namespace
 
-TieredExecution::TieredExecution(ExecutionMode engine, CodeSource* source, std::vector<Member> plans,
+TieredExecution::TieredExecution(ExecutionMode engine, plan::CodeSource* source, std::vector<Member> plans,
                                  double ticks)
     : source_(engine == ExecutionMode::interpreted ? nullptr : source),
       plans_(std::move(plans)),
@@ -25,7 +25,7 @@ TieredExecution::TieredExecution(ExecutionMode engine, CodeSource* source, std::
   if (source_ && engine == ExecutionMode::compiled && !begun_.exchange(true)) compile({});
 }
 
-const CompiledPlan* TieredExecution::code(std::size_t plan) const {
+const plan::CompiledPlan* TieredExecution::code(std::size_t plan) const {
   const bool there = ready_.load(std::memory_order_acquire) && plan < code_.size();
   return there ? &code_[plan] : nullptr;
 }
@@ -54,4 +54,4 @@ void TieredExecution::done(std::int64_t ticks) {
   }
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::run

@@ -9,22 +9,22 @@
 #include "engine/model/plan/compiled_plan.hpp"
 #include "engine/simulate/run/execution_mode.hpp"
 
-namespace stepwire {
+namespace stepwire::run {
 
 /// Compiles the plans of some runs, at once or beside them, and hands out the code when it is there.
 class TieredExecution {
  public:
   /// A plan of some runs.
   struct Member {
-    const Plan* plan;
-    std::vector<VariableBlock> variable;  ///< what differs between its runs
+    const plan::Plan* plan;
+    std::vector<plan::VariableBlock> variable;  ///< what differs between its runs
   };
 
   /// All runs together have `ticks` to go.
-  TieredExecution(ExecutionMode engine, CodeSource* source, std::vector<Member> plans, double ticks);
+  TieredExecution(ExecutionMode engine, plan::CodeSource* source, std::vector<Member> plans, double ticks);
 
   /// The code of the i-th plan; null while there is none, and of a plan that has come later. From any thread.
-  const CompiledPlan* code(std::size_t plan) const;
+  const plan::CompiledPlan* code(std::size_t plan) const;
   /// Notes that so many more ticks are done. From any thread.
   void done(std::int64_t ticks);
 
@@ -34,15 +34,15 @@ class TieredExecution {
   void compile(const std::stop_token& stop);
   bool is_worth_it(std::int64_t done) const;
 
-  CodeSource* source_;
+  plan::CodeSource* source_;
   std::vector<Member> plans_;
   double all_ticks_;
   double compile_seconds_ = 0.0;
   Clock::time_point start_ = Clock::now();
   std::atomic<std::int64_t> done_ = 0;
   std::atomic<bool> begun_ = false, ready_ = false;
-  std::vector<CompiledPlan> code_;
+  std::vector<plan::CompiledPlan> code_;
   std::jthread thread_;  ///< last: it uses the others
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::run

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace stepwire {
+namespace stepwire::solve {
 
 namespace {
 
@@ -45,4 +45,4 @@ int places_of(const std::vector<SolverStage>& stages) {
   return most + 1;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::solve

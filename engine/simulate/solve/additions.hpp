@@ -4,7 +4,7 @@
 
 #include "engine/simulate/solve/tableau.hpp"
 
-namespace stepwire {
+namespace stepwire::solve {
 
 /// What an explicit method does with a slope as soon as it is known: to = from + step weight slope.
 struct Addition {
@@ -26,4 +26,4 @@ std::vector<SolverStage> stages_of(const Tableau& tableau);
 /// How many places the additions name, the start among them.
 int places_of(const std::vector<SolverStage>& stages);
 
-}  // namespace stepwire
+}  // namespace stepwire::solve

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace stepwire {
+namespace stepwire::solve {
 
 namespace {
 
@@ -86,4 +86,4 @@ void ExplicitSolver::advance(System& system, const TimeStep& step) {
   }
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::solve

@@ -5,7 +5,7 @@
 #include "engine/simulate/solve/additions.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
-namespace stepwire {
+namespace stepwire::solve {
 
 /// An explicit Runge-Kutta method.
 class ExplicitSolver : public Solver {
@@ -44,4 +44,4 @@ class ExplicitSolver : public Solver {
   double length_ = 0.0;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::solve

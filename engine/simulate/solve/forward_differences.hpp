@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace stepwire {
+namespace stepwire::solve {
 
 /// The Jacobian of dot over x at `start`, where the slope is `slope`: one evaluation for each state. `x` ends
 /// as it began. The time of the evaluations is the caller's.
@@ -25,4 +25,4 @@ void forward_differences(Matrix& jacobian, X& x, const Dot& dot, const Vector& s
   }
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::solve

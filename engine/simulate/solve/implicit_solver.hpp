@@ -4,7 +4,7 @@
 #include "engine/simulate/solve/sdirk.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
-namespace stepwire {
+namespace stepwire::solve {
 
 /// A method for stiff plants, such as Rosenbrock<>.
 template <class Method>
@@ -20,4 +20,4 @@ class ImplicitSolver : public Solver {
   Method method_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::solve

@@ -8,7 +8,7 @@
 #include "engine/simulate/solve/forward_differences.hpp"
 #include "engine/simulate/solve/step_report.hpp"
 
-namespace stepwire {
+namespace stepwire::solve {
 
 /// The linearly implicit method behind MATLAB's ode23s (Shampine and Reichelt 1997, SIAM J. Sci. Comput.
 /// 18(1)): order 2, L-stable, for stiff plants. The Jacobian is by forward differences: one evaluation for
@@ -105,4 +105,4 @@ class Rosenbrock {
   Eigen::PartialPivLU<Matrix> factors_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::solve

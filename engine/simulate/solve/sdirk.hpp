@@ -9,7 +9,7 @@
 #include "engine/simulate/solve/forward_differences.hpp"
 #include "engine/simulate/solve/step_report.hpp"
 
-namespace stepwire {
+namespace stepwire::solve {
 
 /// The singly diagonally implicit method of Alexander 1977 (SIAM J. Numer. Anal. 14(6)): three stages, order
 /// 3, L-stable, for stiff plants that are far from linear. Each stage is solved by Newton's method with one
@@ -144,4 +144,4 @@ class Sdirk {
   Eigen::PartialPivLU<Matrix> factors_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::solve

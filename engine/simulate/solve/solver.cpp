@@ -3,7 +3,7 @@
 #include "engine/simulate/solve/explicit_solver.hpp"
 #include "engine/simulate/solve/implicit_solver.hpp"
 
-namespace stepwire {
+namespace stepwire::solve {
 
 namespace {
 
@@ -30,11 +30,11 @@ const std::vector<Entry>& entries() {
       {{"dormand_prince", "fifth-order method of Dormand and Prince", 5}, dormand_prince_tableau},
       {{"rosenbrock", "linearly implicit, for stiff plants", 2},
        nullptr,
-       {"Rosenbrock", "engine/simulate/solve/rosenbrock.hpp"},
+       {"solve::Rosenbrock", "engine/simulate/solve/rosenbrock.hpp"},
        make_implicit<Rosenbrock<>>},
       {{"sdirk", "Alexander's implicit method with Newton's, for stiff plants far from linear", 3},
        nullptr,
-       {"Sdirk", "engine/simulate/solve/sdirk.hpp"},
+       {"solve::Sdirk", "engine/simulate/solve/sdirk.hpp"},
        make_implicit<Sdirk<>>}};
   return table;
 }
@@ -78,4 +78,4 @@ std::optional<Tableau> find_tableau(const std::string& name) {
   return entry && entry->tableau ? std::optional(entry->tableau()) : std::nullopt;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::solve

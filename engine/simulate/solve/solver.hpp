@@ -9,7 +9,7 @@
 #include "engine/simulate/solve/step_report.hpp"
 #include "engine/simulate/solve/tableau.hpp"
 
-namespace stepwire {
+namespace stepwire::solve {
 
 /// The differential equations of a run, as a solver sees them: x is set, evaluate() fills dot at the time in
 /// *time.
@@ -67,4 +67,4 @@ bool evaluates_ticks_only(const std::string& name);
 /// Null for a name that is not known.
 std::unique_ptr<Solver> make_solver(const std::string& name, std::size_t states);
 
-}  // namespace stepwire
+}  // namespace stepwire::solve

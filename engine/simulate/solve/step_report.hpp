@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace stepwire {
+namespace stepwire::solve {
 
 /// What an implicit method finds wrong with a step: three numbers of the workspace.
 struct StepReport {
@@ -34,4 +34,4 @@ struct WorstError {
   }
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::solve

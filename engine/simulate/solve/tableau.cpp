@@ -1,6 +1,6 @@
 #include "engine/simulate/solve/tableau.hpp"
 
-namespace stepwire {
+namespace stepwire::solve {
 
 Tableau euler_tableau() {
   return {{}, {}, {1.0}};
@@ -28,4 +28,4 @@ Tableau dormand_prince_tableau() {
           {35.0 / 384, 0.0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84}};
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::solve

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace stepwire {
+namespace stepwire::solve {
 
 /// An explicit Runge-Kutta method: x_i = x + h sum_j a_ij k_j, k_i = f(t + c_i h, x_i), x' = x + h sum_i b_i
 /// k_i.
@@ -22,4 +22,4 @@ Tableau rk4_tableau();
 /// Dormand and Prince 1980, J. Comput. Appl. Math. 6(1): the fifth-order method of their pair.
 Tableau dormand_prince_tableau();
 
-}  // namespace stepwire
+}  // namespace stepwire::solve

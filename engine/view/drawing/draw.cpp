@@ -14,49 +14,51 @@
 #include "engine/model/diagram/units.hpp"
 #include "engine/model/diagram/written.hpp"
 
-namespace stepwire {
+namespace stepwire::drawing {
 
 namespace {
 
 /// Is this to be used in other files only? It does not say for how long it runs, or nothing feeds one of its
 /// inputs.
-bool is_part(const Node& root) {
+bool is_part(const yaml::Node& root) {
   if (!root.find("stop")) return true;
-  if (const Node* inputs = root.find("inputs"))
-    for (const Entry& input : inputs->entries)
+  if (const yaml::Node* inputs = root.find("inputs"))
+    for (const yaml::Entry& input : inputs->entries)
       if (!input.value.is_map() || !input.value.find("default")) return true;
   return false;
 }
 
 /// A diagram that consists of one part, whose inputs are fed by zeros.
-Document user_of(const std::string& path, const Node& part) {
-  Node keys;
-  add_key(keys, "diagram", written_filled_in(std::filesystem::path(path).filename().string()));
-  if (const Node* inputs = part.find("inputs"))
-    for (const Entry& input : inputs->entries) add_key(keys, input.key, written_text("0"));
-  Document user{path + " alone", {}};
-  add_key(user.root, "stepwire", written_text("1"));
-  add_key(user.root, "step", written_text("1"));
-  add_key(user.root, "stop", written_text("1"));
-  Node blocks;
-  add_key(blocks, "part", std::move(keys));
-  add_key(user.root, "blocks", std::move(blocks));
+yaml::Document user_of(const std::string& path, const yaml::Node& part) {
+  yaml::Node keys;
+  diagram::add_key(keys, "diagram",
+                   diagram::written_filled_in(std::filesystem::path(path).filename().string()));
+  if (const yaml::Node* inputs = part.find("inputs"))
+    for (const yaml::Entry& input : inputs->entries)
+      diagram::add_key(keys, input.key, diagram::written_text("0"));
+  yaml::Document user{path + " alone", {}};
+  diagram::add_key(user.root, "stepwire", diagram::written_text("1"));
+  diagram::add_key(user.root, "step", diagram::written_text("1"));
+  diagram::add_key(user.root, "stop", diagram::written_text("1"));
+  yaml::Node blocks;
+  diagram::add_key(blocks, "part", std::move(keys));
+  diagram::add_key(user.root, "blocks", std::move(blocks));
   return user;
 }
 
-Diagram load(Loader& loader, const std::string& path) {
-  const Node& root = loader.document(path).root;
+diagram::Diagram load(diagram::Loader& loader, const std::string& path) {
+  const yaml::Node& root = loader.document(path).root;
   if (!root.is_map() || !is_part(root)) return loader.load(path);
-  Document user = user_of(path, root);
+  yaml::Document user = user_of(path, root);
   const std::string name = user.file;
   loader.add(std::move(user));
   return loader.load(name);
 }
 
 /// Units are found without a plan, so that a diagram whose loops cannot be ordered is drawn, too.
-Diagram with_units(Diagram diagram) {
-  Report report(diagram);
-  infer_units(report);
+diagram::Diagram with_units(diagram::Diagram diagram) {
+  diagram::Report report(diagram);
+  diagram::infer_units(report);
   report.faults().throw_if_any();
   return diagram;
 }
@@ -67,8 +69,8 @@ std::string hash_of_picture(const std::string& module, const std::string& drawn)
   for (const auto& entry : std::filesystem::directory_iterator(module))
     if (entry.path().extension() == ".mjs") files.push_back(entry.path());
   std::sort(files.begin(), files.end());
-  Hash hash;
-  for (const std::filesystem::path& file : files) hash.add(read_file(file.string()));
+  hash::Hash hash;
+  for (const std::filesystem::path& file : files) hash.add(io::read_file(file.string()));
   return hash.add(drawn).text();
 }
 
@@ -88,16 +90,16 @@ void add_names(const Hierarchy& hierarchy, const std::string& above, bool signal
 std::vector<std::string> DiagramView::parts() const {
   const std::string& above = diagram_.scopes[static_cast<std::size_t>(scope_)].prefix;
   std::vector<std::string> names;
-  for (const ScopeInfo& scope : diagram_.scopes)
+  for (const diagram::ScopeInfo& scope : diagram_.scopes)
     if (scope.prefix.starts_with(above) && scope.prefix != above)
       names.push_back(scope.prefix.substr(above.size(), scope.prefix.size() - above.size() - 1));
   return names;
 }
 
-Json DiagramView::graph(const GraphOptions& options) const {
+json::Json DiagramView::graph(const GraphOptions& options) const {
   const std::string& file = diagram_.scopes[static_cast<std::size_t>(scope_)].file;
-  const Node* title = loader_.document(file).root.find("title");
-  Json graph = graph_of(diagram_, *hierarchy_of(diagram_, loader_, scope_), options);
+  const yaml::Node* title = loader_.document(file).root.find("title");
+  json::Json graph = graph_of(diagram_, *hierarchy_of(diagram_, loader_, scope_), options);
   return graph.set("title", title ? title->text : "");
 }
 
@@ -120,20 +122,21 @@ std::vector<std::string> DiagramView::signals(const GraphOptions& options) const
   return drawn_signals(diagram_, *hierarchy_of(diagram_, loader_, scope_), options);
 }
 
-DrawnFile::DrawnFile(Loader& loader, const std::string& path)
+DrawnFile::DrawnFile(diagram::Loader& loader, const std::string& path)
     : diagram_(with_units(load(loader, path))), view_(diagram_, loader, diagram_.file == path ? 0 : 1) {}
 
-std::string draw_picture(const Json& drawn) {
-  const std::string node = find_program("node");
-  if (node.empty()) throw EnvironmentError("node is not installed; on Debian it is the package nodejs");
+std::string draw_picture(const json::Json& drawn) {
+  const std::string node = subprocess::find_program("node");
+  if (node.empty()) throw io::EnvironmentError("node is not installed; on Debian it is the package nodejs");
   const std::string text = drawn.text(-1);
-  const std::string module = resource("drawing");
-  const Cache cache;
+  const std::string module = io::resource("drawing");
+  const io::Cache cache;
   const std::string name = hash_of_picture(module, text) + ".svg";
   if (std::optional<std::string> picture = cache.find(name)) return *std::move(picture);
-  const ProcessResult answer = run_helper("node", {.command = {node, module + "/main.mjs"}, .input = text});
+  const subprocess::ProcessResult answer =
+      subprocess::run_helper("node", {.command = {node, module + "/main.mjs"}, .input = text});
   cache.keep(name, answer.output);
   return answer.output;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::drawing

@@ -7,7 +7,9 @@
 #include "engine/view/drawing/selection.hpp"
 #include "engine/view/drawing/symbol_text.hpp"
 
-namespace stepwire {
+namespace stepwire::drawing {
+
+using json::Json;
 
 namespace {
 
@@ -25,7 +27,7 @@ const char* outline_name(Symbol::Outline outline) {
 }
 
 /// A sign for each input that a parameter such as "+-" holds.
-std::string signs_of(const DiagramBlock& block) {
+std::string signs_of(const diagram::DiagramBlock& block) {
   const ParameterSpec* parameter = block.type().parameter(block.type().symbol.signs);
   if (!parameter) return {};
   const Value value = parameter->get(block.block.get());
@@ -36,7 +38,7 @@ constexpr std::size_t max_drawn = 2000;  // a layout of more takes minutes
 
 class GraphWriter {
  public:
-  GraphWriter(const Diagram& diagram, const Hierarchy& hierarchy, const GraphOptions& options)
+  GraphWriter(const diagram::Diagram& diagram, const Hierarchy& hierarchy, const GraphOptions& options)
       : diagram_(diagram), options_(options), selection_(diagram, hierarchy, options) {}
 
   /// The whole, with the groups of its blocks.
@@ -57,10 +59,11 @@ class GraphWriter {
   void require_few(const Hierarchy& hierarchy) {
     drawn_ += hierarchy.children.size();
     if (drawn_ > max_drawn)
-      throw Error(Fault{{diagram_.file, {}},
-                        "",
-                        fmt::format("more than {} blocks would be drawn; open fewer parts", max_drawn),
-                        {}});
+      throw yaml::Error(
+          yaml::Fault{{diagram_.file, {}},
+                      "",
+                      fmt::format("more than {} blocks would be drawn; open fewer parts", max_drawn),
+                      {}});
   }
 
   /// `outputs` are those of the file itself that are drawn.
@@ -170,12 +173,12 @@ class GraphWriter {
     return inputs;
   }
 
-  const DiagramBlock& block_of(const BlockReference& child) const {
+  const diagram::DiagramBlock& block_of(const BlockReference& child) const {
     return diagram_.blocks[static_cast<std::size_t>(child.block)];
   }
 
   void add_block(Json& node, const BlockReference& child) const {
-    const DiagramBlock& block = block_of(child);
+    const diagram::DiagramBlock& block = block_of(child);
     const Symbol& symbol = block.type().symbol;
     const SymbolText text = symbol_text(block, *child.written);
     node.set("type", block.type().name).set("outline", outline_name(symbol.outline));
@@ -226,10 +229,10 @@ class GraphWriter {
                output = static_cast<std::size_t>(signal->output);
     if (block >= diagram_.output_dimensions.size()) return {};
     const auto& dimension = diagram_.output_dimensions[block][output];
-    return dimension ? si_name(*dimension) : "";
+    return dimension ? unit::si_name(*dimension) : "";
   }
 
-  const Diagram& diagram_;
+  const diagram::Diagram& diagram_;
   const GraphOptions& options_;
   Selection selection_;
   std::vector<std::string> signals_;
@@ -238,15 +241,15 @@ class GraphWriter {
 
 }  // namespace
 
-Json graph_of(const Diagram& diagram, const Hierarchy& hierarchy, const GraphOptions& options) {
+Json graph_of(const diagram::Diagram& diagram, const Hierarchy& hierarchy, const GraphOptions& options) {
   return GraphWriter(diagram, hierarchy, options).whole(hierarchy);
 }
 
-std::vector<std::string> drawn_signals(const Diagram& diagram, const Hierarchy& hierarchy,
+std::vector<std::string> drawn_signals(const diagram::Diagram& diagram, const Hierarchy& hierarchy,
                                        const GraphOptions& options) {
   GraphWriter writer(diagram, hierarchy, options);
   writer.whole(hierarchy);
   return writer.signals();
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::drawing

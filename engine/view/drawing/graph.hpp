@@ -7,7 +7,7 @@
 #include "engine/view/drawing/graph_options.hpp"
 #include "engine/view/drawing/hierarchy.hpp"
 
-namespace stepwire {
+namespace stepwire::drawing {
 
 /// A diagram as the graph that draw.mjs draws:
 ///   graph: {title (of the whole), inputs: [port], outputs: [port], nodes: [node], wires: [wire],
@@ -19,10 +19,10 @@ namespace stepwire {
 ///   or recorded has one wire: {from: end, to: end, unit} end: {node, port} or {constant}; the node "" is the
 ///   file itself.
 /// What is to be opened and is not there is passed over.
-Json graph_of(const Diagram& diagram, const Hierarchy& hierarchy, const GraphOptions& options);
+json::Json graph_of(const diagram::Diagram& diagram, const Hierarchy& hierarchy, const GraphOptions& options);
 
 /// The signals that are drawn: those that labels can be on.
-std::vector<std::string> drawn_signals(const Diagram& diagram, const Hierarchy& hierarchy,
+std::vector<std::string> drawn_signals(const diagram::Diagram& diagram, const Hierarchy& hierarchy,
                                        const GraphOptions& options);
 
-}  // namespace stepwire
+}  // namespace stepwire::drawing

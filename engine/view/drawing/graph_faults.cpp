@@ -7,7 +7,7 @@
 
 #include "engine/base/yaml/error.hpp"
 
-namespace stepwire {
+namespace stepwire::drawing {
 
 namespace {
 
@@ -47,7 +47,7 @@ class OptionChecker {
     if (std::ranges::find(names, word) != names.end()) return;
     const std::string all = listing("It has", names, none);
     faults_.push_back(
-        {key, word, fmt::format("there is no {} '{}'{}", what, word, did_you_mean(word, names, all))});
+        {key, word, fmt::format("there is no {} '{}'{}", what, word, yaml::did_you_mean(word, names, all))});
   }
 
   void check_hidden() {
@@ -69,7 +69,7 @@ class OptionChecker {
       const bool exists = std::ranges::find(known, signal) != known.end();
       const std::string what = exists ? fmt::format("no wire is drawn that is '{}' alone", signal)
                                       : fmt::format("there is no signal '{}'", signal);
-      faults_.push_back({"labels", signal, what + did_you_mean(signal, drawn, all)});
+      faults_.push_back({"labels", signal, what + yaml::did_you_mean(signal, drawn, all)});
     }
   }
 
@@ -97,4 +97,4 @@ std::vector<GraphFault> faults_of(const DiagramView& view, const GraphOptions& o
   return OptionChecker(view, options).check();
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::drawing

@@ -5,7 +5,7 @@
 
 #include "engine/view/drawing/draw.hpp"
 
-namespace stepwire {
+namespace stepwire::drawing {
 
 /// A name in the options of a drawing that the diagram does not have.
 struct GraphFault {
@@ -17,4 +17,4 @@ struct GraphFault {
 /// All that is wrong with the names in the options of a drawing.
 std::vector<GraphFault> faults_of(const DiagramView& view, const GraphOptions& options);
 
-}  // namespace stepwire
+}  // namespace stepwire::drawing

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace stepwire {
+namespace stepwire::drawing {
 
 /// Blocks and parts of the file itself that are drawn in one frame, though no part of the file holds them.
 struct NodeGroup {
@@ -27,4 +27,4 @@ struct GraphOptions {
 /// Does a name follow a pattern in which '*' stands for any letters, also none?
 bool follows_pattern(const std::string& name, const std::string& pattern);
 
-}  // namespace stepwire
+}  // namespace stepwire::drawing

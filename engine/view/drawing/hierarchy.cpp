@@ -6,7 +6,7 @@
 #include "engine/model/diagram/resolve.hpp"
 #include "engine/view/drawing/symbol_text.hpp"
 
-namespace stepwire {
+namespace stepwire::drawing {
 
 namespace {
 
@@ -17,7 +17,8 @@ int index_of(const std::vector<std::string>& names, std::string_view name) {
 
 class OutlineReader {
  public:
-  OutlineReader(const Diagram& diagram, Loader& loader) : diagram_(diagram), loader_(loader) {
+  OutlineReader(const diagram::Diagram& diagram, diagram::Loader& loader)
+      : diagram_(diagram), loader_(loader) {
     for (std::size_t i = 0; i < diagram.blocks.size(); ++i)
       blocks_[diagram.blocks[i].name] = static_cast<int>(i);
     for (std::size_t i = 1; i < diagram.scopes.size(); ++i)
@@ -27,25 +28,26 @@ class OutlineReader {
   std::unique_ptr<Hierarchy> read(int scope) {
     auto hierarchy = std::make_unique<Hierarchy>();
     hierarchy->scope = scope;
-    const ScopeInfo& info = diagram_.scopes[static_cast<std::size_t>(scope)];
-    const Node& root = loader_.document(info.file).root;
+    const diagram::ScopeInfo& info = diagram_.scopes[static_cast<std::size_t>(scope)];
+    const yaml::Node& root = loader_.document(info.file).root;
     hierarchy->inputs = keys(root, "inputs");
     hierarchy->outputs = keys(root, "outputs");
-    if (const Node* blocks = root.find("blocks"))
-      for (const Entry& entry : blocks->entries) hierarchy->children.push_back(child(entry, info.prefix));
+    if (const yaml::Node* blocks = root.find("blocks"))
+      for (const yaml::Entry& entry : blocks->entries)
+        hierarchy->children.push_back(child(entry, info.prefix));
     connect(*hierarchy, root);
     return hierarchy;
   }
 
  private:
-  static std::vector<std::string> keys(const Node& root, const char* key) {
+  static std::vector<std::string> keys(const yaml::Node& root, const char* key) {
     std::vector<std::string> names;
-    if (const Node* map = root.find(key))
-      for (const Entry& entry : map->entries) names.push_back(entry.key);
+    if (const yaml::Node* map = root.find(key))
+      for (const yaml::Entry& entry : map->entries) names.push_back(entry.key);
     return names;
   }
 
-  BlockReference child(const Entry& entry, const std::string& prefix) {
+  BlockReference child(const yaml::Entry& entry, const std::string& prefix) {
     BlockReference child;
     child.name = entry.key;
     child.written = &entry.value;
@@ -64,8 +66,8 @@ class OutlineReader {
   }
 
   /// Finds what feeds what, once all children are known.
-  void connect(Hierarchy& hierarchy, const Node& root) {
-    Scope names;
+  void connect(Hierarchy& hierarchy, const yaml::Node& root) {
+    diagram::Scope names;
     for (const BlockReference& child : hierarchy.children) names.names[child.name];
     for (std::size_t i = 0; i < hierarchy.children.size(); ++i) {
       BlockReference& child = hierarchy.children[i];
@@ -79,54 +81,54 @@ class OutlineReader {
       }
     }
     for (const std::string& output : hierarchy.outputs) {
-      const Node& port = *root.find("outputs")->find(output);
+      const yaml::Node& port = *root.find("outputs")->find(output);
       hierarchy.output_sources.push_back(
           source(hierarchy, names, port.is_map() ? port.find("signal")->text : port.text));
     }
   }
 
-  void add_input(const Hierarchy& hierarchy, const Scope& names, BlockReference& child,
+  void add_input(const Hierarchy& hierarchy, const diagram::Scope& names, BlockReference& child,
                  const std::string& name, bool list) {
-    const Node* node = child.written->find(name);
+    const yaml::Node* node = child.written->find(name);
     if (!node) return;
     ReferenceInput input{name, {}};
     if (list && node->is_list()) {
-      for (const Node& item : node->items) input.feeds.push_back(feed(hierarchy, names, item));
+      for (const yaml::Node& item : node->items) input.feeds.push_back(feed(hierarchy, names, item));
     } else {
       input.feeds.push_back(feed(hierarchy, names, *node));
     }
     child.inputs.push_back(std::move(input));
   }
 
-  WireFeed feed(const Hierarchy& hierarchy, const Scope& names, const Node& node) {
-    if (!names_signal(node)) return {{}, printed_value(node)};
+  WireFeed feed(const Hierarchy& hierarchy, const diagram::Scope& names, const yaml::Node& node) {
+    if (!diagram::names_signal(node)) return {{}, printed_value(node)};
     const auto found = source(hierarchy, names, node.text);
     if (!found || found->child >= 0) return {found, {}};
     // An input that nobody feeds has the part's own default.
     const std::string& port = hierarchy.inputs[static_cast<std::size_t>(found->port)];
-    const Node* fallback = unfed_default(hierarchy, port);
+    const yaml::Node* fallback = unfed_default(hierarchy, port);
     return fallback ? feed(hierarchy, names, *fallback) : WireFeed{found, {}};
   }
 
   /// The default of an input of a part that the using file leaves out; null otherwise.
-  const Node* unfed_default(const Hierarchy& hierarchy, const std::string& port) {
+  const yaml::Node* unfed_default(const Hierarchy& hierarchy, const std::string& port) {
     if (hierarchy.scope == 0) return nullptr;
-    const ScopeInfo& info = diagram_.scopes[static_cast<std::size_t>(hierarchy.scope)];
-    const Node& user = user_of(info);
+    const diagram::ScopeInfo& info = diagram_.scopes[static_cast<std::size_t>(hierarchy.scope)];
+    const yaml::Node& user = user_of(info);
     if (user.find(port)) return nullptr;
-    const Node& declared = *loader_.document(info.file).root.find("inputs")->find(port);
+    const yaml::Node& declared = *loader_.document(info.file).root.find("inputs")->find(port);
     return declared.is_map() ? declared.find("default") : nullptr;
   }
 
   /// The keys with which a file uses a part.
-  const Node& user_of(const ScopeInfo& info) {
-    const ScopeInfo& user = diagram_.scopes[static_cast<std::size_t>(info.used_at.scope)];
+  const yaml::Node& user_of(const diagram::ScopeInfo& info) {
+    const diagram::ScopeInfo& user = diagram_.scopes[static_cast<std::size_t>(info.used_at.scope)];
     const std::string name =
         info.prefix.substr(user.prefix.size(), info.prefix.size() - user.prefix.size() - 1);
     return *loader_.document(user.file).root.find("blocks")->find(name);
   }
 
-  std::optional<WireSource> source(const Hierarchy& hierarchy, const Scope& names,
+  std::optional<WireSource> source(const Hierarchy& hierarchy, const diagram::Scope& names,
                                    const std::string& text) const {
     if (const int port = index_of(hierarchy.inputs, text); port >= 0) return WireSource{-1, port};
     const std::string_view name = names.start_of(text);
@@ -141,18 +143,18 @@ class OutlineReader {
     return std::nullopt;
   }
 
-  const Diagram& diagram_;
-  Loader& loader_;
+  const diagram::Diagram& diagram_;
+  diagram::Loader& loader_;
   std::map<std::string, int> blocks_, scopes_;
 };
 
 }  // namespace
 
-std::optional<SignalRef> Hierarchy::signal(const WireSource& source) const {
+std::optional<diagram::SignalRef> Hierarchy::signal(const WireSource& source) const {
   const auto port = static_cast<std::size_t>(source.port);
   if (source.child >= 0) {
     const BlockReference& from = children[static_cast<std::size_t>(source.child)];
-    if (!from.part) return SignalRef{from.block, source.port, -1};
+    if (!from.part) return diagram::SignalRef{from.block, source.port, -1};
     const auto& inner = from.part->output_sources[port];
     return inner ? from.part->signal(*inner) : std::nullopt;
   }
@@ -163,8 +165,8 @@ std::optional<SignalRef> Hierarchy::signal(const WireSource& source) const {
   return std::nullopt;
 }
 
-std::unique_ptr<Hierarchy> hierarchy_of(const Diagram& diagram, Loader& loader, int scope) {
+std::unique_ptr<Hierarchy> hierarchy_of(const diagram::Diagram& diagram, diagram::Loader& loader, int scope) {
   return OutlineReader(diagram, loader).read(scope);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::drawing

@@ -7,7 +7,7 @@
 
 #include "engine/model/diagram/load.hpp"
 
-namespace stepwire {
+namespace stepwire::drawing {
 
 /// Where a wire begins: an output of a child, or an input of the file itself.
 struct WireSource {
@@ -31,11 +31,11 @@ struct Hierarchy;
 
 /// A block or a part of a file.
 struct BlockReference {
-  std::string name;                    ///< as the file calls it
-  int block = -1;                      ///< in Diagram::blocks; -1 for a part
-  std::unique_ptr<Hierarchy> part;     ///< null for a block
-  const Node* written = nullptr;       ///< its keys
-  std::vector<ReferenceInput> inputs;  ///< those that are fed, in the order of the declaration
+  std::string name;                     ///< as the file calls it
+  int block = -1;                       ///< in Diagram::blocks; -1 for a part
+  std::unique_ptr<Hierarchy> part;      ///< null for a block
+  const yaml::Node* written = nullptr;  ///< its keys
+  std::vector<ReferenceInput> inputs;   ///< those that are fed, in the order of the declaration
   std::vector<std::string> outputs;
 };
 
@@ -51,10 +51,11 @@ struct Hierarchy {
   std::vector<BlockReference> children;
 
   /// The output of a block that a source is in the end; nothing where that is a constant.
-  std::optional<SignalRef> signal(const WireSource& source) const;
+  std::optional<diagram::SignalRef> signal(const WireSource& source) const;
 };
 
 /// Reads the hierarchy of a file of a checked diagram (`scope`) from the documents that it was loaded from.
-std::unique_ptr<Hierarchy> hierarchy_of(const Diagram& diagram, Loader& loader, int scope = 0);
+std::unique_ptr<Hierarchy> hierarchy_of(const diagram::Diagram& diagram, diagram::Loader& loader,
+                                        int scope = 0);
 
-}  // namespace stepwire
+}  // namespace stepwire::drawing

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace stepwire {
+namespace stepwire::drawing {
 
 bool follows_pattern(const std::string& name, const std::string& pattern) {
   // The last star is the only one that is ever widened: what it leaves over the earlier ones could not do
@@ -25,11 +25,11 @@ bool follows_pattern(const std::string& name, const std::string& pattern) {
   return pattern.find_first_not_of('*', in_pattern) == std::string::npos;
 }
 
-Selection::Selection(const Diagram& diagram, const Hierarchy& hierarchy, const GraphOptions& options)
+Selection::Selection(const diagram::Diagram& diagram, const Hierarchy& hierarchy, const GraphOptions& options)
     : diagram_(diagram), options_(options), above_(scope_prefix(hierarchy).size()) {
-  for (const RecordRequest& request : diagram.records)
-    for (const RecordedSignal& recorded : request.signals) add_recorded(recorded.signal);
-  for (const DiagramOutput& output : diagram.outputs) add_recorded(output.signal);
+  for (const diagram::RecordRequest& request : diagram.records)
+    for (const diagram::RecordedSignal& recorded : request.signals) add_recorded(recorded.signal);
+  for (const diagram::DiagramOutput& output : diagram.outputs) add_recorded(output.signal);
 }
 
 std::string Selection::name_in(const Hierarchy& hierarchy, const std::string& name) const {
@@ -139,4 +139,4 @@ std::vector<Selection::Shown> Selection::shown(const Hierarchy& hierarchy,
   return shown;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::drawing

@@ -8,7 +8,7 @@
 #include "engine/view/drawing/graph_options.hpp"
 #include "engine/view/drawing/hierarchy.hpp"
 
-namespace stepwire {
+namespace stepwire::drawing {
 
 /// What of a diagram's hierarchies is drawn: all but what is hidden, and of each child the outputs that lead
 /// somewhere.
@@ -27,7 +27,7 @@ class Selection {
   };
 
   /// `hierarchy` is the file that is drawn.
-  Selection(const Diagram& diagram, const Hierarchy& hierarchy, const GraphOptions& options);
+  Selection(const diagram::Diagram& diagram, const Hierarchy& hierarchy, const GraphOptions& options);
 
   /// Full name of a file's block, seen from the file that is drawn.
   std::string name_in(const Hierarchy& hierarchy, const std::string& name) const;
@@ -51,15 +51,15 @@ class Selection {
   }
   std::vector<int> outputs_of(const Hierarchy& hierarchy, int child,
                               const std::set<std::pair<int, int>>& used) const;
-  void add_recorded(const SignalRef& signal) { recorded_.insert({signal.block, signal.output}); }
+  void add_recorded(const diagram::SignalRef& signal) { recorded_.insert({signal.block, signal.output}); }
   const std::string& scope_prefix(const Hierarchy& hierarchy) const {
     return diagram_.scopes[static_cast<std::size_t>(hierarchy.scope)].prefix;
   }
 
-  const Diagram& diagram_;
+  const diagram::Diagram& diagram_;
   const GraphOptions& options_;
   std::size_t above_;  ///< letters that lie above the file that is drawn
   std::set<std::pair<int, int>> recorded_;
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::drawing

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <map>
 
-namespace stepwire {
+namespace stepwire::drawing {
 
 namespace {
 
@@ -124,7 +124,7 @@ std::string polynomial(const Eigen::VectorXd& coefficients, std::string_view var
 /// Fills in the places of one block's symbol.
 class Filler {
  public:
-  Filler(const DiagramBlock& block, const Node& written, bool fraction)
+  Filler(const diagram::DiagramBlock& block, const yaml::Node& written, bool fraction)
       : block_(block), written_(written), fraction_(fraction) {}
 
   std::string fill(std::string_view text) const {
@@ -160,7 +160,7 @@ class Filler {
 
   std::string parameter(const ParameterSpec& spec, const Value& value) const {
     if (spec.kind == ParameterKind::file) return std::filesystem::path(*value.text()).filename().string();
-    const Node* node = written_.find(spec.name);
+    const yaml::Node* node = written_.find(spec.name);
     const bool named = node && node->is_scalar() && !node->quoted && !node->text.empty() &&
                        (node->text.front() == '$' || node->text.front() == '=');
     if (node && (named || !fraction_)) return as_written(*node, spec);
@@ -170,7 +170,7 @@ class Filler {
     return value.text() ? word(*value.text()) : std::string();
   }
 
-  static std::string as_written(const Node& node, const ParameterSpec& spec) {
+  static std::string as_written(const yaml::Node& node, const ParameterSpec& spec) {
     return spec.kind == ParameterKind::word ? word(node.text) : printed_value(node);
   }
 
@@ -179,8 +179,8 @@ class Filler {
     return sign != signs.end() ? sign->second : typeset(text);
   }
 
-  const DiagramBlock& block_;
-  const Node& written_;
+  const diagram::DiagramBlock& block_;
+  const yaml::Node& written_;
   bool fraction_;
 };
 
@@ -200,21 +200,21 @@ std::vector<std::string> words_of(const std::string& name) {
 
 }  // namespace
 
-std::string printed_value(const Node& node) {
+std::string printed_value(const yaml::Node& node) {
   if (node.is_list()) {
     std::vector<std::string> items;
-    for (const Node& item : node.items) items.push_back(printed_value(item));
+    for (const yaml::Node& item : node.items) items.push_back(printed_value(item));
     return fmt::format("[{}]", fmt::join(items, ", "));
   }
-  if (const Node* value = node.is_map() ? node.find("value") : nullptr) {
-    const Node* unit = node.find("unit");
+  if (const yaml::Node* value = node.is_map() ? node.find("value") : nullptr) {
+    const yaml::Node* unit = node.find("unit");
     return printed_value(*value) + (unit ? " " + unit->text : "");
   }
   const std::size_t start = node.text.find_first_not_of("=$ ");
   return typeset(start == std::string::npos ? std::string_view() : std::string_view(node.text).substr(start));
 }
 
-SymbolText symbol_text(const DiagramBlock& block, const Node& written) {
+SymbolText symbol_text(const diagram::DiagramBlock& block, const yaml::Node& written) {
   const Symbol& symbol = block.type().symbol;
   SymbolText result;
   if (symbol.text.empty()) {
@@ -238,4 +238,4 @@ SymbolText symbol_text(const DiagramBlock& block, const Node& written) {
   return result;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::drawing

@@ -5,7 +5,7 @@
 
 #include "engine/model/diagram/diagram.hpp"
 
-namespace stepwire {
+namespace stepwire::drawing {
 
 /// What is written in a block's symbol.
 struct SymbolText {
@@ -14,10 +14,10 @@ struct SymbolText {
 };
 
 /// A value of a file as one reads it: `2 N`, `τ` for `$tau`, `2·a` for `= 2*a`, `[1, 2]`.
-std::string printed_value(const Node& node);
+std::string printed_value(const yaml::Node& node);
 
 /// The text of the block's symbol with its parameters filled in; the words of the type's name where the
 /// symbol has neither text nor curve. `written` are the keys of the block in its file.
-SymbolText symbol_text(const DiagramBlock& block, const Node& written);
+SymbolText symbol_text(const diagram::DiagramBlock& block, const yaml::Node& written);
 
-}  // namespace stepwire
+}  // namespace stepwire::drawing

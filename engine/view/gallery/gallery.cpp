@@ -7,7 +7,7 @@
 #include "engine/view/gallery/gallery_style.hpp"
 #include "engine/view/gallery/gallery_tally.hpp"
 
-namespace stepwire {
+namespace stepwire::gallery {
 
 std::map<std::string, std::string> gallery_files(const Gallery& gallery) {
   const GallerySources sources = sources_of(gallery);
@@ -22,4 +22,4 @@ std::map<std::string, std::string> gallery_files(const Gallery& gallery) {
   return files;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::gallery

@@ -8,7 +8,7 @@
 
 #include "engine/analyse/claim/claim.hpp"
 
-namespace stepwire {
+namespace stepwire::gallery {
 
 /// A parameter that the source does not give.
 struct Assumption {
@@ -57,7 +57,7 @@ struct GalleryEntry {
   std::string source_says;              ///< what its text says of the figure
   std::vector<std::string> departures;  ///< what is done otherwise than in the source, a sentence each
   std::vector<GalleryPicture> pictures;
-  std::vector<Verdict> verdicts;
+  std::vector<claim::Verdict> verdicts;
   std::vector<Assumption> assumptions;
   std::vector<GallerySource> sources;  ///< its diagram file, then the parts that it uses
   std::vector<GalleryDownload> downloads;
@@ -82,4 +82,4 @@ std::map<std::string, std::string> gallery_files(const Gallery& gallery);
 /// "229 of 239 claims hold, 10 known not to hold, 108 invariants held throughout."
 std::string gallery_verdict(const std::vector<GalleryEntry>& entries);
 
-}  // namespace stepwire
+}  // namespace stepwire::gallery

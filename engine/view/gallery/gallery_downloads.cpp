@@ -5,7 +5,7 @@
 
 #include "engine/view/gallery/gallery_tally.hpp"
 
-namespace stepwire {
+namespace stepwire::gallery {
 namespace {
 
 /// Files with one ending, and what they are.
@@ -84,4 +84,4 @@ Html diagram_of(const GalleryEntry& entry, const GallerySources& sources) {
               painted_source(page_of(entry), entry.sources.front().path, sources));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::gallery

@@ -4,7 +4,7 @@
 #include "engine/view/gallery/gallery_html.hpp"
 #include "engine/view/gallery/gallery_source.hpp"
 
-namespace stepwire {
+namespace stepwire::gallery {
 
 /// What a reader may take along of an entry, by what it is.
 Html downloads_of(const GalleryEntry& entry);
@@ -12,4 +12,4 @@ Html downloads_of(const GalleryEntry& entry);
 /// The diagram file of an entry in colours, with links to the parts that it uses.
 Html diagram_of(const GalleryEntry& entry, const GallerySources& sources);
 
-}  // namespace stepwire
+}  // namespace stepwire::gallery

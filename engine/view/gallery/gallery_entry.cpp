@@ -5,7 +5,7 @@
 #include "engine/view/gallery/gallery_picture.hpp"
 #include "engine/view/gallery/gallery_tally.hpp"
 
-namespace stepwire {
+namespace stepwire::gallery {
 namespace {
 
 /// The entries around one, in the order of the gallery.
@@ -69,7 +69,7 @@ Html beside(const GalleryEntry& entry) {
   return html("<div class=\"beside\">\n{}{}</div>\n", source, here);
 }
 
-Html claim(const Verdict& verdict) {
+Html claim(const claim::Verdict& verdict) {
   const std::string value = verdict.note.empty() ? verdict.shown : verdict.note;
   Html item = html("<li class=\"{}\"><span class=\"verdict\">{}</span> <span class=\"that\">{}</span>",
                    look_of(verdict), verdict.word(), verdict.that);
@@ -82,8 +82,8 @@ Html claim(const Verdict& verdict) {
 Html claims(const GalleryEntry& entry) {
   Html stated, held;
   std::size_t count = 0;
-  for (const Verdict& verdict : entry.verdicts) {
-    const bool folds = verdict.kind == Claim::Kind::invariant && verdict.holds;
+  for (const claim::Verdict& verdict : entry.verdicts) {
+    const bool folds = verdict.kind == claim::Claim::Kind::invariant && verdict.holds;
     (folds ? held : stated) += claim(verdict);
     count += folds ? 1 : 0;
   }
@@ -136,4 +136,4 @@ std::string entry_page(const Gallery& gallery, const GallerySources& sources, st
   return framed(frame, content);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::gallery

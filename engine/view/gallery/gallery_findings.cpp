@@ -5,7 +5,7 @@
 
 #include "engine/view/gallery/gallery_tally.hpp"
 
-namespace stepwire {
+namespace stepwire::gallery {
 namespace {
 
 Html link_to(const GalleryEntry& entry, const std::string& text) {
@@ -16,7 +16,7 @@ Html unexpected(const Gallery& gallery) {
   Html items;
   for (const GalleryEntry& entry : gallery.entries) {
     if (!entry.error.empty()) items += html("<li>{}: did not run</li>\n", link_to(entry, full_name(entry)));
-    for (const Verdict& verdict : entry.verdicts)
+    for (const claim::Verdict& verdict : entry.verdicts)
       if (verdict.fails() || verdict.surprises())
         items +=
             html("<li>{}: {} – {}</li>\n", link_to(entry, full_name(entry)), verdict.that, verdict.word());
@@ -56,7 +56,7 @@ Html disagreements(const Gallery& gallery) {
   for (const GalleryEntry& entry : gallery.entries) {
     Html items;
     std::size_t count = 0;
-    for (const Verdict& verdict : entry.verdicts) {
+    for (const claim::Verdict& verdict : entry.verdicts) {
       if (verdict.disagrees.empty() || verdict.holds) continue;
       items += html("<li>{}<br><em>{}</em></li>\n", verdict.that, verdict.disagrees);
       ++count;
@@ -130,4 +130,4 @@ Html gallery_findings(const Gallery& gallery) {
   return html("{}<div class=\"findings\">\n{}</div>\n", unexpected(gallery), findings);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::gallery

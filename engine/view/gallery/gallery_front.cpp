@@ -6,7 +6,7 @@
 #include "engine/view/gallery/gallery_html.hpp"
 #include "engine/view/gallery/gallery_tally.hpp"
 
-namespace stepwire {
+namespace stepwire::gallery {
 namespace {
 
 /// Its first picture that the source has, too.
@@ -29,8 +29,8 @@ Html thumbnail(const GalleryEntry& entry) {
 std::string words_of(const GalleryEntry& entry) {
   std::string words = "section " + entry.section + " " + entry.folder + " " + entry.caption + " " +
                       entry.source_caption + " " + entry.source_says;
-  for (const Verdict& verdict : entry.verdicts)
-    if (verdict.kind == Claim::Kind::statement) words += " " + verdict.that;
+  for (const claim::Verdict& verdict : entry.verdicts)
+    if (verdict.kind == claim::Claim::Kind::statement) words += " " + verdict.that;
   return words;
 }
 
@@ -96,4 +96,4 @@ std::string gallery_front(const Gallery& gallery) {
   return framed(frame, html("{}{}{}", head, gallery_findings(gallery), thumbnails(gallery)));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::gallery

@@ -4,10 +4,10 @@
 
 #include "engine/view/gallery/gallery.hpp"
 
-namespace stepwire {
+namespace stepwire::gallery {
 
 /// The front page: how many claims hold and which end otherwise than expected; what disagrees with the
 /// source, what is done otherwise and what is assumed; a thumbnail of each entry, by chapter.
 std::string gallery_front(const Gallery& gallery);
 
-}  // namespace stepwire
+}  // namespace stepwire::gallery

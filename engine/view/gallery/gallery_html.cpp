@@ -5,14 +5,14 @@
 
 #include "engine/view/svg/svg.hpp"
 
-namespace stepwire {
+namespace stepwire::gallery {
 
 std::string html_piece(const Html& html) {
   return html.code;
 }
 
 std::string html_piece(const std::string& text) {
-  return markup_escaped(text);
+  return svg::markup_escaped(text);
 }
 
 std::string html_piece(const Address& address) {
@@ -23,7 +23,7 @@ std::string html_piece(const Address& address) {
     else
       result += c;
   }
-  return markup_escaped(result);
+  return svg::markup_escaped(result);
 }
 
 std::string counted(std::size_t count, const std::string& one, const std::string& several) {
@@ -61,4 +61,4 @@ std::string framed(const GalleryFrame& frame, const Html& content) {
       .code;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::gallery

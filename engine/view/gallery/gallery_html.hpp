@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace stepwire {
+namespace stepwire::gallery {
 
 /// HTML as it is written. A text becomes HTML by html() alone, which escapes it.
 struct Html {
@@ -56,4 +56,4 @@ struct GalleryFrame {
 /// The whole page.
 std::string framed(const GalleryFrame& frame, const Html& content);
 
-}  // namespace stepwire
+}  // namespace stepwire::gallery

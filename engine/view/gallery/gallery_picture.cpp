@@ -10,18 +10,18 @@
 #include "engine/view/plot/plot_kind.hpp"
 #include "engine/view/svg/svg.hpp"
 
-namespace stepwire {
+namespace stepwire::gallery {
 namespace {
 
 constexpr double page_width = 1400.0, page_height = 820.0;  // of a screen [px]
 constexpr double max_scale = 1.5;                           // beyond it the letters of a picture shout
 
 /// "force [N], current [A]", each once; the label of the axis where it has one.
-std::string labels_of(const Panel& panel, const std::string& key) {
+std::string labels_of(const plot::Panel& panel, const std::string& key) {
   const auto found = panel.series.find(key);
   if (found == panel.series.end()) return {};
   std::vector<std::string> labels;
-  for (Series series : found->second) {
+  for (query::Series series : found->second) {
     if (const std::string& label = panel.axis(key).label; !label.empty()) series.label = label;
     if (std::ranges::find(labels, series.axis_label()) == labels.end()) labels.push_back(series.axis_label());
   }
@@ -29,7 +29,7 @@ std::string labels_of(const Panel& panel, const std::string& key) {
 }
 
 /// What is shown: the last of colour, z, y and x that there is; and over what.
-std::string axes_of(const Panel& panel) {
+std::string axes_of(const plot::Panel& panel) {
   std::vector<std::string> axes;
   for (const char* key : {"x", "y", "z", "color"})
     if (const std::string labels = labels_of(panel, key); !labels.empty()) axes.push_back(labels);
@@ -49,7 +49,7 @@ std::string kind_in_words(const std::string& kind) {
   return found == words.end() ? kind : found->second;
 }
 
-std::string described(const Panel& panel) {
+std::string described(const plot::Panel& panel) {
   const std::string axes = axes_of(panel);
   std::string text = panel.title;
   if (!axes.empty()) text += (text.empty() ? "" : ", ") + axes;
@@ -62,7 +62,7 @@ std::string title_of(const std::string& svg) {
   if (start == std::string::npos || end == std::string::npos) return {};
   std::string title = svg.substr(start + 7, end - start - 7);
   for (const auto& [code, sign] : {std::pair{"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&amp;", "&"}})
-    replace_all(title, code, sign);
+    text::replace_all(title, code, sign);
   return title;
 }
 
@@ -112,9 +112,9 @@ Html figure_of(const GalleryPicture& picture, std::size_t number) {
 
 }  // namespace
 
-std::string described(const Figure& figure) {
+std::string described(const plot::Figure& figure) {
   std::vector<std::string> panels;
-  for (const Panel& panel : figure.panels) panels.push_back(described(panel));
+  for (const plot::Panel& panel : figure.panels) panels.push_back(described(panel));
   const std::string text = fmt::format("{}", fmt::join(panels, "; "));
   return figure.title.empty() ? text : figure.title + ": " + text;
 }
@@ -129,7 +129,7 @@ void read_picture(GalleryPicture& picture, const std::string& svg) {
 }
 
 std::string picture_script(const std::map<std::string, std::string>& pictures) {
-  Json texts = Json::object();
+  json::Json texts = json::Json::object();
   for (const auto& [name, svg] : pictures) texts.set(name, svg);
   return "stepwirePictures(" + texts.text(-1) + ");\n";
 }
@@ -145,4 +145,4 @@ Html pictures_of(const GalleryEntry& entry, bool own) {
       pictures);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::gallery

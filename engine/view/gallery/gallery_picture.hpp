@@ -7,10 +7,10 @@
 #include "engine/view/gallery/gallery_html.hpp"
 #include "engine/view/plot/figure.hpp"
 
-namespace stepwire {
+namespace stepwire::gallery {
 
 /// What a figure shows, in words: "force [N] over position [mm]; the block diagram".
-std::string described(const Figure& figure);
+std::string described(const plot::Figure& figure);
 
 /// Takes from its SVG text its size and its title, which stands ahead of the other words, and whether it
 /// suits dark pages: it brings colours for them, or has no white ground.
@@ -23,4 +23,4 @@ std::string picture_script(const std::map<std::string, std::string>& pictures);
 /// The pictures of an entry that the source has, or in a section of their own those that it has not.
 Html pictures_of(const GalleryEntry& entry, bool own);
 
-}  // namespace stepwire
+}  // namespace stepwire::gallery

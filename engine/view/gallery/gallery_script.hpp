@@ -1,6 +1,6 @@
 #pragma once
 
-namespace stepwire {
+namespace stepwire::gallery {
 
 /// What a browser with scripts adds to the gallery: a search, keys, panning of enlarged pictures, and PNG.
 inline constexpr const char* gallery_script = R"js('use strict';
@@ -163,4 +163,4 @@ addEventListener('hashchange', openTarget);
 openTarget();
 )js";
 
-}  // namespace stepwire
+}  // namespace stepwire::gallery

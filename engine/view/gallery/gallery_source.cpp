@@ -6,7 +6,7 @@
 #include "engine/view/gallery/gallery_tally.hpp"
 #include "engine/view/gallery/gallery_yaml.hpp"
 
-namespace stepwire {
+namespace stepwire::gallery {
 namespace {
 
 namespace fs = std::filesystem;
@@ -62,4 +62,4 @@ std::string source_page(const Gallery& gallery, const GallerySources& sources, c
                 html("{}{}{}", head, users_of(gallery, path, page), painted_source(page, path, sources)));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::gallery

@@ -6,7 +6,7 @@
 #include "engine/view/gallery/gallery.hpp"
 #include "engine/view/gallery/gallery_html.hpp"
 
-namespace stepwire {
+namespace stepwire::gallery {
 
 /// The diagram files of a gallery, each once, by their places in it.
 using GallerySources = std::map<std::string, std::string>;
@@ -22,4 +22,4 @@ Html painted_source(const std::string& page, const std::string& path, const Gall
 /// The page of a diagram file, with links to the entries that use it.
 std::string source_page(const Gallery& gallery, const GallerySources& sources, const std::string& path);
 
-}  // namespace stepwire
+}  // namespace stepwire::gallery

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace stepwire {
+namespace stepwire::gallery {
 
 /// Style sheet of the gallery: fonts of the system, light and dark, from 320 px on.
 inline constexpr const char* gallery_style = R"css(:root {
@@ -141,4 +141,4 @@ blockquote .caption { font-style: italic; }
 }
 )css";
 
-}  // namespace stepwire
+}  // namespace stepwire::gallery

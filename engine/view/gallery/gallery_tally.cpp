@@ -1,14 +1,14 @@
 #include "engine/view/gallery/gallery_tally.hpp"
 
-namespace stepwire {
+namespace stepwire::gallery {
 
 void ClaimTally::count(const GalleryEntry& entry) {
   errors += entry.error.empty() ? 0 : 1;
-  for (const Verdict& verdict : entry.verdicts) count(verdict);
+  for (const claim::Verdict& verdict : entry.verdicts) count(verdict);
 }
 
-void ClaimTally::count(const Verdict& verdict) {
-  if (verdict.kind == Claim::Kind::invariant) {
+void ClaimTally::count(const claim::Verdict& verdict) {
+  if (verdict.kind == claim::Claim::Kind::invariant) {
     ++(verdict.holds ? invariants : broken);
     return;
   }
@@ -48,7 +48,7 @@ std::string gallery_verdict(const std::vector<GalleryEntry>& entries) {
   return tally_of(entries).sentence();
 }
 
-std::string look_of(const Verdict& verdict) {
+std::string look_of(const claim::Verdict& verdict) {
   if (verdict.surprises() || verdict.fails()) return "bad";
   return verdict.holds ? "good" : "known";
 }
@@ -70,4 +70,4 @@ std::string page_of(const GalleryEntry& entry) {
   return entry.folder + "/index.html";
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::gallery

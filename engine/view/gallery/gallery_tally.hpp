@@ -6,7 +6,7 @@
 #include "engine/view/gallery/gallery.hpp"
 #include "engine/view/gallery/gallery_html.hpp"
 
-namespace stepwire {
+namespace stepwire::gallery {
 
 /// How many claims there are, and how they ended; invariants are counted apart.
 struct ClaimTally {
@@ -14,7 +14,7 @@ struct ClaimTally {
   std::size_t invariants = 0, broken = 0;
 
   void count(const GalleryEntry& entry);
-  void count(const Verdict& verdict);
+  void count(const claim::Verdict& verdict);
   bool bad() const { return fail + surprise + errors + broken > 0; }
   /// Class of what shows it: bad, known or good.
   std::string look() const { return bad() ? "bad" : known > 0 ? "known" : "good"; }
@@ -26,7 +26,7 @@ ClaimTally tally_of(const GalleryEntry& entry);
 ClaimTally tally_of(const std::vector<GalleryEntry>& entries);
 
 /// Class of what shows a verdict.
-std::string look_of(const Verdict& verdict);
+std::string look_of(const claim::Verdict& verdict);
 
 /// "Figure 15", or the title of what has no label.
 std::string short_name(const GalleryEntry& entry);
@@ -35,4 +35,4 @@ std::string full_name(const GalleryEntry& entry);
 /// The place of its page in the gallery.
 std::string page_of(const GalleryEntry& entry);
 
-}  // namespace stepwire
+}  // namespace stepwire::gallery

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <string_view>
 
-namespace stepwire {
+namespace stepwire::gallery {
 namespace {
 
 bool is_digit(char c) {
@@ -152,4 +152,4 @@ Html painted_yaml(const std::string& text, const PartAddress& part) {
   return YamlPainter(part).paint(text);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::gallery

@@ -5,7 +5,7 @@
 
 #include "engine/view/gallery/gallery_html.hpp"
 
-namespace stepwire {
+namespace stepwire::gallery {
 
 /// The address of the page of a part, by its path as the file has it; empty where there is none.
 using PartAddress = std::function<Address(const std::string& path)>;
@@ -14,4 +14,4 @@ using PartAddress = std::function<Address(const std::string& path)>;
 /// links at the parts that it uses.
 Html painted_yaml(const std::string& text, const PartAddress& part);
 
-}  // namespace stepwire
+}  // namespace stepwire::gallery

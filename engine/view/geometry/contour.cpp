@@ -4,7 +4,7 @@
 
 #include "engine/view/geometry/grid.hpp"
 
-namespace stepwire {
+namespace stepwire::geometry {
 namespace {
 
 struct Point {
@@ -96,4 +96,4 @@ std::vector<Curve> contour(const Grid& grid, double level) {
   return Tracer(grid, level).trace();
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::geometry

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace stepwire {
+namespace stepwire::geometry {
 
 /// Rows that follow each other without a gap, in the units in which they are drawn: one column for each
 /// channel.
@@ -25,4 +25,4 @@ struct Curves {
   bool several = false;             ///< curves of further y's are drawn beside these
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::geometry

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace stepwire {
+namespace stepwire::geometry {
 
 void Extent::add(double value) {
   if (!std::isfinite(value)) return;
@@ -25,4 +25,4 @@ Extent extent_of(const std::vector<double>& values) {
   return extent;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::geometry

@@ -3,7 +3,7 @@
 #include <limits>
 #include <vector>
 
-namespace stepwire {
+namespace stepwire::geometry {
 
 /// Smallest and largest number seen.
 struct Extent {
@@ -20,4 +20,4 @@ struct Extent {
 /// Smallest and largest value of a column.
 Extent extent_of(const std::vector<double>& values);
 
-}  // namespace stepwire
+}  // namespace stepwire::geometry

@@ -10,7 +10,7 @@
 #include "engine/view/geometry/extent.hpp"
 #include "engine/view/geometry/triangulation.hpp"
 
-namespace stepwire {
+namespace stepwire::geometry {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();  // where no point is near
@@ -197,4 +197,4 @@ Grid make_grid(const Curve& points, std::size_t cells, double gap) {
   return grid;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::geometry

@@ -6,7 +6,7 @@
 #include "engine/view/geometry/curve.hpp"
 #include "engine/view/geometry/extent.hpp"
 
-namespace stepwire {
+namespace stepwire::geometry {
 
 /// Values at the centres of equal cells, row by row from the lowest y; nan where nothing is known.
 struct Grid {
@@ -30,4 +30,4 @@ Grid within(const Grid& grid, const Extent& across, const Extent& up);
 /// Curves along which the grid, linear between centres, has this value.
 std::vector<Curve> contour(const Grid& grid, double level);
 
-}  // namespace stepwire
+}  // namespace stepwire::geometry

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-namespace stepwire {
+namespace stepwire::geometry {
 namespace {
 
 /// Rows of a stretch that must stay: its begin, and the extremes of each column.
@@ -177,4 +177,4 @@ std::vector<Curve> cut(const Curves& all, std::size_t group, std::size_t budget)
   return curves;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::geometry

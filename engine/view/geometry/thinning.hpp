@@ -5,7 +5,7 @@
 
 #include "engine/view/geometry/curve.hpp"
 
-namespace stepwire {
+namespace stepwire::geometry {
 
 /// Share of the width of a picture that is a fraction of a pixel.
 constexpr double unseen = 2.5e-4;
@@ -27,4 +27,4 @@ std::vector<Curve> thinned(const Curves& all, std::size_t group, std::size_t bud
 /// All curves of a group, each cut to its share of the budget with its extremes kept; for points.
 std::vector<Curve> cut(const Curves& all, std::size_t group, std::size_t budget);
 
-}  // namespace stepwire
+}  // namespace stepwire::geometry

@@ -7,7 +7,7 @@
 
 #include "engine/view/geometry/extent.hpp"
 
-namespace stepwire {
+namespace stepwire::geometry {
 namespace {
 
 using Diagram = boost::polygon::voronoi_diagram<double>;
@@ -54,4 +54,4 @@ std::vector<Corners> triangulate(const std::vector<double>& x, const std::vector
   return triangles;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::geometry

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace stepwire {
+namespace stepwire::geometry {
 
 /// Three indices of points, counterclockwise.
 using Corners = std::array<std::size_t, 3>;
@@ -13,4 +13,4 @@ using Corners = std::array<std::size_t, 3>;
 /// to 2^-30 of the extent of the points; of points that are then the same, one is a corner.
 std::vector<Corners> triangulate(const std::vector<double>& x, const std::vector<double>& y);
 
-}  // namespace stepwire
+}  // namespace stepwire::geometry

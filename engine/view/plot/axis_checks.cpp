@@ -4,13 +4,13 @@
 
 #include "engine/base/yaml/fault_text.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 namespace {
 
 /// Checks that what lies along an axis goes together; faults are gathered.
 class AxisChecks {
  public:
-  AxisChecks(Panel& panel, const Node& node, const SymbolTable& names, Faults& faults)
+  AxisChecks(Panel& panel, const yaml::Node& node, const query::SymbolTable& names, yaml::Faults& faults)
       : panel_(panel), node_(node), names_(names), faults_(faults) {}
 
   void check() {
@@ -23,15 +23,15 @@ class AxisChecks {
   }
 
  private:
-  void fault(Mark mark, const std::string& key, std::string message) {
+  void fault(yaml::Mark mark, const std::string& key, std::string message) {
     faults_.add({{names_.file, mark}, "figure." + key, std::move(message), {}});
   }
 
   void check_units(const std::string& axis) {
     const auto found = panel_.series.find(axis);
     if (found == panel_.series.end()) return;
-    const Series& first = found->second.front();
-    for (const Series& series : found->second) {
+    const query::Series& first = found->second.front();
+    for (const query::Series& series : found->second) {
       // A sum with a bare number has no known unit; it is drawn as the others are.
       if (series.unit_text.empty() || first.unit_text.empty() || series.unit_text == first.unit_text)
         continue;
@@ -39,7 +39,7 @@ class AxisChecks {
     }
   }
 
-  void check_number_of_x(const std::vector<Series>& y) {
+  void check_number_of_x(const std::vector<query::Series>& y) {
     const auto x = panel_.series.find("x");
     if (x == panel_.series.end() || x->second.size() == 1 || x->second.size() == y.size()) return;
     fault(x->second.front().formula.mark, "x",
@@ -47,24 +47,24 @@ class AxisChecks {
                       y.size()));
   }
 
-  void check_references(const Series& first) {
+  void check_references(const query::Series& first) {
     const auto references = panel_.series.find("reference");
     if (references == panel_.series.end()) return;
-    for (Series& reference : references->second) {
+    for (query::Series& reference : references->second) {
       const auto &ours = reference.formula.dimension, &axis = first.formula.dimension;
       if (ours && axis && *ours != *axis) two_units("reference", reference, first);
       reference.unit = first.unit;
     }
   }
 
-  void two_units(const std::string& key, const Series& series, const Series& first) {
+  void two_units(const std::string& key, const query::Series& series, const query::Series& first) {
     fault(series.formula.mark, key,
-          fault_text("'{}' is drawn in {}, but '{}' in {}; one axis has one unit: give each a panel",
-                     first.formula.text, first.unit_text, series.formula.text, series.unit_text));
+          yaml::fault_text("'{}' is drawn in {}, but '{}' in {}; one axis has one unit: give each a panel",
+                           first.formula.text, first.unit_text, series.formula.text, series.unit_text));
   }
 
   /// Without `by` there is one curve for each y, however many runs there are.
-  void check_legend(const std::vector<Series>& y) {
+  void check_legend(const std::vector<query::Series>& y) {
     if (panel_.series.contains("by") || panel_.legend.size() <= y.size()) return;
     fault(node_.find("legend")->mark, "legend",
           fmt::format("there are {} texts, but only {} in 'y'; 'by' with a swept parameter tells runs apart",
@@ -72,15 +72,15 @@ class AxisChecks {
   }
 
   Panel& panel_;
-  const Node& node_;
-  const SymbolTable& names_;
-  Faults& faults_;
+  const yaml::Node& node_;
+  const query::SymbolTable& names_;
+  yaml::Faults& faults_;
 };
 
 }  // namespace
 
-void check_axes(Panel& panel, const Node& node, const SymbolTable& names, Faults& faults) {
+void check_axes(Panel& panel, const yaml::Node& node, const query::SymbolTable& names, yaml::Faults& faults) {
   AxisChecks(panel, node, names, faults).check();
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

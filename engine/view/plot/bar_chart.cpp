@@ -7,7 +7,7 @@
 
 #include "engine/view/plot/figure_spec.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 namespace {
 
 constexpr double width = 680.0, row_height = 22.0, frame_height = 137.0;  // [pixels]
@@ -90,4 +90,4 @@ FigureSpec figure_of(const BarChart& chart) {
   return figure;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

@@ -5,7 +5,7 @@
 
 #include "engine/view/plot/plot_spec.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 
 /// One bar, made of a piece for each kind.
 struct Bar {
@@ -32,4 +32,4 @@ struct BarChart {
 /// The chart as a figure of one plot.
 FigureSpec figure_of(const BarChart& chart);
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace stepwire {
+namespace stepwire::plot {
 namespace {
 
 /// The name with a number behind it, and also without where that is 1.
@@ -13,14 +13,14 @@ std::vector<std::string> numbered_names(const std::vector<std::string>& names, s
   return result;
 }
 
-void add(const std::vector<std::string>& places, const std::string& name, const Formula& formula,
-         std::vector<NamedFormula>& drawn) {
+void add(const std::vector<std::string>& places, const std::string& name, const query::Formula& formula,
+         std::vector<query::NamedFormula>& drawn) {
   for (const std::string& place : places) drawn.push_back({fmt::format("{}.{}", place, name), formula.text});
 }
 
 /// What is drawn over the panel: "figure.motion.x", "figure.rose.2.value".
 void add_overlays(const Panel& panel, const std::vector<std::string>& places,
-                  std::vector<NamedFormula>& drawn) {
+                  std::vector<query::NamedFormula>& drawn) {
   for (std::size_t i = 0; i < panel.motions.size(); ++i)
     for (const std::string& name : numbered_names({"motion"}, i + 1)) {
       const Motion& motion = panel.motions[i];
@@ -40,7 +40,7 @@ void add_overlays(const Panel& panel, const std::vector<std::string>& places,
 }
 
 void add_quantities(const Panel& panel, const std::vector<std::string>& places,
-                    std::vector<NamedFormula>& drawn) {
+                    std::vector<query::NamedFormula>& drawn) {
   for (const std::string& place : places) {
     if (panel.where) drawn.push_back({place + ".where", panel.where->text});
     for (const auto& [key, list] : panel.series)
@@ -50,7 +50,8 @@ void add_quantities(const Panel& panel, const std::vector<std::string>& places,
   }
 }
 
-void add_places(const SceneObject& object, const Scene& scene, std::vector<NamedFormula>& shown) {
+void add_places(const scene::SceneObject& object, const scene::Scene& scene,
+                std::vector<query::NamedFormula>& shown) {
   for (std::size_t point = 0; point < object.points.size(); ++point)
     for (const std::string& name : numbered_names({"scene." + object.name}, point + 1))
       for (const std::size_t axis : {0u, 1u})
@@ -59,8 +60,8 @@ void add_places(const SceneObject& object, const Scene& scene, std::vector<Named
 
 }  // namespace
 
-std::vector<NamedFormula> drawn_quantities(const std::vector<Figure>& figures) {
-  std::vector<NamedFormula> drawn;
+std::vector<query::NamedFormula> drawn_quantities(const std::vector<Figure>& figures) {
+  std::vector<query::NamedFormula> drawn;
   for (std::size_t picture = 0; picture < figures.size(); ++picture)
     for (std::size_t panel = 0; panel < figures[picture].panels.size(); ++panel) {
       // a panel's number stands only behind that of its picture
@@ -72,9 +73,9 @@ std::vector<NamedFormula> drawn_quantities(const std::vector<Figure>& figures) {
   return drawn;
 }
 
-std::vector<NamedFormula> shown_quantities(const Scene& scene) {
-  std::vector<NamedFormula> shown;
-  for (const SceneObject& object : scene.objects) {
+std::vector<query::NamedFormula> shown_quantities(const scene::Scene& scene) {
+  std::vector<query::NamedFormula> shown;
+  for (const scene::SceneObject& object : scene.objects) {
     add_places(object, scene, shown);
     if (object.radius)
       shown.push_back({fmt::format("scene.{}.radius", object.name), scene.formulas[*object.radius].text});
@@ -82,4 +83,4 @@ std::vector<NamedFormula> shown_quantities(const Scene& scene) {
   return shown;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

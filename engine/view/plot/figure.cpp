@@ -6,13 +6,14 @@
 #include "engine/view/plot/panel_reading.hpp"
 #include "engine/view/plot/plot_kind.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 namespace {
 
-void read_panels(const Node& node, Figure& figure, const SymbolTable& names, Faults& faults) {
-  const NamesReading read("figure", names, faults);
+void read_panels(const yaml::Node& node, Figure& figure, const query::SymbolTable& names,
+                 yaml::Faults& faults) {
+  const query::NamesReading read("figure", names, faults);
   read.check(node, picture_form());
-  const Node& panels = *node.find("panels");
+  const yaml::Node& panels = *node.find("panels");
   if (!panels.is_list() || panels.items.empty()) {
     faults.add({{names.file, panels.mark}, "figure.panels", "panels are a list of plots", {}});
     return;
@@ -22,20 +23,20 @@ void read_panels(const Node& node, Figure& figure, const SymbolTable& names, Fau
   figure.columns = std::min<int>(2, static_cast<int>(panels.items.size()));
 }
 
-Figure read_figure(const Node& node, const SymbolTable& names, Faults& faults) {
+Figure read_figure(const yaml::Node& node, const query::SymbolTable& names, yaml::Faults& faults) {
   Figure figure;
   const bool several = node.is_map() && node.find("panels") != nullptr;
   if (several)
     read_panels(node, figure, names, faults);
   else if (auto panel = read_panel(node, names, true, faults))
     figure.panels.push_back(std::move(*panel));
-  set_keys(node, picture_keys(), figure, NamesReading("figure", names, faults));
+  yaml::set_keys(node, picture_keys(), figure, query::NamesReading("figure", names, faults));
   return figure;
 }
 
 }  // namespace
 
-const Series* Panel::find(const std::string& key) const {
+const query::Series* Panel::find(const std::string& key) const {
   const auto found = series.find(key);
   return found == series.end() || found->second.empty() ? nullptr : &found->second.front();
 }
@@ -45,10 +46,11 @@ const AxisOptions& Panel::axis(std::string_view name) const {
   return name == "x" ? x : name == "y" ? y : name == "z" ? z : name == "color" ? color : none;
 }
 
-std::vector<Figure> read_figures(const Node& node, const SymbolTable& names, Faults& faults) {
+std::vector<Figure> read_figures(const yaml::Node& node, const query::SymbolTable& names,
+                                 yaml::Faults& faults) {
   std::vector<Figure> figures;
-  for (const Node& item : node.as_list()) figures.push_back(read_figure(item, names, faults));
+  for (const yaml::Node& item : node.as_list()) figures.push_back(read_figure(item, names, faults));
   return figures;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

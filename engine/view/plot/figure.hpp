@@ -18,12 +18,12 @@
 #include "engine/simulate/record/recording.hpp"
 #include "engine/view/plot/plot_spec.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 
 struct PlotKind;
 
 /// Makes what a panel shows from what was recorded.
-using PanelContent = std::function<decltype(PanelSpec::content)(std::span<const Recording>)>;
+using PanelContent = std::function<decltype(PanelSpec::content)(std::span<const record::Recording>)>;
 
 /// A point of the plane with a name, in the units of the axes.
 struct MarkedPoint {
@@ -33,8 +33,8 @@ struct MarkedPoint {
 
 /// The way of a point over a panel: a line with arrow heads.
 struct Motion {
-  Series x, y;  ///< in the units of the axes
-  std::optional<Formula> where{};
+  query::Series x, y;  ///< in the units of the axes
+  std::optional<query::Formula> where{};
   double heads = 6.0;             ///< arrow heads along each stretch
   std::string color = "#d11a1a";  ///< as gnuplot takes it
   std::size_t recording = 0;
@@ -42,9 +42,9 @@ struct Motion {
 
 /// What happens at one point in each direction: spokes of a disc, as long and as coloured as a value is.
 struct Rose {
-  Series x, y;          ///< the point, in the units of the axes
-  Series angle, value;  ///< direction of a spoke in radians, and what is shown there
-  std::optional<Formula> where{};
+  query::Series x, y;          ///< the point, in the units of the axes
+  query::Series angle, value;  ///< direction of a spoke in radians, and what is shown there
+  std::optional<query::Formula> where{};
   std::optional<std::array<double, 2>> at{};  ///< middle of the disc; none: the point itself
   double radius = 0.0;                        ///< of the disc, in the unit of x
   std::string name{};
@@ -65,11 +65,12 @@ enum class ArrowPivot { tail, middle, tip };
 /// panel_keys() and of the options of its kind.
 struct Panel {
   const PlotKind* kind = nullptr;
-  std::map<std::string, std::vector<Series>> series{};  ///< by key: x, y, color, ...
+  std::map<std::string, std::vector<query::Series>> series{};  ///< by key: x, y, color, ...
   std::string title{};
   AxisOptions x{}, y{}, z{}, color{};
-  std::vector<Formula> boundaries{};  ///< of the plane's x and y in SI; a curve is drawn where one is zero
-  std::vector<Outline> regions{};     ///< in SI: shaded in the plane, and their lines drawn
+  std::vector<query::Formula>
+      boundaries{};                ///< of the plane's x and y in SI; a curve is drawn where one is zero
+  std::vector<Outline> regions{};  ///< in SI: shaded in the plane, and their lines drawn
   bool dashed_regions = false;
   std::vector<MarkedPoint> marks{};  ///< drawn on top of everything, with their names
   std::vector<MarkedPoint> texts{};  ///< written about their points
@@ -77,7 +78,7 @@ struct Panel {
   std::vector<Rose> roses{};
   std::vector<std::string> legend{};
   std::map<std::string, std::string> names{};  ///< of rows, by the words of the recording
-  std::optional<Formula> where{};
+  std::optional<query::Formula> where{};
   std::vector<std::size_t> recordings{};  ///< for each y, or one
   bool equal = false;
   bool final_rows = false;  ///< only the last row of each run
@@ -91,7 +92,7 @@ struct Panel {
   bool points_only = false;     ///< of what is in space
   bool tukey_whiskers = false;  ///< else they reach over all values
 
-  const Series* find(const std::string& key) const;
+  const query::Series* find(const std::string& key) const;
   /// Options of the axis x, y, z or color; of another channel none.
   const AxisOptions& axis(std::string_view name) const;
 };
@@ -107,14 +108,15 @@ struct Figure {
 };
 
 /// Reads the value under the key `figure`: one entry or a list. Everything that is wrong goes to `faults`.
-std::vector<Figure> read_figures(const Node& node, const SymbolTable& names, Faults& faults);
+std::vector<Figure> read_figures(const yaml::Node& node, const query::SymbolTable& names,
+                                 yaml::Faults& faults);
 
 /// The keys of each kind of plot, by its name: alone in its picture, or as one of several panels, which a
 /// plot that is a picture for itself cannot be.
-std::vector<Key> plot_forms(bool alone);
+std::vector<yaml::Key> plot_forms(bool alone);
 /// The keys of a picture of several panels.
-const Key& picture_form();
+const yaml::Key& picture_form();
 /// What a figure of any kind may have: its plot, the keys of panels and those of pictures.
-const Key& figure_form();
+const yaml::Key& figure_form();
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

@@ -5,18 +5,21 @@
 #include "engine/view/plot/panel_reading.hpp"
 #include "engine/view/plot/plot_kind.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
+
+using yaml::form;
+
 namespace {
 
-std::optional<double> read_number(const Node& node, const Panel& panel, const std::string& axis,
-                                  const NamesReading& read) {
+std::optional<double> read_number(const yaml::Node& node, const Panel& panel, const std::string& axis,
+                                  const query::NamesReading& read) {
   return read_axis_number(node, panel, axis, read.names, read.subject, read.faults);
 }
 
 PanelKey range_key(const std::string& axis, std::string doc, AxisOptions Panel::*options) {
-  const Key form = like("[-5 mm, 5 mm]", form::pair(form::number()));
+  const yaml::Key form = yaml::like("[-5 mm, 5 mm]", form::pair(form::number()));
   return {axis + "_range", std::move(doc), form,
-          [=](Panel& panel, const Node& node, const NamesReading& read) {
+          [=](Panel& panel, const yaml::Node& node, const query::NamesReading& read) {
             const auto* ends = read.pair(node, form);
             if (!ends) return;
             const auto low = read_number((*ends)[0], panel, axis, read);
@@ -29,67 +32,71 @@ PanelKey range_key(const std::string& axis, std::string doc, AxisOptions Panel::
 
 PanelKey label_key(const std::string& axis, std::string doc, AxisOptions Panel::*options) {
   return {axis + "_label", std::move(doc), form::text(),
-          [=](Panel& panel, const Node& node, const NamesReading& read) {
+          [=](Panel& panel, const yaml::Node& node, const query::NamesReading& read) {
             (panel.*options).label = read.text(node);
           }};
 }
 
-void read_log(Panel& panel, const Node& node, const NamesReading& read) {
+void read_log(Panel& panel, const yaml::Node& node, const query::NamesReading& read) {
   AxisOptions* const axes[] = {&panel.x, &panel.y, &panel.color};
-  for (const Node& item : node.as_list())
+  for (const yaml::Node& item : node.as_list())
     if (const auto axis = read.word(item, form::word({"x", "y", "color"}))) axes[*axis]->log = true;
 }
 
 /// A row that a reader of its own sets, behind `stage`.
-PanelKey own_key(std::string name, std::string doc, Key form,
-                 void (*read_it)(const Node&, Panel&, const NamesReading&), KeyNeeds needs,
+PanelKey own_key(std::string name, std::string doc, yaml::Key form,
+                 void (*read_it)(const yaml::Node&, Panel&, const query::NamesReading&), KeyNeeds needs,
                  KeyStage stage = KeyStage::options) {
   PanelKey key{std::move(name), std::move(doc), std::move(form),
-               [=](Panel& panel, const Node& node, const NamesReading& read) { read_it(node, panel, read); }};
+               [=](Panel& panel, const yaml::Node& node, const query::NamesReading& read) {
+                 read_it(node, panel, read);
+               }};
   key.needs = needs;
   key.stage = stage;
   return key;
 }
 
-Key plane_point() {
+yaml::Key plane_point() {
   return form::pair(form::number());
 }
 
 }  // namespace
 
-const Key& motion_form() {
-  static const Key form =
-      form::keys("a motion", "{x: hand.1, y: hand.2}",
-                 {needed(key("x", "across", form::expression())), needed(key("y", "up", form::expression())),
-                  key("where", "only these rows", form::expression()),
-                  key("heads", "how many arrow heads it has, 0 to 100", form::number()),
-                  key("color", "of the line", form::word(words_of(form::words(motion_colors()))))});
+const yaml::Key& motion_form() {
+  static const yaml::Key form = form::keys(
+      "a motion", "{x: hand.1, y: hand.2}",
+      {yaml::needed(yaml::key("x", "across", form::expression())),
+       yaml::needed(yaml::key("y", "up", form::expression())),
+       yaml::key("where", "only these rows", form::expression()),
+       yaml::key("heads", "how many arrow heads it has, 0 to 100", form::number()),
+       yaml::key("color", "of the line", form::word(yaml::words_of(form::words(motion_colors()))))});
   return form;
 }
 
-const Key& rose_form() {
-  static const Key form = form::keys(
-      "a rose", "{x: at.1, y: at.2, angle: phi, value: force in N, radius: 4 mm}",
-      {needed(key("x", "across, where it happens", form::expression())),
-       needed(key("y", "up, where it happens", form::expression())),
-       needed(key("angle", "direction", form::expression())),
-       needed(key("value", "length of the spoke", form::series())),
-       key("where", "only these rows", form::expression()),
-       key("at", "where its middle is drawn", like("[0 mm, 20 mm]", plane_point())),
-       needed(key("radius", "of the disc, along x", form::number())), key("name", "text beside it")});
+const yaml::Key& rose_form() {
+  static const yaml::Key form =
+      form::keys("a rose", "{x: at.1, y: at.2, angle: phi, value: force in N, radius: 4 mm}",
+                 {yaml::needed(yaml::key("x", "across, where it happens", form::expression())),
+                  yaml::needed(yaml::key("y", "up, where it happens", form::expression())),
+                  yaml::needed(yaml::key("angle", "direction", form::expression())),
+                  yaml::needed(yaml::key("value", "length of the spoke", form::series())),
+                  yaml::key("where", "only these rows", form::expression()),
+                  yaml::key("at", "where its middle is drawn", yaml::like("[0 mm, 20 mm]", plane_point())),
+                  yaml::needed(yaml::key("radius", "of the disc, along x", form::number())),
+                  yaml::key("name", "text beside it")});
   return form;
 }
 
-PanelKey described_key(const Key& key) {
+PanelKey described_key(const yaml::Key& key) {
   PanelKey described(key.name, key.doc, key);
-  static_cast<Key&>(described) = key;
+  static_cast<yaml::Key&>(described) = key;
   return described;
 }
 
 PanelKey number_key(std::string name, std::string doc, std::optional<double> Panel::*member,
                     std::string axis) {
   return {std::move(name), std::move(doc), form::number(),
-          [=](Panel& panel, const Node& node, const NamesReading& read) {
+          [=](Panel& panel, const yaml::Node& node, const query::NamesReading& read) {
             if (const auto value = read_number(node, panel, axis, read)) panel.*member = *value;
           }};
 }
@@ -97,8 +104,8 @@ PanelKey number_key(std::string name, std::string doc, std::optional<double> Pan
 PanelKey numbers_key(std::string name, std::string doc, std::vector<double> Panel::*member,
                      std::string axis) {
   return {std::move(name), std::move(doc), form::one_or_list(form::number()),
-          [=](Panel& panel, const Node& node, const NamesReading& read) {
-            for (const Node& item : node.as_list())
+          [=](Panel& panel, const yaml::Node& node, const query::NamesReading& read) {
+            for (const yaml::Node& item : node.as_list())
               if (const auto value = read_number(item, panel, axis, read)) (panel.*member).push_back(*value);
           }};
 }
@@ -110,8 +117,8 @@ const std::vector<PanelKey>& panel_keys() {
       {"rows", "all, or final: only the last row of each run of a sweep", form::word({"all", "final"}),
        &Panel::final_rows},
       {"legend", "texts of the legend, in the order of the curves", form::one_or_list(form::text()),
-       [](Panel& panel, const Node& node, const NamesReading& read) {
-         for (const Node& item : node.as_list()) panel.legend.push_back(read.text(item));
+       [](Panel& panel, const yaml::Node& node, const query::NamesReading& read) {
+         for (const yaml::Node& item : node.as_list()) panel.legend.push_back(read.text(item));
        }},
       {"equal", "true: one unit is as long on both axes", form::truth(), &Panel::equal},
       range_key("x", "ends of the axis: [-5 mm, 5 mm]", &Panel::x),
@@ -153,4 +160,4 @@ const std::vector<PanelKey>& panel_keys() {
   return keys;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

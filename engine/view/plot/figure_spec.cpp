@@ -7,7 +7,7 @@
 #include "engine/view/plot/plot_kind.hpp"
 #include "engine/view/plot/ticks.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 namespace {
 
 constexpr double title_height = 34.0;  // [px]
@@ -65,7 +65,7 @@ FigureSpec FigureBuilder::finished() {
   return spec;
 }
 
-FigureSpec figure_spec(const Figure& figure, std::span<const Recording> recordings) {
+FigureSpec figure_spec(const Figure& figure, std::span<const record::Recording> recordings) {
   if (!figure.panels.empty() && figure.panels.front().content)
     return {figure.title, 0.0, 0.0, false, {{0.0, 0.0, 0.0, 0.0, figure.panels.front().content(recordings)}}};
   FigureBuilder builder(figure, figure.panels.size());
@@ -78,4 +78,4 @@ FigureSpec figure_spec(const Figure& figure, std::span<const Recording> recordin
   return builder.finished();
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

@@ -8,7 +8,7 @@
 #include "engine/view/plot/plot_builder.hpp"
 #include "engine/view/plot/plot_spec.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 
 /// Puts plots side by side as the title, the columns and the size of a figure have it; panels of that figure
 /// do not matter.
@@ -32,6 +32,6 @@ class FigureBuilder {
 };
 
 /// What is drawn of recordings.
-FigureSpec figure_spec(const Figure& figure, std::span<const Recording> recordings);
+FigureSpec figure_spec(const Figure& figure, std::span<const record::Recording> recordings);
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

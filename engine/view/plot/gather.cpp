@@ -8,19 +8,19 @@
 
 #include "engine/analyse/query/number.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 namespace {
 
-std::vector<double> drawn_values(const Series& series, const Recording& recording) {
-  std::vector<double> values = evaluate(series.formula, recording);
+std::vector<double> drawn_values(const query::Series& series, const record::Recording& recording) {
+  std::vector<double> values = query::evaluate(series.formula, recording);
   for (double& value : values) value = series.unit.from_si(value);
   return values;
 }
 
 /// The key under which a panel has a channel: x, y, color, ...
-std::string key_of(const Panel& panel, const Series* channel) {
+std::string key_of(const Panel& panel, const query::Series* channel) {
   for (const auto& [key, list] : panel.series)
-    for (const Series& series : list)
+    for (const query::Series& series : list)
       if (&series == channel) return key;
   return {};
 }
@@ -49,16 +49,16 @@ void drop_missing(FoundRows& found, const std::vector<const AxisOptions*>& axes)
   }
 }
 
-FoundRows find_rows(const Panel& panel, const Recording& recording,
-                    const std::vector<const Series*>& channels) {
+FoundRows find_rows(const Panel& panel, const record::Recording& recording,
+                    const std::vector<const query::Series*>& channels) {
   const std::size_t rows = recording.table.rows();
   FoundRows found;
-  for (const Series* channel : channels) found.columns.push_back(drawn_values(*channel, recording));
-  const Series* by = panel.find("by");
+  for (const query::Series* channel : channels) found.columns.push_back(drawn_values(*channel, recording));
+  const query::Series* by = panel.find("by");
   found.by = by == nullptr ? std::vector<double>(rows, 0.0) : drawn_values(*by, recording);
   for (const double value : found.by) found.drawn.push_back(std::isfinite(value));
   if (panel.where) {
-    const auto where = evaluate(*panel.where, recording);
+    const auto where = query::evaluate(*panel.where, recording);
     for (std::size_t row = 0; row < rows; ++row)
       found.drawn[row] = where[row] != 0.0 && !std::isnan(where[row]);
   }
@@ -91,24 +91,24 @@ std::vector<double> find_groups(const FoundRows& found) {
   return groups;
 }
 
-void append(Curve& curve, const FoundRows& found, std::size_t row) {
+void append(geometry::Curve& curve, const FoundRows& found, std::size_t row) {
   for (std::size_t i = 0; i < found.columns.size(); ++i) curve.columns[i].push_back(found.columns[i][row]);
 }
 
-Curve empty_curve(const FoundRows& found, std::size_t group) {
+geometry::Curve empty_curve(const FoundRows& found, std::size_t group) {
   return {std::vector<std::vector<double>>(found.columns.size()), group};
 }
 
-std::vector<Curve> one_for_each_group(const FoundRows& found, const std::vector<double>& groups) {
-  std::vector<Curve> curves;
+std::vector<geometry::Curve> one_for_each_group(const FoundRows& found, const std::vector<double>& groups) {
+  std::vector<geometry::Curve> curves;
   for (std::size_t group = 0; group < groups.size(); ++group) curves.push_back(empty_curve(found, group));
   for (std::size_t row = 0; row < found.drawn.size(); ++row)
     if (found.drawn[row]) append(curves[group_of(found.by[row], groups)], found, row);
   return curves;
 }
 
-std::vector<Curve> one_for_each_stretch(const FoundRows& found, const std::vector<double>& groups) {
-  std::vector<Curve> curves;
+std::vector<geometry::Curve> one_for_each_stretch(const FoundRows& found, const std::vector<double>& groups) {
+  std::vector<geometry::Curve> curves;
   bool open = false;
   for (std::size_t row = 0; row < found.drawn.size(); ++row) {
     if (found.first[row] || (row > 0 && found.by[row] != found.by[row - 1])) open = false;
@@ -121,10 +121,10 @@ std::vector<Curve> one_for_each_stretch(const FoundRows& found, const std::vecto
   return curves;
 }
 
-Curves curves_of(const Panel& panel, FoundRows found, const std::vector<const AxisOptions*>& axes) {
+geometry::Curves curves_of(const Panel& panel, FoundRows found, const std::vector<const AxisOptions*>& axes) {
   drop_missing(found, axes);
   if (panel.final_rows) keep_final_rows(found);
-  Curves result;
+  geometry::Curves result;
   result.logarithmic = panel.x.log || panel.y.log;
   for (const AxisOptions* axis : axes) result.shown.push_back(shown_width(*axis));
   result.groups = find_groups(found);
@@ -135,11 +135,11 @@ Curves curves_of(const Panel& panel, FoundRows found, const std::vector<const Ax
 
 }  // namespace
 
-std::vector<std::string> labels_of(const Series& by, const std::vector<double>& groups,
-                                   const Recording& recording) {
+std::vector<std::string> labels_of(const query::Series& by, const std::vector<double>& groups,
+                                   const record::Recording& recording) {
   std::vector<std::string> labels;
   for (const double group : groups) {
-    std::string label = short_number(group);
+    std::string label = query::short_number(group);
     if (!by.unit_text.empty() && by.unit_text != "1") label += " " + by.unit_text;
     if (by.label != by.formula.text) label = by.label + " " + label;
     for (const auto& words : recording.categories)
@@ -150,15 +150,16 @@ std::vector<std::string> labels_of(const Series& by, const std::vector<double>& 
   return labels;
 }
 
-Curves gather(const Panel& panel, const Recording& recording, const std::vector<const Series*>& channels) {
+geometry::Curves gather(const Panel& panel, const record::Recording& recording,
+                        const std::vector<const query::Series*>& channels) {
   std::vector<const AxisOptions*> axes;
-  for (const Series* channel : channels) axes.push_back(&panel.axis(key_of(panel, channel)));
-  Curves result = curves_of(panel, find_rows(panel, recording, channels), axes);
-  if (const Series* by = panel.find("by")) result.labels = labels_of(*by, result.groups, recording);
+  for (const query::Series* channel : channels) axes.push_back(&panel.axis(key_of(panel, channel)));
+  geometry::Curves result = curves_of(panel, find_rows(panel, recording, channels), axes);
+  if (const query::Series* by = panel.find("by")) result.labels = labels_of(*by, result.groups, recording);
   return result;
 }
 
-Curves curves_of(const Panel& panel, std::vector<std::vector<double>> columns) {
+geometry::Curves curves_of(const Panel& panel, std::vector<std::vector<double>> columns) {
   const std::size_t rows = columns.front().size();
   std::vector<const AxisOptions*> axes{&panel.x};
   axes.resize(columns.size(), &panel.y);
@@ -168,4 +169,4 @@ Curves curves_of(const Panel& panel, std::vector<std::vector<double>> columns) {
                    axes);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

@@ -4,7 +4,7 @@
 
 #include "engine/view/plot/overlay_drawing.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 namespace {
 
 // Sizes in pixels of the picture, with its font of 13 pixels.
@@ -44,7 +44,7 @@ class Pixels {
   }
 
  private:
-  static double share(const Extent& extent, double value, bool logarithmic) {
+  static double share(const geometry::Extent& extent, double value, bool logarithmic) {
     if (logarithmic && extent.low > 0.0)
       return std::log(value / extent.low) / std::log(extent.high / extent.low);
     return (value - extent.low) / extent.width();
@@ -184,4 +184,4 @@ void draw_marks(const Panel& panel, double width, double height, PlotBuilder& pl
   }
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

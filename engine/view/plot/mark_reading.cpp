@@ -3,7 +3,7 @@
 #include "engine/analyse/query/number.hpp"
 #include "engine/view/plot/panel_reading.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 namespace {
 
 /// Points of the plane under a key of the panel, and what one of them is called in messages.
@@ -12,8 +12,8 @@ struct Points {
   std::vector<MarkedPoint>& found;
 };
 
-void read_point(const std::string& name, const Node& node, const Panel& panel, const NamesReading& read,
-                Points& points) {
+void read_point(const std::string& name, const yaml::Node& node, const Panel& panel,
+                const query::NamesReading& read, Points& points) {
   if (!node.is_list() || node.items.size() != 2)
     return read.fault(
         node.mark,
@@ -31,10 +31,11 @@ bool is_hidden(const MarkedPoint& mark, const Panel& panel) {
   return beyond(panel.x, mark.x) || beyond(panel.y, mark.y);
 }
 
-void check_points(const Node& node, const Panel& panel, const NamesReading& read, const Points& points) {
+void check_points(const yaml::Node& node, const Panel& panel, const query::NamesReading& read,
+                  const Points& points) {
   for (const MarkedPoint& mark : points.found) {
     if (!is_hidden(mark, panel)) continue;
-    const Node* point = node.find(mark.name);
+    const yaml::Node* point = node.find(mark.name);
     read.fault(point ? point->mark : node.mark,
                fmt::format("the {} '{}' lies beyond the range of its axes", points.one, mark.name));
   }
@@ -42,22 +43,22 @@ void check_points(const Node& node, const Panel& panel, const NamesReading& read
 
 }  // namespace
 
-void read_marks(const Node& node, Panel& panel, const NamesReading& read) {
+void read_marks(const yaml::Node& node, Panel& panel, const query::NamesReading& read) {
   if (!node.is_map() && (!node.is_list() || node.items.empty()))
     return read.fault(node.mark, "marks are points with names, {A: [0 mm, 20 mm]}, or a list of points");
   Points marks{"mark", panel.marks};
-  for (const Entry& entry : node.entries) read_point(entry.key, entry.value, panel, read, marks);
+  for (const yaml::Entry& entry : node.entries) read_point(entry.key, entry.value, panel, read, marks);
   for (std::size_t i = 0; i < node.items.size(); ++i)
     read_point(std::to_string(i + 1), node.items[i], panel, read, marks);
   check_points(node, panel, read, marks);
 }
 
-void read_texts(const Node& node, Panel& panel, const NamesReading& read) {
+void read_texts(const yaml::Node& node, Panel& panel, const query::NamesReading& read) {
   if (!node.is_map() || node.entries.empty())
     return read.fault(node.mark, "texts stand about points: {authorized region: [0 mm, 200 mm]}");
   Points texts{"text", panel.texts};
-  for (const Entry& entry : node.entries) read_point(entry.key, entry.value, panel, read, texts);
+  for (const yaml::Entry& entry : node.entries) read_point(entry.key, entry.value, panel, read, texts);
   check_points(node, panel, read, texts);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

@@ -7,7 +7,7 @@
 
 #include "engine/view/plot/figure_spec.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 namespace {
 
 constexpr double cell = 44.0, letter = 7.2, head = 44.0, bar = 90.0;  // [px]
@@ -92,4 +92,4 @@ FigureSpec figure_of(const MatrixChart& chart) {
   return figure.finished();
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

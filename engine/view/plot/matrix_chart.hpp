@@ -5,7 +5,7 @@
 
 #include "engine/view/plot/plot_spec.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 
 /// A square of numbers from -1 to 1 between things, such as correlations: blue below zero, red above.
 struct MatrixChart {
@@ -17,4 +17,4 @@ struct MatrixChart {
 /// The chart as a figure of one plot, with its numbers where there is room for them.
 FigureSpec figure_of(const MatrixChart& chart);
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

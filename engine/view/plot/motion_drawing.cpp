@@ -4,26 +4,26 @@
 #include "engine/view/plot/overlay.hpp"
 #include "engine/view/plot/overlay_drawing.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 namespace {
 
-std::vector<Curve> curves_of(const Motion& motion, std::span<const Recording> recordings) {
+std::vector<geometry::Curve> curves_of(const Motion& motion, std::span<const record::Recording> recordings) {
   return overlay_rows(motion.where, recordings[motion.recording], {&motion.x, &motion.y});
 }
 
-double length_to(const Curve& curve, std::size_t row) {
+double length_to(const geometry::Curve& curve, std::size_t row) {
   return std::hypot(curve.columns[0][row] - curve.columns[0][row - 1],
                     curve.columns[1][row] - curve.columns[1][row - 1]);
 }
 
-double length_of(const Curve& curve) {
+double length_of(const geometry::Curve& curve) {
   double length = 0.0;
   for (std::size_t row = 1; row < curve.size(); ++row) length += length_to(curve, row);
   return length;
 }
 
 /// Heads at even distances, each at the end of a small step to where it is.
-void add_heads(const Curve& curve, double count, VectorsMark& heads) {
+void add_heads(const geometry::Curve& curve, double count, VectorsMark& heads) {
   const double distance = length_of(curve) / count, tail = 1e-3 * distance;
   double gone = 0.0, next = 0.5 * distance;
   for (std::size_t row = 1; row < curve.size(); ++row) {
@@ -43,18 +43,18 @@ void add_heads(const Curve& curve, double count, VectorsMark& heads) {
 
 }  // namespace
 
-void cover_motions(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
+void cover_motions(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
   for (const Motion& motion : panel.motions) plot.cover(curves_of(motion, recordings));
 }
 
-void draw_motions(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
+void draw_motions(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
   for (const Motion& motion : panel.motions) {
-    std::vector<Curve> lines;
+    std::vector<geometry::Curve> lines;
     VectorsMark heads{
         .line = {motion.color, 2.0}, .pivot = 1.0, .head = 0.013, .head_angle = 22.0, .fixed_heads = true};
-    for (const Curve& curve : curves_of(motion, recordings)) {
+    for (const geometry::Curve& curve : curves_of(motion, recordings)) {
       if (motion.heads > 0.0) add_heads(curve, motion.heads, heads);
-      lines.push_back(simplify(curve, {plot.x.width(), plot.y.width()}, unseen, false));
+      lines.push_back(geometry::simplify(curve, {plot.x.width(), plot.y.width()}, geometry::unseen, false));
     }
     if (lines.empty()) continue;
     // what is drawn below later lies deeper
@@ -63,4 +63,4 @@ void draw_motions(const Panel& panel, std::span<const Recording> recordings, Plo
   }
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

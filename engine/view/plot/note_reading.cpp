@@ -1,12 +1,13 @@
 #include "engine/view/plot/panel_reading.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 namespace {
 
 /// The names of the panel's plane: x and y are its coordinates, whatever is recorded under these names.
-SymbolTable plane_of(const SymbolTable& names) {
-  SymbolTable plane = names;
-  std::erase_if(plane.columns, [](const RecordedName& one) { return one.name == "x" || one.name == "y"; });
+query::SymbolTable plane_of(const query::SymbolTable& names) {
+  query::SymbolTable plane = names;
+  std::erase_if(plane.columns,
+                [](const query::RecordedName& one) { return one.name == "x" || one.name == "y"; });
   plane.columns.insert(plane.columns.begin(), {{"x", {}, {}}, {"y", {}, {}}});
   plane.signals.clear();
   plane.unknown = "is no coordinate of the plane, nor recorded";
@@ -14,18 +15,18 @@ SymbolTable plane_of(const SymbolTable& names) {
 }
 
 /// The recording that has what a formula and the panel's `where` name.
-std::size_t recording_of(const Formula& formula, const Panel& panel, const Node& node,
-                         const NamesReading& read) {
-  return common_recording({panel.where ? &*panel.where : nullptr, &formula}, read.names, node, read.subject,
-                          read.faults);
+std::size_t recording_of(const query::Formula& formula, const Panel& panel, const yaml::Node& node,
+                         const query::NamesReading& read) {
+  return query::common_recording({panel.where ? &*panel.where : nullptr, &formula}, read.names, node,
+                                 read.subject, read.faults);
 }
 
 }  // namespace
 
-void read_boundaries(const Node& node, Panel& panel, const NamesReading& read) {
-  const SymbolTable names = plane_of(read.names);
-  const NamesReading plane(read.subject, names, read.faults);
-  for (const Node& item : node.as_list()) {
+void read_boundaries(const yaml::Node& node, Panel& panel, const query::NamesReading& read) {
+  const query::SymbolTable names = plane_of(read.names);
+  const query::NamesReading plane(read.subject, names, read.faults);
+  for (const yaml::Node& item : node.as_list()) {
     auto formula = plane.formula(item);
     if (!formula) continue;
     formula->recording = recording_of(*formula, panel, item, plane);
@@ -33,11 +34,11 @@ void read_boundaries(const Node& node, Panel& panel, const NamesReading& read) {
   }
 }
 
-void read_note(const Node& node, Panel& panel, const NamesReading& read) {
+void read_note(const yaml::Node& node, Panel& panel, const query::NamesReading& read) {
   auto series = read.series(node);
   if (!series) return;
   series->formula.recording = recording_of(series->formula, panel, node, read);
   panel.series["note"] = {std::move(*series)};
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

@@ -8,34 +8,34 @@
 #include "engine/analyse/query/run_rows.hpp"
 #include "engine/view/geometry/grid.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 namespace {
 
 /// What the variables of a formula are in the first row that the panel selects, 0 for what is no column; none
 /// where no row is selected.
-std::optional<std::vector<double>> first_row(const Formula& formula, const Panel& panel,
-                                             std::span<const Recording> recordings) {
+std::optional<std::vector<double>> first_row(const query::Formula& formula, const Panel& panel,
+                                             std::span<const record::Recording> recordings) {
   std::vector<double> values(formula.columns.size(), 0.0);
   if (std::ranges::all_of(formula.columns, [](const auto& name) { return name == "x" || name == "y"; }))
     return values;
-  const Recording& recording = recordings[formula.recording.value_or(0)];
-  const RunRows rows = rows_of_run(panel.where, recording);
+  const record::Recording& recording = recordings[formula.recording.value_or(0)];
+  const query::RunRows rows = query::rows_of_run(panel.where, recording);
   if (rows.none()) return std::nullopt;
   for (std::size_t i = 0; i < values.size(); ++i)
-    if (const Column* column = recording.table.find(formula.columns[i]))
+    if (const table::Column* column = recording.table.find(formula.columns[i]))
       values[i] = column->values[rows.first];
   return values;
 }
 
 /// Writes the value of the panel's note in its upper left corner.
-void draw_note(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
-  const Series* note = panel.find("note");
+void draw_note(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
+  const query::Series* note = panel.find("note");
   if (!note) return;
   const auto values = first_row(note->formula, panel, recordings);
   if (!values) return;
   const double value = note->unit.from_si(note->formula.expression(*values));
   const bool has_unit = !note->unit_text.empty() && note->unit_text != "1";
-  plot.spec.texts.push_back({.text = fmt::format("{} {}{}{}", note->label, short_number(value),
+  plot.spec.texts.push_back({.text = fmt::format("{} {}{}{}", note->label, query::short_number(value),
                                                  has_unit ? " " : "", has_unit ? note->unit_text : ""),
                              .x = 0.03,
                              .y = 0.95,
@@ -44,12 +44,12 @@ void draw_note(const Panel& panel, std::span<const Recording> recordings, PlotBu
 }
 
 /// Values of a boundary over the plane that is shown; `values` are those of its variables in a row.
-Grid boundary_grid(const Formula& boundary, std::vector<double> values, const Panel& panel,
-                   const PlotBuilder& plot) {
+geometry::Grid boundary_grid(const query::Formula& boundary, std::vector<double> values, const Panel& panel,
+                             const PlotBuilder& plot) {
   constexpr std::size_t cells = 240;
-  const Series *across = panel.find("x"), *up = panel.find("y");
-  Grid grid{plot.x.low, plot.y.low, plot.x.width() / (cells - 1),      plot.y.width() / (cells - 1),
-            cells,      cells,      std::vector<double>(cells * cells)};
+  const query::Series *across = panel.find("x"), *up = panel.find("y");
+  geometry::Grid grid{plot.x.low, plot.y.low, plot.x.width() / (cells - 1),      plot.y.width() / (cells - 1),
+                      cells,      cells,      std::vector<double>(cells * cells)};
   for (std::size_t row = 0; row < cells; ++row)
     for (std::size_t column = 0; column < cells; ++column) {
       const double x = grid.x + static_cast<double>(column) * grid.dx;
@@ -64,9 +64,9 @@ Grid boundary_grid(const Formula& boundary, std::vector<double> values, const Pa
 }
 
 /// Curves where the boundaries of the panel are zero.
-void draw_boundaries(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
+void draw_boundaries(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
   if (plot.x.empty() || plot.y.empty()) return;
-  for (const Formula& boundary : panel.boundaries) {
+  for (const query::Formula& boundary : panel.boundaries) {
     auto values = first_row(boundary, panel, recordings);
     if (!values) continue;
     const auto curves = contour(boundary_grid(boundary, std::move(*values), panel, plot), 0.0);
@@ -76,14 +76,14 @@ void draw_boundaries(const Panel& panel, std::span<const Recording> recordings, 
 
 }  // namespace
 
-void cover_overlays(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
+void cover_overlays(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
   cover_regions(panel, plot);
   cover_marks(panel, plot);
   cover_motions(panel, recordings, plot);
   cover_roses(panel, plot);
 }
 
-void draw_overlays(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
+void draw_overlays(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
   draw_boundaries(panel, recordings, plot);
   draw_note(panel, recordings, plot);
   draw_motions(panel, recordings, plot);
@@ -93,4 +93,4 @@ void draw_overlays(const Panel& panel, std::span<const Recording> recordings, Pl
   draw_texts(panel, plot);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

@@ -8,7 +8,7 @@
 #include "engine/view/plot/overlay.hpp"
 #include "engine/view/plot/plot_kind.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 namespace {
 
 using Keys = std::vector<std::string>;
@@ -23,7 +23,7 @@ const AnyRow* find_key(const std::vector<AnyRow>& keys, const std::string& name)
 /// Reads the keys of one panel; faults are gathered.
 class PanelReader {
  public:
-  PanelReader(const Node& node, const SymbolTable& names, bool alone, Faults& faults)
+  PanelReader(const yaml::Node& node, const query::SymbolTable& names, bool alone, yaml::Faults& faults)
       : node_(node), names_(names), alone_(alone), faults_(faults) {}
 
   std::optional<Panel> read() {
@@ -49,19 +49,19 @@ class PanelReader {
   }
 
  private:
-  void fault(Mark mark, const std::string& subject, const std::string& message) {
+  void fault(yaml::Mark mark, const std::string& subject, const std::string& message) {
     faults_.add({{names_.file, mark}, subject, message, {}});
   }
 
-  NamesReading reading(const std::string& key) const {
-    const NamesReading read("figure", names_, faults_);
-    return key.empty() ? read : below(read, key);
+  query::NamesReading reading(const std::string& key) const {
+    const query::NamesReading read("figure", names_, faults_);
+    return key.empty() ? read : yaml::below(read, key);
   }
 
   bool find_kind() {
     Keys all;
     for (const auto& kind : plot_kinds()) all.push_back(kind.name);
-    const Node* plot = node_.find("plot");
+    const yaml::Node* plot = node_.find("plot");
     if (plot == nullptr) {
       fault(node_.mark, "figure", fmt::format("'plot' is missing; it is one of {}", fmt::join(all, ", ")));
       return false;
@@ -70,7 +70,8 @@ class PanelReader {
       if (plot->is_scalar() && kind.name == plot->text) panel_.kind = &kind;
     if (panel_.kind == nullptr)
       fault(plot->mark, "figure.plot",
-            fmt::format("there is no plot '{}'{}", plot->text, nearest_or_all(plot->text, all, "there are")));
+            fmt::format("there is no plot '{}'{}", plot->text,
+                        yaml::nearest_or_all(plot->text, all, "there are")));
     return panel_.kind != nullptr;
   }
 
@@ -85,13 +86,13 @@ class PanelReader {
     }
     reading("").check(node_, plot_form(*panel_.kind, true));
     panel_.content = panel_.kind->read(node_, names_, faults_);
-    Faults told;  // by the plot already
-    if (const Node* where = node_.find("where"))
-      panel_.where = read_formula(*where, names_, "figure.where", told);
+    yaml::Faults told;  // by the plot already
+    if (const yaml::Node* where = node_.find("where"))
+      panel_.where = query::read_formula(*where, names_, "figure.where", told);
     return std::move(panel_);
   }
 
-  void read_channel(const Entry& entry) {
+  void read_channel(const yaml::Entry& entry) {
     const Channel& channel = *panel_.kind->channel(entry.key);
     const std::string subject = "figure." + entry.key;
     if (entry.value.is_list() && !channel.several)
@@ -99,15 +100,15 @@ class PanelReader {
                    fmt::format("'{}' takes one expression, not a list", entry.key));
     if (entry.value.is_list() && entry.value.items.empty())
       return fault(entry.value.mark, subject, "the list is empty");
-    for (const Node& item : entry.value.as_list())
-      if (auto series = read_series(item, names_, subject, faults_))
+    for (const yaml::Node& item : entry.value.as_list())
+      if (auto series = query::read_series(item, names_, subject, faults_))
         panel_.series[entry.key].push_back(std::move(*series));
   }
 
   /// What counts where the file does not have a channel, as if it stood there.
-  Entry in_place(const Channel& channel) const {
-    Entry entry{channel.key, node_.mark, {}};
-    entry.value.kind = Node::Kind::scalar;
+  yaml::Entry in_place(const Channel& channel) const {
+    yaml::Entry entry{channel.key, node_.mark, {}};
+    entry.value.kind = yaml::Node::Kind::scalar;
     entry.value.text = channel.otherwise;
     entry.value.mark = node_.mark;
     return entry;
@@ -120,7 +121,7 @@ class PanelReader {
     return row && panel_.kind->takes(row->needs) ? row : nullptr;
   }
 
-  void read_option(const Entry& entry) {
+  void read_option(const yaml::Entry& entry) {
     if (entry.key == "plot" || (alone_ && find_key(picture_keys(), entry.key))) return;
     const PanelKey* row = find_row(entry.key);
     if (row && row->stage == KeyStage::options) row->set(panel_, entry.value, reading(row->name));
@@ -128,40 +129,41 @@ class PanelReader {
 
   void read_later(KeyStage stage) {
     for (const PanelKey& row : panel_keys())
-      if (const Node* value = node_.find(row.name);
+      if (const yaml::Node* value = node_.find(row.name);
           value && row.stage == stage && panel_.kind->takes(row.needs))
         row.set(panel_, *value, reading(row.name));
   }
 
   /// Each y is drawn with the other channels, so these must have been recorded together.
   void find_recordings() {
-    std::vector<const Formula*> shared;
+    std::vector<const query::Formula*> shared;
     if (panel_.where) shared.push_back(&*panel_.where);
     for (const auto& [key, list] : panel_.series)
-      for (const Series& series : list)
+      for (const query::Series& series : list)
         if (key != "y") shared.push_back(&series.formula);
     const auto y = panel_.series.find("y");
     if (y == panel_.series.end()) {
-      panel_.recordings = {common_recording(shared, names_, node_, "figure", faults_)};
+      panel_.recordings = {query::common_recording(shared, names_, node_, "figure", faults_)};
       return;
     }
-    for (const Series& series : y->second) {
+    for (const query::Series& series : y->second) {
       auto all = shared;
       all.push_back(&series.formula);
-      panel_.recordings.push_back(common_recording(all, names_, node_, "figure", faults_));
+      panel_.recordings.push_back(query::common_recording(all, names_, node_, "figure", faults_));
     }
   }
 
-  const Node& node_;
-  const SymbolTable& names_;
+  const yaml::Node& node_;
+  const query::SymbolTable& names_;
   bool alone_;
-  Faults& faults_;
+  yaml::Faults& faults_;
   Panel panel_;
 };
 
 }  // namespace
 
-std::optional<Panel> read_panel(const Node& node, const SymbolTable& names, bool alone, Faults& faults) {
+std::optional<Panel> read_panel(const yaml::Node& node, const query::SymbolTable& names, bool alone,
+                                yaml::Faults& faults) {
   if (!node.is_map()) {
     faults.add(
         {{names.file, node.mark}, "figure", "a figure is a map: {plot: lines, x: time, y: rig.x}", {}});
@@ -170,15 +172,16 @@ std::optional<Panel> read_panel(const Node& node, const SymbolTable& names, bool
   return PanelReader(node, names, alone, faults).read();
 }
 
-std::optional<double> read_axis_number(const Node& node, const Panel& panel, const std::string& axis,
-                                       const SymbolTable& names, const std::string& subject, Faults& faults) {
-  const auto read = read_number(node, names, subject, faults);
+std::optional<double> read_axis_number(const yaml::Node& node, const Panel& panel, const std::string& axis,
+                                       const query::SymbolTable& names, const std::string& subject,
+                                       yaml::Faults& faults) {
+  const auto read = query::read_number(node, names, subject, faults);
   if (!read) return std::nullopt;
-  const Series* series = panel.find(axis);
+  const query::Series* series = panel.find(axis);
   if (series == nullptr) return read->value;
-  check_dimension(*read, series->formula.dimension, fmt::format("'{}'", series->formula.text), node, names,
-                  subject, faults);
+  query::check_dimension(*read, series->formula.dimension, fmt::format("'{}'", series->formula.text), node,
+                         names, subject, faults);
   return series->unit.from_si(read->value);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

@@ -1,7 +1,7 @@
 #include "engine/analyse/statistics/quartiles.hpp"
 #include "engine/view/plot/plot_tools.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 namespace {
 
 /// Samples that stand side by side above one label.
@@ -17,22 +17,23 @@ struct Boxes {
   std::vector<std::string> kind_names;  ///< empty where there is no `beside`
 };
 
-std::vector<double> values_of(const std::vector<Curve>& curves, std::size_t column) {
+std::vector<double> values_of(const std::vector<geometry::Curve>& curves, std::size_t column) {
   std::vector<double> values;
-  for (const Curve& curve : curves)
+  for (const geometry::Curve& curve : curves)
     values.insert(values.end(), curve.columns[column].begin(), curve.columns[column].end());
   return values;
 }
 
 /// The kinds of all y, before their samples are sorted into them.
-Boxes kinds_of(const Panel& panel, const std::vector<Curves>& all, std::span<const Recording> recordings) {
+Boxes kinds_of(const Panel& panel, const std::vector<geometry::Curves>& all,
+               std::span<const record::Recording> recordings) {
   Boxes boxes;
-  const Series* beside = panel.find("beside");
+  const query::Series* beside = panel.find("beside");
   if (beside == nullptr) {
     boxes.kinds = {0.0};
     return boxes;
   }
-  for (const Curves& curves : all) {
+  for (const geometry::Curves& curves : all) {
     const auto values = values_of(curves.curves, 1);
     boxes.kinds.insert(boxes.kinds.end(), values.begin(), values.end());
   }
@@ -42,7 +43,7 @@ Boxes kinds_of(const Panel& panel, const std::vector<Curves>& all, std::span<con
   return boxes;
 }
 
-void add_curve(Group& group, const Curve& curve, const std::vector<double>& kinds) {
+void add_curve(Group& group, const geometry::Curve& curve, const std::vector<double>& kinds) {
   for (std::size_t row = 0; row < curve.size(); ++row) {
     const auto kind = curve.columns.size() < 2
                           ? kinds.begin()
@@ -51,12 +52,12 @@ void add_curve(Group& group, const Curve& curve, const std::vector<double>& kind
   }
 }
 
-Boxes boxes_of(const Panel& panel, std::span<const Recording> recordings) {
+Boxes boxes_of(const Panel& panel, std::span<const record::Recording> recordings) {
   const auto& all_y = panel.series.at("y");
-  std::vector<Curves> all;
+  std::vector<geometry::Curves> all;
   for (std::size_t i = 0; i < all_y.size(); ++i) {
-    std::vector<const Series*> channels{&all_y[i]};
-    if (const Series* beside = panel.find("beside")) channels.push_back(beside);
+    std::vector<const query::Series*> channels{&all_y[i]};
+    if (const query::Series* beside = panel.find("beside")) channels.push_back(beside);
     all.push_back(gather(panel, recording_of(panel, recordings, i), channels));
   }
   Boxes boxes = kinds_of(panel, all, recordings);
@@ -65,7 +66,7 @@ Boxes boxes_of(const Panel& panel, std::span<const Recording> recordings) {
       Group group{all[i].labels.empty() ? all_y[i].label : all[i].labels[k],
                   std::vector<std::vector<double>>(boxes.kinds.size())};
       if (all_y.size() > 1 && !all[i].labels.empty()) group.label = all_y[i].label + ", " + group.label;
-      for (const Curve& curve : all[i].curves)
+      for (const geometry::Curve& curve : all[i].curves)
         if (curve.group == k) add_curve(group, curve, boxes.kinds);
       boxes.groups.push_back(std::move(group));
     }
@@ -96,7 +97,7 @@ void append(const MarkRows& from, MarkRows& to) {
   to.y.insert(to.y.end(), from.y.begin(), from.y.end());
 }
 
-void append(const BoxSummary& box, double at, Kind& kind) {
+void append(const statistics::BoxSummary& box, double at, Kind& kind) {
   BoxesMark& boxes = kind.boxes;
   boxes.x.push_back(at);
   boxes.low_whisker.push_back(box.low_whisker);
@@ -120,7 +121,8 @@ void append_median(double at, double median, double width, VectorsMark& medians)
 }
 
 /// Adds the boxes of one kind; medians, means and what lies beyond are gathered for all kinds.
-void draw_kind(const Boxes& boxes, std::size_t index, Whiskers whiskers, Kind& all, PlotBuilder& plot) {
+void draw_kind(const Boxes& boxes, std::size_t index, statistics::Whiskers whiskers, Kind& all,
+               PlotBuilder& plot) {
   const double aside =
       slot(boxes) * (static_cast<double>(index) - 0.5 * static_cast<double>(boxes.kinds.size() - 1));
   Kind kind;
@@ -131,7 +133,7 @@ void draw_kind(const Boxes& boxes, std::size_t index, Whiskers whiskers, Kind& a
     const auto& sample = boxes.groups[i].samples[index];
     if (sample.empty()) continue;
     const double at = static_cast<double>(i + 1) + aside;
-    const BoxSummary box = box_summary(sample, whiskers);
+    const statistics::BoxSummary box = statistics::box_summary(sample, whiskers);
     append(box, at, kind);
     append_median(at, box.median, kind.boxes.width, all.medians);
   }
@@ -141,7 +143,7 @@ void draw_kind(const Boxes& boxes, std::size_t index, Whiskers whiskers, Kind& a
 }
 
 /// Every box first, so that no box covers the marks of another; marks have their text once.
-void draw_kinds(const Boxes& boxes, Whiskers whiskers, PlotBuilder& plot) {
+void draw_kinds(const Boxes& boxes, statistics::Whiskers whiskers, PlotBuilder& plot) {
   Kind all;
   for (std::size_t i = 0; i < boxes.kinds.size(); ++i) draw_kind(boxes, i, whiskers, all, plot);
   all.medians.line = {"#111111", 2.4};
@@ -157,14 +159,16 @@ void draw_kinds(const Boxes& boxes, Whiskers whiskers, PlotBuilder& plot) {
 }
 
 /// A dashed line across the box of each y at the first value beside it.
-LineMark references_of(const Panel& panel, std::span<const Recording> recordings, std::size_t groups) {
+LineMark references_of(const Panel& panel, std::span<const record::Recording> recordings,
+                       std::size_t groups) {
   LineMark lines{.line = {"#111111", 1.8, {4.0, 3.0}}};
   const auto given = panel.series.find("reference");
   if (given == panel.series.end() || panel.find("by")) return lines;
-  const Series& first = given->second.front();
+  const query::Series& first = given->second.front();
   lines.legend = first.label == first.formula.text ? "reference" : first.label;
   for (std::size_t i = 0; i < std::min(given->second.size(), groups); ++i) {
-    const Curve all = joined(gather(panel, recording_of(panel, recordings, i), {&given->second[i]}));
+    const geometry::Curve all =
+        joined(gather(panel, recording_of(panel, recordings, i), {&given->second[i]}));
     if (all.size() == 0) continue;
     const double at = static_cast<double>(i + 1), value = all.columns[0].front();
     lines.curves.push_back({{at - 0.42, at + 0.42}, {value, value}, {}, {}});
@@ -172,12 +176,12 @@ LineMark references_of(const Panel& panel, std::span<const Recording> recordings
   return lines;
 }
 
-void draw_boxes(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
+void draw_boxes(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
   const Boxes boxes = boxes_of(panel, recordings);
-  Series y = panel.series.at("y").front();
+  query::Series y = panel.series.at("y").front();
   if (panel.series.at("y").size() > 1) y.label = "";
   plot.label("y", y);
-  if (const Series* by = panel.find("by"))
+  if (const query::Series* by = panel.find("by"))
     plot.spec.x.label = panel.x.label.empty() ? by->label : panel.x.label;
   if (boxes.groups.empty()) return;
   plot.x = {0.4, static_cast<double>(boxes.groups.size()) + 0.6};
@@ -190,7 +194,7 @@ void draw_boxes(const Panel& panel, std::span<const Recording> recordings, PlotB
   plot.range("y", plot.y.padded(0.06));
   plot.spec.x.grid = false;
   name_groups(boxes.groups, plot.spec.x);
-  draw_kinds(boxes, panel.tukey_whiskers ? Whiskers::tukey : Whiskers::range, plot);
+  draw_kinds(boxes, panel.tukey_whiskers ? statistics::Whiskers::tukey : statistics::Whiskers::range, plot);
   if (!references.curves.empty()) plot.add(std::move(references));
 }
 
@@ -208,9 +212,9 @@ PlotKind box_plot() {
       {{"whiskers",
         "range (over all values), or tukey: to the last value within 1.5 interquartile ranges of the "
         "box; those beyond are drawn",
-        form::word({"range", "tukey"}), &Panel::tukey_whiskers}},
+        yaml::form::word({"range", "tukey"}), &Panel::tukey_whiskers}},
       false,
       draw_boxes};
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

@@ -9,7 +9,7 @@
 #include "engine/analyse/query/number.hpp"
 #include "engine/view/svg/svg.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 namespace {
 
 const std::vector<ColorStop>& rainbow() {
@@ -20,7 +20,7 @@ const std::vector<ColorStop>& rainbow() {
 }
 
 /// On a logarithmic axis of less than two decades 2 and 5 have labels beside the powers of ten.
-std::vector<double> between_decades(const Extent& shown) {
+std::vector<double> between_decades(const geometry::Extent& shown) {
   std::vector<double> labels;
   if (shown.high > 100.0 * shown.low) return labels;
   for (double decade = std::pow(10.0, std::floor(std::log10(shown.low))); decade <= shown.high;
@@ -45,7 +45,7 @@ PlotSpec::Legend legend_of(const std::vector<PlotMark>& marks) {
                                                            : PlotSpec::Legend::beside;
 }
 
-MarkRows rows_of_columns(const Curve& curve, bool space) {
+MarkRows rows_of_columns(const geometry::Curve& curve, bool space) {
   const std::size_t plain = space ? 3 : 2;
   MarkRows rows{curve.columns.at(0), curve.columns.at(1), {}, {}};
   if (space) rows.z = curve.columns.at(2);
@@ -64,31 +64,32 @@ PlotAxis& PlotBuilder::axis(const std::string& name) {
   return *axis;
 }
 
-void PlotBuilder::cover(const std::vector<Curve>& curves) {
-  for (const Curve& curve : curves) {
+void PlotBuilder::cover(const std::vector<geometry::Curve>& curves) {
+  for (const geometry::Curve& curve : curves) {
     for (const double value : curve.columns.at(0)) x.add(value);
     for (const double value : curve.columns.at(1)) y.add(value);
   }
 }
 
-void PlotBuilder::label(const std::string& name, const Series& series) {
+void PlotBuilder::label(const std::string& name, const query::Series& series) {
   const std::string& given = panel_.axis(name).label;
   PlotAxis& named = axis(name);
   named.label = given.empty() ? series.label : given;
-  named.unit = series.unit_text.empty() ? "" : printed_unit(series.unit_text);
+  named.unit = series.unit_text.empty() ? "" : query::printed_unit(series.unit_text);
 }
 
-void PlotBuilder::range(const std::string& name, const Extent& extent) {
+void PlotBuilder::range(const std::string& name, const geometry::Extent& extent) {
   const AxisOptions& options = panel_.axis(name);
-  const Extent shown = options.range ? Extent{(*options.range)[0], (*options.range)[1]} : extent;
+  const geometry::Extent shown =
+      options.range ? geometry::Extent{(*options.range)[0], (*options.range)[1]} : extent;
   PlotAxis& set = axis(name);
   set.log = options.log;
   if (set.log && shown.low <= 0.0) return set.range.reset();
-  set.range = {rounded(shown.low, 9), rounded(shown.high, 9)};
+  set.range = {query::rounded(shown.low, 9), query::rounded(shown.high, 9)};
   if (set.log) set.more_ticks = between_decades(shown);
 }
 
-void PlotBuilder::color_bar(const Series& series, const Extent& extent) {
+void PlotBuilder::color_bar(const query::Series& series, const geometry::Extent& extent) {
   const bool flat = extent.empty() || !(extent.high > extent.low);
   range("color", flat ? extent.padded(0.0) : extent);
   label("color", series);
@@ -96,9 +97,9 @@ void PlotBuilder::color_bar(const Series& series, const Extent& extent) {
 
 void PlotBuilder::plane(double room) {
   for (const std::string name : {"x", "y"}) {
-    Extent& extent = name == "x" ? x : y;
+    geometry::Extent& extent = name == "x" ? x : y;
     const auto& given = panel_.axis(name).range;
-    extent = given ? Extent{(*given)[0], (*given)[1]} : extent.padded(room);
+    extent = given ? geometry::Extent{(*given)[0], (*given)[1]} : extent.padded(room);
     range(name, extent);
   }
 }
@@ -126,19 +127,19 @@ double PlotBuilder::suitable_height() const {
   return std::clamp((width - room_across) * ratio + room_up, 0.3 * width, 1.2 * width);
 }
 
-MarkRows plane_rows(const Curve& curve) {
+MarkRows plane_rows(const geometry::Curve& curve) {
   return rows_of_columns(curve, false);
 }
 
-std::vector<MarkRows> plane_rows(const std::vector<Curve>& curves) {
+std::vector<MarkRows> plane_rows(const std::vector<geometry::Curve>& curves) {
   std::vector<MarkRows> rows;
-  for (const Curve& curve : curves) rows.push_back(rows_of_columns(curve, false));
+  for (const geometry::Curve& curve : curves) rows.push_back(rows_of_columns(curve, false));
   return rows;
 }
 
-std::vector<MarkRows> space_rows(const std::vector<Curve>& curves) {
+std::vector<MarkRows> space_rows(const std::vector<geometry::Curve>& curves) {
   std::vector<MarkRows> rows;
-  for (const Curve& curve : curves) rows.push_back(rows_of_columns(curve, true));
+  for (const geometry::Curve& curve : curves) rows.push_back(rows_of_columns(curve, true));
   return rows;
 }
 
@@ -148,4 +149,4 @@ std::string curve_color(std::size_t index) {
   return colors[index % colors.size()];
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

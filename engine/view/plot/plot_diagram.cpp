@@ -3,39 +3,43 @@
 #include "engine/view/drawing/graph_faults.hpp"
 #include "engine/view/plot/plot_kind.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
+
+using yaml::form;
+
 namespace {
 
-using DrawingRow = KeyRow<GraphOptions, NamesReading>;
+using DrawingRow = yaml::KeyRow<drawing::GraphOptions, query::NamesReading>;
 using Texts = std::vector<std::string>;
 
 constexpr int deepest = 32;
 
-Texts words_of(const Node& node) {
+Texts words_of(const yaml::Node& node) {
   Texts found;
-  for (const Node& item : node.as_list()) found.push_back(item.text);
+  for (const yaml::Node& item : node.as_list()) found.push_back(item.text);
   return found;
 }
 
-DrawingRow words_row(std::string name, std::string doc, Texts GraphOptions::*member) {
+DrawingRow words_row(std::string name, std::string doc, Texts drawing::GraphOptions::*member) {
   return {std::move(name), std::move(doc), form::one_or_list(form::text()),
-          [=](GraphOptions& options, const Node& node, const NamesReading&) {
+          [=](drawing::GraphOptions& options, const yaml::Node& node, const query::NamesReading&) {
             options.*member = words_of(node);
           }};
 }
 
 DrawingRow texts_row(std::string name, std::string doc,
-                     std::map<std::string, std::string> GraphOptions::*member) {
+                     std::map<std::string, std::string> drawing::GraphOptions::*member) {
   return {std::move(name), std::move(doc), form::names(form::text(), 1),
-          [=](GraphOptions& options, const Node& node, const NamesReading& read) {
+          [=](drawing::GraphOptions& options, const yaml::Node& node, const query::NamesReading& read) {
             if (!node.is_map()) read.fault(node.mark, "is a map of NAME: TEXT");
-            for (const Entry& entry : node.entries) (options.*member)[entry.key] = read.text(entry.value);
+            for (const yaml::Entry& entry : node.entries)
+              (options.*member)[entry.key] = read.text(entry.value);
           }};
 }
 
-void read_groups(GraphOptions& options, const Node& node, const NamesReading& read) {
+void read_groups(drawing::GraphOptions& options, const yaml::Node& node, const query::NamesReading& read) {
   if (!node.is_map()) read.fault(node.mark, "'groups' is a map of NAME: [block, ...]");
-  for (const Entry& entry : node.entries) {
+  for (const yaml::Entry& entry : node.entries) {
     options.groups.push_back({entry.key, words_of(entry.value)});
     if (options.groups.back().members.empty())
       read.fault(entry.value.mark, fmt::format("the group '{}' has no blocks", entry.key));
@@ -44,49 +48,50 @@ void read_groups(GraphOptions& options, const Node& node, const NamesReading& re
 
 const std::vector<DrawingRow>& drawing_rows() {
   static const std::vector<DrawingRow> rows{
-      words_row("open", "parts whose inside is drawn: rig, or a list", &GraphOptions::open),
-      {"depth", "all parts are opened so many levels deep", form::whole(0, deepest), &GraphOptions::depth},
+      words_row("open", "parts whose inside is drawn: rig, or a list", &drawing::GraphOptions::open),
+      {"depth", "all parts are opened so many levels deep", form::whole(0, deepest),
+       &drawing::GraphOptions::depth},
       words_row("hide",
                 "blocks, parts and signals that are left out with their wires: work, rig.energy, or a list; "
                 "'*' stands for any letters",
-                &GraphOptions::hide),
+                &drawing::GraphOptions::hide),
       texts_row("labels", "texts on wires, by signal: {rig.force: F_d}; what follows '_' stands lower",
-                &GraphOptions::labels),
+                &drawing::GraphOptions::labels),
       texts_row("names", "names that blocks and parts have in the drawing: {rig: mechanism}",
-                &GraphOptions::names),
+                &drawing::GraphOptions::names),
       {"groups",
        "frames with a name around blocks and parts of the file itself: {haptic platform: [platform, "
        "amplifier]}",
        form::names(form::one_or_list(form::text()), 1), read_groups},
-      {"units", "units are written at the wires", form::truth(), &GraphOptions::units}};
+      {"units", "units are written at the wires", form::truth(), &drawing::GraphOptions::units}};
   return rows;
 }
 
 /// Where the file has the word of a fault.
-Mark place_of(const GraphFault& fault, const Node& figure) {
-  const Node& node = *figure.find(fault.key);
-  for (const Node& item : node.items)
+yaml::Mark place_of(const drawing::GraphFault& fault, const yaml::Node& figure) {
+  const yaml::Node& node = *figure.find(fault.key);
+  for (const yaml::Node& item : node.items)
     if (item.text == fault.word) return item.mark;
-  for (const Entry& entry : node.entries) {
+  for (const yaml::Entry& entry : node.entries) {
     if (entry.key == fault.word) return entry.mark;
-    for (const Node& item : entry.value.items)
+    for (const yaml::Node& item : entry.value.items)
       if (item.text == fault.word) return item.mark;
   }
   return node.mark;
 }
 
-PanelContent read_diagram(const Node& node, const SymbolTable& names, Faults& faults) {
+PanelContent read_diagram(const yaml::Node& node, const query::SymbolTable& names, yaml::Faults& faults) {
   if (!names.diagram) return {};
   const std::size_t before = faults.size();
-  const NamesReading read("figure", names, faults);
-  GraphOptions options;
-  set_keys(node, drawing_rows(), options, read);
-  for (const GraphFault& fault : faults_of(*names.diagram, options))
-    below(read, fault.key).fault(place_of(fault, node), fault.message);
-  if (faults.size() > before) return [](std::span<const Recording>) { return DrawnGraph{}; };
-  Json graph = names.diagram->graph(options);
-  if (const Node* title = node.find("title")) graph.set("title", title->text);
-  return [graph](std::span<const Recording>) { return DrawnGraph{DrawnGraph::Kind::diagram, graph}; };
+  const query::NamesReading read("figure", names, faults);
+  drawing::GraphOptions options;
+  yaml::set_keys(node, drawing_rows(), options, read);
+  for (const drawing::GraphFault& fault : drawing::faults_of(*names.diagram, options))
+    yaml::below(read, fault.key).fault(place_of(fault, node), fault.message);
+  if (faults.size() > before) return [](std::span<const record::Recording>) { return DrawnGraph{}; };
+  json::Json graph = names.diagram->graph(options);
+  if (const yaml::Node* title = node.find("title")) graph.set("title", title->text);
+  return [graph](std::span<const record::Recording>) { return DrawnGraph{DrawnGraph::Kind::diagram, graph}; };
 }
 
 }  // namespace
@@ -101,4 +106,4 @@ PlotKind diagram_plot() {
   return kind;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

@@ -5,12 +5,13 @@
 
 #include "engine/view/plot/plot_tools.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 namespace {
 
 /// One row for each cell of a lattice of `cells` by `cells`: the one nearest to its middle.
-Curve one_for_each_cell(const Curve& points, double cells) {
-  const Extent x = extent_of(points.columns[0]).padded(0.001), y = extent_of(points.columns[1]).padded(0.001);
+geometry::Curve one_for_each_cell(const geometry::Curve& points, double cells) {
+  const geometry::Extent x = geometry::extent_of(points.columns[0]).padded(0.001),
+                         y = geometry::extent_of(points.columns[1]).padded(0.001);
   std::map<std::pair<int, int>, std::pair<double, std::size_t>> nearest;
   for (std::size_t row = 0; row < points.size(); ++row) {
     const double column = (points.columns[0][row] - x.low) / (x.high - x.low) * cells;
@@ -20,14 +21,14 @@ Curve one_for_each_cell(const Curve& points, double cells) {
     const auto [entry, fresh] = nearest.try_emplace(cell, distance, row);
     if (!fresh && distance < entry->second.first) entry->second = {distance, row};
   }
-  Curve result{std::vector<std::vector<double>>(points.columns.size()), 0};
+  geometry::Curve result{std::vector<std::vector<double>>(points.columns.size()), 0};
   for (const auto& [cell, found] : nearest)
     for (std::size_t i = 0; i < points.columns.size(); ++i)
       result.columns[i].push_back(points.columns[i][found.second]);
   return result;
 }
 
-double longest_arrow(const Curve& arrows) {
+double longest_arrow(const geometry::Curve& arrows) {
   double longest = 0.0;
   for (std::size_t i = 0; i < arrows.size(); ++i)
     longest = std::max(longest, std::hypot(arrows.columns[2][i], arrows.columns[3][i]));
@@ -35,7 +36,7 @@ double longest_arrow(const Curve& arrows) {
 }
 
 /// Magnitude of the arrows as the colour, where the file names no other.
-void add_magnitude(Curve& arrows) {
+void add_magnitude(geometry::Curve& arrows) {
   if (arrows.columns.size() > 4) return;
   arrows.columns.emplace_back();
   for (std::size_t i = 0; i < arrows.columns[0].size(); ++i)
@@ -43,15 +44,15 @@ void add_magnitude(Curve& arrows) {
 }
 
 /// Arrows in the units of the axes, the longest as long as one cell.
-void scale_arrows(Curve& arrows, double length) {
+void scale_arrows(geometry::Curve& arrows, double length) {
   const double longest = longest_arrow(arrows);
   if (longest == 0.0) return;
   for (const std::size_t i : {2, 3})
     for (double& value : arrows.columns[i]) value *= length / longest;
 }
 
-Series magnitude_series(const Series& u, const Series& v) {
-  Series series = u;
+query::Series magnitude_series(const query::Series& u, const query::Series& v) {
+  query::Series series = u;
   series.label = "|(" + u.label + ", " + v.label + ")|";
   return series;
 }
@@ -61,7 +62,7 @@ double share_behind(ArrowPivot pivot) {
   return pivot == ArrowPivot::tip ? 1.0 : pivot == ArrowPivot::middle ? 0.5 : 0.0;
 }
 
-VectorsMark mark_of(const Curve& arrows, ArrowPivot pivot) {
+VectorsMark mark_of(const geometry::Curve& arrows, ArrowPivot pivot) {
   VectorsMark mark{.line = {"", 1.7}, .pivot = share_behind(pivot), .head = 0.009, .head_angle = 18.0};
   mark.x = arrows.columns[0];
   mark.y = arrows.columns[1];
@@ -71,19 +72,20 @@ VectorsMark mark_of(const Curve& arrows, ArrowPivot pivot) {
   return mark;
 }
 
-void draw_field(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
-  const Series &x = *panel.find("x"), &y = *panel.find("y"), &u = *panel.find("u"), &v = *panel.find("v");
-  const Series* color = panel.find("color");
-  std::vector<const Series*> channels{&x, &y, &u, &v};
+void draw_field(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
+  const query::Series &x = *panel.find("x"), &y = *panel.find("y"), &u = *panel.find("u"),
+                      &v = *panel.find("v");
+  const query::Series* color = panel.find("color");
+  std::vector<const query::Series*> channels{&x, &y, &u, &v};
   if (color != nullptr) channels.push_back(color);
   plot.label("x", x);
   plot.label("y", y);
-  const Curve points = joined(gather(panel, recording_of(panel, recordings), channels));
+  const geometry::Curve points = joined(gather(panel, recording_of(panel, recordings), channels));
   if (points.columns.empty()) return;
   const double cells = std::clamp(panel.cells.value_or(24.0), 1.0, 400.0);
-  Curve arrows = one_for_each_cell(points, cells);
+  geometry::Curve arrows = one_for_each_cell(points, cells);
   add_magnitude(arrows);
-  plot.color_bar(color != nullptr ? *color : magnitude_series(u, v), extent_of(arrows.columns[4]));
+  plot.color_bar(color != nullptr ? *color : magnitude_series(u, v), geometry::extent_of(arrows.columns[4]));
   plot.cover({points});
   const double width = std::min(plot.x.width(), plot.y.width());
   scale_arrows(arrows, panel.scale.value_or(1.0) * (width > 0.0 ? width : 1.0) / cells);
@@ -94,19 +96,19 @@ void draw_field(const Panel& panel, std::span<const Recording> recordings, PlotB
 }  // namespace
 
 PlotKind field_plot() {
-  return {
-      "field",
-      "arrows over the plane, as long and as coloured as they are strong",
-      {{"x", "along the horizontal axis", true},
-       {"y", "along the vertical axis", true},
-       {"u", "horizontal part of the arrow", true},
-       {"v", "vertical part of the arrow", true},
-       {"color", "shown as colour instead of the length"}},
-      {number_key("cells", "arrows along an axis at most (24)", &Panel::cells),
-       number_key("scale", "length of the longest arrow in cells (1)", &Panel::scale),
-       {"pivot", "what of an arrow lies at its point", form::word({"tail", "middle", "tip"}), &Panel::pivot}},
-      true,
-      draw_field};
+  return {"field",
+          "arrows over the plane, as long and as coloured as they are strong",
+          {{"x", "along the horizontal axis", true},
+           {"y", "along the vertical axis", true},
+           {"u", "horizontal part of the arrow", true},
+           {"v", "vertical part of the arrow", true},
+           {"color", "shown as colour instead of the length"}},
+          {number_key("cells", "arrows along an axis at most (24)", &Panel::cells),
+           number_key("scale", "length of the longest arrow in cells (1)", &Panel::scale),
+           {"pivot", "what of an arrow lies at its point", yaml::form::word({"tail", "middle", "tip"}),
+            &Panel::pivot}},
+          true,
+          draw_field};
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

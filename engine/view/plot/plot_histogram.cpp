@@ -2,11 +2,11 @@
 
 #include "engine/view/plot/plot_tools.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 namespace {
 
 /// How many values lie in each of so many bins of an extent.
-RectanglesMark bins_of(const std::vector<double>& values, const Extent& extent, std::size_t count) {
+RectanglesMark bins_of(const std::vector<double>& values, const geometry::Extent& extent, std::size_t count) {
   const double width = extent.width() / static_cast<double>(count);
   RectanglesMark bins{.color = curve_color(0), .edge = "#ffffff"};
   for (std::size_t i = 0; i < count; ++i) {
@@ -22,9 +22,9 @@ RectanglesMark bins_of(const std::vector<double>& values, const Extent& extent, 
   return bins;
 }
 
-void draw_bins(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
-  const Series& x = *panel.find("x");
-  const Curve all = joined(gather(panel, recording_of(panel, recordings), {&x}));
+void draw_bins(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
+  const query::Series& x = *panel.find("x");
+  const geometry::Curve all = joined(gather(panel, recording_of(panel, recordings), {&x}));
   plot.label("x", x);
   draw_histogram(all.columns.empty() ? std::vector<double>{} : all.columns[0], plot);
 }
@@ -36,13 +36,13 @@ void draw_histogram(const std::vector<double>& values, PlotBuilder& plot) {
   plot.spec.y.label = "rows";
   plot.spec.x.grid = false;
   if (values.empty()) return;
-  Extent extent = extent_of(values);
+  geometry::Extent extent = geometry::extent_of(values);
   for (const double line : panel.lines) extent.add(line);
   extent = extent.padded(panel.lines.empty() ? 0.0 : 0.02);
   RectanglesMark bins =
       bins_of(values, extent,
               static_cast<std::size_t>(std::clamp(std::floor(panel.bins.value_or(30.0)), 1.0, 1000.0)));
-  const double top = 1.05 * extent_of(bins.y_high).high;
+  const double top = 1.05 * geometry::extent_of(bins.y_high).high;
   plot.range("x", extent);
   plot.range("y", {0.0, top});
   plot.add(std::move(bins));
@@ -60,4 +60,4 @@ PlotKind histogram_plot() {
           draw_bins};
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

@@ -7,7 +7,7 @@
 
 #include "engine/view/plot/figure.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 
 class PlotBuilder;
 /// What a key needs of its plot.
@@ -25,14 +25,14 @@ enum class KeyStage {
 };
 
 /// A key of panels. One without a reader is read by its kind of plot.
-struct PanelKey : KeyRow<Panel, NamesReading> {
+struct PanelKey : yaml::KeyRow<Panel, query::NamesReading> {
   using KeyRow::KeyRow;
   KeyNeeds needs = KeyNeeds::nothing;
   KeyStage stage = KeyStage::options;
 };
 
 /// A key that its kind of plot reads.
-PanelKey described_key(const Key& key);
+PanelKey described_key(const yaml::Key& key);
 
 /// A key of a plot whose value is an expression over recorded columns.
 struct Channel {
@@ -57,10 +57,12 @@ struct PlotKind {
   std::vector<Channel> channels;
   std::vector<PanelKey> options;
   bool plane = true;  ///< has the axes x and y in a plane
-  void (*draw)(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) = nullptr;
+  void (*draw)(const Panel& panel, std::span<const record::Recording> recordings,
+               PlotBuilder& plot) = nullptr;
   /// For a plot that has no axes and a picture for itself, in place of `draw`: reads its options, whose rows
   /// only describe them.
-  PanelContent (*read)(const Node& node, const SymbolTable& names, Faults& faults) = nullptr;
+  PanelContent (*read)(const yaml::Node& node, const query::SymbolTable& names,
+                       yaml::Faults& faults) = nullptr;
 
   /// The channel of this name, or nullptr.
   const Channel* channel(std::string_view key) const;
@@ -69,7 +71,7 @@ struct PlotKind {
 };
 
 /// The keys of a kind, alone in its picture or as one of several panels.
-Key plot_form(const PlotKind& kind, bool alone);
+yaml::Key plot_form(const PlotKind& kind, bool alone);
 
 /// All kinds, in the order of the reference.
 const std::vector<PlotKind>& plot_kinds();
@@ -90,4 +92,4 @@ PlotKind rig_plot();
 PlotKind table_plot();
 PlotKind scene_plot();
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

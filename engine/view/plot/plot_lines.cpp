@@ -1,6 +1,6 @@
 #include "engine/view/plot/plot_tools.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 namespace {
 
 const Channel across{"x", "along the horizontal axis: EXPR or EXPR in UNIT", true};
@@ -13,9 +13,9 @@ const Channel reference{"reference", "for each y a value to hold it against, dra
                         false, true};
 const Channel each_across{"x", "along the horizontal axis: one expression, or one for each y", true, true};
 const PanelKey style{"style", "how the curves are drawn, in the order of the legend: line, dashes or dots",
-                     form::one_or_list(form::word({"line", "dashes", "dots"})),
-                     [](Panel& panel, const Node& node, const NamesReading& read) {
-                       for (const Node& item : node.as_list())
+                     yaml::form::one_or_list(yaml::form::word({"line", "dashes", "dots"})),
+                     [](Panel& panel, const yaml::Node& node, const query::NamesReading& read) {
+                       for (const yaml::Node& item : node.as_list())
                          if (const auto index = read.word(item, style.of.front()))
                            panel.styles.push_back(static_cast<CurveStyle>(*index));
                      }};
@@ -23,7 +23,7 @@ const PanelKey style{"style", "how the curves are drawn, in the order of the leg
 PanelKey shade_key() {
   PanelKey key = numbers_key("shade", "ends of a range of x that is shaded, or of several: [0 s, 2 s]",
                              &Panel::shade, "x");
-  key.set = [read_numbers = key.set](Panel& panel, const Node& node, const NamesReading& read) {
+  key.set = [read_numbers = key.set](Panel& panel, const yaml::Node& node, const query::NamesReading& read) {
     read_numbers(panel, node, read);
     if (panel.shade.size() % 2 != 0)
       read.fault(node.mark, "needs two numbers for each range, its beginning and its end");
@@ -32,16 +32,16 @@ PanelKey shade_key() {
 }
 
 /// What lies between `low` and `high`.
-void draw_interval(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
-  const Series *bottom = panel.find("low"), *top = panel.find("high");
+void draw_interval(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
+  const query::Series *bottom = panel.find("low"), *top = panel.find("high");
   if (bottom && top)
     draw_band(gather(panel, recording_of(panel, recordings), {panel.find("x"), bottom, top}).curves, plot);
 }
 
-void draw_references(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
+void draw_references(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
   const auto found = panel.series.find("reference");
   for (std::size_t i = 0; found != panel.series.end() && i < found->second.size(); ++i) {
-    const Curves all =
+    const geometry::Curves all =
         gather(panel, recording_of(panel, recordings, i), {panel.find("x"), &found->second[i]});
     if (all.curves.empty()) continue;
     plot.cover(all.curves);
@@ -49,7 +49,7 @@ void draw_references(const Panel& panel, std::span<const Recording> recordings, 
   }
 }
 
-void draw_lines(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
+void draw_lines(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
   draw_curves(panel, recordings, plot);
   draw_references(panel, recordings, plot);
   draw_interval(panel, recordings, plot);
@@ -58,12 +58,12 @@ void draw_lines(const Panel& panel, std::span<const Recording> recordings, PlotB
   set_line_ranges(plot);
 }
 
-void draw_xy(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
+void draw_xy(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
   draw_curves(panel, recordings, plot);
   plot.plane(0.05);
 }
 
-void draw_loop(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
+void draw_loop(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
   draw_xy(panel, recordings, plot);
   // Quadrants tell whether a loop takes or gives energy.
   plot.spec.x.zero_line = plot.spec.y.zero_line = true;
@@ -93,4 +93,4 @@ PlotKind loop_plot() {
           draw_loop};
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

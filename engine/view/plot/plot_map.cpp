@@ -4,38 +4,38 @@
 #include "engine/view/geometry/grid.hpp"
 #include "engine/view/plot/plot_tools.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 namespace {
 
-void cover_cells(const Grid& grid, PlotBuilder& plot) {
+void cover_cells(const geometry::Grid& grid, PlotBuilder& plot) {
   plot.x.add(grid.x - 0.5 * grid.dx);
   plot.x.add(grid.x + (static_cast<double>(grid.columns) - 0.5) * grid.dx);
   plot.y.add(grid.y - 0.5 * grid.dy);
   plot.y.add(grid.y + (static_cast<double>(grid.rows) - 0.5) * grid.dy);
 }
 
-void draw_levels(const std::vector<double>& levels, const Grid& grid, PlotBuilder& plot) {
+void draw_levels(const std::vector<double>& levels, const geometry::Grid& grid, PlotBuilder& plot) {
   for (const double level : levels) {
     const auto curves = contour(grid, level);
     if (!curves.empty()) plot.add(LineMark{plane_rows(curves), {"#ffffff", 1.2}});
   }
 }
 
-void draw_map(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
-  const Series &x = *panel.find("x"), &y = *panel.find("y"), &color = *panel.find("color");
-  const Curve points = joined(gather(panel, recording_of(panel, recordings), {&x, &y, &color}));
+void draw_map(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
+  const query::Series &x = *panel.find("x"), &y = *panel.find("y"), &color = *panel.find("color");
+  const geometry::Curve points = joined(gather(panel, recording_of(panel, recordings), {&x, &y, &color}));
   plot.label("x", x);
   plot.label("y", y);
   plot.spec.closed_frame = true;
   if (points.columns.empty()) return;
-  const Extent across = extent_of(points.columns[0]);
+  const geometry::Extent across = geometry::extent_of(points.columns[0]);
   const auto cells =
       static_cast<std::size_t>(std::clamp(std::floor(panel.cells.value_or(160.0)), 1.0, 1000.0));
-  Grid grid = make_grid(points, cells, panel.gap.value_or(0.1 * across.width()));
+  geometry::Grid grid = geometry::make_grid(points, cells, panel.gap.value_or(0.1 * across.width()));
   cover_cells(grid, plot);
   plot.plane(0.0);
-  grid = within(grid, plot.x, plot.y);
-  plot.color_bar(color, extent_of(grid.values));
+  grid = geometry::within(grid, plot.x, plot.y);
+  plot.color_bar(color, geometry::extent_of(grid.values));
   plot.add(ImageMark{grid.x, grid.y, grid.dx, grid.dy, grid.columns, grid.rows, grid.values});
   draw_levels(panel.contour, grid, plot);
 }
@@ -59,4 +59,4 @@ PlotKind map_plot() {
           draw_map};
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-namespace stepwire {
+namespace stepwire::plot {
 
 /// A member of a spec and its name in JSON.
 template <class Struct, class Value>
@@ -233,4 +233,4 @@ struct TextMark {
   }
 };
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

@@ -1,25 +1,26 @@
 #include "engine/view/plot/plot_tools.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 namespace {
 
 constexpr double piece_budget = 4000.0;  ///< each coloured piece is an element of its own in the picture
 
-void draw_path(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
-  const Series &x = *panel.find("x"), &y = *panel.find("y"), &color = *panel.find("color");
-  const Curves all = gather(panel, recording_of(panel, recordings), {&x, &y, &color});
+void draw_path(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
+  const query::Series &x = *panel.find("x"), &y = *panel.find("y"), &color = *panel.find("color");
+  const geometry::Curves all = gather(panel, recording_of(panel, recordings), {&x, &y, &color});
   const auto budget = static_cast<std::size_t>(piece_budget * plot.share);
-  std::vector<Curve> curves;
+  std::vector<geometry::Curve> curves;
   for (std::size_t group = 0; group < all.groups.size(); ++group)
-    std::ranges::copy(thinned(all, group, budget / all.groups.size(), true), std::back_inserter(curves));
+    std::ranges::copy(geometry::thinned(all, group, budget / all.groups.size(), true),
+                      std::back_inserter(curves));
   plot.cover(curves);
   plot.plane(0.05);
   plot.label("x", x);
   plot.label("y", y);
-  Curves drawn;
+  geometry::Curves drawn;
   drawn.curves = curves;
-  const Curve points = joined(drawn);
-  plot.color_bar(color, points.columns.empty() ? Extent{} : extent_of(points.columns[2]));
+  const geometry::Curve points = joined(drawn);
+  plot.color_bar(color, points.columns.empty() ? geometry::Extent{} : geometry::extent_of(points.columns[2]));
   if (!curves.empty()) plot.add(LineMark{plane_rows(curves), {"", 3.0}});
 }
 
@@ -36,4 +37,4 @@ PlotKind path_plot() {
           draw_path};
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

@@ -6,7 +6,10 @@
 #include "engine/view/plot/plot_kind.hpp"
 #include "engine/view/plot/rig.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
+
+using json::Json;
+
 namespace {
 
 constexpr std::size_t max_points_of_path = 400;
@@ -14,10 +17,10 @@ constexpr std::size_t max_points_of_path = 400;
 /// Values of a point's coordinates in all rows.
 class PointValues {
  public:
-  PointValues(const RigPoint& point, const Recording& recording) {
+  PointValues(const RigPoint& point, const record::Recording& recording) {
     for (const auto& coordinate : point) {
-      const auto* formula = std::get_if<Formula>(&coordinate);
-      columns_.push_back(formula ? evaluate(*formula, recording)
+      const auto* formula = std::get_if<query::Formula>(&coordinate);
+      columns_.push_back(formula ? query::evaluate(*formula, recording)
                                  : std::vector<double>(recording.table.rows(), std::get<double>(coordinate)));
     }
   }
@@ -32,7 +35,8 @@ class PointValues {
   std::vector<std::vector<double>> columns_;
 };
 
-Json path_of(const RigPoint& point, const Recording& recording, const RunRows& rows, std::size_t dimensions) {
+Json path_of(const RigPoint& point, const record::Recording& recording, const query::RunRows& rows,
+             std::size_t dimensions) {
   const PointValues values(point, recording);
   const std::size_t step = (rows.end - rows.begin) / max_points_of_path + 1;
   Json points = Json::list();
@@ -41,7 +45,7 @@ Json path_of(const RigPoint& point, const Recording& recording, const RunRows& r
   return points;
 }
 
-Json element_json(const RigElement& element, const Recording& recording, const RunRows& rows,
+Json element_json(const RigElement& element, const record::Recording& recording, const query::RunRows& rows,
                   std::size_t dimensions) {
   Json points = Json::list();
   if (element.kind == "path")
@@ -64,10 +68,12 @@ std::size_t dimensions_of(const Rig& rig) {
   return most;
 }
 
-DrawnGraph drawn_mechanism(const Rig& rig, const std::string& file, std::span<const Recording> recordings) {
-  const Recording& recording = recordings[rig.recording];
-  const RunRows rows = rows_of_run(rig.where, recording);
-  if (rows.none()) throw Error(Fault{{file, rig.mark}, "figure.where", "no row is left to be drawn", {}});
+DrawnGraph drawn_mechanism(const Rig& rig, const std::string& file,
+                           std::span<const record::Recording> recordings) {
+  const record::Recording& recording = recordings[rig.recording];
+  const query::RunRows rows = query::rows_of_run(rig.where, recording);
+  if (rows.none())
+    throw yaml::Error(yaml::Fault{{file, rig.mark}, "figure.where", "no row is left to be drawn", {}});
   const std::size_t dimensions = dimensions_of(rig);
   Json elements = Json::list();
   for (const RigElement& element : rig.elements)
@@ -79,10 +85,10 @@ DrawnGraph drawn_mechanism(const Rig& rig, const std::string& file, std::span<co
   return {DrawnGraph::Kind::rig, drawn.set("elements", std::move(elements))};
 }
 
-PanelContent read_mechanism(const Node& node, const SymbolTable& names, Faults& faults) {
+PanelContent read_mechanism(const yaml::Node& node, const query::SymbolTable& names, yaml::Faults& faults) {
   Rig rig = read_rig(node, names, faults);
-  if (const Node* title = node.find("title")) rig.title = title->text;
-  return [rig = std::move(rig), file = names.file](std::span<const Recording> recordings) {
+  if (const yaml::Node* title = node.find("title")) rig.title = title->text;
+  return [rig = std::move(rig), file = names.file](std::span<const record::Recording> recordings) {
     return drawn_mechanism(rig, file, recordings);
   };
 }
@@ -93,10 +99,10 @@ PlotKind rig_plot() {
   PlotKind kind;
   kind.name = "rig";
   kind.doc = "a mechanism to scale, at one instant of the run";
-  for (const Key& key : rig_form().of) kind.options.push_back(described_key(key));
+  for (const yaml::Key& key : rig_form().of) kind.options.push_back(described_key(key));
   kind.plane = false;
   kind.read = read_mechanism;
   return kind;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

@@ -12,7 +12,7 @@
 #include "engine/view/plot/plot_mark.hpp"
 #include "engine/view/scene/scene.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 
 /// A place along an axis with its label.
 struct AxisTick {
@@ -112,20 +112,21 @@ struct PlotSpec {
 /// A block diagram or a mechanism, as the drawing module takes it.
 struct DrawnGraph {
   enum class Kind { diagram, rig } kind = Kind::diagram;
-  Json graph;
+  json::Json graph;
 };
 
 /// Instants of a scene side by side.
 struct SceneInstants {
-  std::shared_ptr<const Scene> scene;
-  std::vector<std::vector<SceneShape>> shapes;  ///< of each instant, in the order in which they are drawn
-  std::vector<std::string> words;               ///< below each instant
+  std::shared_ptr<const scene::Scene> scene;
+  std::vector<std::vector<scene::SceneShape>>
+      shapes;                      ///< of each instant, in the order in which they are drawn
+  std::vector<std::string> words;  ///< below each instant
 };
 
 /// A panel and its place in the picture, from the upper left corner [px].
 struct PanelSpec {
   double left = 0.0, top = 0.0, width = 0.0, height = 0.0;
-  std::variant<PlotSpec, TextTable, DrawnGraph, SceneInstants> content;
+  std::variant<PlotSpec, text::TextTable, DrawnGraph, SceneInstants> content;
 };
 
 /// One picture. A panel that is no plot has it for itself and is as large as it needs to be.
@@ -137,6 +138,6 @@ struct FigureSpec {
 };
 
 /// All that a picture holds; README.md of this folder describes it.
-Json figure_json(const FigureSpec& figure);
+json::Json figure_json(const FigureSpec& figure);
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

@@ -3,7 +3,7 @@
 #include "engine/view/geometry/grid.hpp"
 #include "engine/view/plot/plot_tools.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 namespace {
 
 constexpr std::size_t cells = 500;
@@ -11,7 +11,8 @@ constexpr std::size_t cells = 500;
 /// Cells of the strip: the mean of all that passes over them; nan where nothing passes.
 class Strip {
  public:
-  explicit Strip(const Extent& extent) : low_(extent.low), step_((extent.high - extent.low) / cells) {}
+  explicit Strip(const geometry::Extent& extent)
+      : low_(extent.low), step_((extent.high - extent.low) / cells) {}
 
   /// Between two rows that follow each other the colour goes over linearly.
   void pass(double x0, double value0, double x1, double value1) {
@@ -27,7 +28,7 @@ class Strip {
   ImageMark image() const {
     ImageMark image{low_ + 0.5 * step_, 0.5, step_, 1.0, cells, 1, {}};
     for (std::size_t i = 0; i < cells; ++i)
-      image.values.push_back(counts_[i] > 0.0 ? sums_[i] / counts_[i] : nothing);
+      image.values.push_back(counts_[i] > 0.0 ? sums_[i] / counts_[i] : query::nothing);
     return image;
   }
 
@@ -40,9 +41,9 @@ class Strip {
   std::vector<double> sums_ = std::vector<double>(cells, 0.0), counts_ = std::vector<double>(cells, 0.0);
 };
 
-ImageMark strip_of(const Curves& all, const Extent& extent) {
+ImageMark strip_of(const geometry::Curves& all, const geometry::Extent& extent) {
   Strip strip(extent);
-  for (const Curve& curve : all.curves) {
+  for (const geometry::Curve& curve : all.curves) {
     const auto &x = curve.columns[0], &value = curve.columns[1];
     if (curve.size() == 1) strip.pass(x[0], value[0], x[0], value[0]);
     for (std::size_t i = 1; i < curve.size(); ++i) strip.pass(x[i - 1], value[i - 1], x[i], value[i]);
@@ -58,10 +59,10 @@ double few_steps(double width) {
   return power;
 }
 
-void draw_strip(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
-  const Series &x = *panel.find("x"), &color = *panel.find("color");
-  const Curves all = gather(panel, recording_of(panel, recordings), {&x, &color});
-  for (const Curve& curve : all.curves)
+void draw_strip(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
+  const query::Series &x = *panel.find("x"), &color = *panel.find("color");
+  const geometry::Curves all = gather(panel, recording_of(panel, recordings), {&x, &color});
+  for (const geometry::Curve& curve : all.curves)
     for (const double value : curve.columns[0]) plot.x.add(value);
   plot.label("x", x);
   if (all.curves.empty()) return;
@@ -72,7 +73,7 @@ void draw_strip(const Panel& panel, std::span<const Recording> recordings, PlotB
   plot.spec.x.grid = plot.spec.y.grid = plot.spec.y.line = false;
   // The label of the colour bar stands beside the strip and must not be longer than that is high.
   plot.height = std::clamp(70.0 + 8.0 * static_cast<double>(color.axis_label().size()), 170.0, 320.0);
-  const Extent shown = extent_of(strip.values);
+  const geometry::Extent shown = geometry::extent_of(strip.values);
   plot.color_bar(color, shown);
   if (!panel.color.range && shown.high > shown.low) plot.spec.color->step = few_steps(shown.width());
   plot.add(std::move(strip));
@@ -89,4 +90,4 @@ PlotKind strip_plot() {
           draw_strip};
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

@@ -6,18 +6,18 @@
 #include "engine/view/plot/plot_kind.hpp"
 #include "engine/view/plot/table_rows.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 namespace {
 
 /// A table that a study makes.
-PanelContent read_named_table(const Node& node, const SymbolTable& names, Faults& faults) {
-  const auto fault = [&](const Mark& mark, const std::string& message) {
+PanelContent read_named_table(const yaml::Node& node, const query::SymbolTable& names, yaml::Faults& faults) {
+  const auto fault = [&](const yaml::Mark& mark, const std::string& message) {
     faults.add({{names.file, mark}, "figure.of", message, {}});
     return PanelContent{};
   };
   std::vector<std::string> all;
-  for (const NamedTable& one : names.tables) all.push_back(one.name);
-  const Node* of = node.find("of");
+  for (const query::NamedTable& one : names.tables) all.push_back(one.name);
+  const yaml::Node* of = node.find("of");
   if (!of)
     return fault(node.mark,
                  fmt::format("a plot 'table' needs 'rows' with 'headings', or in a file with a study 'of', "
@@ -27,21 +27,21 @@ PanelContent read_named_table(const Node& node, const SymbolTable& names, Faults
   if (all.empty()) return fault(of->mark, "this file makes no tables; one with a section 'study' does");
   if (found == all.end())
     return fault(of->mark, fmt::format("there is no table '{}'{}", of->text,
-                                       nearest_or_all(of->text, all, "there are")));
-  const Node* title = node.find("title");
+                                       yaml::nearest_or_all(of->text, all, "there are")));
+  const yaml::Node* title = node.find("title");
   return [table = names.tables[static_cast<std::size_t>(found - all.begin())].table,
-          title = title ? title->text : ""](std::span<const Recording>) {
-    TextTable shown = *table;
+          title = title ? title->text : ""](std::span<const record::Recording>) {
+    text::TextTable shown = *table;
     if (!title.empty()) shown.title = title;
     return shown;
   };
 }
 
-PanelContent read_table_plot(const Node& node, const SymbolTable& names, Faults& faults) {
+PanelContent read_table_plot(const yaml::Node& node, const query::SymbolTable& names, yaml::Faults& faults) {
   if (!node.find("rows") && !node.find("headings")) return read_named_table(node, names, faults);
-  if (const Node* of = node.find("of"))
+  if (const yaml::Node* of = node.find("of"))
     faults.add({{names.file, of->mark}, "figure.of", "a table has 'of' or 'rows', not both", {}});
-  return [rows = read_table_rows(node, names, faults)](std::span<const Recording> recordings) {
+  return [rows = read_table_rows(node, names, faults)](std::span<const record::Recording> recordings) {
     return filled(rows, recordings);
   };
 }
@@ -57,10 +57,10 @@ PlotKind table_plot() {
        "which table: errors by condition, or by condition and subject; the analyses of variance; pairs "
        "of conditions within subjects; means and significance beside the published ones; or these over all "
        "experiments",
-       form::word({"errors", "subjects", "anova", "anova_with_subject", "repeated_measures", "intervals",
-                   "comparisons", "effect_sizes", "power", "assumptions", "means", "significance",
-                   "experiments", "experiments_significance"})}};
-  for (Key key : table_rows_form().of) {
+       yaml::form::word({"errors", "subjects", "anova", "anova_with_subject", "repeated_measures",
+                         "intervals", "comparisons", "effect_sizes", "power", "assumptions", "means",
+                         "significance", "experiments", "experiments_significance"})}};
+  for (yaml::Key key : table_rows_form().of) {
     key.required = false;  // `of` may stand in their place
     kind.options.push_back(described_key(key));
   }
@@ -69,4 +69,4 @@ PlotKind table_plot() {
   return kind;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

@@ -1,13 +1,13 @@
 #include "engine/view/plot/plot_tools.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 namespace {
 
 constexpr double picture_budget = 14000.0;  ///< of a picture, so that it stays below some 300 kB
 constexpr std::size_t max_in_legend = 8;
 
-std::string legend_text(const Panel& panel, const Series& y, const Curves& curves, std::size_t group,
-                        std::size_t entry) {
+std::string legend_text(const Panel& panel, const query::Series& y, const geometry::Curves& curves,
+                        std::size_t group, std::size_t entry) {
   if (entry < panel.legend.size()) return panel.legend[entry];
   const bool several = panel.series.at("y").size() > 1;
   if (curves.labels.empty()) return several ? y.label : "";
@@ -15,9 +15,9 @@ std::string legend_text(const Panel& panel, const Series& y, const Curves& curve
 }
 
 /// One line under which all y can stand.
-Series common_label(const std::vector<Series>& all) {
-  Series common = all.front();
-  for (const Series& series : all) {
+query::Series common_label(const std::vector<query::Series>& all) {
+  query::Series common = all.front();
+  for (const query::Series& series : all) {
     if (common.unit_text.empty()) common.unit_text = series.unit_text;
     if (&series != &all.front()) common.label += ", " + series.label;
   }
@@ -42,31 +42,32 @@ double dots_of(const Panel& panel, std::size_t entry) {
   return panel.final_rows && entry >= panel.styles.size() ? 4.875 : 0.0;
 }
 
-Curve with_group_value(Curve curve, const Curves& all) {
+geometry::Curve with_group_value(geometry::Curve curve, const geometry::Curves& all) {
   curve.columns.emplace_back(curve.size(), all.groups[curve.group]);
   return curve;
 }
 
 /// The rows of a group that are drawn: each one where it has a point, else as many as its line needs.
-std::vector<Curve> drawn(const Panel& panel, const Curves& all, std::size_t group, std::size_t budget) {
-  return panel.final_rows ? cut(all, group, budget) : thinned(all, group, budget);
+std::vector<geometry::Curve> drawn(const Panel& panel, const geometry::Curves& all, std::size_t group,
+                                   std::size_t budget) {
+  return panel.final_rows ? geometry::cut(all, group, budget) : geometry::thinned(all, group, budget);
 }
 
 /// Many groups: the value of `by` is shown as a colour.
-void draw_by_color(const Panel& panel, const Curves& all, PlotBuilder& plot) {
+void draw_by_color(const Panel& panel, const geometry::Curves& all, PlotBuilder& plot) {
   for (std::size_t group = 0; group < all.groups.size(); ++group) {
     auto curves = drawn(panel, all, group, rows_for(plot, all.groups.size()));
     plot.cover(curves);
-    for (Curve& curve : curves) curve = with_group_value(std::move(curve), all);
+    for (geometry::Curve& curve : curves) curve = with_group_value(std::move(curve), all);
     LineStyle line = line_of(panel, 1, false);
     line.color.clear();
     plot.add(LineMark{plane_rows(curves), line, dots_of(panel, 1)});
   }
-  plot.color_bar(*panel.find("by"), extent_of(all.groups));
+  plot.color_bar(*panel.find("by"), geometry::extent_of(all.groups));
 }
 
-void draw_in_legend(const Panel& panel, const Series& y, const Curves& all, std::size_t& entry,
-                    PlotBuilder& plot) {
+void draw_in_legend(const Panel& panel, const query::Series& y, const geometry::Curves& all,
+                    std::size_t& entry, PlotBuilder& plot) {
   const std::size_t budget = rows_for(plot, panel.series.at("y").size() * all.groups.size());
   for (std::size_t group = 0; group < all.groups.size(); ++group, ++entry)
     draw_group(all, group, entry, budget, legend_text(panel, y, all, group, entry), plot);
@@ -74,9 +75,9 @@ void draw_in_legend(const Panel& panel, const Series& y, const Curves& all, std:
 
 }  // namespace
 
-Curve joined(const Curves& all) {
-  Curve result;
-  for (const Curve& curve : all.curves) {
+geometry::Curve joined(const geometry::Curves& all) {
+  geometry::Curve result;
+  for (const geometry::Curve& curve : all.curves) {
     result.columns.resize(curve.columns.size());
     for (std::size_t i = 0; i < curve.columns.size(); ++i)
       result.columns[i].insert(result.columns[i].end(), curve.columns[i].begin(), curve.columns[i].end());
@@ -88,7 +89,7 @@ std::size_t rows_for(const PlotBuilder& plot, std::size_t parts) {
   return static_cast<std::size_t>(picture_budget * plot.share / static_cast<double>(parts));
 }
 
-void draw_group(const Curves& all, std::size_t group, std::size_t entry, std::size_t budget,
+void draw_group(const geometry::Curves& all, std::size_t group, std::size_t entry, std::size_t budget,
                 const std::string& legend, PlotBuilder& plot) {
   const Panel& panel = plot.panel();
   const auto curves = drawn(panel, all, group, budget);
@@ -98,7 +99,7 @@ void draw_group(const Curves& all, std::size_t group, std::size_t entry, std::si
 
 void draw_curves(const std::vector<NumberCurve>& curves, PlotBuilder& plot) {
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    Curves all = curves_of(plot.panel(), {curves[i].x, curves[i].y});
+    geometry::Curves all = curves_of(plot.panel(), {curves[i].x, curves[i].y});
     all.several = curves.size() > 1;
     for (std::size_t group = 0; group < all.groups.size(); ++group)
       draw_group(all, group, i, rows_for(plot, curves.size()), curves[i].legend, plot);
@@ -107,11 +108,11 @@ void draw_curves(const std::vector<NumberCurve>& curves, PlotBuilder& plot) {
 
 void name_axis(PlotAxis& axis, const std::string& label, const std::string& unit) {
   axis.label = label;
-  axis.unit = unit.empty() ? "" : printed_unit(unit);
+  axis.unit = unit.empty() ? "" : query::printed_unit(unit);
 }
 
-void draw_band(const std::vector<Curve>& curves, PlotBuilder& plot) {
-  for (const Curve& curve : curves) {
+void draw_band(const std::vector<geometry::Curve>& curves, PlotBuilder& plot) {
+  for (const geometry::Curve& curve : curves) {
     for (const std::size_t edge : {1, 2})
       for (const double value : curve.columns[edge]) plot.y.add(value);
     plot.add_below(BandMark{curve.columns[0], curve.columns[1], curve.columns[2], curve_color(curve.group)});
@@ -124,18 +125,18 @@ void draw_spans(const std::vector<double>& ends, PlotBuilder& plot) {
 
 void set_line_ranges(PlotBuilder& plot) {
   // The axis of time begins and ends with the record; the other one leaves the curves some room.
-  const Extent all = plot.x;
+  const geometry::Extent all = plot.x;
   plot.plane(0.05);
   if (!plot.panel().x.range) plot.x = all.padded(0.0);
   plot.range("x", plot.x);
 }
 
-void draw_curves(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
+void draw_curves(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
   const auto &all_x = panel.series.at("x"), &all_y = panel.series.at("y");
   std::size_t entry = 0;
   for (std::size_t i = 0; i < all_y.size(); ++i) {
-    const Series& x = all_x[std::min(i, all_x.size() - 1)];
-    Curves all = gather(panel, recording_of(panel, recordings, i), {&x, &all_y[i]});
+    const query::Series& x = all_x[std::min(i, all_x.size() - 1)];
+    geometry::Curves all = gather(panel, recording_of(panel, recordings, i), {&x, &all_y[i]});
     all.several = all_y.size() > 1;
     if (all.groups.size() > max_in_legend && all_y.size() == 1 && panel.legend.empty())
       draw_by_color(panel, all, plot);
@@ -146,8 +147,9 @@ void draw_curves(const Panel& panel, std::span<const Recording> recordings, Plot
   plot.label("y", common_label(all_y));
 }
 
-const Recording& recording_of(const Panel& panel, std::span<const Recording> recordings, std::size_t index) {
+const record::Recording& recording_of(const Panel& panel, std::span<const record::Recording> recordings,
+                                      std::size_t index) {
   return recordings[panel.recordings[std::min(index, panel.recordings.size() - 1)]];
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

@@ -3,7 +3,7 @@
 
 #include "engine/view/plot/plot_tools.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 namespace {
 
 constexpr double row_height = 44.0, frame_height = 130.0;  // [pixels]
@@ -30,10 +30,10 @@ struct Mean {
 };
 
 /// Which rows are the last of their runs of those that `where` selects.
-std::vector<std::size_t> final_rows(const Panel& panel, const Recording& recording) {
+std::vector<std::size_t> final_rows(const Panel& panel, const record::Recording& recording) {
   const std::size_t rows = recording.table.rows();
   const std::vector<double> where =
-      panel.where ? evaluate(*panel.where, recording) : std::vector<double>(rows, 1.0);
+      panel.where ? query::evaluate(*panel.where, recording) : std::vector<double>(rows, 1.0);
   std::vector<std::size_t> last;
   for (std::size_t run = 0; run < recording.starts.size(); ++run) {
     const std::size_t end = run + 1 < recording.starts.size() ? recording.starts[run + 1] : rows;
@@ -47,10 +47,10 @@ std::vector<std::size_t> final_rows(const Panel& panel, const Recording& recordi
 }
 
 /// The outcome of each setting, in the order of the sweep.
-std::vector<Mean> means_of(const Panel& panel, const Recording& recording) {
-  const Series &x = *panel.find("x"), &by = *panel.find("by"), &to = *panel.find("to");
-  const auto outcome = evaluate(x.formula, recording), of = evaluate(by.formula, recording),
-             what = evaluate(to.formula, recording);
+std::vector<Mean> means_of(const Panel& panel, const record::Recording& recording) {
+  const query::Series &x = *panel.find("x"), &by = *panel.find("by"), &to = *panel.find("to");
+  const auto outcome = query::evaluate(x.formula, recording), of = query::evaluate(by.formula, recording),
+             what = query::evaluate(to.formula, recording);
   std::vector<Mean> means;
   std::map<std::pair<double, double>, std::size_t> known;
   for (const std::size_t row : final_rows(panel, recording)) {
@@ -66,8 +66,8 @@ std::vector<Mean> means_of(const Panel& panel, const Recording& recording) {
   return means;
 }
 
-Extent reach(const Swing& swing, double base) {
-  Extent extent{base, base};
+geometry::Extent reach(const Swing& swing, double base) {
+  geometry::Extent extent{base, base};
   for (const Setting& setting : swing.settings) extent.add(setting.outcome);
   return extent;
 }
@@ -137,13 +137,13 @@ void draw_swings(const std::vector<Swing>& swings, double base, PlotBuilder& plo
                     "the file's values"});
 }
 
-void draw_tornado(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
+void draw_tornado(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
   plot.label("x", *panel.find("x"));
   const std::vector<Mean> means = means_of(panel, recording_of(panel, recordings));
   const auto base = std::ranges::find(means, std::string(nothing_differs), &Mean::of);
   if (base == means.end()) return;
   const std::vector<Swing> swings = swings_of(means, base->value());
-  Extent extent{base->value(), base->value()};
+  geometry::Extent extent{base->value(), base->value()};
   for (const Swing& swing : swings)
     for (const Setting& setting : swing.settings) extent.add(setting.outcome);
   plot.range("x", extent.padded(0.2));  // room for the texts of the values
@@ -164,13 +164,13 @@ PlotKind tornado_plot() {
        {"by", "which parameter differs", false, false, differs_label},
        {"to", "its value", false, false, differs_to_label}},
       {{"names", "what the parameters are called: {half_width: width of the corridor}",
-        form::names(form::text(), 1),
-        [](Panel& panel, const Node& node, const NamesReading& read) {
-          for (const Entry& entry : node.entries)
-            panel.names[entry.key] = below(read, entry.key).text(entry.value);
+        yaml::form::names(yaml::form::text(), 1),
+        [](Panel& panel, const yaml::Node& node, const query::NamesReading& read) {
+          for (const yaml::Entry& entry : node.entries)
+            panel.names[entry.key] = yaml::below(read, entry.key).text(entry.value);
         }}},
       false,
       draw_tornado};
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

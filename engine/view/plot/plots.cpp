@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace stepwire {
+namespace stepwire::plot {
 
 const std::vector<PlotKind>& plot_kinds() {
   static const std::vector<PlotKind> kinds{lines_plot(), xy_plot(),        loop_plot(),    path_plot(),
@@ -22,4 +22,4 @@ bool PlotKind::takes(KeyNeeds needs) const {
   return plane && (needs == KeyNeeds::plane || (channel("x") && channel("y")));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

@@ -4,17 +4,17 @@
 #include "engine/view/geometry/thinning.hpp"
 #include "engine/view/plot/overlay_drawing.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 namespace {
 
 double drawn(const Panel& panel, const char* axis, double value) {
-  const Series* series = panel.find(axis);
+  const query::Series* series = panel.find(axis);
   return series ? series->unit.from_si(value) : value;
 }
 
 /// A line in the units of the axes.
-Curve curve_of(const Panel& panel, const Outline& outline, const Outline::Line& line) {
-  Curve curve{std::vector<std::vector<double>>(outline.space ? 3 : 2), 0};
+geometry::Curve curve_of(const Panel& panel, const Outline& outline, const Outline::Line& line) {
+  geometry::Curve curve{std::vector<std::vector<double>>(outline.space ? 3 : 2), 0};
   const char* axes[] = {"x", "y", "z"};
   for (const Outline::Point& point : line.points)
     for (std::size_t i = 0; i < curve.columns.size(); ++i)
@@ -23,7 +23,7 @@ Curve curve_of(const Panel& panel, const Outline& outline, const Outline::Line& 
 }
 
 /// Does a point lie within the ranges that the file gives for its axes?
-bool is_shown(const Panel& panel, const Curve& curve, std::size_t row) {
+bool is_shown(const Panel& panel, const geometry::Curve& curve, std::size_t row) {
   const AxisOptions* axes[] = {&panel.x, &panel.y, &panel.z};
   for (std::size_t i = 0; i < curve.columns.size(); ++i) {
     if (!axes[i]->range) continue;
@@ -35,8 +35,8 @@ bool is_shown(const Panel& panel, const Curve& curve, std::size_t row) {
 }
 
 /// The pieces of a line in space that are shown; a renderer need not cut lines there.
-std::vector<Curve> shown_pieces(const Panel& panel, const Curve& curve) {
-  std::vector<Curve> pieces;
+std::vector<geometry::Curve> shown_pieces(const Panel& panel, const geometry::Curve& curve) {
+  std::vector<geometry::Curve> pieces;
   bool inside = false;
   for (std::size_t row = 0; row < curve.size(); ++row) {
     const bool shown = is_shown(panel, curve, row);
@@ -49,23 +49,23 @@ std::vector<Curve> shown_pieces(const Panel& panel, const Curve& curve) {
 }
 
 /// The lines of an outline; in the plane without points that cannot be told apart in the frame.
-std::vector<Curve> curves_of(const Panel& panel, const Outline& outline, const PlotBuilder& plot) {
+std::vector<geometry::Curve> curves_of(const Panel& panel, const Outline& outline, const PlotBuilder& plot) {
   const std::vector<double> widths{plot.x.width(), plot.y.width()};
-  std::vector<Curve> curves;
+  std::vector<geometry::Curve> curves;
   for (const Outline::Line& line : outline.lines) {
-    const Curve curve = curve_of(panel, outline, line);
+    const geometry::Curve curve = curve_of(panel, outline, line);
     if (outline.space)
       std::ranges::move(shown_pieces(panel, curve), std::back_inserter(curves));
     else
-      curves.push_back(simplify(curve, widths, unseen, false));
+      curves.push_back(geometry::simplify(curve, widths, geometry::unseen, false));
   }
   return curves;
 }
 
 /// All loops as one, from each back to where the first begins: holes run the other way around, and stay free.
-Curve one_of(const std::vector<Curve>& loops) {
-  Curve all{std::vector<std::vector<double>>(2), 0};
-  for (const Curve& loop : loops)
+geometry::Curve one_of(const std::vector<geometry::Curve>& loops) {
+  geometry::Curve all{std::vector<std::vector<double>>(2), 0};
+  for (const geometry::Curve& loop : loops)
     for (std::size_t i = 0; i < 2; ++i) {
       std::vector<double>& to = all.columns[i];
       to.insert(to.end(), loop.columns[i].begin(), loop.columns[i].end());
@@ -76,8 +76,8 @@ Curve one_of(const std::vector<Curve>& loops) {
 }
 
 /// What of a polygon lies on one side of a line of the frame. A renderer need not keep areas within it.
-Curve cut_off(const Curve& polygon, std::size_t axis, double limit, double side) {
-  Curve result{std::vector<std::vector<double>>(2), 0};
+geometry::Curve cut_off(const geometry::Curve& polygon, std::size_t axis, double limit, double side) {
+  geometry::Curve result{std::vector<std::vector<double>>(2), 0};
   const auto inside = [&](std::size_t i) { return side * (polygon.columns[axis][i] - limit) <= 0.0; };
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const std::size_t before = i == 0 ? polygon.size() - 1 : i - 1;
@@ -91,8 +91,8 @@ Curve cut_off(const Curve& polygon, std::size_t axis, double limit, double side)
   return result;
 }
 
-Curve within(Curve polygon, const PlotBuilder& plot) {
-  const Extent extents[] = {plot.x, plot.y};
+geometry::Curve within(geometry::Curve polygon, const PlotBuilder& plot) {
+  const geometry::Extent extents[] = {plot.x, plot.y};
   for (std::size_t axis = 0; axis < 2; ++axis) {
     polygon = cut_off(polygon, axis, extents[axis].low, -1.0);
     polygon = cut_off(polygon, axis, extents[axis].high, 1.0);
@@ -112,13 +112,13 @@ void draw_regions(const Panel& panel, PlotBuilder& plot) {
   const std::vector<double> dash =
       panel.dashed_regions ? std::vector<double>{2.5, 4.0} : std::vector<double>{};
   for (const Outline& outline : panel.regions) {
-    const std::vector<Curve> curves = curves_of(panel, outline, plot);
+    const std::vector<geometry::Curve> curves = curves_of(panel, outline, plot);
     if (!curves.empty())
       plot.add(LineMark{outline.space ? space_rows(curves) : plane_rows(curves), {"#111111", 1.6, dash}});
     if (outline.space) continue;
-    const Curve shade = within(one_of(curves), plot);
+    const geometry::Curve shade = within(one_of(curves), plot);
     if (shade.size() > 2) plot.add_below(AreaMark{shade.columns[0], shade.columns[1], "#e6eee2"});
   }
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

@@ -4,25 +4,25 @@
 #include "engine/view/plot/panel_reading.hpp"
 #include "engine/view/plot/plot_kind.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 namespace {
 
-const Outline* find_outline(const Node& node, const NamesReading& read) {
+const Outline* find_outline(const yaml::Node& node, const query::NamesReading& read) {
   std::vector<std::string> names;
-  for (const NamedOutline& named : read.names.outlines) {
+  for (const query::NamedOutline& named : read.names.outlines) {
     if (node.is_scalar() && named.name == node.text) return &named.outline;
     names.push_back(named.name);
   }
   const std::string choice =
-      names.empty() ? "; this file has none" : nearest_or_all(node.text, names, "there are");
+      names.empty() ? "; this file has none" : yaml::nearest_or_all(node.text, names, "there are");
   read.fault(node.mark, fmt::format("'{}' is no block with a boundary, as a Region is{}", node.text, choice));
   return nullptr;
 }
 
 }  // namespace
 
-void read_regions(const Node& node, Panel& panel, const NamesReading& read) {
-  for (const Node& item : node.as_list()) {
+void read_regions(const yaml::Node& node, Panel& panel, const query::NamesReading& read) {
+  for (const yaml::Node& item : node.as_list()) {
     const Outline* outline = find_outline(item, read);
     if (!outline) continue;
     if (outline->space == panel.kind->plane)
@@ -33,4 +33,4 @@ void read_regions(const Node& node, Panel& panel, const NamesReading& read) {
   }
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

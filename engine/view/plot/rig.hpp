@@ -9,10 +9,10 @@
 #include "engine/analyse/query/formula.hpp"
 #include "engine/base/yaml/key.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 
 /// One to three coordinates [m]: numbers that the diagram has, or formulas of what was recorded.
-using RigPoint = std::vector<std::variant<double, Formula>>;
+using RigPoint = std::vector<std::variant<double, query::Formula>>;
 
 /// A kind of element, and how many points it takes.
 struct RigKind {
@@ -42,15 +42,15 @@ struct Rig {
   bool schematic = false;                        ///< without axes and scale
   std::map<std::string, RigPoint> points;        ///< that have names
   std::vector<RigElement> elements;
-  std::optional<Formula> where;  ///< the first row for which this is true is drawn
+  std::optional<query::Formula> where;  ///< the first row for which this is true is drawn
   std::size_t recording = 0;
-  Mark mark;
+  yaml::Mark mark;
 };
 
 /// The keys of a figure that a rig has.
-const Key& rig_form();
+const yaml::Key& rig_form();
 
 /// Reads them; what is wrong goes to `faults`.
-Rig read_rig(const Node& node, const SymbolTable& names, Faults& faults);
+Rig read_rig(const yaml::Node& node, const query::SymbolTable& names, yaml::Faults& faults);
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

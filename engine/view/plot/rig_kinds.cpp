@@ -1,6 +1,6 @@
 #include "engine/view/plot/rig.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 namespace {
 
 constexpr std::size_t any_number = 1000;
@@ -42,4 +42,4 @@ const std::vector<RigKind>& rig_kinds() {
   return kinds;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

@@ -9,18 +9,22 @@
 #include "engine/view/drawing/draw.hpp"
 #include "engine/view/plot/rig.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
+
+using yaml::form;
+
 namespace {
 
 /// "anchors.1" of a block: a row of one of its parameters.
-std::optional<RigPoint> row_of(const DiagramBlock& block, const std::string& rest) {
+std::optional<RigPoint> row_of(const diagram::DiagramBlock& block, const std::string& rest) {
   const std::size_t dot = rest.find('.');
   const ParameterSpec* parameter = block.type().parameter(rest.substr(0, dot));
   if (!parameter || dot == std::string::npos) return std::nullopt;
   const Value value = parameter->get(block.block.get());
   const auto* rows = std::get_if<Eigen::MatrixXd>(&value.content);
   const long row = std::strtol(rest.c_str() + dot + 1, nullptr, 10);
-  if (!rows || row < 1 || row > rows->rows() || rows->cols() > static_cast<Eigen::Index>(max_coordinates))
+  if (!rows || row < 1 || row > rows->rows() ||
+      rows->cols() > static_cast<Eigen::Index>(query::max_coordinates))
     return std::nullopt;
   RigPoint point;
   for (Eigen::Index i = 0; i < rows->cols(); ++i) point.emplace_back((*rows)(row - 1, i));
@@ -28,41 +32,41 @@ std::optional<RigPoint> row_of(const DiagramBlock& block, const std::string& res
 }
 
 /// What elements are read with: the places that have names.
-struct RigReading : NamesReading {
-  RigReading(const NamesReading& read, const std::map<std::string, RigPoint>& named)
-      : NamesReading(read), named(named) {}
+struct RigReading : query::NamesReading {
+  RigReading(const query::NamesReading& read, const std::map<std::string, RigPoint>& named)
+      : query::NamesReading(read), named(named) {}
   const std::map<std::string, RigPoint>& named;
 };
 
-using ElementTable = KeyTable<RigElement, RigReading>;
-using RigTable = KeyTable<Rig, NamesReading>;
+using ElementTable = yaml::KeyTable<RigElement, RigReading>;
+using RigTable = yaml::KeyTable<Rig, query::NamesReading>;
 
-std::optional<RigPoint> row_of_parameter(const std::string& text, const SymbolTable& names) {
+std::optional<RigPoint> row_of_parameter(const std::string& text, const query::SymbolTable& names) {
   if (!names.diagram) return std::nullopt;
-  for (const DiagramBlock& block : names.diagram->diagram().blocks)
+  for (const diagram::DiagramBlock& block : names.diagram->diagram().blocks)
     if (text.starts_with(block.name + "."))
       if (auto row = row_of(block, text.substr(block.name.size() + 1))) return row;
   return std::nullopt;
 }
 
 /// A place: [x, y], the name of a recorded vector, or a row of a block's parameter.
-std::optional<RigPoint> read_point(const Node& node, const NamesReading& read) {
+std::optional<RigPoint> read_point(const yaml::Node& node, const query::NamesReading& read) {
   if (auto row = row_of_parameter(node.text, read.names)) return row;
   RigPoint point;
-  for (Formula& coordinate : read_place(node, read.names, read.subject, read.faults))
+  for (query::Formula& coordinate : query::read_place(node, read.names, read.subject, read.faults))
     point.emplace_back(std::move(coordinate));
   return point.empty() ? std::nullopt : std::optional(std::move(point));
 }
 
-Key place_form() {
-  return form::either({form::text(), form::list(form::expression(), 1, max_coordinates)});
+yaml::Key place_form() {
+  return form::either({form::text(), form::list(form::expression(), 1, query::max_coordinates)});
 }
 
-void read_ends(const RigKind& kind, RigElement& element, const Node& node, const RigReading& read) {
+void read_ends(const RigKind& kind, RigElement& element, const yaml::Node& node, const RigReading& read) {
   element.kind = kind.name;
   // Several things in the list of a kind that takes one point are its coordinates.
   const bool is_point = kind.max_points == 1 && node.items.size() > 1;
-  for (const Node& item : is_point ? std::span(&node, 1) : node.as_list()) {
+  for (const yaml::Node& item : is_point ? std::span(&node, 1) : node.as_list()) {
     const auto named = item.is_scalar() ? read.named.find(item.text) : read.named.end();
     if (named != read.named.end())
       element.points.push_back(named->second);
@@ -75,17 +79,17 @@ void read_ends(const RigKind& kind, RigElement& element, const Node& node, const
 }
 
 /// An angle from x towards y, or shares along the axes.
-void read_direction(RigElement& element, const Node& node, const RigReading& read) {
-  const Key share = form::computed();
+void read_direction(RigElement& element, const yaml::Node& node, const RigReading& read) {
+  const yaml::Key share = form::computed();
   if (!node.is_list()) {
     const auto angle = read.number(node, share);
     if (angle) element.direction = {std::cos(*angle), std::sin(*angle)};
     return;
   }
-  for (const Node& item : node.items)
+  for (const yaml::Node& item : node.items)
     if (const auto one = read.number(item, share)) element.direction.push_back(*one);
   const bool any = std::ranges::any_of(element.direction, [](double one) { return one != 0.0; });
-  if (!any || element.direction.size() < 2 || element.direction.size() > max_coordinates)
+  if (!any || element.direction.size() < 2 || element.direction.size() > query::max_coordinates)
     read.fault(node.mark, "a direction is an angle such as 60 deg, or shares along the axes: [0, 0, 1]");
 }
 
@@ -93,12 +97,12 @@ std::vector<ElementTable::Row> element_rows() {
   std::vector<ElementTable::Row> rows;
   std::vector<std::string> directed;
   for (const RigKind& kind : rig_kinds()) {
-    const Key points = form::either({place_form(), form::list(place_form())});
-    rows.push_back(one_of(
-        "kind", ElementTable::Row{kind.name, kind.doc, points,
-                                  [&kind](RigElement& element, const Node& node, const RigReading& read) {
-                                    read_ends(kind, element, node, read);
-                                  }}));
+    const yaml::Key points = form::either({place_form(), form::list(place_form())});
+    rows.push_back(yaml::one_of("kind", ElementTable::Row{kind.name, kind.doc, points,
+                                                          [&kind](RigElement& element, const yaml::Node& node,
+                                                                  const RigReading& read) {
+                                                            read_ends(kind, element, node, read);
+                                                          }}));
     if (kind.directed) directed.push_back(kind.name);
   }
   rows.push_back(
@@ -106,11 +110,11 @@ std::vector<ElementTable::Row> element_rows() {
   rows.push_back({"body", "length of the housing of a link", form::computed("m"), &RigElement::body});
   rows.push_back({"offset", "of a dimension, to the left of the way between its points", form::computed("m"),
                   &RigElement::offset});
-  rows.push_back(beside(
-      directed,
-      ElementTable::Row{"direction", "an angle from x towards y, or shares along the axes",
-                        form::either({form::computed(), form::list(form::computed(), 2, max_coordinates)}),
-                        read_direction}));
+  rows.push_back(yaml::beside(
+      directed, ElementTable::Row{
+                    "direction", "an angle from x towards y, or shares along the axes",
+                    form::either({form::computed(), form::list(form::computed(), 2, query::max_coordinates)}),
+                    read_direction}));
   return rows;
 }
 
@@ -119,24 +123,24 @@ const ElementTable& element_table() {
   return table;
 }
 
-void read_points(Rig& rig, const Node& node, const NamesReading& read) {
+void read_points(Rig& rig, const yaml::Node& node, const query::NamesReading& read) {
   if (!node.is_map()) return read.fault(node.mark, "points are a map of name: place");
-  for (const Entry& entry : node.entries)
+  for (const yaml::Entry& entry : node.entries)
     if (auto point = read_point(entry.value, read)) rig.points[entry.key] = std::move(*point);
 }
 
-void read_elements(Rig& rig, const Node& node, const NamesReading& read) {
+void read_elements(Rig& rig, const yaml::Node& node, const query::NamesReading& read) {
   if (!node.is_list() || node.items.empty())
     return read.fault(node.mark, "elements are a list such as [{damper: [anchor, pin]}, {ground: anchor}]");
-  for (const Node& item : node.items)
+  for (const yaml::Node& item : node.items)
     element_table().read(item, rig.elements.emplace_back(), RigReading(read, rig.points));
 }
 
-void read_axes(Rig& rig, const Node& node, const NamesReading& read) {
-  if (!node.is_list() || node.items.size() < 2 || node.items.size() > max_coordinates)
+void read_axes(Rig& rig, const yaml::Node& node, const query::NamesReading& read) {
+  if (!node.is_list() || node.items.size() < 2 || node.items.size() > query::max_coordinates)
     return read.fault(node.mark, "axes are the names of two or three directions: [x, z]");
   rig.axes.clear();
-  for (const Node& name : node.items) rig.axes.push_back(read.text(name));
+  for (const yaml::Node& name : node.items) rig.axes.push_back(read.text(name));
 }
 
 const RigTable& rig_table() {
@@ -147,10 +151,10 @@ const RigTable& rig_table() {
         "(rig.linkage.anchors.1), "
         "or [x, y]",
         form::names(place_form()), read_points},
-       needed(RigTable::Row{"elements", "what is drawn: the kind of an element with its points",
-                            form::list(element_table().form, 1), read_elements}),
+       yaml::needed(RigTable::Row{"elements", "what is drawn: the kind of an element with its points",
+                                  form::list(element_table().form, 1), read_elements}),
        {"axes", "names of the axes that are drawn, [x, z] of a view from the side",
-        form::list(form::text(), 2, max_coordinates), read_axes},
+        form::list(form::text(), 2, query::max_coordinates), read_axes},
        {"up", "the axis that points upwards in space", form::word({"y", "z"}), &Rig::z_up},
        {"schematic", "without axes and scale", form::truth(), &Rig::schematic},
        {"where", "the first row for which this is true is drawn; without it the first of all",
@@ -158,29 +162,29 @@ const RigTable& rig_table() {
   return table;
 }
 
-std::vector<const Formula*> formulas_of(const Rig& rig) {
-  std::vector<const Formula*> found;
+std::vector<const query::Formula*> formulas_of(const Rig& rig) {
+  std::vector<const query::Formula*> found;
   if (rig.where) found.push_back(&*rig.where);
   for (const RigElement& element : rig.elements)
     for (const RigPoint& point : element.points)
       for (const auto& coordinate : point)
-        if (const auto* formula = std::get_if<Formula>(&coordinate)) found.push_back(formula);
+        if (const auto* formula = std::get_if<query::Formula>(&coordinate)) found.push_back(formula);
   return found;
 }
 
 }  // namespace
 
-const Key& rig_form() {
+const yaml::Key& rig_form() {
   return rig_table().form;
 }
 
-Rig read_rig(const Node& node, const SymbolTable& names, Faults& faults) {
+Rig read_rig(const yaml::Node& node, const query::SymbolTable& names, yaml::Faults& faults) {
   Rig rig;
   rig.mark = node.mark;
-  const NamesReading read("figure", names, faults);
-  set_keys(node, rig_table().rows, rig, read);
-  rig.recording = common_recording(formulas_of(rig), names, node, "figure", faults);
+  const query::NamesReading read("figure", names, faults);
+  yaml::set_keys(node, rig_table().rows, rig, read);
+  rig.recording = query::common_recording(formulas_of(rig), names, node, "figure", faults);
   return rig;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

@@ -4,7 +4,7 @@
 #include "engine/view/plot/overlay.hpp"
 #include "engine/view/plot/overlay_drawing.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 namespace {
 
 enum RoseColumn { point_x, point_y, spoke_angle, spoke_value };
@@ -12,7 +12,7 @@ enum RoseColumn { point_x, point_y, spoke_angle, spoke_value };
 /// A rose with its rows, and where its disc is.
 struct DrawnRose {
   const Rose& rose;
-  Curve rows;
+  geometry::Curve rows;
   double x, y;
 
   MarkRows circle() const {
@@ -51,10 +51,10 @@ struct DrawnRose {
   }
 };
 
-std::vector<DrawnRose> drawn_roses(const Panel& panel, std::span<const Recording> recordings) {
+std::vector<DrawnRose> drawn_roses(const Panel& panel, std::span<const record::Recording> recordings) {
   std::vector<DrawnRose> drawn;
   for (const Rose& rose : panel.roses)
-    for (Curve& rows :
+    for (geometry::Curve& rows :
          overlay_rows(rose.where, recordings[rose.recording], {&rose.x, &rose.y, &rose.angle, &rose.value})) {
       const double x = rose.at ? (*rose.at)[0] : rows.columns[point_x].front();
       const double y = rose.at ? (*rose.at)[1] : rows.columns[point_y].front();
@@ -81,8 +81,8 @@ TextMark name_of(const DrawnRose& one, const std::string& text, double side) {
 }
 
 void write_names(const DrawnRose& one, double full, PlotBuilder& plot) {
-  const std::string unit = printed_unit(one.rose.value.unit_text);
-  plot.spec.texts.push_back(name_of(one, short_number(full, 3) + " " + unit, -1.0));
+  const std::string unit = query::printed_unit(one.rose.value.unit_text);
+  plot.spec.texts.push_back(name_of(one, query::short_number(full, 3) + " " + unit, -1.0));
   if (!one.rose.name.empty()) plot.spec.texts.push_back(name_of(one, one.rose.name, 1.0));
 }
 
@@ -126,10 +126,10 @@ void cover_roses(const Panel& panel, PlotBuilder& plot) {
   }
 }
 
-void draw_roses(const Panel& panel, std::span<const Recording> recordings, PlotBuilder& plot) {
+void draw_roses(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
   const std::vector<DrawnRose> roses = drawn_roses(panel, recordings);
   const double full = largest_value(roses);
   for (const DrawnRose& one : roses) draw_rose(one, full, plot);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

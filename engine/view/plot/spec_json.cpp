@@ -1,7 +1,10 @@
 #include "engine/analyse/query/number.hpp"
 #include "engine/view/plot/plot_spec.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
+
+using json::Json;
+
 namespace {
 
 Json json_of(double value) {
@@ -33,7 +36,7 @@ Json json_of(const std::array<double, count>& numbers) {
 /// Columns have the digits that a picture shows; what is no finite number is null.
 Json json_of(const std::vector<double>& column) {
   Json list = Json::list();
-  for (const double value : column) list.push(rounded(value, 7));
+  for (const double value : column) list.push(query::rounded(value, 7));
   return list;
 }
 
@@ -93,7 +96,7 @@ Json content_json(const PlotSpec& plot, Json json) {
   return object_of(plot, std::move(json.set("panel", "plot")));
 }
 
-Json content_json(const TextTable& table, Json json) {
+Json content_json(const text::TextTable& table, Json json) {
   json.set("panel", "table").set("title", table.title).set("columns", Json::list_of(table.columns));
   Json rows = Json::list();
   for (const auto& row : table.rows) rows.push(Json::list_of(row));
@@ -104,8 +107,8 @@ Json content_json(const DrawnGraph& drawn, Json json) {
   return json.set("panel", drawn.kind == DrawnGraph::Kind::rig ? "rig" : "diagram").set("graph", drawn.graph);
 }
 
-Json shape_json(const SceneShape& shape) {
-  const SceneObject& object = *shape.object;
+Json shape_json(const scene::SceneShape& shape) {
+  const scene::SceneObject& object = *shape.object;
   Json json = Json::object().set("kind", object.kind->name).set("name", object.name);
   const bool wall = !object.walls.empty();
   Json points = Json::list();
@@ -119,12 +122,12 @@ Json shape_json(const SceneShape& shape) {
 }
 
 Json content_json(const SceneInstants& drawn, Json json) {
-  const Scene& scene = *drawn.scene;
+  const scene::Scene& scene = *drawn.scene;
   json.set("panel", "scene").set("x", Json::list_of(scene.x)).set("y", Json::list_of(scene.y));
   Json instants = Json::list();
   for (std::size_t i = 0; i < drawn.shapes.size(); ++i) {
     Json shapes = Json::list();
-    for (const SceneShape& shape : drawn.shapes[i]) shapes.push(shape_json(shape));
+    for (const scene::SceneShape& shape : drawn.shapes[i]) shapes.push(shape_json(shape));
     instants.push(Json::object().set("words", drawn.words[i]).set("shapes", std::move(shapes)));
   }
   return json.set("background", scene.background).set("instants", std::move(instants));
@@ -148,4 +151,4 @@ Json figure_json(const FigureSpec& figure) {
   return json.set("panels", std::move(panels));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

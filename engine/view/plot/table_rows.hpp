@@ -8,31 +8,31 @@
 #include "engine/base/text/text_table.hpp"
 #include "engine/view/plot/figure.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 
 /// A table that a file writes itself: in each line a name, and expressions for the other columns.
 struct TableRows {
   struct Line {
     std::string name;
-    std::vector<Series> cells;
+    std::vector<query::Series> cells;
   };
 
   std::string file;
-  Mark mark;
+  yaml::Mark mark;
   std::string title;
   std::vector<std::string> columns;  ///< headings; the first stands above the names
   std::vector<Line> lines;
-  std::optional<Formula> where;  ///< cells have the values of the first row for which this is true
+  std::optional<query::Formula> where;  ///< cells have the values of the first row for which this is true
   std::size_t recording = 0;
 };
 
 /// The keys `headings`, `rows` and `where`.
-const Key& table_rows_form();
+const yaml::Key& table_rows_form();
 
 /// Reads `headings`, `rows`, `where` and `title` of a plot `table`; what is wrong goes to `faults`.
-TableRows read_table_rows(const Node& node, const SymbolTable& names, Faults& faults);
+TableRows read_table_rows(const yaml::Node& node, const query::SymbolTable& names, yaml::Faults& faults);
 
 /// Throws Error where `where` selects no row.
-TextTable filled(const TableRows& rows, std::span<const Recording> recordings);
+text::TextTable filled(const TableRows& rows, std::span<const record::Recording> recordings);
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

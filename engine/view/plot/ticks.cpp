@@ -7,7 +7,7 @@
 #include "engine/view/geometry/extent.hpp"
 #include "engine/view/svg/text_width.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 namespace {
 
 constexpr double letters = 13.0, label_gap = 8.0, label_line = 17.0;  // [px]
@@ -25,16 +25,16 @@ double next_step(double step) {
 }
 
 /// How far apart two labels beside each other must be, for the widest of an axis.
-double widest_label(const Extent& shown, double step) {
+double widest_label(const geometry::Extent& shown, double step) {
   double widest = 0.0;
   for (double tick = std::ceil(shown.low / step); tick * step <= shown.high; ++tick)
-    widest = std::max(widest, text_width(short_number(tick * step, 6)));
+    widest = std::max(widest, svg::text_width(query::short_number(tick * step, 6)));
   return letters * widest + label_gap;
 }
 
 void set_step(PlotAxis& axis, double pixels, bool level) {
   if (!axis.range || axis.log || axis.step || !axis.named_ticks.empty()) return;
-  const Extent shown{(*axis.range)[0], (*axis.range)[1]};
+  const geometry::Extent shown{(*axis.range)[0], (*axis.range)[1]};
   if (!(shown.width() > 0.0) || !std::isfinite(shown.width()) || pixels <= 0.0) return;
   double step = usual_step(shown.width());
   const auto touches = [&] {
@@ -66,4 +66,4 @@ void set_steps(PlotSpec& plot, const AxesSize& size) {
     if (*axis) set_step(**axis, size.up, false);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

@@ -2,7 +2,7 @@
 
 #include "engine/view/plot/plot_spec.hpp"
 
-namespace stepwire {
+namespace stepwire::plot {
 
 /// Pixels that axes take up on the screen.
 struct AxesSize {
@@ -16,4 +16,4 @@ AxesSize axes_size(const PlotSpec& plot, double width, double height);
 /// their labels do not touch.
 void set_steps(PlotSpec& plot, const AxesSize& size);
 
-}  // namespace stepwire
+}  // namespace stepwire::plot

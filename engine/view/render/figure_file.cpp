@@ -3,13 +3,13 @@
 
 #include "engine/base/io/file.hpp"
 
-namespace stepwire {
+namespace stepwire::render {
 
-void write_figure(const std::string& folder, const std::string& name, const FigureSpec& figure,
+void write_figure(const std::string& folder, const std::string& name, const plot::FigureSpec& figure,
                   const std::string& json_name) {
-  write_file(folder + "/" + name + ".svg", render(figure).svg);
-  write_file(folder + "/" + (json_name.empty() ? name : json_name) + ".json",
-             figure_json(figure).text(-1) + "\n");
+  io::write_file(folder + "/" + name + ".svg", render(figure).svg);
+  io::write_file(folder + "/" + (json_name.empty() ? name : json_name) + ".json",
+                 plot::figure_json(figure).text(-1) + "\n");
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::render

@@ -4,11 +4,11 @@
 
 #include "engine/view/plot/plot_spec.hpp"
 
-namespace stepwire {
+namespace stepwire::render {
 
 /// Draws a figure into FOLDER/NAME.svg and writes its spec to FOLDER/NAME.json, or under another name where
 /// something else has that. Throws EnvironmentError.
-void write_figure(const std::string& folder, const std::string& name, const FigureSpec& figure,
+void write_figure(const std::string& folder, const std::string& name, const plot::FigureSpec& figure,
                   const std::string& json_name = {});
 
-}  // namespace stepwire
+}  // namespace stepwire::render

@@ -12,7 +12,7 @@
 #include "engine/base/subprocess/process.hpp"
 #include "engine/view/svg/svg.hpp"
 
-namespace stepwire {
+namespace stepwire::render {
 namespace {
 
 /// A file in memory that a child may open by its path; it is gone with this process, however that ends.
@@ -28,7 +28,7 @@ class ScriptFile {
     if (!text.empty()) {
       const std::string reason = std::strerror(errno);
       if (number_ >= 0) ::close(number_);
-      throw EnvironmentError("there is no memory for a picture: " + reason);
+      throw io::EnvironmentError("there is no memory for a picture: " + reason);
     }
   }
   ScriptFile(const ScriptFile&) = delete;
@@ -44,20 +44,21 @@ class ScriptFile {
 }  // namespace
 
 bool has_gnuplot() {
-  return !find_program("gnuplot").empty();
+  return !subprocess::find_program("gnuplot").empty();
 }
 
 GnuplotAnswer run_gnuplot(const std::string& script) {
-  const std::string program = find_program("gnuplot");
+  const std::string program = subprocess::find_program("gnuplot");
   if (program.empty())
-    throw EnvironmentError("gnuplot is not installed; on Debian it is the package gnuplot-nox");
+    throw io::EnvironmentError("gnuplot is not installed; on Debian it is the package gnuplot-nox");
   // Its standard input it would read letter by letter, with a call of the system for each.
   const ScriptFile file(script);
-  ProcessResult result = run_process({.command = {program, "-d", file.path()}});
-  replace_all(result.errors, file.path(), "script");
-  if (result.end == ProcessResult::End::stopped) throw ProcessStopped("gnuplot was stopped");
-  if (!result.succeeded()) throw EnvironmentError("gnuplot failed: " + result.problem("gnuplot"));
+  subprocess::ProcessResult result = subprocess::run_process({.command = {program, "-d", file.path()}});
+  text::replace_all(result.errors, file.path(), "script");
+  if (result.end == subprocess::ProcessResult::End::stopped)
+    throw subprocess::ProcessStopped("gnuplot was stopped");
+  if (!result.succeeded()) throw io::EnvironmentError("gnuplot failed: " + result.problem("gnuplot"));
   return {std::move(result.output), std::move(result.errors)};
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::render

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace stepwire {
+namespace stepwire::render {
 
 /// What gnuplot said.
 struct GnuplotAnswer {
@@ -17,4 +17,4 @@ bool has_gnuplot();
 /// EnvironmentError where it is missing or fails.
 GnuplotAnswer run_gnuplot(const std::string& script);
 
-}  // namespace stepwire
+}  // namespace stepwire::render

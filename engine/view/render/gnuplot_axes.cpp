@@ -6,18 +6,18 @@
 #include "engine/view/render/gnuplot_text.hpp"
 #include "engine/view/render/picture.hpp"
 
-namespace stepwire {
+namespace stepwire::render {
 namespace {
 
 /// Label with its unit.
-std::string label_of(const PlotAxis& axis) {
+std::string label_of(const plot::PlotAxis& axis) {
   return axis.unit.empty() ? axis.label : fmt::format("{} [{}]", axis.label, axis.unit);
 }
 
 /// "set xtics rotate by -35 ('a' 1, 'b' 2)".
-std::string named_ticks(const PlotAxis& axis, const std::string& name) {
+std::string named_ticks(const plot::PlotAxis& axis, const std::string& name) {
   std::vector<std::string> list;
-  for (const AxisTick& tick : axis.named_ticks)
+  for (const plot::AxisTick& tick : axis.named_ticks)
     list.push_back(fmt::format("{} {:.9g}", quoted_tic(tick.label), tick.at));
   const std::string turned =
       axis.label_angle == 0.0 ? std::string("norotate") : fmt::format("rotate by {:.6g}", axis.label_angle);
@@ -25,7 +25,7 @@ std::string named_ticks(const PlotAxis& axis, const std::string& name) {
                      fmt::join(list, ", "));
 }
 
-std::string tick_commands(const PlotAxis& axis, const std::string& name) {
+std::string tick_commands(const plot::PlotAxis& axis, const std::string& name) {
   if (!axis.line && axis.named_ticks.empty()) return fmt::format("unset {}tics\n", name);
   std::string text;
   if (axis.step) text += fmt::format("set {}tics {:.9g}\n", name, *axis.step);
@@ -37,7 +37,7 @@ std::string tick_commands(const PlotAxis& axis, const std::string& name) {
 }
 
 /// Commands of one axis, by gnuplot's name of it: x, y, z or cb.
-std::string axis_commands(const PlotAxis& axis, const std::string& name) {
+std::string axis_commands(const plot::PlotAxis& axis, const std::string& name) {
   std::string text;
   if (const std::string label = label_of(axis); !label.empty())
     text += fmt::format("set {}label {}\n", name, quoted(label));
@@ -49,7 +49,7 @@ std::string axis_commands(const PlotAxis& axis, const std::string& name) {
   return text;
 }
 
-std::string frame_commands(const PlotSpec& plot) {
+std::string frame_commands(const plot::PlotSpec& plot) {
   const int sides = plot.closed_frame ? 15 : (plot.x.line ? 1 : 0) + (plot.y.line ? 2 : 0);
   std::string text = fmt::format("set border {}\n", sides);
   if (!plot.x.grid) text += "set grid nox\n";
@@ -57,7 +57,7 @@ std::string frame_commands(const PlotSpec& plot) {
   return text;
 }
 
-std::string space_commands(const PlotSpec& plot) {
+std::string space_commands(const plot::PlotSpec& plot) {
   std::string text =
       fmt::format("set view {:.6g},{:.6g},1,1\nset xyplane 0\n", plot.view->elevation, plot.view->azimuth);
   text += "set border 4095 lc rgb '#bdbdbd' lw 0.6\nset grid x y z vertical\nset tics scale 0.4\n";
@@ -67,27 +67,27 @@ std::string space_commands(const PlotSpec& plot) {
   return text + (plot.equal ? "set view equal xyz\n" : "");
 }
 
-bool is_all_rectangles(const std::vector<PlotMark>& marks) {
-  for (const PlotMark& mark : marks)
-    if (!std::holds_alternative<RectanglesMark>(mark)) return false;
+bool is_all_rectangles(const std::vector<plot::PlotMark>& marks) {
+  for (const plot::PlotMark& mark : marks)
+    if (!std::holds_alternative<plot::RectanglesMark>(mark)) return false;
   return true;
 }
 
-std::string legend_commands(const PlotSpec& plot) {
-  if (plot.legend == PlotSpec::Legend::none) return "set key off\n";
+std::string legend_commands(const plot::PlotSpec& plot) {
+  if (plot.legend == plot::PlotSpec::Legend::none) return "set key off\n";
   const std::string place =
-      plot.legend == PlotSpec::Legend::above ? "top center horizontal" : "right center vertical";
+      plot.legend == plot::PlotSpec::Legend::above ? "top center horizontal" : "right center vertical";
   return fmt::format("set key outside {} Left reverse{}\n", place,
                      is_all_rectangles(plot.marks) ? " samplen 0.6" : "");
 }
 
-const char* align_word(TextMark::Align align) {
-  return TextMark::alignments[static_cast<std::size_t>(align)];
+const char* align_word(plot::TextMark::Align align) {
+  return plot::TextMark::alignments[static_cast<std::size_t>(align)];
 }
 
 }  // namespace
 
-std::string axes_commands(const PlotSpec& plot) {
+std::string axes_commands(const plot::PlotSpec& plot) {
   std::string text = legend_commands(plot) + (plot.view ? space_commands(plot) : frame_commands(plot));
   text += axis_commands(plot.x, "x") + axis_commands(plot.y, "y");
   if (plot.z) text += axis_commands(*plot.z, "z");
@@ -95,16 +95,16 @@ std::string axes_commands(const PlotSpec& plot) {
   return text;
 }
 
-std::string palette_command(const PlotSpec& plot) {
+std::string palette_command(const plot::PlotSpec& plot) {
   std::vector<std::string> stops;
-  for (const ColorStop& stop : plot.palette)
+  for (const plot::ColorStop& stop : plot.palette)
     stops.push_back(fmt::format("{:.6g} {}", stop.at, quoted(stop.color)));
   return stops.empty() ? "" : fmt::format("set palette defined ({}) maxcolors 96\n", fmt::join(stops, ", "));
 }
 
-std::string text_commands(const PlotSpec& plot) {
+std::string text_commands(const plot::PlotSpec& plot) {
   std::string commands;
-  for (const TextMark& text : plot.texts) {
+  for (const plot::TextMark& text : plot.texts) {
     const std::string color = quoted(text.rim ? rimmed_text : text.color);
     const std::string at = text.in_frame ? fmt::format("at graph {:.9g}, graph {:.9g}", text.x, text.y)
                                          : fmt::format("at {:.9g},{:.9g}", text.x, text.y);
@@ -119,4 +119,4 @@ std::string text_commands(const PlotSpec& plot) {
   return commands;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::render

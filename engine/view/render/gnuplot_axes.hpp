@@ -4,15 +4,15 @@
 
 #include "engine/view/plot/plot_spec.hpp"
 
-namespace stepwire {
+namespace stepwire::render {
 
 /// The commands of gnuplot for the axes, the frame, the grid and the legend of a plot.
-std::string axes_commands(const PlotSpec& plot);
+std::string axes_commands(const plot::PlotSpec& plot);
 
 /// The command that sets the colours of the colour axis; empty where there is none.
-std::string palette_command(const PlotSpec& plot);
+std::string palette_command(const plot::PlotSpec& plot);
 
 /// The commands that write texts in front of all marks.
-std::string text_commands(const PlotSpec& plot);
+std::string text_commands(const plot::PlotSpec& plot);
 
-}  // namespace stepwire
+}  // namespace stepwire::render

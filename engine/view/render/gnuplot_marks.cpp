@@ -6,21 +6,21 @@
 
 #include "engine/view/render/gnuplot_text.hpp"
 
-namespace stepwire {
+namespace stepwire::render {
 namespace {
 
 using RowColumns = std::vector<const std::vector<double>*>;
 
-RowColumns columns_of(const MarkRows& rows) {
+RowColumns columns_of(const plot::MarkRows& rows) {
   RowColumns columns{&rows.x, &rows.y};
   for (const auto* more : {&rows.z, &rows.value})
     if (!more->empty()) columns.push_back(more);
   return columns;
 }
 
-std::vector<RowColumns> columns_of(const std::vector<MarkRows>& curves) {
+std::vector<RowColumns> columns_of(const std::vector<plot::MarkRows>& curves) {
   std::vector<RowColumns> pieces;
-  for (const MarkRows& rows : curves) pieces.push_back(columns_of(rows));
+  for (const plot::MarkRows& rows : curves) pieces.push_back(columns_of(rows));
   return pieces;
 }
 
@@ -36,16 +36,16 @@ std::string color_word(const std::string& color) {
 }
 
 /// "lw 1.6 dt (5,8) lc rgb '#0072B2'". gnuplot's dashes are in halves of a width.
-std::string words_of(const LineStyle& line) {
+std::string words_of(const plot::LineStyle& line) {
   std::vector<double> halves;
   for (const double length : line.dash) halves.push_back(2.0 * length);
   const std::string dash = halves.empty() ? "" : fmt::format(" dt ({:.6g})", fmt::join(halves, ","));
   return fmt::format("lw {:.6g}{} lc {}", line.width, dash, color_word(line.color));
 }
 
-const char* symbol_word(PointsMark::Symbol symbol) {
-  if (symbol == PointsMark::Symbol::asterisk) return "3";
-  return symbol == PointsMark::Symbol::ring ? "6" : "7";
+const char* symbol_word(plot::PointsMark::Symbol symbol) {
+  if (symbol == plot::PointsMark::Symbol::asterisk) return "3";
+  return symbol == plot::PointsMark::Symbol::ring ? "6" : "7";
 }
 
 /// Centres and values of all cells. One row alone stands twice with half its height, one column likewise:
@@ -53,7 +53,7 @@ const char* symbol_word(PointsMark::Symbol symbol) {
 struct ImageCells {
   std::vector<double> x, y, values;
 
-  explicit ImageCells(const ImageMark& image) {
+  explicit ImageCells(const plot::ImageMark& image) {
     const std::size_t across = image.columns == 1 ? 2 : 1, up = image.rows == 1 ? 2 : 1;
     const auto place = [](double first, double step, std::size_t i, std::size_t parts) {
       return parts == 1 ? first + static_cast<double>(i) * step
@@ -94,7 +94,7 @@ void GnuplotMarks::plot(const std::string& item, const std::string& legend, cons
   items_.push_back(item + (legend.empty() ? " notitle" : " title " + quoted(legend)) + behind);
 }
 
-void GnuplotMarks::operator()(const LineMark& mark) {
+void GnuplotMarks::operator()(const plot::LineMark& mark) {
   const auto pieces = columns_of(mark.curves);
   if (pieces.empty()) return;
   const std::string with =
@@ -103,30 +103,30 @@ void GnuplotMarks::operator()(const LineMark& mark) {
        mark.legend);
 }
 
-void GnuplotMarks::operator()(const BandMark& mark) {
+void GnuplotMarks::operator()(const plot::BandMark& mark) {
   plot(fmt::format("{} using 1:2:3 with filledcurves fc {} fs transparent solid {:.6g} noborder",
                    data({{&mark.x, &mark.low, &mark.high}}), color_word(mark.color), mark.opacity));
 }
 
-void GnuplotMarks::operator()(const SpanMark& mark) {
+void GnuplotMarks::operator()(const plot::SpanMark& mark) {
   commands_ += fmt::format(
       "set object rectangle from {:.9g}, graph 0 to {:.9g}, graph 1 behind fc {} fs solid noborder\n",
       mark.low, mark.high, color_word(mark.color));
 }
 
-void GnuplotMarks::operator()(const AreaMark& mark) {
+void GnuplotMarks::operator()(const plot::AreaMark& mark) {
   plot(fmt::format("{} using 1:2 with filledcurves closed fc {} fs solid noborder",
                    data({{&mark.x, &mark.y}}), color_word(mark.color)));
 }
 
-void GnuplotMarks::operator()(const PointsMark& mark) {
+void GnuplotMarks::operator()(const plot::PointsMark& mark) {
   const std::vector<Columns> rows{columns_of(mark.rows)};
   plot(fmt::format("{} using {} with points pt {} ps {:.6g} lw {:.6g} lc {}", data(rows), using_all(rows),
                    symbol_word(mark.symbol), point_size(mark.size), mark.width, color_word(mark.color)),
        mark.legend);
 }
 
-void GnuplotMarks::operator()(const BoxesMark& mark) {
+void GnuplotMarks::operator()(const plot::BoxesMark& mark) {
   const std::string block =
       data({{&mark.x, &mark.lower, &mark.low_whisker, &mark.high_whisker, &mark.upper}});
   plot(fmt::format("{0} using 1:2:3:4:5:({1:.6g}) with candlesticks fs solid 0.2 border lc {2} fc {2} "
@@ -135,7 +135,7 @@ void GnuplotMarks::operator()(const BoxesMark& mark) {
        mark.legend, " whiskerbars 0.5");
 }
 
-void GnuplotMarks::operator()(const RectanglesMark& mark) {
+void GnuplotMarks::operator()(const plot::RectanglesMark& mark) {
   Columns columns{&mark.x_low, &mark.x_high, &mark.y_low, &mark.y_high};
   if (mark.color.empty()) columns.push_back(&mark.value);
   const std::string edge = mark.edge.empty() ? "noborder" : "border lc " + color_word(mark.edge);
@@ -144,12 +144,12 @@ void GnuplotMarks::operator()(const RectanglesMark& mark) {
        mark.legend);
 }
 
-void GnuplotMarks::operator()(const ImageMark& mark) {
+void GnuplotMarks::operator()(const plot::ImageMark& mark) {
   const ImageCells cells(mark);
   plot(data({{&cells.x, &cells.y, &cells.values}}) + " using 1:2:3 with image");
 }
 
-void GnuplotMarks::operator()(const VectorsMark& mark) {
+void GnuplotMarks::operator()(const plot::VectorsMark& mark) {
   Columns columns{&mark.x, &mark.y, &mark.dx, &mark.dy};
   if (mark.line.color.empty()) columns.push_back(&mark.value);
   const std::string head = mark.head == 0.0
@@ -161,7 +161,7 @@ void GnuplotMarks::operator()(const VectorsMark& mark) {
        mark.legend);
 }
 
-void GnuplotMarks::operator()(const SurfaceMark& mark) {
+void GnuplotMarks::operator()(const plot::SurfaceMark& mark) {
   const auto pieces = columns_of(mark.lines);
   commands_ += "set pm3d depthorder corners2color mean\n";
   plot(fmt::format("{} using {} with pm3d", data(pieces, "\n"), using_all(pieces)));
@@ -173,4 +173,4 @@ std::string GnuplotMarks::text(bool space) const {
   return commands_ + (space ? "splot " : "plot ") + fmt::format("{}\n", fmt::join(items_, ", \\\n  "));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::render

@@ -5,7 +5,7 @@
 
 #include "engine/view/plot/plot_mark.hpp"
 
-namespace stepwire {
+namespace stepwire::render {
 
 /// The commands of gnuplot that draw the marks of one panel, in their order.
 class GnuplotMarks {
@@ -13,16 +13,16 @@ class GnuplotMarks {
   /// `panel` starts the names of data blocks, so that panels of one picture do not share them.
   explicit GnuplotMarks(std::string panel) : panel_(std::move(panel)) {}
 
-  void operator()(const LineMark& mark);
-  void operator()(const BandMark& mark);
-  void operator()(const SpanMark& mark);
-  void operator()(const AreaMark& mark);
-  void operator()(const PointsMark& mark);
-  void operator()(const BoxesMark& mark);
-  void operator()(const RectanglesMark& mark);
-  void operator()(const ImageMark& mark);
-  void operator()(const VectorsMark& mark);
-  void operator()(const SurfaceMark& mark);
+  void operator()(const plot::LineMark& mark);
+  void operator()(const plot::BandMark& mark);
+  void operator()(const plot::SpanMark& mark);
+  void operator()(const plot::AreaMark& mark);
+  void operator()(const plot::PointsMark& mark);
+  void operator()(const plot::BoxesMark& mark);
+  void operator()(const plot::RectanglesMark& mark);
+  void operator()(const plot::ImageMark& mark);
+  void operator()(const plot::VectorsMark& mark);
+  void operator()(const plot::SurfaceMark& mark);
 
   /// Data blocks and settings, and behind them `plot` or `splot` with all marks; in space the latter.
   std::string text(bool space) const;
@@ -42,4 +42,4 @@ class GnuplotMarks {
 /// Size of gnuplot's points for a diameter [px] in pictures with its font of 13 pixels.
 double point_size(double diameter);
 
-}  // namespace stepwire
+}  // namespace stepwire::render

@@ -2,12 +2,12 @@
 
 #include "engine/view/render/render.hpp"
 
-namespace stepwire {
+namespace stepwire::render {
 
 /// Draws a figure whose panels are plots. Throws EnvironmentError where gnuplot is missing or fails.
-Drawing render_gnuplot(const FigureSpec& figure);
+Drawing render_gnuplot(const plot::FigureSpec& figure);
 
 /// All that gnuplot gets for such a figure.
-std::string gnuplot_script(const FigureSpec& figure);
+std::string gnuplot_script(const plot::FigureSpec& figure);
 
-}  // namespace stepwire
+}  // namespace stepwire::render

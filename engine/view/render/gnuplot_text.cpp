@@ -9,7 +9,7 @@
 #include "engine/view/svg/svg.hpp"
 #include "engine/view/svg/text_width.hpp"
 
-namespace stepwire {
+namespace stepwire::render {
 namespace {
 
 /// The blank next to the middle; npos where there is none.
@@ -27,34 +27,34 @@ std::size_t middle_blank(const std::string& text) {
 
 std::string quoted(const std::string& text) {
   std::string result = "'";
-  for (const char c : printable(text)) {
+  for (const char c : text::printable(text)) {
     if (c == '\'')
       result += "’";  // gnuplot takes two for one, but not at the beginning
     else
       result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
   }
-  replace_all(result, "]]>", "]] >");  // which gnuplot would leave as it is, and XML refuses
+  text::replace_all(result, "]]>", "]] >");  // which gnuplot would leave as it is, and XML refuses
   return result + "'";
 }
 
 std::string quoted_tic(const std::string& text) {
   std::string result = quoted(text);
-  replace_all(result, "%", "%%");
+  text::replace_all(result, "%", "%%");
   return result;
 }
 
 std::string fitted_title(const std::string& text, double room) {
   constexpr double usual = 14.0, least = 11.0;
-  double size = fitted_size(text, usual, room);
+  double size = svg::fitted_size(text, usual, room);
   const std::size_t blank = middle_blank(text);
   std::string title = quoted(text);
   if (size < least && blank != std::string::npos) {
     const std::string first = text.substr(0, blank), second = text.substr(blank + 1);
-    size = std::min(fitted_size(first, usual, room), fitted_size(second, usual, room));
+    size = std::min(svg::fitted_size(first, usual, room), svg::fitted_size(second, usual, room));
     // Within double quotes gnuplot would run what stands in backquotes.
     title = fmt::format(R"(sprintf("%s\n%s", {}, {}))", quoted(first), quoted(second));
   }
   return size < usual ? title + fmt::format(" font ',{:.1f}'", size) : title;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::render

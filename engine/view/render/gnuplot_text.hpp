@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace stepwire {
+namespace stepwire::render {
 
 /// A text as gnuplot takes it literally, 'it’s': in these quotes nothing but an apostrophe has a meaning. All
 /// that a diagram says goes through this, through quoted_tic() or through fitted_title().
@@ -14,4 +14,4 @@ std::string quoted_tic(const std::string& text);
 /// lines.
 std::string fitted_title(const std::string& text, double room);
 
-}  // namespace stepwire
+}  // namespace stepwire::render

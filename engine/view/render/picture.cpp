@@ -4,7 +4,7 @@
 
 #include "engine/view/svg/svg.hpp"
 
-namespace stepwire {
+namespace stepwire::render {
 namespace {
 
 constexpr const char* style = R"(reset
@@ -44,13 +44,14 @@ std::string picture_terminal(double width, double height) {
 }
 
 std::string finished_picture(std::string svg, const std::string& title) {
-  replace_all(svg, "font-family=\"Helvetica\"", "font-family=\"Helvetica, Arial, sans-serif\"");
-  replace_all(svg, "stroke=\"none\" fill=\"rgb(16,16,16)\"",
-              "stroke=\"#ffffff\" stroke-width=\"3\" style=\"paint-order:stroke\" fill=\"#101010\"");
-  replace_all(svg, "<image ", "<image style='image-rendering:pixelated' ");
+  text::replace_all(svg, "font-family=\"Helvetica\"", "font-family=\"Helvetica, Arial, sans-serif\"");
+  text::replace_all(svg, "stroke=\"none\" fill=\"rgb(16,16,16)\"",
+                    "stroke=\"#ffffff\" stroke-width=\"3\" style=\"paint-order:stroke\" fill=\"#101010\"");
+  text::replace_all(svg, "<image ", "<image style='image-rendering:pixelated' ");
   remove_hints(svg);
-  replace_all(svg, "<title>Gnuplot</title>", "<title>" + markup_escaped(title) + "</title>" + dark_style);
+  text::replace_all(svg, "<title>Gnuplot</title>",
+                    "<title>" + svg::markup_escaped(title) + "</title>" + svg::dark_style);
   return svg;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::render

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace stepwire {
+namespace stepwire::render {
 
 /// The gnuplot commands that give all pictures one look. Lines may begin and end beyond the frame.
 std::string picture_style();
@@ -17,4 +17,4 @@ constexpr const char* rimmed_text = "#101010";
 /// rims of texts that lie on curves, and a title that a screen reader says.
 std::string finished_picture(std::string svg, const std::string& title);
 
-}  // namespace stepwire
+}  // namespace stepwire::render

@@ -6,30 +6,30 @@
 #include "engine/view/render/scene_drawing.hpp"
 #include "engine/view/svg/table_drawing.hpp"
 
-namespace stepwire {
+namespace stepwire::render {
 namespace {
 
 /// The renderer of what a figure shows.
 struct Renderer {
-  const FigureSpec& figure;
+  const plot::FigureSpec& figure;
 
-  Drawing operator()(const PlotSpec&) const { return render_gnuplot(figure); }
-  Drawing operator()(const TextTable& table) const { return {draw(table), ""}; }
-  Drawing operator()(const DrawnGraph& drawn) const { return {draw_picture(drawn.graph), ""}; }
-  Drawing operator()(const SceneInstants& instants) const {
+  Drawing operator()(const plot::PlotSpec&) const { return render_gnuplot(figure); }
+  Drawing operator()(const text::TextTable& table) const { return {svg::draw(table), ""}; }
+  Drawing operator()(const plot::DrawnGraph& drawn) const { return {drawing::draw_picture(drawn.graph), ""}; }
+  Drawing operator()(const plot::SceneInstants& instants) const {
     return {scene_still(instants, figure.title), ""};
   }
 };
 
 }  // namespace
 
-Drawing render(const FigureSpec& figure) {
+Drawing render(const plot::FigureSpec& figure) {
   if (figure.panels.empty()) return render_gnuplot(figure);
   return std::visit(Renderer{figure}, figure.panels.front().content);
 }
 
-Drawing draw(const Figure& figure, std::span<const Recording> recordings) {
-  return render(figure_spec(figure, recordings));
+Drawing draw(const plot::Figure& figure, std::span<const record::Recording> recordings) {
+  return render(plot::figure_spec(figure, recordings));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::render

@@ -6,32 +6,32 @@
 #include "engine/analyse/query/run_rows.hpp"
 #include "engine/view/render/scene_drawing.hpp"
 
-namespace stepwire {
+namespace stepwire::render {
 namespace {
 
 constexpr double frames_per_second = 20.0;  // of motion that is even in between
 constexpr std::size_t min_frames = 2, max_frames = 600;
 
-[[noreturn]] void nothing_to_show(const Scene& scene, const std::string& file, const char* what) {
-  throw Error(Fault{{file, scene.mark}, "scene.animation", what, {}});
+[[noreturn]] void nothing_to_show(const scene::Scene& scene, const std::string& file, const char* what) {
+  throw yaml::Error(yaml::Fault{{file, scene.mark}, "scene.animation", what, {}});
 }
 
-std::string drawn(const Scene& scene, const Recording& recording, const AnimationRows& chosen,
+std::string drawn(const scene::Scene& scene, const record::Recording& recording, const AnimationRows& chosen,
                   const std::string& title) {
-  const SceneView view = view_of(scene, recording);
-  std::vector<SvgElement> frames;
+  const scene::SceneView view = scene::view_of(scene, recording);
+  std::vector<svg::SvgElement> frames;
   for (const std::size_t row : chosen.rows) {
     frames.push_back(scene_sheet(scene, scene_width, scene_height(scene), title));
-    frames.back().add(scene_frame(scene, view.shapes(row_of(recording, row))));
+    frames.back().add(scene_frame(scene, view.shapes(scene::row_of(recording, row))));
   }
-  return animated_svg(frames, chosen.seconds);
+  return svg::animated_svg(frames, chosen.seconds);
 }
 
 }  // namespace
 
-AnimationRows animation_rows(const Scene& scene, const std::string& file, const Recording& recording,
-                             std::size_t most) {
-  const RunRows run = rows_of_run(scene.animation.where, recording);
+AnimationRows animation_rows(const scene::Scene& scene, const std::string& file,
+                             const record::Recording& recording, std::size_t most) {
+  const query::RunRows run = query::rows_of_run(scene.animation.where, recording);
   if (run.none()) nothing_to_show(scene, file, "no row is left to be drawn");
   const std::vector<double>& time = recording.table.columns.front().values;
   std::vector<std::size_t> all;
@@ -51,9 +51,9 @@ AnimationRows animation_rows(const Scene& scene, const std::string& file, const 
   return chosen;
 }
 
-std::string animated_scene(const Scene& scene, const std::string& file, std::span<const Recording> recordings,
-                           const std::string& title) {
-  const Recording& recording = recordings[scene.recording];
+std::string animated_scene(const scene::Scene& scene, const std::string& file,
+                           std::span<const record::Recording> recordings, const std::string& title) {
+  const record::Recording& recording = recordings[scene.recording];
   for (std::size_t most = max_frames;; most = most * 2 / 3) {
     const AnimationRows rows = animation_rows(scene, file, recording, most);
     std::string picture = drawn(scene, recording, rows, title);
@@ -61,4 +61,4 @@ std::string animated_scene(const Scene& scene, const std::string& file, std::spa
   }
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::render

@@ -11,7 +11,7 @@
 #include "engine/analyse/query/symbol_table.hpp"
 #include "engine/base/yaml/document.hpp"
 
-namespace stepwire {
+namespace stepwire::scene {
 
 /// A kind of object.
 struct SceneKind {
@@ -65,9 +65,9 @@ struct SceneObject {
 
 /// What of a run is animated, and how fast.
 struct SceneAnimation {
-  std::optional<double> from, to;  ///< [s]
-  double speed = 1.0;              ///< seconds of the run in one of the animation
-  std::optional<Formula> where;    ///< of several runs that with the first row for which this is true
+  std::optional<double> from, to;       ///< [s]
+  double speed = 1.0;                   ///< seconds of the run in one of the animation
+  std::optional<query::Formula> where;  ///< of several runs that with the first row for which this is true
 };
 
 /// Objects in the plane that follow signals: what somebody at the device sees. Coordinates are metres, y
@@ -76,17 +76,17 @@ struct Scene {
   std::array<double, 2> x{}, y{};   ///< what is in view [m]
   std::string background = "dark";  ///< dark, light, or "#rrggbb"
   std::vector<SceneObject> objects;
-  std::vector<Formula> formulas;
+  std::vector<query::Formula> formulas;
   SceneAnimation animation;
   std::size_t recording = 0;  ///< which one has the signals
-  Mark mark;
+  yaml::Mark mark;
 };
 
 /// The keys of the section `scene`.
-const Key& scene_form();
+const yaml::Key& scene_form();
 
 /// Reads the section `scene`. Everything that is wrong goes to `faults`.
-Scene read_scene(const Node& node, const SymbolTable& names, Faults& faults);
+Scene read_scene(const yaml::Node& node, const query::SymbolTable& names, yaml::Faults& faults);
 
 /// What is shown of an object at one instant, in the colour that it has then.
 struct SceneShape {
@@ -116,8 +116,8 @@ class SceneView {
 };
 
 /// One instant of a recording as a row for a view of it.
-std::vector<double> row_of(const Recording& recording, std::size_t row);
+std::vector<double> row_of(const record::Recording& recording, std::size_t row);
 /// The view of a scene onto its recording.
-SceneView view_of(const Scene& scene, const Recording& recording);
+SceneView view_of(const Scene& scene, const record::Recording& recording);
 
-}  // namespace stepwire
+}  // namespace stepwire::scene

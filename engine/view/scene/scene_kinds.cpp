@@ -1,6 +1,6 @@
 #include "engine/view/scene/scene.hpp"
 
-namespace stepwire {
+namespace stepwire::scene {
 
 const std::vector<SceneKind>& scene_kinds() {
   constexpr std::size_t any_number = 1000;
@@ -25,4 +25,4 @@ const std::vector<SceneColor>& scene_colors() {
   return colors;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::scene

@@ -7,24 +7,27 @@
 
 #include "engine/analyse/query/place_reading.hpp"
 
-namespace stepwire {
+namespace stepwire::scene {
+
+using yaml::form;
+
 namespace {
 
 /// What an object is read with: the formulas of its scene, too.
-struct ObjectReading : NamesReading {
-  std::vector<Formula>& formulas;
+struct ObjectReading : query::NamesReading {
+  std::vector<query::Formula>& formulas;
 
-  ObjectReading(const NamesReading& read, std::vector<Formula>& formulas)
-      : NamesReading(read), formulas(formulas) {}
+  ObjectReading(const query::NamesReading& read, std::vector<query::Formula>& formulas)
+      : query::NamesReading(read), formulas(formulas) {}
 
-  std::optional<FormulaIndex> add(std::optional<Formula> formula) const {
+  std::optional<FormulaIndex> add(std::optional<query::Formula> formula) const {
     if (!formula) return std::nullopt;
     formulas.push_back(std::move(*formula));
     return formulas.size() - 1;
   }
 };
 
-using ObjectTable = KeyTable<SceneObject, ObjectReading>;
+using ObjectTable = yaml::KeyTable<SceneObject, ObjectReading>;
 using ObjectRow = ObjectTable::Row;
 
 bool is_hexadecimal(const std::string& text) {
@@ -32,9 +35,10 @@ bool is_hexadecimal(const std::string& text) {
          std::all_of(text.begin() + 1, text.end(), [](unsigned char c) { return std::isxdigit(c) != 0; });
 }
 
-std::optional<std::array<FormulaIndex, 2>> read_plane_point(const Node& node, const ObjectReading& read) {
+std::optional<std::array<FormulaIndex, 2>> read_plane_point(const yaml::Node& node,
+                                                            const ObjectReading& read) {
   const std::size_t before = read.faults.size();
-  std::vector<Formula> place = read_place(node, read.names, read.subject, read.faults);
+  std::vector<query::Formula> place = query::read_place(node, read.names, read.subject, read.faults);
   if (place.size() == 2) return std::array{*read.add(std::move(place[0])), *read.add(std::move(place[1]))};
   if (read.faults.size() == before)
     read.fault(node.mark,
@@ -42,23 +46,23 @@ std::optional<std::array<FormulaIndex, 2>> read_plane_point(const Node& node, co
   return std::nullopt;
 }
 
-void read_point(SceneObject& object, const Node& node, const ObjectReading& read) {
+void read_point(SceneObject& object, const yaml::Node& node, const ObjectReading& read) {
   if (const auto point = read_plane_point(node, read)) object.points.push_back(*point);
 }
 
-const Outline* find_outline(const Node& node, const ObjectReading& read) {
+const Outline* find_outline(const yaml::Node& node, const ObjectReading& read) {
   std::vector<std::string> known;
-  for (const NamedOutline& named : read.names.outlines) {
+  for (const query::NamedOutline& named : read.names.outlines) {
     known.push_back(named.name);
     if (node.is_scalar() && named.name == node.text) return &named.outline;
   }
   read.fault(node.mark, fmt::format("'{}' is no block with a boundary, as a Region is{}", node.text,
                                     known.empty() ? "; this file has none"
-                                                  : nearest_or_all(node.text, known, "there are")));
+                                                  : yaml::nearest_or_all(node.text, known, "there are")));
   return nullptr;
 }
 
-void read_walls(SceneObject& object, const Node& node, const ObjectReading& read) {
+void read_walls(SceneObject& object, const yaml::Node& node, const ObjectReading& read) {
   const Outline* outline = find_outline(node, read);
   if (!outline) return;
   if (outline->space)
@@ -69,20 +73,20 @@ void read_walls(SceneObject& object, const Node& node, const ObjectReading& read
   }
 }
 
-void read_points(SceneObject& object, const Node& node, const ObjectReading& read) {
+void read_points(SceneObject& object, const yaml::Node& node, const ObjectReading& read) {
   const SceneKind& kind = *object.kind;
   if (!node.is_list() || node.items.size() < kind.min_points || node.items.size() > kind.max_points)
     return read.fault(node.mark, fmt::format("'{}' is {}: [[0, 0], rig.position]", kind.name, kind.doc));
-  for (const Node& item : node.items) read_point(object, item, read);
+  for (const yaml::Node& item : node.items) read_point(object, item, read);
 }
 
 /// [x, y], or the name of a recorded vector.
-Key point_form() {
+yaml::Key point_form() {
   return form::either({form::text(), form::pair(form::expression())});
 }
 
 /// What stands under the name of a kind.
-Key value_of(const SceneKind& kind) {
+yaml::Key value_of(const SceneKind& kind) {
   if (kind.max_points == 0) return form::text();
   return kind.max_points == 1 ? point_form()
                               : form::list(point_form(), static_cast<double>(kind.min_points),
@@ -90,25 +94,26 @@ Key value_of(const SceneKind& kind) {
 }
 
 ObjectRow kind_row(const SceneKind& kind) {
-  return one_of("kind", ObjectRow{kind.name, kind.doc, value_of(kind),
-                                  [&kind](SceneObject& object, const Node& node, const ObjectReading& read) {
-                                    object.kind = &kind;
-                                    if (kind.name == "walls") return read_walls(object, node, read);
-                                    if (kind.name == "text") return read.take(node, {}, object.text);
-                                    if (kind.max_points == 1) return read_point(object, node, read);
-                                    read_points(object, node, read);
-                                  }});
+  return yaml::one_of(
+      "kind", ObjectRow{kind.name, kind.doc, value_of(kind),
+                        [&kind](SceneObject& object, const yaml::Node& node, const ObjectReading& read) {
+                          object.kind = &kind;
+                          if (kind.name == "walls") return read_walls(object, node, read);
+                          if (kind.name == "text") return read.take(node, {}, object.text);
+                          if (kind.max_points == 1) return read_point(object, node, read);
+                          read_points(object, node, read);
+                        }});
 }
 
 ObjectRow length_row(std::string name, std::string doc, std::optional<FormulaIndex> SceneObject::*member) {
   return {std::move(name), std::move(doc), form::expression(),
-          [=](SceneObject& object, const Node& node, const ObjectReading& read) {
-            object.*member = read.add(read_length(node, read.names, read.subject, read.faults));
+          [=](SceneObject& object, const yaml::Node& node, const ObjectReading& read) {
+            object.*member = read.add(query::read_length(node, read.names, read.subject, read.faults));
           }};
 }
 
-void read_colors(SceneObject& object, const Node& node, const ObjectReading& read) {
-  const auto add = [&](const std::string& text, Mark mark, const std::vector<std::string>& other) {
+void read_colors(SceneObject& object, const yaml::Node& node, const ObjectReading& read) {
+  const auto add = [&](const std::string& text, yaml::Mark mark, const std::vector<std::string>& other) {
     const auto one = read_scene_color(text, mark, other, read);
     if (one) object.colors.push_back({*one, {}});
     return one.has_value();
@@ -116,50 +121,53 @@ void read_colors(SceneObject& object, const Node& node, const ObjectReading& rea
   if (node.is_scalar()) return static_cast<void>(add(node.text, node.mark, {}));
   if (!node.is_map())
     return read.fault(node.mark, "is a colour, or colours by condition: {red: map.distance > 0, else: blue}");
-  for (const Entry& entry : node.entries) {
+  for (const yaml::Entry& entry : node.entries) {
     if (entry.key == "else") continue;
     const bool known = add(entry.key, entry.mark, {"else"});
     const auto when = read.add(read.formula(entry.value));
     if (known) object.colors.back().when = when;
   }
-  if (const Node* last = node.find("else")) add(last->text, last->mark, {});
+  if (const yaml::Node* last = node.find("else")) add(last->text, last->mark, {});
 }
 
 std::vector<ObjectRow> key_rows() {
-  return {
-      {"color",
-       "a colour, or colours by condition, of which the first that holds counts: {red: map.distance > 0, "
-       "else: blue}",
-       form::either({scene_color_form(), form::names(form::expression())}), read_colors},
-      {"when", "the object is shown while this expression is true", form::expression(),
-       [](SceneObject& object, const Node& node, const ObjectReading& read) {
-         object.when = read.add(read.formula(node));
-       }},
-      beside({"ball", "circle", "point"},
-             length_row("radius", "of a ball, circle or point", &SceneObject::radius)),
-      beside({"rod", "walls", "circle", "line"},
-             length_row("width", "of the line, or of the rod", &SceneObject::width)),
-      beside({"walls"}, ObjectRow{"crossed",
-                                  "colour of the wall that is crossed: that at the nearest boundary point, "
-                                  "while the distance is above 0",
-                                  scene_color_form(),
-                                  [](SceneObject& object, const Node& node, const ObjectReading& read) {
-                                    object.crossed = read_scene_color(node.text, node.mark, {}, read);
-                                  }}),
-      beside({"walls"},
-             length_row("distance",
-                        "from the boundary; without it the output distance of the block itself, which is "
-                        "recorded",
-                        &SceneObject::distance)),
-      beside({"walls"},
-             ObjectRow{"nearest",
-                       "point of the boundary; without it the block's output nearest, which is recorded",
-                       point_form(),
-                       [](SceneObject& object, const Node& node, const ObjectReading& read) {
-                         object.nearest = read_plane_point(node, read);
-                       }}),
-      beside({"text"}, ObjectRow{"at", "where the middle of the text is: [x, y]", point_form(), read_point}),
-      beside({"text"}, length_row("size", "height of the letters", &SceneObject::size))};
+  return {{"color",
+           "a colour, or colours by condition, of which the first that holds counts: {red: map.distance > 0, "
+           "else: blue}",
+           form::either({scene_color_form(), form::names(form::expression())}), read_colors},
+          {"when", "the object is shown while this expression is true", form::expression(),
+           [](SceneObject& object, const yaml::Node& node, const ObjectReading& read) {
+             object.when = read.add(read.formula(node));
+           }},
+          yaml::beside({"ball", "circle", "point"},
+                       length_row("radius", "of a ball, circle or point", &SceneObject::radius)),
+          yaml::beside({"rod", "walls", "circle", "line"},
+                       length_row("width", "of the line, or of the rod", &SceneObject::width)),
+          yaml::beside({"walls"},
+                       ObjectRow{"crossed",
+                                 "colour of the wall that is crossed: that at the nearest boundary point, "
+                                 "while the distance is above 0",
+                                 scene_color_form(),
+                                 [](SceneObject& object, const yaml::Node& node, const ObjectReading& read) {
+                                   object.crossed = read_scene_color(node.text, node.mark, {}, read);
+                                 }}),
+          yaml::beside(
+              {"walls"},
+              length_row("distance",
+                         "from the boundary; without it the output distance of the block itself, which is "
+                         "recorded",
+                         &SceneObject::distance)),
+          yaml::beside(
+              {"walls"},
+              ObjectRow{"nearest",
+                        "point of the boundary; without it the block's output nearest, which is recorded",
+                        point_form(),
+                        [](SceneObject& object, const yaml::Node& node, const ObjectReading& read) {
+                          object.nearest = read_plane_point(node, read);
+                        }}),
+          yaml::beside({"text"},
+                       ObjectRow{"at", "where the middle of the text is: [x, y]", point_form(), read_point}),
+          yaml::beside({"text"}, length_row("size", "height of the letters", &SceneObject::size))};
 }
 
 std::vector<ObjectRow> object_rows() {
@@ -175,18 +183,18 @@ const ObjectTable& object_table() {
 }
 
 /// What a Region says of itself, unless the file says otherwise.
-void complete_walls(SceneObject& object, const Node& node, const ObjectReading& read) {
-  const ObjectReading crossed = below(read, "crossed");
-  Node own = *node.find("walls");
+void complete_walls(SceneObject& object, const yaml::Node& node, const ObjectReading& read) {
+  const ObjectReading crossed = yaml::below(read, "crossed");
+  yaml::Node own = *node.find("walls");
   const std::string block = own.text;
   own.text = block + ".distance";
   if (!node.find("distance"))
-    object.distance = read.add(read_length(own, read.names, crossed.subject, read.faults));
+    object.distance = read.add(query::read_length(own, read.names, crossed.subject, read.faults));
   own.text = block + ".nearest";
   if (!node.find("nearest") && object.walls.size() > 1) object.nearest = read_plane_point(own, crossed);
 }
 
-void check_needed(const SceneObject& object, const Node& node, const ObjectReading& read) {
+void check_needed(const SceneObject& object, const yaml::Node& node, const ObjectReading& read) {
   if (object.kind->name == "circle" && !node.find("radius"))
     read.fault(node.mark, "a circle needs a radius: {circle: [$x, $y], radius: 20 mm}");
   if (object.kind->name == "text" && !node.find("at"))
@@ -195,23 +203,23 @@ void check_needed(const SceneObject& object, const Node& node, const ObjectReadi
 
 }  // namespace
 
-const Key& scene_object_form() {
+const yaml::Key& scene_object_form() {
   return object_table().form;
 }
 
-const Key& scene_color_form() {
-  static const Key form = [] {
-    std::vector<Key::Word> names;
+const yaml::Key& scene_color_form() {
+  static const yaml::Key form = [] {
+    std::vector<yaml::Key::Word> names;
     for (const SceneColor& named : scene_colors()) names.push_back({named.name, named.value});
-    Key hexadecimal = form::string();
+    yaml::Key hexadecimal = form::string();
     hexadecimal.pattern = "^#[0-9A-Fa-f]{6}$";
     return form::either({form::words(std::move(names)), std::move(hexadecimal)});
   }();
   return form;
 }
 
-std::optional<SceneObject> read_scene_object(const Entry& entry, std::vector<Formula>& formulas,
-                                             const NamesReading& names) {
+std::optional<SceneObject> read_scene_object(const yaml::Entry& entry, std::vector<query::Formula>& formulas,
+                                             const query::NamesReading& names) {
   const ObjectReading read(names, formulas);
   SceneObject object;
   object.name = entry.key;
@@ -223,8 +231,9 @@ std::optional<SceneObject> read_scene_object(const Entry& entry, std::vector<For
   return object;
 }
 
-std::optional<SceneColor> read_scene_color(const std::string& text, Mark mark,
-                                           const std::vector<std::string>& other, const NamesReading& read) {
+std::optional<SceneColor> read_scene_color(const std::string& text, yaml::Mark mark,
+                                           const std::vector<std::string>& other,
+                                           const query::NamesReading& read) {
   if (is_hexadecimal(text)) return SceneColor{"", text};
   std::vector<std::string> known;
   for (const SceneColor& color : scene_colors()) {
@@ -233,8 +242,8 @@ std::optional<SceneColor> read_scene_color(const std::string& text, Mark mark,
   }
   known.insert(known.end(), other.begin(), other.end());
   read.fault(mark, fmt::format("there is no colour '{}'{}, or a colour as \"#rrggbb\"", text,
-                               nearest_or_all(text, known, "there are")));
+                               yaml::nearest_or_all(text, known, "there are")));
   return std::nullopt;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::scene

@@ -7,14 +7,17 @@
 #include "engine/view/scene/scene_object_reading.hpp"
 #include "engine/view/scene/scene_states.hpp"
 
-namespace stepwire {
+namespace stepwire::scene {
+
+using yaml::form;
+
 namespace {
 
-using SceneTable = KeyTable<Scene, NamesReading>;
-using AnimationTable = KeyTable<SceneAnimation, NamesReading>;
+using SceneTable = yaml::KeyTable<Scene, query::NamesReading>;
+using AnimationTable = yaml::KeyTable<SceneAnimation, query::NamesReading>;
 
 const SceneTable& view_table() {
-  const Key range = needed(like("[-5 mm, 5 mm]", form::pair(form::computed("m"))));
+  const yaml::Key range = yaml::needed(yaml::like("[-5 mm, 5 mm]", form::pair(form::computed("m"))));
   static const SceneTable table(
       "a view", "{x: [-5 mm, 5 mm], y: [-5 mm, 5 mm]}",
       {{"x", "to the right: [-20 mm, 20 mm]", range, &Scene::x}, {"y", "upward", range, &Scene::y}});
@@ -23,9 +26,9 @@ const SceneTable& view_table() {
 
 AnimationTable::Row time_row(std::string name, std::string doc,
                              std::optional<double> SceneAnimation::*member) {
-  const Key form = form::computed("s");
+  const yaml::Key form = form::computed("s");
   return {std::move(name), std::move(doc), form,
-          [=](SceneAnimation& animation, const Node& node, const NamesReading& read) {
+          [=](SceneAnimation& animation, const yaml::Node& node, const query::NamesReading& read) {
             const auto time = read.number(node, form);
             const double stop = read.names.diagram ? read.names.diagram->diagram().stop : 0.0;
             if (time && (*time < 0.0 || (stop > 0.0 && *time > stop)))
@@ -47,24 +50,24 @@ const AnimationTable& animation_table() {
   return table;
 }
 
-void read_objects(Scene& scene, const Node& node, const NamesReading& read) {
+void read_objects(Scene& scene, const yaml::Node& node, const query::NamesReading& read) {
   if (!node.is_map() || node.entries.empty())
     return read.fault(node.mark, "'objects' are a map of name: object, such as {hand: {ball: rig.position}}");
-  for (const Entry& entry : node.entries) {
-    const NamesReading object_read("scene." + entry.key, read.names, read.faults);
+  for (const yaml::Entry& entry : node.entries) {
+    const query::NamesReading object_read("scene." + entry.key, read.names, read.faults);
     if (auto object = read_scene_object(entry, scene.formulas, object_read))
       scene.objects.push_back(std::move(*object));
   }
 }
 
-void read_animation(Scene& scene, const Node& node, const NamesReading& read) {
+void read_animation(Scene& scene, const yaml::Node& node, const query::NamesReading& read) {
   SceneAnimation& animation = scene.animation;
   if (!animation_table().read(node, animation, read)) return;
   if (animation.from && animation.to && !(*animation.from < *animation.to))
-    below(read, "to").fault(node.find("to")->mark, "the end of an animation is behind its beginning");
+    yaml::below(read, "to").fault(node.find("to")->mark, "the end of an animation is behind its beginning");
 }
 
-void read_background(Scene& scene, const Node& node, const NamesReading& read) {
+void read_background(Scene& scene, const yaml::Node& node, const query::NamesReading& read) {
   scene.background = node.text;
   if (node.is_scalar() && (node.text == "dark" || node.text == "light")) return;
   if (const auto color = read_scene_color(node.text, node.mark, {"dark", "light"}, read))
@@ -74,41 +77,43 @@ void read_background(Scene& scene, const Node& node, const NamesReading& read) {
 const SceneTable& scene_table() {
   static const SceneTable table(
       "a scene", "{view: {x: [-5 mm, 5 mm], y: [-5 mm, 5 mm]}, objects: {..}}",
-      {needed(SceneTable::Row{"view", "what is seen of the plane", view_table().form,
-                              [](Scene& scene, const Node& node, const NamesReading& read) {
-                                view_table().read(node, scene, read);
-                              }}),
-       needed(SceneTable::Row{"objects",
-                              "by name, in the order in which they are drawn: {hand: {ball: rig.position}}",
-                              form::names(scene_object_form(), 1), read_objects}),
-       otherwise("dark", SceneTable::Row{"background", "dark, light, or a colour",
-                                         form::either({form::word({"dark", "light"}), scene_color_form()}),
-                                         read_background}),
+      {yaml::needed(
+           SceneTable::Row{"view", "what is seen of the plane", view_table().form,
+                           [](Scene& scene, const yaml::Node& node, const query::NamesReading& read) {
+                             view_table().read(node, scene, read);
+                           }}),
+       yaml::needed(SceneTable::Row{
+           "objects", "by name, in the order in which they are drawn: {hand: {ball: rig.position}}",
+           form::names(scene_object_form(), 1), read_objects}),
+       yaml::otherwise("dark",
+                       SceneTable::Row{"background", "dark, light, or a colour",
+                                       form::either({form::word({"dark", "light"}), scene_color_form()}),
+                                       read_background}),
        {"animation", "what of the run scene.svg shows; without it the whole run", animation_table().form,
         read_animation}});
   return table;
 }
 
-std::size_t recording_of(const Scene& scene, const Node& node, const NamesReading& read) {
-  std::vector<const Formula*> formulas;
-  for (const Formula& formula : scene.formulas) formulas.push_back(&formula);
+std::size_t recording_of(const Scene& scene, const yaml::Node& node, const query::NamesReading& read) {
+  std::vector<const query::Formula*> formulas;
+  for (const query::Formula& formula : scene.formulas) formulas.push_back(&formula);
   if (scene.animation.where) formulas.push_back(&*scene.animation.where);
-  return common_recording(formulas, read.names, node, read.subject, read.faults);
+  return query::common_recording(formulas, read.names, node, read.subject, read.faults);
 }
 
 }  // namespace
 
-const Key& scene_form() {
+const yaml::Key& scene_form() {
   return scene_table().form;
 }
 
-Scene read_scene(const Node& node, const SymbolTable& names, Faults& faults) {
-  const NamesReading read("scene", names, faults);
+Scene read_scene(const yaml::Node& node, const query::SymbolTable& names, yaml::Faults& faults) {
+  const query::NamesReading read("scene", names, faults);
   Scene scene;
   scene.mark = node.mark;
   if (!scene_table().read(node, scene, read)) return scene;
   scene.recording = recording_of(scene, node, read);
-  for (const RecordedName& state : scene_state_names(scene))  // a name stands for one thing
+  for (const query::RecordedName& state : scene_state_names(scene))  // a name stands for one thing
     if (names.find(state.name))
       read.fault(node.mark,
                  fmt::format("'{}' is recorded already, and would be what the scene shows; rename its object",
@@ -116,4 +121,4 @@ Scene read_scene(const Node& node, const SymbolTable& names, Faults& faults) {
   return scene;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::scene

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace stepwire {
+namespace stepwire::scene {
 namespace {
 
 /// A column: what it is called, of which shape it tells, and of which colour; of visibility where that is
@@ -52,19 +52,19 @@ double value_of(const NamedState& state, const std::vector<SceneShape>& shapes) 
 
 }  // namespace
 
-std::vector<RecordedName> scene_state_names(const Scene& scene) {
-  std::vector<RecordedName> names;
+std::vector<query::RecordedName> scene_state_names(const Scene& scene) {
+  std::vector<query::RecordedName> names;
   for (const NamedState& state : states_of(scene))
-    names.push_back({state.name, Dimension{}, scene.recording});
+    names.push_back({state.name, unit::Dimension{}, scene.recording});
   return names;
 }
 
-void add_scene_states(const Scene& scene, std::vector<Recording>& recordings) {
-  Recording& recording = recordings[scene.recording];
+void add_scene_states(const Scene& scene, std::vector<record::Recording>& recordings) {
+  record::Recording& recording = recordings[scene.recording];
   const std::vector<NamedState> states = states_of(scene);
   if (states.empty()) return;
   const SceneView view = view_of(scene, recording);
-  std::vector<Column> columns;
+  std::vector<table::Column> columns;
   for (const NamedState& state : states) columns.push_back({state.name, "1", {}});
   for (std::size_t row = 0; row < recording.table.rows(); ++row) {
     const std::vector<SceneShape> shapes = view.shapes(row_of(recording, row));
@@ -73,4 +73,4 @@ void add_scene_states(const Scene& scene, std::vector<Recording>& recordings) {
   std::ranges::move(columns, std::back_inserter(recording.table.columns));
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::scene

@@ -4,15 +4,15 @@
 
 #include "engine/view/scene/scene.hpp"
 
-namespace stepwire {
+namespace stepwire::scene {
 
 /// What a scene shows as columns of 0 and 1, for claims and figures: scene.NAME.COLOUR is 1 while the object
 /// has that colour, of those that it can have; scene.NAME.shown while it is shown, where it is not always.
 /// Several walls of which one turns red are
 /// scene.NAME.1.COLOUR, ..., in the order of the region's boundary lines.
-std::vector<RecordedName> scene_state_names(const Scene& scene);
+std::vector<query::RecordedName> scene_state_names(const Scene& scene);
 
 /// Adds these columns to the recording of the scene.
-void add_scene_states(const Scene& scene, std::vector<Recording>& recordings);
+void add_scene_states(const Scene& scene, std::vector<record::Recording>& recordings);
 
-}  // namespace stepwire
+}  // namespace stepwire::scene

@@ -7,7 +7,7 @@
 
 #include "engine/view/scene/scene.hpp"
 
-namespace stepwire {
+namespace stepwire::scene {
 namespace {
 
 using Point = std::array<double, 2>;
@@ -114,7 +114,7 @@ class Shaper {
 }  // namespace
 
 SceneView::SceneView(const Scene& scene, const std::vector<std::string>& columns) : scene_(scene) {
-  for (const Formula& formula : scene.formulas) {
+  for (const query::Formula& formula : scene.formulas) {
     std::vector<std::size_t>& places = places_.emplace_back();
     for (const std::string& name : formula.columns) {
       const auto found = std::ranges::find(columns, name);
@@ -131,16 +131,16 @@ std::vector<SceneShape> SceneView::shapes(std::span<const double> row) const {
   return Shaper(scene_, std::move(values)).shapes();
 }
 
-std::vector<double> row_of(const Recording& recording, std::size_t row) {
+std::vector<double> row_of(const record::Recording& recording, std::size_t row) {
   std::vector<double> values;
-  for (const Column& column : recording.table.columns) values.push_back(column.values[row]);
+  for (const table::Column& column : recording.table.columns) values.push_back(column.values[row]);
   return values;
 }
 
-SceneView view_of(const Scene& scene, const Recording& recording) {
+SceneView view_of(const Scene& scene, const record::Recording& recording) {
   std::vector<std::string> columns;
-  for (const Column& column : recording.table.columns) columns.push_back(column.name);
+  for (const table::Column& column : recording.table.columns) columns.push_back(column.name);
   return {scene, columns};
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::scene

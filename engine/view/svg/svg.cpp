@@ -7,7 +7,7 @@
 
 #include "engine/base/text/characters.hpp"
 
-namespace stepwire {
+namespace stepwire::svg {
 namespace {
 
 std::string attribute_text(const SvgAttribute& attribute) {
@@ -89,7 +89,7 @@ std::string animated(const Frames& frames, double seconds) {
 
 std::string markup_escaped(const std::string& text) {
   std::string result;
-  for (const char c : printable(text)) {
+  for (const char c : text::printable(text)) {
     if (c == '&')
       result += "&amp;";
     else if (c == '<')
@@ -141,4 +141,4 @@ std::string animated_svg(const std::vector<SvgElement>& frames, double seconds) 
   return animated(all, seconds);
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::svg

@@ -5,7 +5,7 @@
 
 #include "engine/base/text/characters.hpp"
 
-namespace stepwire {
+namespace stepwire::svg {
 
 /// A text as it stands in SVG and HTML, in attributes as well: & < > " are replaced, control characters are
 /// blanks.
@@ -49,4 +49,4 @@ std::string svg_text(const SvgElement& element);
 /// Throws std::invalid_argument where the pictures differ otherwise, or are fewer than two.
 std::string animated_svg(const std::vector<SvgElement>& frames, double seconds);
 
-}  // namespace stepwire
+}  // namespace stepwire::svg

@@ -6,7 +6,7 @@
 
 #include "engine/view/svg/svg.hpp"
 
-namespace stepwire {
+namespace stepwire::svg {
 namespace {
 
 constexpr double letter = 7.1, note_letter = 6.0, row_height = 23.0, gap = 26.0, margin = 18.0;  // [pixels]
@@ -14,14 +14,14 @@ constexpr double letter = 7.1, note_letter = 6.0, row_height = 23.0, gap = 26.0,
 /// The SVG of a table while it grows downwards.
 class TableDrawing {
  public:
-  explicit TableDrawing(const TextTable& table) : table_(table), columns_(columns_of(table)) {
+  explicit TableDrawing(const text::TextTable& table) : table_(table), columns_(text::columns_of(table)) {
     double x = margin;
-    for (const ColumnLook& column : columns_) {
+    for (const text::ColumnLook& column : columns_) {
       left_.push_back(x);
       x += letter * static_cast<double>(column.width) + gap;
     }
-    width_ =
-        std::max({x - gap + margin, 2.0 * margin + 7.8 * static_cast<double>(letters(table.title)), 420.0});
+    width_ = std::max(
+        {x - gap + margin, 2.0 * margin + 7.8 * static_cast<double>(text::letters(table.title)), 420.0});
   }
 
   std::string svg() {
@@ -35,7 +35,7 @@ class TableDrawing {
     rule(1.4);
     y_ += 4.0;
     for (const std::string& note :
-         note_lines(table_, static_cast<std::size_t>((width_ - 2.0 * margin) / note_letter))) {
+         text::note_lines(table_, static_cast<std::size_t>((width_ - 2.0 * margin) / note_letter))) {
       y_ += 16.0;
       text(margin, "start", 11.5, "#555555", note);
     }
@@ -70,8 +70,8 @@ class TableDrawing {
     y_ += 6.0;
   }
 
-  const TextTable& table_;
-  std::vector<ColumnLook> columns_;
+  const text::TextTable& table_;
+  std::vector<text::ColumnLook> columns_;
   std::vector<double> left_;
   double width_ = 0.0, y_ = 0.0;
   std::string body_;
@@ -79,8 +79,8 @@ class TableDrawing {
 
 }  // namespace
 
-std::string draw(const TextTable& table) {
+std::string draw(const text::TextTable& table) {
   return TableDrawing(table).svg();
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::svg

@@ -4,9 +4,9 @@
 
 #include "engine/base/text/text_table.hpp"
 
-namespace stepwire {
+namespace stepwire::svg {
 
 /// The table as SVG.
-std::string draw(const TextTable& table);
+std::string draw(const text::TextTable& table);
 
-}  // namespace stepwire
+}  // namespace stepwire::svg

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace stepwire {
+namespace stepwire::svg {
 namespace {
 
 /// Of the letters from the blank to the tilde, in thousandths.
@@ -33,4 +33,4 @@ double fitted_size(std::string_view text, double wanted, double room) {
   return width * wanted > room ? room / width : wanted;
 }
 
-}  // namespace stepwire
+}  // namespace stepwire::svg

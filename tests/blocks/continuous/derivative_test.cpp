@@ -7,7 +7,7 @@
 using namespace stepwire;
 
 TEST_CASE("The derivative of a ramp comes in with the filter's time constant") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 ms
 stop: 1 s
 solver: rk4
@@ -23,7 +23,7 @@ record: [v]
 }
 
 TEST_CASE("The derivative of a sine has the gain and phase of s / (tau s + 1)") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 ms
 stop: 1 s
 solver: rk4
@@ -47,9 +47,9 @@ solver: rk4
 blocks:
   ramp: {block: Ramp, slope: 2, initial: 7}
   v: {block: Derivative, tau: 20 ms, u: ramp)";
-  const Table peak = run_text(diagram + "}\nrecord: [v]\n");
+  const table::Table peak = run_text(diagram + "}\nrecord: [v]\n");
   CHECK(column(peak, "v")[0] == Approx(350.0));
-  const Table settled = run_text(diagram + ", settled: true}\nrecord: [v]\n");
+  const table::Table settled = run_text(diagram + ", settled: true}\nrecord: [v]\n");
   const auto& time = column(settled, "time");
   for (std::size_t k = 0; k < time.size(); ++k)
     CHECK(column(settled, "v")[k] == Approx(2.0 * (1.0 - std::exp(-time[k] / 0.02))).margin(1e-5));

@@ -6,7 +6,7 @@
 using namespace stepwire;
 
 TEST_CASE("An integrator of a ramp is a parabola, from its initial value on") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 10 ms
 stop: 2 s
 solver: rk4
@@ -21,7 +21,7 @@ record: [x]
 }
 
 TEST_CASE("An integrator takes vectors and says the unit of its integral") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 10 ms
 stop: 1 s
 solver: rk4
@@ -36,7 +36,7 @@ record: [x]
 }
 
 TEST_CASE("An integrator may feed itself, since its output does not depend on its input at once") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 ms
 stop: 3 s
 solver: rk4
@@ -49,7 +49,7 @@ record: [x]
 }
 
 TEST_CASE("An integrator stops at its limit and leaves it at once") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 10 ms
 stop: 5 s
 solver: rk4
@@ -67,7 +67,7 @@ record: [x, x.x]
 }
 
 TEST_CASE("An integrator that starts beyond a limit shows the limit") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 10 ms
 stop: 1 s
 solver: rk4
@@ -81,7 +81,7 @@ record: [x]
 namespace {
 
 /// The signal is true from 1 s to 1.4 s and from 2 s to 2.4 s; the input is 1.
-Table reset_run(const std::string& more) {
+table::Table reset_run(const std::string& more) {
   return run_text(R"(
 step: 100 ms
 stop: 3 s
@@ -102,24 +102,24 @@ void check_near(const std::vector<double>& x, std::initializer_list<std::pair<in
 }  // namespace
 
 TEST_CASE("A reset on the rising edge shows at the same step and goes back to the initial value") {
-  const Table table = reset_run("");
+  const table::Table table = reset_run("");
   check_near(column(table, "x"), {{0, 0.5}, {9, 1.4}, {10, 0.5}, {11, 0.6}, {19, 1.4}, {20, 0.5}, {30, 0.5}});
 }
 
 TEST_CASE("A reset on the falling edge goes to the value that is wired") {
-  const Table table = reset_run(", trigger: falling, value: -2");
+  const table::Table table = reset_run(", trigger: falling, value: -2");
   check_near(column(table, "x"),
              {{10, 1.5}, {13, 1.8}, {14, -2.0}, {15, -1.9}, {23, -1.1}, {24, -2.0}, {30, -1.4}});
 }
 
 TEST_CASE("A reset on either edge acts twice per pulse") {
-  const Table table = reset_run(", trigger: either, value: 0");
+  const table::Table table = reset_run(", trigger: either, value: 0");
   check_near(column(table, "x"),
              {{9, 1.4}, {10, 0.0}, {13, 0.3}, {14, 0.0}, {19, 0.5}, {20, 0.0}, {24, 0.0}});
 }
 
 TEST_CASE("A reset by level holds until it is released") {
-  const Table table = reset_run(", trigger: level, value: 0");
+  const table::Table table = reset_run(", trigger: level, value: 0");
   check_near(column(table, "x"),
              {{9, 1.4}, {10, 0.0}, {12, 0.0}, {13, 0.0}, {14, 0.0}, {15, 0.1}, {19, 0.5}});
 }

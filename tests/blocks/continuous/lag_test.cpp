@@ -6,7 +6,7 @@
 using namespace stepwire;
 
 TEST_CASE("A lag answers a step with an exponential") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 ms
 stop: 2 s
 solver: rk4
@@ -20,7 +20,7 @@ record: [lag]
 }
 
 TEST_CASE("A lag has a time constant for each element and the unit of gain and input") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 ms
 stop: 1 s
 solver: rk4

@@ -14,7 +14,7 @@ const std::string head = "step: 1 ms\nstop: 4 s\nsolver: rk4\nblocks:\n";
 // scipy 1.10.1: plant 1 / (s^2 + s + 1), controller C = 3 + 2/s + s/(0.05 s + 1);
 // signal.step((num C, den C den plant + num C), T=linspace(0, 4, 4001)), at 0.5, 1, 2, 4 s
 TEST_CASE("A loop closed by a PID controller agrees with SciPy") {
-  const Table table = run_text(head + R"(  e: {block: Sum, signs: "+-", u: [1, plant]}
+  const table::Table table = run_text(head + R"(  e: {block: Sum, signs: "+-", u: [1, plant]}
   pid: {block: PID, kp: 3, ki: 2, kd: 1, tau: 50 ms, u: e}
   plant: {block: TransferFunction, numerator: [1], denominator: [1, 1, 1], u: pid}
 record: [plant]
@@ -27,7 +27,7 @@ record: [plant]
 }
 
 TEST_CASE("Of a ramp, the parts of a PID controller are ramp, parabola and filtered step") {
-  const Table table = run_text(head + R"(  e: {block: Ramp, slope: 2}
+  const table::Table table = run_text(head + R"(  e: {block: Ramp, slope: 2}
   pid: {block: PID, kp: 3, ki: 0.5, kd: 4, tau: 100 ms, u: e, initial: 10}
 record: [pid]
 )");
@@ -43,9 +43,9 @@ namespace {
 
 /// The error is 1 for 2 s and -1 from then on; kp = 1, ki = 2, so the output reaches its limit of 2 at 0.5 s.
 std::vector<double> integral_of(const std::string& anti_windup) {
-  const Table table = run_text(head + R"(  e: {block: Step, time: 2, before: 1, after: -1, every: 1 ms}
+  const table::Table table = run_text(head + R"(  e: {block: Step, time: 2, before: 1, after: -1, every: 1 ms}
   pid: {block: PID, kp: 1, ki: 2, upper: 2, u: e, anti_windup: )" +
-                               anti_windup + "}\nrecord: [pid, pid.integral]\n");
+                                      anti_windup + "}\nrecord: [pid, pid.integral]\n");
   for (double y : column(table, "pid")) CHECK(y <= 2.0);
   return column(table, "pid.integral");
 }
@@ -74,7 +74,7 @@ TEST_CASE("Back calculation settles where what comes in is what is taken away") 
 }
 
 TEST_CASE("The integral part has limits of its own") {
-  const Table table = run_text(head + R"(  e: {block: Step, time: 2, before: 1, after: -1, every: 1 ms}
+  const table::Table table = run_text(head + R"(  e: {block: Step, time: 2, before: 1, after: -1, every: 1 ms}
   pid: {block: PID, kp: 1, ki: 2, u: e, integral_lower: -0.5, integral_upper: 0.25}
 record: [pid]
 )");
@@ -86,7 +86,7 @@ record: [pid]
 }
 
 TEST_CASE("Weights let the proportional and derivative parts see less of the reference") {
-  const Table table = run_text(head + R"(  r: {block: Constant, value: 2}
+  const table::Table table = run_text(head + R"(  r: {block: Constant, value: 2}
   m: {block: Ramp, slope: 1}
   e: {block: Sum, signs: "+-", u: [r, m]}
   pid: {block: PID, kp: 3, kd: 5, tau: 100 ms, weight_p: 0.25, weight_d: 0, u: e, reference: r}

@@ -6,7 +6,7 @@
 using namespace stepwire;
 
 TEST_CASE("A state space without damping swings as a cosine") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 ms
 stop: 2 s
 solver: rk4
@@ -23,7 +23,7 @@ record: [swing]
 //   scipy 1.10.1: Z = [[A, B, 0], [0 0 0 0 0], [0 0 0 0 1], [0 0 0 -1 0]]; z = expm(Z t) [0.2, -0.1, 1, 0, 1]
 //   y = C z[:2] + D z[2:4]
 TEST_CASE("A state space with two inputs and three outputs agrees with its matrix exponential") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 ms
 stop: 3 s
 solver: rk4

@@ -49,7 +49,7 @@ TEST_CASE("Equal degrees pass the input straight through") {
 }
 
 TEST_CASE("A settled sine has the amplitude and phase of the transfer function") {
-  const Table table = run_text(head + R"(  u: {block: Sine, frequency: 2}
+  const table::Table table = run_text(head + R"(  u: {block: Sine, frequency: 2}
   g: {block: TransferFunction, numerator: [3, 50], denominator: [1, 12, 100], u: u}
 record: [g]
 )");

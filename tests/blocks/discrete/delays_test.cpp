@@ -6,7 +6,7 @@
 using namespace stepwire;
 
 TEST_CASE("A unit delay gives the input of one period ago, element by element") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 10 ms
 stop: 1 s
 blocks:
@@ -25,7 +25,7 @@ record: {every: 20 ms, signals: [u, late]}
 }
 
 TEST_CASE("A unit delay cuts an algebraic loop") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 s
 stop: 6 s
 blocks:
@@ -37,7 +37,7 @@ record: [count]
 }
 
 TEST_CASE("A zero-order hold keeps the sample of its own tick") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 ms
 stop: 100 ms
 blocks:
@@ -50,7 +50,7 @@ record: [held]
 }
 
 TEST_CASE("A delay gives its input as it was, and its initial value until then") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 ms
 stop: 300 ms
 blocks:
@@ -69,7 +69,7 @@ record: {every: 5 ms, signals: [late]}
 }
 
 TEST_CASE("A delay of one period is a unit delay") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 s
 stop: 4 s
 blocks:

@@ -43,13 +43,13 @@ TEST_CASE("Only the forward sum cuts a loop") {
 TEST_CASE("Each sum stops at its limits and leaves them at once") {
   for (const std::string method : {"forward_euler", "backward_euler", "trapezoidal"}) {
     INFO(method);
-    const Table table = run_text(R"(
+    const table::Table table = run_text(R"(
 step: 100 ms
 stop: 3 s
 blocks:
   u: {block: Step, time: 1.95, before: 1, after: -1}
   sum: {block: DiscreteIntegrator, u: u, lower: -0.2, upper: 1, method: )" +
-                                 method + "}\nrecord: [sum]\n");
+                                        method + "}\nrecord: [sum]\n");
     const auto& sum = column(table, "sum");
     CHECK(sum[5] == Approx(0.5).margin(0.1));
     CHECK(sum[19] == 1.0);

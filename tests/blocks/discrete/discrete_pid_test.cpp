@@ -7,7 +7,7 @@
 using namespace stepwire;
 
 TEST_CASE("The controller of a written loop is expressed to the last bit") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 ms
 stop: 2 s
 blocks:
@@ -29,9 +29,9 @@ namespace {
 const std::string head = "step: 10 ms\nstop: 4 s\nblocks:\n";
 
 std::vector<double> integral_of(const std::string& keys) {
-  const Table table = run_text(head + R"(  e: {block: Step, time: 1.995, before: 1, after: -1}
+  const table::Table table = run_text(head + R"(  e: {block: Step, time: 1.995, before: 1, after: -1}
   pid: {block: DiscretePID, kp: 1, ki: 2, upper: 2, u: e, )" +
-                               keys + "}\nrecord: [pid, pid.integral]\n");
+                                      keys + "}\nrecord: [pid, pid.integral]\n");
   for (double y : column(table, "pid")) CHECK(y <= 2.0);
   return column(table, "pid.integral");
 }
@@ -39,7 +39,7 @@ std::vector<double> integral_of(const std::string& keys) {
 }  // namespace
 
 TEST_CASE("The filtered difference is the backward difference of the filter's equation") {
-  const Table table = run_text(head + R"(  e: {block: Ramp, slope: 3}
+  const table::Table table = run_text(head + R"(  e: {block: Ramp, slope: 3}
   pid: {block: DiscretePID, kp: 0, kd: 2, tau: 40 ms, u: e}
 record: [pid]
 )");
@@ -78,7 +78,7 @@ TEST_CASE("Discrete anti-windup goes on, stops, or follows the output") {
 }
 
 TEST_CASE("A weight of 0 keeps a step of the reference out of the difference") {
-  const Table table = run_text(head + R"(  r: {block: Step, time: 1, after: 5}
+  const table::Table table = run_text(head + R"(  r: {block: Step, time: 1, after: 5}
   pid: {block: DiscretePID, kp: 0, kd: 1, weight_d: 0, u: r, reference: r}
 record: [pid]
 )");

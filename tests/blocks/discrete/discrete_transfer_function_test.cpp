@@ -6,7 +6,7 @@ using namespace stepwire;
 
 // scipy 1.10.1: b, a = signal.butter(3, 0.2); signal.lfilter(b, a, [1, 0, 0, 0, 0, 0, 0, 0])
 TEST_CASE("The impulse response of a Butterworth filter agrees with SciPy") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 s
 stop: 7 s
 blocks:
@@ -25,7 +25,7 @@ record: [filter]
 }
 
 TEST_CASE("The default discrete transfer function is a delay by one period") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 s
 stop: 4 s
 blocks:
@@ -37,7 +37,7 @@ record: [z]
 }
 
 TEST_CASE("A discrete lag follows a step geometrically") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 s
 stop: 5 s
 blocks:

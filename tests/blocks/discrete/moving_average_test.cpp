@@ -7,7 +7,7 @@
 using namespace stepwire;
 
 TEST_CASE("A moving average is the mean of the last samples, taken anew for each") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 ms
 stop: 200 ms
 blocks:
@@ -30,7 +30,7 @@ record: [u, mean]
 }
 
 TEST_CASE("A moving average over a period of the mains removes its hum, even after a million samples") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 ms
 stop: 1000 s
 blocks:
@@ -42,7 +42,7 @@ record: {every: 1 s, signals: [mean]}
 }
 
 TEST_CASE("A moving average of one sample is the sample") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 ms
 stop: 10 ms
 blocks:

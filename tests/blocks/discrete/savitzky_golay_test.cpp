@@ -10,7 +10,7 @@ namespace {
 /// Answer of the block to a single 1 at 10 ms among zeros, at every millisecond from there on: its
 /// coefficients, the one of this tick first.
 std::vector<double> impulse_answer(const std::string& keys, std::size_t count) {
-  const Table table = run_text(
+  const table::Table table = run_text(
       "step: 1 ms\nstop: 40 ms\nblocks:\n  u: {block: Expression, u: clock, expression: \"abs(u - 0.01) < "
       "1e-4 ? 1 "
       ": "
@@ -67,7 +67,7 @@ TEST_CASE("a long window of high order is as exact") {
 }
 
 TEST_CASE("each element of a vector is smoothed by itself, and a constant from the first tick on") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 ms
 stop: 20 ms
 blocks:

@@ -29,7 +29,7 @@ TEST_CASE(
 }
 
 TEST_CASE("It is the same as Delay where the delay is whole and constant") {
-  const Table run = run_text(R"(
+  const table::Table run = run_text(R"(
 step: 1 ms
 stop: 1 s
 blocks:
@@ -50,7 +50,7 @@ TEST_CASE("The delay may change, and is held between one period and the longest"
 }
 
 TEST_CASE("Each element of a vector is delayed") {
-  const Table run = run_text(
+  const table::Table run = run_text(
       "step: 1 ms\nstop: 9 ms\nblocks:\n  u: {block: Ramp, slope: [1, -2]}\n  y: {block: VariableDelay, u: "
       "u, delay: 3 "
       "ms, longest: 8 ms}\nrecord: [y]\n");

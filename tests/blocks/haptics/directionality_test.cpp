@@ -136,7 +136,7 @@ TEST_CASE("Where the hand does not push, or F_max is 0, no force is wanted") {
 }
 
 TEST_CASE("With direction: motion it is the displacement over the last travel that counts, not the force") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 ms
 stop: 3 s
 blocks:

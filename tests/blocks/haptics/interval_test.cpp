@@ -7,7 +7,7 @@ using namespace stepwire;
 
 namespace {
 
-Table over_x(const std::string& map) {
+table::Table over_x(const std::string& map) {
   return run_text(
       "step: 1 ms\nstop: 20 s\nblocks:\n  x: {block: Ramp, slope: 1 mm/s, initial: -10 mm}\n  map: {block: "
       "Interval, x: x" +
@@ -17,7 +17,7 @@ Table over_x(const std::string& map) {
 }  // namespace
 
 TEST_CASE("An interval gives the signed distance to the bound that was passed") {
-  const Table table = over_x(", lower: -4 mm, upper: 5 mm");
+  const table::Table table = over_x(", lower: -4 mm, upper: 5 mm");
   const auto& x = column(table, "x");
   for (std::size_t k = 0; k < x.size(); ++k) {
     const double wanted = std::max(0.0, x[k] - 5e-3) + std::min(0.0, x[k] + 4e-3);
@@ -27,7 +27,7 @@ TEST_CASE("An interval gives the signed distance to the bound that was passed") 
 }
 
 TEST_CASE("An interval without an upper bound is open there") {
-  const Table table = over_x(", lower: -4 mm");
+  const table::Table table = over_x(", lower: -4 mm");
   CHECK(column(table, "map.error").front() == Approx(-6e-3));
   CHECK(column(table, "map.error").back() == 0.0);
 }

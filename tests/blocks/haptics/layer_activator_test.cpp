@@ -8,8 +8,8 @@ using namespace stepwire;
 namespace {
 
 /// A pin on its way at 10 mm/s through (0, 0), (30, 0) and back, between two layers that give 1 N and 5 N.
-Table on_its_way(const std::string& switches, const std::string& more = "",
-                 const std::string& speed = "10 mm/s") {
+table::Table on_its_way(const std::string& switches, const std::string& more = "",
+                        const std::string& speed = "10 mm/s") {
   return run_text(
       "step: 1 ms\nstop: 7 s\nblocks:\n  way: {block: Pusher, points: [[0, 0], [30 mm, 0], [0, 0]], speed: " +
       speed +
@@ -21,7 +21,7 @@ Table on_its_way(const std::string& switches, const std::string& more = "",
 }
 
 /// Times at which the active layer changes.
-std::vector<double> changes(const Table& table) {
+std::vector<double> changes(const table::Table& table) {
   std::vector<double> at;
   const auto& layer = column(table, "layers.layer");
   for (std::size_t k = 1; k < layer.size(); ++k)
@@ -42,8 +42,8 @@ TEST_CASE("A point is passed as soon as the way comes within its radius, and a l
 }
 
 TEST_CASE("A point is passed also between two ticks") {
-  const Table table = on_its_way("[{from: 1, to: 2, when: {pass: [10.02 mm, 0.01 mm], within: 0.02 mm}}]",
-                                 ", every: 100 ms", "50 mm/s");
+  const table::Table table = on_its_way(
+      "[{from: 1, to: 2, when: {pass: [10.02 mm, 0.01 mm], within: 0.02 mm}}]", ", every: 100 ms", "50 mm/s");
   CHECK(changes(table).size() == 1);
 }
 
@@ -84,7 +84,7 @@ TEST_CASE("The events of a sequence count in their order only, and while their l
 }
 
 TEST_CASE("Of two switches at one tick the first of the file counts") {
-  const Table table =
+  const table::Table table =
       on_its_way("[{from: 1, to: 3, when: {after: 1 s}}, {from: 1, to: 2, when: {after: 1 s}}]");
   CHECK(column(table, "layers.layer").back() == 3.0);
   CHECK(column(table, "layers.switched").back() == 1.0);
@@ -92,7 +92,7 @@ TEST_CASE("Of two switches at one tick the first of the file counts") {
 
 TEST_CASE(
     "A switch never moves the force from tick to tick by more than its stated bound, also one upon another") {
-  const Table table = on_its_way(
+  const table::Table table = on_its_way(
       "[{from: 1, to: 2, when: {after: 1 s}}, {from: 2, to: 3, when: {after: 0.05 s}}, {from: 3, to: 1, "
       "when: {after: 0.1 s}}]");
   const auto& y = column(table, "layers.y");
@@ -110,7 +110,7 @@ TEST_CASE(
 }
 
 TEST_CASE("With no blend time the new layer counts at once, and the first layer may be another one") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 ms
 stop: 2 s
 blocks:

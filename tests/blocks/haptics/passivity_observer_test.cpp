@@ -8,7 +8,7 @@ using namespace stepwire;
 namespace {
 
 /// A port that is moved as x = 10 mm sin(w t), w = 2 pi rad/s, and resists with this force.
-Table moved(const std::string& force, const std::string& keys) {
+table::Table moved(const std::string& force, const std::string& keys) {
   return run_text(
       "step: 1 ms\nstop: 2.25 s\nsolver: rk4\nblocks:\n  x: {block: Sine, amplitude: 10 mm, frequency: 1 "
       "Hz}\n"
@@ -38,7 +38,7 @@ std::size_t first(const std::vector<double>& truth) {
 }  // namespace
 
 TEST_CASE("A spring stores what is supplied: k x^2 / 2, and nothing is dissipated") {
-  const Table table = moved(spring, ", stored: stored, judge: fall, budget: 1e-9 J");
+  const table::Table table = moved(spring, ", stored: stored, judge: fall, budget: 1e-9 J");
   for (std::size_t k = 0; k < column(table, "x").size(); k += 50) {
     const double x = column(table, "x")[k];
     CHECK(column(table, "port.supplied")[k] == Approx(100.0 * x * x).margin(1e-10));
@@ -48,7 +48,7 @@ TEST_CASE("A spring stores what is supplied: k x^2 / 2, and nothing is dissipate
 }
 
 TEST_CASE("A dashpot dissipates all that is supplied, and never gives any of it back") {
-  const Table table = moved(dashpot, ", judge: fall, budget: 1e-12 J");
+  const table::Table table = moved(dashpot, ", judge: fall, budget: 1e-12 J");
   CHECK(column(table, "port.supplied").back() == Approx(lost_after(2.25)).epsilon(1e-9));
   CHECK(column(table, "port.dissipated").back() == column(table, "port.supplied").back());
   CHECK(column(table, "port.least_gain").back() > -1e-15);
@@ -57,7 +57,7 @@ TEST_CASE("A dashpot dissipates all that is supplied, and never gives any of it 
 
 TEST_CASE("An active source breaks the balance when it has given out the budget") {
   const double budget = 0.01;
-  const Table table = moved(source, ", budget: 10 mJ");
+  const table::Table table = moved(source, ", budget: 10 mJ");
   const auto tick = static_cast<double>(first(column(table, "port.broken")));
   CHECK(lost_after(1e-3 * tick) > budget);
   CHECK(lost_after(1e-3 * (tick - 1.0)) <= budget);
@@ -67,7 +67,7 @@ TEST_CASE("An active source breaks the balance when it has given out the budget"
 }
 
 TEST_CASE("Several axes have one account") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 ms
 stop: 1 s
 solver: rk4
@@ -100,7 +100,7 @@ TEST_CASE(
 }
 
 TEST_CASE("Stored energy at the start is nobody's gain, and booked work is dissipated like supplied work") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 ms
 stop: 1 s
 solver: rk4

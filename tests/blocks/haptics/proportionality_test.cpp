@@ -72,7 +72,7 @@ TEST_CASE("A piecewise law whose points fall or lack values is refused") {
 }
 
 TEST_CASE("A diagram chooses the proportionality law by its name") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 ms
 stop: 10 ms
 blocks:

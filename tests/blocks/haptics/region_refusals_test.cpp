@@ -77,7 +77,7 @@ TEST_CASE("A position of another number of coordinates is refused") {
 }
 
 TEST_CASE("A shape takes parameters of its diagram") {
-  const Table table = run_text(R"yaml(
+  const table::Table table = run_text(R"yaml(
 step: 1 s
 stop: 1 s
 parameters:

@@ -11,7 +11,7 @@ namespace stepwire {
 
 namespace {
 
-std::string diagram(const std::string& shape) {
+std::string diagram_text(const std::string& shape) {
   const bool space =
       shape.find("center: [0, 0, 0]") != std::string::npos || shape.find("3-D") != std::string::npos;
   return "blocks:\n  map: {block: Region, shape: " + shape +
@@ -26,7 +26,8 @@ double distance_between(const std::vector<double>& a, const std::vector<double>&
 
 }  // namespace
 
-RegionRig::RegionRig(const std::string& shape) : block_(plan_text(diagram(shape)).diagram.blocks[0].block) {}
+RegionRig::RegionRig(const std::string& shape)
+    : block_(plan_text(diagram_text(shape)).diagram.blocks[0].block) {}
 
 Outline RegionRig::outline() const {
   Outline outline;
@@ -90,7 +91,7 @@ double brute_force(const std::vector<Edge>& edges, const std::vector<double>& fr
 }
 
 std::string refusal_of(const std::string& shape) {
-  return error_of("step: 1 ms\nstop: 1 s\n" + diagram(shape));
+  return error_of("step: 1 ms\nstop: 1 s\n" + diagram_text(shape));
 }
 
 }  // namespace stepwire

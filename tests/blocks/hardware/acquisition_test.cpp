@@ -8,7 +8,7 @@ using namespace stepwire;
 namespace {
 
 /// A ramp from -12 to 12 V, its counts and the voltage that they stand for.
-Table converted(const std::string& keys) {
+table::Table converted(const std::string& keys) {
   return run_text(
       "step: 1 ms\nstop: 24 s\nblocks:\n  volts: {block: Ramp, slope: 1 V/s, initial: -12 V}\n"
       "  counts: {block: AnalogToDigital, u: volts" +
@@ -19,7 +19,7 @@ Table converted(const std::string& keys) {
 }  // namespace
 
 TEST_CASE("A converter of 14 bits over -10 to 10 V has 16384 levels, and the last one beyond its ends") {
-  const Table table = converted(", preset: sensoray-626");
+  const table::Table table = converted(", preset: sensoray-626");
   const auto& counts = column(table, "counts");
   CHECK(counts.front() == -8192.0);
   CHECK(counts.back() == 8191.0);
@@ -34,7 +34,7 @@ TEST_CASE("Counts tell a voltage within the range to half a level") {
   for (const std::string keys : {", range: 5 V, bits: 12", ", preset: sensoray-626"}) {
     const bool fine = keys.find("626") != std::string::npos;
     const double range = fine ? 10.0 : 5.0, level = 2.0 * range / (fine ? 16384.0 : 4096.0);
-    const Table table = converted(keys);
+    const table::Table table = converted(keys);
     double worst = 0.0;
     for (std::size_t k = 0; k < column(table, "time").size(); ++k)
       if (std::abs(column(table, "volts")[k]) < range - level)
@@ -47,7 +47,7 @@ TEST_CASE("Counts tell a voltage within the range to half a level") {
 }
 
 TEST_CASE("What is no level of a converter becomes the nearest one") {
-  const Table table = run_text(
+  const table::Table table = run_text(
       "step: 1 ms\nstop: 1 ms\nblocks:\n  y: {block: DigitalToAnalog, counts: [0.4, -0.6, "
       "1e6, -1e6], range: 8 V, bits: 4}\nrecord: [y]\n");
   CHECK(column(table, "y.1").back() == 0.0);

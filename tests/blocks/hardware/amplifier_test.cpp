@@ -6,7 +6,7 @@
 using namespace stepwire;
 
 TEST_CASE("The current of an amplifier follows its command with a first-order lag") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 0.001 ms
 stop: 0.3 ms
 solver: rk4
@@ -41,7 +41,7 @@ TEST_CASE("An amplifier with crossed limits is refused") {
 
 TEST_CASE(
     "An inhibited amplifier lets its current decay by its lag, whatever is asked, and takes it up again") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 0.01 ms
 stop: 30 ms
 solver: rk4

@@ -10,8 +10,8 @@ namespace {
 const double of_a_count = 2.0 * M_PI / 4000.0;
 
 /// What an encoder and its reading make of a shaft that turns at a constant speed.
-Table turning(const std::string& speed, const std::string& from, const std::string& encoder,
-              const std::string& reading = "") {
+table::Table turning(const std::string& speed, const std::string& from, const std::string& encoder,
+                     const std::string& reading = "") {
   return run_text("step: 1 ms\nstop: 2 s\nblocks:\n  shaft: {block: Ramp, slope: " + speed +
                   ", initial: " + from + "}\n  encoder: {block: QuadratureEncoder, angle: shaft" + encoder +
                   "}\n  angle: {block: EncoderToAngle, counts: encoder" +
@@ -20,7 +20,7 @@ Table turning(const std::string& speed, const std::string& from, const std::stri
 }
 
 /// A counter that shows 0 and 5 in turns, then these counts.
-Table counted(const std::string& counts, const std::string& keys) {
+table::Table counted(const std::string& counts, const std::string& keys) {
   return run_text(
       "step: 1 ms\nstop: 30 ms\nblocks:\n  start: {block: Pulse, amplitude: 5, period: 4 ms, width: 0.5}\n"
       "  jump: {block: Pulse, amplitude: 1, delay: 10 ms, period: 1 s, width: 0.01}\n"
@@ -32,20 +32,20 @@ Table counted(const std::string& counts, const std::string& keys) {
 }  // namespace
 
 TEST_CASE("An encoder shows whole counts, 4000 for a revolution") {
-  const Table table = turning("3.14159265358979 rad/s", "0 rad", ", preset: thesis-3.2");
+  const table::Table table = turning("3.14159265358979 rad/s", "0 rad", ", preset: thesis-3.2");
   CHECK(column(table, "encoder").back() == 4000.0);
   CHECK(column(table, "encoder")[1000] == 2000.0);
   for (double counts : column(table, "encoder")) REQUIRE(counts == std::floor(counts));
 }
 
 TEST_CASE("An encoder turned below 0 goes on from the other end of its counter") {
-  const Table table = turning("-1 rad/s", "0 rad", "");
+  const table::Table table = turning("-1 rad/s", "0 rad", "");
   CHECK(column(table, "encoder").back() == std::exp2(24) - std::floor(2.0 / of_a_count + 0.5));
 }
 
 TEST_CASE("The angle of an encoder is within half a count, also over the wraps of a counter of 8 bits") {
   for (const std::string speed : {"40 rad/s", "-40 rad/s"}) {
-    const Table table = turning(speed, "0.1 rad", ", bits: 8");
+    const table::Table table = turning(speed, "0.1 rad", ", bits: 8");
     double worst = 0.0, highest = 0.0;
     for (std::size_t k = 0; k < column(table, "time").size(); ++k) {
       worst = std::max(worst, std::abs(column(table, "angle.angle")[k] - column(table, "shaft")[k]));
@@ -60,7 +60,7 @@ TEST_CASE("The angle of an encoder is within half a count, also over the wraps o
 
 TEST_CASE("A jump of the counts above what a tick may bring is a fault, and the angle stays where it was") {
   // 9 counts a tick are allowed; the counter jumps by 40 for 10 ms and comes back
-  const Table table = counted("40", ", largest_step: 9");
+  const table::Table table = counted("40", ", largest_step: 9");
   for (std::size_t k = 0; k < 31; ++k) {
     const bool jumps = column(table, "counts")[k] == 40.0;
     CHECK(column(table, "angle.fault")[k] == (jumps ? 1.0 : 0.0));

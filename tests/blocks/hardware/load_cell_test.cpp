@@ -13,14 +13,14 @@ const std::string simple =
     "0], "
     "[0, 0, 0, 0, 0, 2], [0, 0, 0, 0, 4, 0]]";
 
-Table loaded(const std::string& load, const std::string& cell, const std::string& reading,
-             const std::string& stop = "10 ms") {
+table::Table loaded(const std::string& load, const std::string& cell, const std::string& reading,
+                    const std::string& stop = "10 ms") {
   return run_text("step: 1 ms\nstop: " + stop + "\nblocks:\n  cell: {block: LoadCell, seed: 1, " + load +
                   cell + "}\n  reading: {block: LoadCellToWrench, gauges: cell" + reading +
                   "}\nrecord: [cell, reading.force, reading.torque, reading.saturated]\n");
 }
 
-std::vector<double> read(const Table& table) {
+std::vector<double> read(const table::Table& table) {
   std::vector<double> wrench;
   for (const std::string what : {"force", "torque"})
     for (const std::string axis : {".1", ".2", ".3"})
@@ -34,7 +34,7 @@ const std::vector<double> of_load{3, -2, 1, 0.5, 4, -8};
 }  // namespace
 
 TEST_CASE("The gauges of a load cell show its load by the inverse of the calibration") {
-  const Table table = loaded(load, simple, simple);
+  const table::Table table = loaded(load, simple, simple);
   const std::vector<double> volts{-4, 3, 4, 4, -2, 2};
   for (std::size_t i = 0; i < 6; ++i)
     CHECK(column(table, "cell." + std::to_string(i + 1)).back() == Approx(volts[i]).epsilon(1e-12));
@@ -46,7 +46,7 @@ TEST_CASE("What a load cell shows is read as its load, whichever calibration it 
     const std::string small = "force: [3 N, -2 N, 1 N], torque: [0.5 N m, 0.4 N m, -0.8 N m]";
     const std::string reading = keys.substr(0, keys.find(", noise"));
     const std::vector<double> wanted{3, -2, 1, 0.5, 0.4, -0.8};
-    const Table table = loaded(small, keys, reading);
+    const table::Table table = loaded(small, keys, reading);
     for (std::size_t i = 0; i < 6; ++i) CHECK(read(table)[i] == Approx(wanted[i]).epsilon(1e-12));
   }
 }
@@ -60,7 +60,7 @@ TEST_CASE("A tare takes out what the gauges show without a load, and the mean of
       "torque: [0, 0, 0], offset: [1 V, -2 V, 0.5 V, 0, 0, 3 V], noise: 10 mV, seed: 1" +
       simple + "}\n  reading: {block: LoadCellToWrench, gauges: cell, tare: taring" + simple +
       "}\nrecord: [reading.force, reading.torque]\n";
-  const Table table = run_text(text);
+  const table::Table table = run_text(text);
   const std::vector<double> load{3, -2, 1, 0, 0, 0}, per_volt{1, 0.5, 0.25, 0.125, 2, 4};
   std::size_t axis = 0;
   for (const std::string name : {"reading.force.1", "reading.force.2", "reading.force.3", "reading.torque.1",
@@ -74,21 +74,21 @@ TEST_CASE("A tare takes out what the gauges show without a load, and the mean of
 }
 
 TEST_CASE("A load cell beyond its range shows the end of it, and the reading says so") {
-  const Table much = loaded("force: [11 N, 0 N, 0 N], torque: [0, 0, 0]", simple, simple);
+  const table::Table much = loaded("force: [11 N, 0 N, 0 N], torque: [0, 0, 0]", simple, simple);
   CHECK(column(much, "cell.2").back() == 10.0);
   CHECK(read(much)[0] == 10.0);
   CHECK(column(much, "reading.saturated").back() == 1.0);
-  const Table less = loaded("force: [9 N, 0 N, 0 N], torque: [0, 0, 0]", simple, simple);
+  const table::Table less = loaded("force: [9 N, 0 N, 0 N], torque: [0, 0, 0]", simple, simple);
   CHECK(column(less, "reading.saturated").back() == 0.0);
 }
 
 TEST_CASE("A Mini40 SI-80-4 takes its full load on all axes at once, and has the noise that was measured") {
   const std::string keys = ", preset: ati-mini40-si-80-4";
-  const Table full =
+  const table::Table full =
       loaded("force: [80 N, -80 N, 240 N], torque: [4 N m, 4 N m, -4 N m]", keys + ", noise: 0 V", keys);
   CHECK(column(full, "reading.saturated").back() == 0.0);
   CHECK(read(full)[0] == Approx(80.0).epsilon(1e-9));
-  const Table table = loaded("force: [0, 0, 0], torque: [0, 0, 0]", keys, keys, "5 s");
+  const table::Table table = loaded("force: [0, 0, 0], torque: [0, 0, 0]", keys, keys, "5 s");
   for (const std::string axis : {"reading.force.1", "reading.force.2"}) {
     double squares = 0.0;
     for (double force : column(table, axis)) squares += force * force;

@@ -11,11 +11,11 @@ const std::string head =
     "step: 1 ms\nstop: 10 s\nblocks:\n  u: {block: Ramp, slope: 10 mm/s, initial: -10 mm}\n";
 
 /// What a sensor shows of a ramp from -10 to 90 mm, beside the ramp.
-Table on_ramp(const std::string& keys) {
+table::Table on_ramp(const std::string& keys) {
   return run_text(head + "  y: {block: Sensor, u: u, " + keys + "}\nrecord: [u, y]\n");
 }
 
-double largest_error(const Table& table, double from, double to) {
+double largest_error(const table::Table& table, double from, double to) {
   const auto &u = column(table, "u"), &y = column(table, "y");
   double worst = 0.0;
   for (std::size_t k = 0; k < u.size(); ++k)
@@ -26,33 +26,33 @@ double largest_error(const Table& table, double from, double to) {
 }  // namespace
 
 TEST_CASE("A sensor of which nothing is said shows what it is fed") {
-  const Table table = on_ramp("seed: 1");
+  const table::Table table = on_ramp("seed: 1");
   CHECK(column(table, "y") == column(table, "u"));
 }
 
 TEST_CASE("A sensor shows the end of its range beyond it") {
-  const Table table = on_ramp("seed: 1, lower: 0 mm, upper: 75 mm");
+  const table::Table table = on_ramp("seed: 1, lower: 0 mm, upper: 75 mm");
   CHECK(column(table, "y").front() == 0.0);
   CHECK(column(table, "y").back() == 0.075);
   CHECK(largest_error(table, 0.0, 0.075) == 0.0);
 }
 
 TEST_CASE("A sensor is off its straight line by its linearity, and right at both ends and in the middle") {
-  const Table table = on_ramp("seed: 1, lower: 0 mm, upper: 80 mm, linearity: 0.01");
+  const table::Table table = on_ramp("seed: 1, lower: 0 mm, upper: 80 mm, linearity: 0.01");
   CHECK(largest_error(table, 0.0, 0.08) == Approx(0.8e-3).epsilon(1e-9));
   CHECK(largest_error(table, 0.0399999, 0.0400001) < 1e-9);
   CHECK(largest_error(table, 0.0799999, 0.0800001) < 1e-9);
 }
 
 TEST_CASE("A converter of 14 bits shows multiples of its range over 16384, the nearest ones") {
-  const Table table = on_ramp("seed: 1, converter_range: 150 mm, bits: 14");
+  const table::Table table = on_ramp("seed: 1, converter_range: 150 mm, bits: 14");
   const double interval = 0.150 / 16384.0;
   for (double y : column(table, "y")) REQUIRE(std::abs(y / interval - std::round(y / interval)) < 1e-9);
   CHECK(largest_error(table, -1.0, 1.0) == Approx(interval / 2.0).epsilon(0.01));
 }
 
 TEST_CASE("The noise of a sensor has its deviation, no mean, and a sequence for each seed and element") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 ms
 stop: 20 s
 blocks:
@@ -76,7 +76,7 @@ record: [a, b]
 }
 
 TEST_CASE("The mounting of a sensor moves its range") {
-  const Table table = run_text(
+  const table::Table table = run_text(
       "step: 1 ms\nstop: 0.01 s\nblocks:\n  y: {block: Sensor, u: 260 mm, zero: 190 mm, lower: 0 mm, upper: "
       "60 "
       "mm, seed: 1}\nrecord: [y]\n");

@@ -46,7 +46,7 @@ TEST_CASE("Logic takes one input and many, and joins vectors with scalars") {
   CHECK(truth_table("block: Logic, operator: not, u: a") == Values{1, 0, 1, 0});
   CHECK(truth_table("block: Logic, operator: xor, u: [a, b, 1]") == Values{1, 0, 0, 1});
   CHECK(truth_table("block: Logic, operator: and, u: [a, -1]") == Values{0, 0, 0, 0});
-  const Table table = run_text(
+  const table::Table table = run_text(
       "step: 1\nstop: 1\nblocks:\n  v: {block: Constant, value: [1, 0]}\n"
       "  y: {block: Logic, operator: and, u: [v, 1]}\nrecord: [y]\n");
   CHECK(column(table, "y.1")[0] == 1.0);
@@ -81,7 +81,7 @@ TEST_CASE("Compare knows six relations by word and by sign") {
 TEST_CASE("Compare compares a vector with a number and checks the unit") {
   const std::string head =
       "step: 1\nstop: 1\nblocks:\n  v: {block: Constant, value: {value: [4, 6], unit: mm}}\n";
-  const Table table =
+  const table::Table table =
       run_text(head + "  y: {block: Compare, u: v, operator: greater, to: 5 mm}\nrecord: [y]\n");
   CHECK(column(table, "y.1")[0] == 0.0);
   CHECK(column(table, "y.2")[0] == 1.0);

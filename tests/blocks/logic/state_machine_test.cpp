@@ -21,7 +21,7 @@ std::string refusal(const std::string& keys, const std::string& inputs = "[x, t]
 }  // namespace
 
 TEST_CASE("A guard reads inputs with units, the time in its state, and stands in the order of the file") {
-  const Table table = run_text(head + R"(  m:
+  const table::Table table = run_text(head + R"(  m:
     block: StateMachine
     u: [x, t]
     initial: idle
@@ -38,7 +38,7 @@ record: [m.state, m.y]
 }
 
 TEST_CASE("A machine without inputs and outputs counts the time in its states") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1
 stop: 9
 blocks:
@@ -50,7 +50,7 @@ record: [m.state, m.y]
 }
 
 TEST_CASE("One input is also called u, and a slower machine acts at its own ticks") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1
 stop: 9
 blocks:

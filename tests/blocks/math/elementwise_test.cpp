@@ -59,7 +59,7 @@ TEST_CASE("trigonometric blocks are the functions of their names") {
 }
 
 TEST_CASE("atan2 finds the quadrant") {
-  const Table run = run_text(R"(
+  const table::Table run = run_text(R"(
 step: 1 s
 stop: 1 s
 blocks:

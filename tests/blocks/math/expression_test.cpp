@@ -10,7 +10,7 @@ using namespace stepwire;
 
 namespace {
 
-std::string diagram(const std::string& keys) {
+std::string diagram_text(const std::string& keys) {
   return "step: 0.25 s\nstop: 1 s\nblocks:\n  t: {block: Clock}\n  y: {block: Expression, " + keys +
          "}\nrecord: [y]\n";
 }
@@ -18,8 +18,9 @@ std::string diagram(const std::string& keys) {
 }  // namespace
 
 TEST_CASE("a formula sees its inputs as u1, u2 and one alone as u") {
-  const auto two = column(run_text(diagram("expression: 'sin(u1)*u2 - (u2 > 2 ? 1 : 0)', u: [t, 3]")), "y");
-  const auto one = column(run_text(diagram("expression: u^2 + 1, u: [t]")), "y");
+  const auto two =
+      column(run_text(diagram_text("expression: 'sin(u1)*u2 - (u2 > 2 ? 1 : 0)', u: [t, 3]")), "y");
+  const auto one = column(run_text(diagram_text("expression: u^2 + 1, u: [t]")), "y");
   for (std::size_t i = 0; i < two.size(); ++i) {
     const double t = 0.25 * static_cast<double>(i);
     REQUIRE(two[i] == Approx(3.0 * std::sin(t) - 1.0).margin(1e-15));
@@ -28,7 +29,7 @@ TEST_CASE("a formula sees its inputs as u1, u2 and one alone as u") {
 }
 
 TEST_CASE("a formula goes element by element") {
-  const Table run = run_text(R"(
+  const table::Table run = run_text(R"(
 step: 1 s
 stop: 1 s
 blocks:
@@ -41,20 +42,19 @@ record: [total]
 }
 
 TEST_CASE("a formula that cannot be read is refused with the place in it") {
-  REQUIRE_THAT(error_of(diagram("expression: u1 + * 2, u: [t]")),
+  REQUIRE_THAT(error_of(diagram_text("expression: u1 + * 2, u: [t]")),
                Catch::Contains("y.expression") && Catch::Contains("character 6"));
-  REQUIRE_THAT(error_of(diagram("expression: u1 + u2, u: [t]")),
+  REQUIRE_THAT(error_of(diagram_text("expression: u1 + u2, u: [t]")),
                Catch::Contains("y.expression") && Catch::Contains("character 6"));
-  REQUIRE_THAT(error_of(diagram("expression: u1 + t, u: [t]")), Catch::Contains("Clock"));
+  REQUIRE_THAT(error_of(diagram_text("expression: u1 + t, u: [t]")), Catch::Contains("Clock"));
 }
 
 TEST_CASE("inputs of a formula may have names of their own, one for each") {
-  CHECK(
-      column(run_text(diagram("expression: radius*cos(t), variables: [t, radius], u: [t, 3]")), "y").back() ==
-      Approx(3.0 * std::cos(1.0)));
-  CHECK_THAT(error_of(diagram("expression: u1, variables: [t, radius], u: [t, 3]")),
+  CHECK(column(run_text(diagram_text("expression: radius*cos(t), variables: [t, radius], u: [t, 3]")), "y")
+            .back() == Approx(3.0 * std::cos(1.0)));
+  CHECK_THAT(error_of(diagram_text("expression: u1, variables: [t, radius], u: [t, 3]")),
              Catch::Contains("it may use t, radius"));
-  CHECK_THAT(error_of(diagram("expression: t, variables: [t, radius], u: [t]")),
+  CHECK_THAT(error_of(diagram_text("expression: t, variables: [t, radius], u: [t]")),
              Catch::Contains("y.variables: there are 2 names for 1 inputs; each needs one"));
 }
 
@@ -62,7 +62,7 @@ TEST_CASE("a formula has at most 64 inputs") {
   const auto with_inputs = [](int count) {
     std::string list = "t";
     for (int i = 1; i < count; ++i) list += ", t";
-    return diagram("expression: u1 + u64 + u, u: [" + list + "]");
+    return diagram_text("expression: u1 + u64 + u, u: [" + list + "]");
   };
   CHECK(column(run_text(with_inputs(64)), "y").back() == 3.0);
   CHECK_THAT(error_of(with_inputs(65)), Catch::Contains("y.expression: 65 inputs are more than 64"));

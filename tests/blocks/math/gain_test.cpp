@@ -5,7 +5,7 @@
 using namespace stepwire;
 
 TEST_CASE("a gain multiplies, by one number or by one for each element") {
-  const Table run = run_text(R"(
+  const table::Table run = run_text(R"(
 step: 1 s
 stop: 1 s
 blocks:

@@ -6,7 +6,7 @@ using namespace stepwire;
 
 TEST_CASE("a matrix gain multiplies a vector from the left") {
   // [1 2 3; 4 5 6] [1; 10; 100] = [321; 654]
-  const Table run = run_text(R"(
+  const table::Table run = run_text(R"(
 step: 1 s
 stop: 1 s
 blocks:

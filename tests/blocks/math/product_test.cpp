@@ -5,7 +5,7 @@
 using namespace stepwire;
 
 TEST_CASE("a product multiplies element by element") {
-  const Table run = run_text(R"(
+  const table::Table run = run_text(R"(
 step: 1 s
 stop: 1 s
 blocks:

@@ -6,7 +6,7 @@
 using namespace stepwire;
 
 TEST_CASE("A radial and a tangential part turn into x and y at their angle, and back") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 10 ms
 stop: 1 s
 blocks:

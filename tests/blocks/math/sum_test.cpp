@@ -26,7 +26,7 @@ TEST_CASE("a sum adds what has a plus and subtracts what has a minus") {
 }
 
 TEST_CASE("a sum of vectors goes element by element and takes single numbers for every element") {
-  const Table run = run_text(R"(
+  const table::Table run = run_text(R"(
 step: 1 s
 stop: 1 s
 blocks:

@@ -6,7 +6,7 @@
 using namespace stepwire;
 
 TEST_CASE("norms of a vector") {
-  const Table run = run_text(R"(
+  const table::Table run = run_text(R"(
 step: 1 s
 stop: 1 s
 blocks:
@@ -22,7 +22,7 @@ record: [length, sum, max]
 }
 
 TEST_CASE("the vector product stands upright on both factors and has their area") {
-  const Table run = run_text(R"(
+  const table::Table run = run_text(R"(
 step: 1 s
 stop: 1 s
 blocks:

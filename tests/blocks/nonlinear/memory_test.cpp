@@ -17,7 +17,7 @@ double loop_area(const std::vector<double>& x, const std::vector<double>& y, std
 }  // namespace
 
 TEST_CASE("A rate limiter makes ramps of a step, up and down") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 ms
 stop: 4 s
 blocks:
@@ -34,7 +34,7 @@ record: {every: 10 ms, signals: [y]}
 }
 
 TEST_CASE("A rate limiter lets pass what is slow enough") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 ms
 stop: 1 s
 blocks:
@@ -47,7 +47,7 @@ record: [u, y]
 
 TEST_CASE("The loop of a backlash has the area of its parallelogram") {
   // Amplitude a, gap w: the output swings by 2 (a - w/2), each way w behind: area 2 w (a - w/2).
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 0.1 ms
 stop: 2 s
 blocks:
@@ -61,7 +61,7 @@ record: [u, y]
 }
 
 TEST_CASE("A backlash moves only where it is pushed") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1
 stop: 7
 blocks:
@@ -74,7 +74,7 @@ record: [y]
 }
 
 TEST_CASE("The loop of a relay is a rectangle between its thresholds") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 0.1 ms
 stop: 2 s
 blocks:

@@ -9,7 +9,7 @@ namespace {
 
 /// The output of a block where its input goes from -10 to 10 in steps of 0.25.
 std::vector<double> curve(const std::string& keys, std::vector<double>& u) {
-  const Table table =
+  const table::Table table =
       run_text("step: 0.25\nstop: 20\nblocks:\n  u: {block: Ramp, slope: 1, initial: -10}\n  y: {" + keys +
                ", u: u}\nrecord: [u, y]\n");
   u = column(table, "u");
@@ -43,7 +43,7 @@ TEST_CASE("A dead zone gives what lies outside of it") {
 }
 
 TEST_CASE("Limits may differ from element to element") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1
 stop: 1
 blocks:
@@ -76,7 +76,7 @@ TEST_CASE("A quantizer rounds to the nearest level and goes up halfway") {
 }
 
 TEST_CASE("The error of a quantizer has the power of uniform noise") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 ms
 stop: 10 s
 blocks:
@@ -100,7 +100,7 @@ TEST_CASE("Coulomb friction has the sign of the speed and none at rest") {
 
 TEST_CASE("Friction takes the energy of its closed form from a sine") {
   // Over a period of v = a sin(w t): dry friction takes 4 a c / w, viscous friction pi a^2 d / w.
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 0.1 ms
 stop: 1 s
 solver: rk4

@@ -10,7 +10,7 @@ namespace {
 /// The step that is planned from (x, y), about (3, 4) with radius 2 and a correction of 4 Hz every 0.3 s.
 std::pair<double, double> step_from(const std::string& x, const std::string& y, const std::string& speed,
                                     const std::string& pending = "[0 m, 0 m]") {
-  const Table run = run_text(
+  const table::Table run = run_text(
       "step: 1 s\nstop: 1 s\nblocks:\n  plan: {block: CirclePlan, position: [" + x + ", " + y +
       "], pending: " + pending + ", center: [3 m, 4 m], speed: " + speed +
       ", interval: 0.3 s, radius: 2 m, correction: 4 Hz, every: 1 s}\nrecord: [plan.step, plan.off]\n");
@@ -36,7 +36,7 @@ TEST_CASE("What the movements under way will add is taken for done") {
 }
 
 TEST_CASE("A point that follows the plan goes around, and turns are counted beyond the first") {
-  const Table run = run_text(R"(
+  const table::Table run = run_text(R"(
 step: 0.1 s
 stop: 30 s
 blocks:

@@ -7,7 +7,7 @@ using namespace stepwire;
 
 namespace {
 
-Table looked(const std::string& keys, const std::string& stop = "10 s") {
+table::Table looked(const std::string& keys, const std::string& stop = "10 s") {
   return run_text("step: 100 ms\nstop: " + stop +
                   "\nblocks:\n  a: {block: DirectionAverage, every: 100 ms, " + keys +
                   "}\nrecord: [a.y, a.precision]\n");
@@ -16,7 +16,7 @@ Table looked(const std::string& keys, const std::string& stop = "10 s") {
 }  // namespace
 
 TEST_CASE("What each look has of its own averages out, what all share does not") {
-  const Table run = looked("direction: 1, noise: 0.3, bias: 0.1");
+  const table::Table run = looked("direction: 1, noise: 0.3, bias: 0.1");
   const auto& precision = column(run, "a.precision");
   for (std::size_t k = 0; k < precision.size(); ++k)
     REQUIRE(1.0 / precision[k] == Approx(0.01 + 0.09 / static_cast<double>(k + 1)));
@@ -24,12 +24,12 @@ TEST_CASE("What each look has of its own averages out, what all share does not")
 }
 
 TEST_CASE("With forgetting as many looks count as (2 - f)/f") {
-  const Table run = looked("direction: 1, noise: 0.3, bias: 0.1, forgetting: 0.1", "60 s");
+  const table::Table run = looked("direction: 1, noise: 0.3, bias: 0.1, forgetting: 0.1", "60 s");
   CHECK(1.0 / column(run, "a.precision").back() == Approx(0.01 + 0.09 / 19.0));
 }
 
 TEST_CASE("The mean is that of directions, not of numbers") {
-  const Table run = run_text(R"(
+  const table::Table run = run_text(R"(
 step: 100 ms
 stop: 100 ms
 blocks:

@@ -7,7 +7,7 @@ using namespace stepwire;
 
 namespace {
 
-Table estimated(const std::string& wiring, const std::string& stop = "40 s") {
+table::Table estimated(const std::string& wiring, const std::string& stop = "40 s") {
   return run_text("step: 100 ms\nstop: " + stop + "\nblocks:\n" + wiring +
                   "record: [e.estimate, e.covariance]\n");
 }
@@ -17,7 +17,7 @@ const std::string resting = "  s: {block: Constant, value: 0}\n";
 }  // namespace
 
 TEST_CASE("Of a drift that rests, precisions of all channels and of what was known before add up") {
-  const Table run =
+  const table::Table run =
       estimated(resting +
                 "  e: {block: DriftEstimator, measured: [3, 7], precision: [0.5, 2], direction: [1, 0], "
                 "along: s, deviation: 2, correlation: 1}\n");
@@ -33,7 +33,7 @@ TEST_CASE("Of a drift that rests, precisions of all channels and of what was kno
 
 TEST_CASE("A drift that goes on is known to the steady solution of the Riccati equation") {
   const double r = std::exp(-0.1 / 0.5), fresh = 4.0 * (1.0 - r * r), precision = 3.0;
-  const Table run = estimated(
+  const table::Table run = estimated(
       "  s: {block: Clock}\n  e: {block: DriftEstimator, measured: [1], precision: [3], "
       "direction: [0, 1], along: s, deviation: 2, correlation: 0.5 s}\n");
   // P = 1/(1/(r^2 P + q) + p), which is p r^2 P^2 + (p q + 1 - r^2) P - q = 0
@@ -44,7 +44,7 @@ TEST_CASE("A drift that goes on is known to the steady solution of the Riccati e
 }
 
 TEST_CASE("What turns is seen from all sides in turn, and found") {
-  const Table run = estimated(
+  const table::Table run = estimated(
       resting +
       "  a: {block: Ramp, slope: 1}\n  x: {block: Trig, u: a, function: cos}\n  y: {block: Trig, u: a}\n"
       "  d: {block: Mux, u: [x, y]}\n  z: {block: Dot, u: [d, [3, -5]]}\n"
@@ -55,7 +55,7 @@ TEST_CASE("What turns is seen from all sides in turn, and found") {
 }
 
 TEST_CASE("Its error is as large as its covariance says") {
-  const Table run = run_text(R"(
+  const table::Table run = run_text(R"(
 step: 100 ms
 stop: 4000 s
 blocks:
@@ -86,7 +86,7 @@ record: [drift, e.estimate, e.covariance]
 }
 
 TEST_CASE("A channel of precision 0 says nothing, whatever it measures") {
-  const Table run = estimated(
+  const table::Table run = estimated(
       resting +
       "  e: {block: DriftEstimator, measured: [3, 1e300], precision: [1, 0], direction: [1, 0], along: s}\n");
   CHECK(column(run, "e.estimate.1").front() == Approx(1.5));

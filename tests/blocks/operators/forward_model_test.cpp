@@ -6,7 +6,7 @@
 using namespace stepwire;
 
 TEST_CASE("The model moves as the hand does that it is a model of") {
-  const Table run = run_text(R"(
+  const table::Table run = run_text(R"(
 step: 1 ms
 stop: 2 s
 solver: rk4

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double degree = M_PI / 180.0;
 
-Table judged(const std::string& keys, const std::string& stop = "1 s", const std::string& more = "") {
+table::Table judged(const std::string& keys, const std::string& stop = "1 s", const std::string& more = "") {
   return run_text("step: 100 ms\nstop: " + stop + "\nblocks:\n" + more +
                   "  h: {block: HeadingPosterior, every: 100 ms, weber: 0.1, threshold: 0.04 N, forgetting: "
                   "0, "
@@ -23,7 +23,7 @@ const std::string nothing = "direction: [0], precision: [0], ";
 }  // namespace
 
 TEST_CASE("Two cues are weighed by their precisions") {
-  const Table run =
+  const table::Table run =
       judged("direction: [10 deg, 40 deg], precision: [200, 100], force: 0 N, push: 0, moving: 0");
   const double x = 200 * std::cos(10 * degree) + 100 * std::cos(40 * degree),
                y = 200 * std::sin(10 * degree) + 100 * std::sin(40 * degree);
@@ -32,7 +32,8 @@ TEST_CASE("Two cues are weighed by their precisions") {
 }
 
 TEST_CASE("Without a cue all headings are alike, and the last is kept") {
-  const Table run = judged(nothing + "force: 0 N, push: 0, moving: 0, initial: [100 deg, 0, 0], change: 2");
+  const table::Table run =
+      judged(nothing + "force: 0 N, push: 0, moving: 0, initial: [100 deg, 0, 0], change: 2");
   CHECK(column(run, "h.sure").back() == Approx(60.0 / 360.0));
   CHECK(column(run, "h.heading").back() == Approx(100 * degree));
 }
@@ -42,7 +43,7 @@ TEST_CASE("A resistance leaves both sides, and another push tells them apart") {
   const std::string pushes =
       "  a: {block: Step, time: 450 ms, before: 40 deg, after: 10 deg}\n"
       "  f: {block: Step, time: 450 ms, before: 3 N, after: 5.196 N}\n";
-  const Table run = judged(nothing + "force: f, push: a, moving: 1", "1 s", pushes);
+  const table::Table run = judged(nothing + "force: f, push: a, moving: 1", "1 s", pushes);
   CHECK(column(run, "h.sure")[4] == Approx(0.5).margin(0.05));
   CHECK(column(run, "h.heading").back() == Approx(70 * degree).margin(3 * degree));
   CHECK(column(run, "h.sure").back() > 0.95);
@@ -52,12 +53,12 @@ TEST_CASE(
     "A hand that is held and feels little knows nothing, one that is held against much knows it is wrong") {
   CHECK(column(judged(nothing + "force: 0.3 N, push: 0, moving: 0"), "h.sure").back() ==
         Approx(1.0 / 6.0).margin(0.01));
-  const Table run = judged(nothing + "force: 5 N, push: 0, moving: 0");
+  const table::Table run = judged(nothing + "force: 5 N, push: 0, moving: 0");
   CHECK(std::abs(column(run, "h.heading").back()) > 50 * degree);
 }
 
 TEST_CASE("Between judgements nothing changes") {
-  const Table run =
+  const table::Table run =
       judged("direction: [a], precision: [100], force: 0 N, push: 0, moving: 0, judged: now", "2 s",
              "  a: {block: Ramp, slope: 0.1}\n  now: {block: Pulse, period: 1 s, width: 0.1}\n");
   CHECK(column(run, "h.heading")[9] == column(run, "h.heading")[0]);

@@ -8,8 +8,8 @@ using namespace stepwire;
 namespace {
 
 /// What is learnt of a force in a motion along x.
-Table learnt(const std::string& force, const std::string& velocity, const std::string& keys,
-             const std::string& stop) {
+table::Table learnt(const std::string& force, const std::string& velocity, const std::string& keys,
+                    const std::string& stop) {
   return run_text("step: 10 ms\nstop: " + stop + "\nblocks:\n" + force + velocity +
                   "  v: {block: Mux, u: [vx, 0 m/s]}\n  f: {block: Mux, u: [fx, 0 N]}\n"
                   "  l: {block: LoadAdaptation, force: f, velocity: v, every: 10 ms" +
@@ -22,14 +22,14 @@ const std::string moving = "  vx: {block: Constant, value: 10 mm/s}\n";
 }  // namespace
 
 TEST_CASE("Of a lasting load b T/(1 + b T) is carried, with the gains of both states in b T") {
-  const Table run = learnt(four, moving, "", "300 s");
+  const table::Table run = learnt(four, moving, "", "300 s");
   const double gain = 0.35 * 1.14 + 0.033 * 75.0;
   CHECK(column(run, "l.y.1").back() == Approx(4.0 * gain / (1.0 + gain)).epsilon(1e-3));
   CHECK(column(run, "l.y.2").back() == Approx(0.0).margin(1e-12));
 }
 
 TEST_CASE("Learning follows both differential equations") {
-  const Table run = learnt(four, moving, "", "5 s");
+  const table::Table run = learnt(four, moving, "", "5 s");
   double fast = 0.0, slow = 0.0;
   for (int k = 0; k < 5000; ++k) {  // in steps of 1 ms
     const double wrong = 4.0 - fast - slow;
@@ -42,7 +42,7 @@ TEST_CASE("Learning follows both differential equations") {
 
 TEST_CASE(
     "What the trials before have left is there at once, and rests when the hand rests, but for forgetting") {
-  const Table run =
+  const table::Table run =
       learnt(four, "  vx: {block: Constant, value: 0 m/s}\n", ", initial_fast: 1, initial_slow: 2", "10 s");
   CHECK(column(run, "l.learned").front() == 3.0);
   CHECK(column(run, "l.y.1").back() == 0.0);
@@ -51,7 +51,7 @@ TEST_CASE(
 }
 
 TEST_CASE("A load that is no longer felt is no longer pushed against a few reflexes later") {
-  const Table run =
+  const table::Table run =
       learnt("  fx: {block: Step, time: 60 s, before: 4 N, after: 0 N}\n", moving, "", "60.5 s");
   const auto& push = column(run, "l.y.1");
   CHECK(push[5999] > 2.0);
@@ -68,8 +68,9 @@ TEST_CASE("The force is never more than its share of what is felt, nor than the 
 }
 
 TEST_CASE("The force turns about with the motion within its onset") {
-  const Table run = learnt("  fx: {block: Step, time: 30 s, before: 4 N, after: -4 N}\n",
-                           "  vx: {block: Step, time: 30 s, before: 10 mm/s, after: -10 mm/s}\n", "", "32 s");
+  const table::Table run =
+      learnt("  fx: {block: Step, time: 30 s, before: 4 N, after: -4 N}\n",
+             "  vx: {block: Step, time: 30 s, before: 10 mm/s, after: -10 mm/s}\n", "", "32 s");
   const auto& push = column(run, "l.y.1");
   CHECK(push[2999] > 1.0);
   CHECK(push.back() < -1.0);

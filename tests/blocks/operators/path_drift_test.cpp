@@ -8,9 +8,10 @@ using namespace stepwire;
 namespace {
 
 double after(const std::string& speed, const std::string& stop) {
-  const Table run = run_text("step: 10 ms\nstop: " + stop + "\nblocks:\n  x: {block: Ramp, slope: " + speed +
-                             "}\n  p: {block: Mux, u: [x, 0 m]}\n  d: {block: PathDrift, position: p, "
-                             "place: [30 mm, -40 mm], path: 2 m, every: 10 ms}\nrecord: [d]\n");
+  const table::Table run =
+      run_text("step: 10 ms\nstop: " + stop + "\nblocks:\n  x: {block: Ramp, slope: " + speed +
+               "}\n  p: {block: Mux, u: [x, 0 m]}\n  d: {block: PathDrift, position: p, "
+               "place: [30 mm, -40 mm], path: 2 m, every: 10 ms}\nrecord: [d]\n");
   CHECK(column(run, "d.2").back() == Approx(-4.0 / 3.0 * column(run, "d.1").back()));
   return column(run, "d.1").back();
 }

@@ -12,8 +12,8 @@ double minimum_jerk(double s) {
 }
 
 /// Pieces every 0.3 s of 0.45 s, of a hand at `position`.
-Table moved(const std::string& step, const std::string& position, const std::string& keys = "",
-            const std::string& stop = "3 s") {
+table::Table moved(const std::string& step, const std::string& position, const std::string& keys = "",
+                   const std::string& stop = "3 s") {
   return run_text("step: 10 ms\nstop: " + stop + "\nblocks:\n  m: {block: Submovements, step: " + step +
                   ", position: " + position + ", interval: 0.3 s, overlap: 1.5, every: 10 ms" + keys +
                   "}\nrecord: [m.equilibrium, m.velocity, m.pending, m.begins]\n");
@@ -22,7 +22,7 @@ Table moved(const std::string& step, const std::string& position, const std::str
 }  // namespace
 
 TEST_CASE("A piece goes to its via point in minimum jerk, and the next adds to it") {
-  const Table run = moved("[6 mm, -2 mm]", "[0 mm, 0 mm]", "", "0.59 s");
+  const table::Table run = moved("[6 mm, -2 mm]", "[0 mm, 0 mm]", "", "0.59 s");
   const auto &x = column(run, "m.equilibrium.1"), &y = column(run, "m.equilibrium.2"),
              &time = column(run, "time");
   for (std::size_t k = 0; k < x.size(); ++k) {
@@ -34,7 +34,7 @@ TEST_CASE("A piece goes to its via point in minimum jerk, and the next adds to i
 }
 
 TEST_CASE("The velocity is the slope of the equilibrium, and pending what is left") {
-  const Table run = moved("[6 mm, 0 mm]", "[0 mm, 0 mm]");
+  const table::Table run = moved("[6 mm, 0 mm]", "[0 mm, 0 mm]");
   const auto &x = column(run, "m.equilibrium.1"), &v = column(run, "m.velocity.1");
   for (std::size_t k = 1; k + 1 < x.size(); ++k)
     REQUIRE(v[k] == Approx((x[k + 1] - x[k - 1]) / 0.02).margin(2e-4));
@@ -42,27 +42,28 @@ TEST_CASE("The velocity is the slope of the equilibrium, and pending what is lef
 }
 
 TEST_CASE("Twice the step doubles the speed and leaves the duration of the pieces") {
-  const Table slow = moved("[3 mm, 0 mm]", "[0 mm, 0 mm]"), fast = moved("[6 mm, 0 mm]", "[0 mm, 0 mm]");
+  const table::Table slow = moved("[3 mm, 0 mm]", "[0 mm, 0 mm]"),
+                     fast = moved("[6 mm, 0 mm]", "[0 mm, 0 mm]");
   CHECK(column(slow, "m.begins") == column(fast, "m.begins"));
   const auto &a = column(slow, "m.velocity.1"), &b = column(fast, "m.velocity.1");
   for (std::size_t k = 0; k < a.size(); ++k) REQUIRE(b[k] == Approx(2.0 * a[k]).margin(1e-12));
 }
 
 TEST_CASE("The first piece waits for the latency") {
-  const Table run = moved("[3 mm, 0 mm]", "[0 mm, 0 mm]", ", latency: 0.5 s");
+  const table::Table run = moved("[3 mm, 0 mm]", "[0 mm, 0 mm]", ", latency: 0.5 s");
   CHECK(column(run, "m.equilibrium.1")[50] == 0.0);
   CHECK(column(run, "m.equilibrium.1")[60] > 0.0);
 }
 
 TEST_CASE("A hand that is held is led no farther than the reach") {
-  const Table run = moved("[3 mm, 4 mm]", "[0 mm, 0 mm]", ", reach: 20 mm", "20 s");
+  const table::Table run = moved("[3 mm, 4 mm]", "[0 mm, 0 mm]", ", reach: 20 mm", "20 s");
   CHECK(std::hypot(column(run, "m.equilibrium.1").back(), column(run, "m.equilibrium.2").back()) ==
         Approx(20e-3));
 }
 
 TEST_CASE("What is behind across the new direction is given up, what is behind along it is not") {
   // 2 s along x, then along y, by a hand that is held
-  const Table run = run_text(R"(
+  const table::Table run = run_text(R"(
 step: 10 ms
 stop: 6 s
 blocks:

@@ -9,7 +9,7 @@ namespace {
 
 /// A wall of 5 N and 1 N/mm, 1.5 mm from the middle, entered at 1 s with `rate`; what is felt rises by
 /// `rise`.
-Table felt(const std::string& rate, const std::string& rise, const std::string& before = "1 N") {
+table::Table felt(const std::string& rate, const std::string& rise, const std::string& before = "1 N") {
   return run_text("step: 100 ms\nstop: 3 s\nblocks:\n  on: {block: Step, time: 1 s, before: " + before +
                   ", after: 5 N}\n"
                   "  up: {block: Ramp, start: 1 s, slope: " +
@@ -25,7 +25,7 @@ Table felt(const std::string& rate, const std::string& rise, const std::string& 
 }  // namespace
 
 TEST_CASE("Inside of the corridor nothing is said") {
-  const Table run = felt("1 mm/s", "1 N/s");
+  const table::Table run = felt("1 mm/s", "1 N/s");
   for (std::size_t k = 0; k < 10; ++k) {
     REQUIRE(column(run, "w.outside")[k] == 0.0);
     REQUIRE(column(run, "w.precision")[k] == 0.0);
@@ -49,7 +49,7 @@ TEST_CASE(
 }
 
 TEST_CASE("Where the side is not known the other one is in the variance") {
-  const Table run = felt("0 mm/s", "0 N/s");
+  const table::Table run = felt("0 mm/s", "0 N/s");
   CHECK(column(run, "w.measured").back() == 0.0);
   CHECK(1.0 / std::sqrt(column(run, "w.precision").back()) ==
         Approx(std::hypot(1.5e-3, 0.5016e-3)).epsilon(1e-3));

@@ -13,7 +13,7 @@ TEST_CASE("A Bouc-Wen element in an oscillator gives the response of the hystere
     WARN("skipped: STEPWIRE_DATA names no data folder");
     return;
   }
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: = 1/15000
 stop: = 16383/750
 solver: rk4

@@ -6,7 +6,7 @@
 using namespace stepwire;
 
 TEST_CASE("A Bouc-Wen element with n = 1 loads along its exponential") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 ms
 stop: 1 s
 solver: rk4
@@ -20,7 +20,7 @@ record: [element]
 }
 
 TEST_CASE("A Bouc-Wen element with n = 2 loads along a hyperbolic tangent") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 ms
 stop: 1 s
 solver: rk4
@@ -34,7 +34,7 @@ record: [element]
 }
 
 TEST_CASE("A Bouc-Wen element given by its limit loads to that, whatever n is") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 ms
 stop: 1 s
 solver: rk4
@@ -54,7 +54,7 @@ record: [exponential, tangent, settled]
 
 TEST_CASE("Limit and ratio of a Bouc-Wen element are another way to say beta and gamma") {
   // beta + gamma = A / z_max^n: 4/2 and 1/0.25
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 ms
 stop: 1 s
 solver: rk4

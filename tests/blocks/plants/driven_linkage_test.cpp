@@ -31,12 +31,12 @@ TEST_CASE("The force that a driven linkage asks for makes a free one move alike"
     start += std::to_string(amplitude[i] * std::sin(phase[i]) + (i == 1 ? 0.2 : 0.0)) + (i < 2 ? "," : "");
     rates += std::to_string(w[i] * amplitude[i] * std::cos(phase[i])) + (i < 2 ? "," : "");
   }
-  const Table table = run_text("step: 0.1 ms\nstop: 0.5 s\nsolver: rk4\nblocks:" + curve + R"(
+  const table::Table table = run_text("step: 0.1 ms\nstop: 0.5 s\nsolver: rk4\nblocks:" + curve + R"(
   f:      {block: Sine, amplitude: [3, 2, 4], frequency: [5, 2, 3]}
   driven: {block: DrivenLinkage, position: p, velocity: v, acceleration: a, force: f, )" +
-                               rig + R"(}
+                                      rig + R"(}
   free:   {block: Linkage, force: f, external: driven.external, )" +
-                               rig + start + rates + R"(]}
+                                      rig + start + rates + R"(]}
 record: [p, free.position, driven.kinetic_energy, free.kinetic_energy]
 )");
   for (const std::string i : {".1", ".2", ".3"}) {
@@ -46,9 +46,9 @@ record: [p, free.position, driven.kinetic_energy, free.kinetic_energy]
 }
 
 TEST_CASE("The work of what drives a linkage, less that of its links, is its kinetic energy") {
-  const Table table = run_text("step: 0.1 ms\nstop: 0.5 s\nsolver: rk4\nblocks:" + curve + R"(
+  const table::Table table = run_text("step: 0.1 ms\nstop: 0.5 s\nsolver: rk4\nblocks:" + curve + R"(
   driven:  {block: DrivenLinkage, position: p, velocity: v, acceleration: a, force: damping, )" +
-                               rig + R"(}
+                                      rig + R"(}
   damping: {block: Gain, u: driven.rate, gain: -20 N s/m}
   hand:    {block: Dot, u: [driven.external, v]}
   links:   {block: Dot, u: [damping, driven.rate]}
@@ -61,7 +61,7 @@ record: [work, driven.kinetic_energy]
 }
 
 TEST_CASE("A pin driven along a link at constant speed feels that link's force alone") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 ms
 stop: 0.5 s
 solver: rk4

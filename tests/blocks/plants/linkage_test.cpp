@@ -42,7 +42,7 @@ const std::string planar_start = "initial_position: [0.01, 0.2], initial_velocit
 const std::string spatial_start = "initial_position: [0.01, 0.2, 0], initial_velocity: [0.05, -0.1, 0.02]";
 
 /// Largest difference of work and gain of kinetic energy, relative to the latter's range.
-double imbalance(const Table& table) {
+double imbalance(const table::Table& table) {
   const auto &energy = column(table, "rig.kinetic_energy"), &work = column(table, "work");
   double worst = 0.0, most = 0.0;
   for (std::size_t k = 0; k < work.size(); ++k) {
@@ -60,7 +60,7 @@ TEST_CASE("The work of all forces on a linkage is its kinetic energy, in the pla
 }
 
 TEST_CASE("The links of a linkage end at its pin, and their rates are the rates of their lengths") {
-  const Table table = run_text(exercise(planar, planar_start, "[0.5, -0.3]"));
+  const table::Table table = run_text(exercise(planar, planar_start, "[0.5, -0.3]"));
   const double anchors[3][2] = {{-0.16, 0.36}, {0.16, 0.36}, {0.0, 0.0}};
   for (int link = 0; link < 3; ++link) {
     const std::string number = "." + std::to_string(link + 1);
@@ -78,15 +78,16 @@ TEST_CASE("The links of a linkage end at its pin, and their rates are the rates 
 }
 
 TEST_CASE("A pin on links without mass flies straight on") {
-  const Table table = run_text(head + "  rig: {block: Linkage, force: [0 N, 0 N, 0 N], pin_mass: 0.8 kg, " +
-                               spatial + ", " + spatial_start + "}\nrecord: [rig.position, rig.velocity]\n");
+  const table::Table table =
+      run_text(head + "  rig: {block: Linkage, force: [0 N, 0 N, 0 N], pin_mass: 0.8 kg, " + spatial + ", " +
+               spatial_start + "}\nrecord: [rig.position, rig.velocity]\n");
   const double end[] = {0.01 + 0.05 * 0.5, 0.2 - 0.1 * 0.5, 0.02 * 0.5};
   for (int i = 0; i < 3; ++i)
     CHECK(column(table, "rig.position." + std::to_string(i + 1)).back() == Approx(end[i]).margin(1e-14));
 }
 
 TEST_CASE("A link alone, whatever its force, keeps its angular momentum about its anchor") {
-  const Table table = run_text(head + R"(
+  const table::Table table = run_text(head + R"(
   force: {block: Sine, amplitude: 5 N, frequency: 4 Hz, bias: -1 N}
   rig:   {block: Linkage, force: force, anchors: [[0.1, 0, -0.2]], pin_mass: 0.3 kg, rod_mass: 0.5 kg,
           rod_inertia: 4e-4, rod_centre: 70 mm, housing_inertia: 2e-3, initial_position: [0.1, 0.3, 0.1],
@@ -108,7 +109,8 @@ record: [rig.position, rig.velocity, rig.length]
 TEST_CASE("A rod that spins at constant length pulls with the centrifugal force of its masses") {
   // With omega = 8 rad/s at 0.25 m: 0.3 kg at 0.25 m and 0.5 kg at 0.18 m.
   const double pull = (0.3 * 0.25 + 0.5 * 0.18) * 64.0;
-  const Table table = run_text(head + "  rig: {block: Linkage, force: " + std::to_string(-pull) + R"( N,
+  const table::Table table =
+      run_text(head + "  rig: {block: Linkage, force: " + std::to_string(-pull) + R"( N,
     anchors: [[0, 0]], pin_mass: 0.3 kg, rod_mass: 0.5 kg, rod_inertia: 4e-4, rod_centre: 70 mm,
     housing_inertia: 2e-3, initial_position: [0.25, 0], initial_velocity: [0, 2]}
 record: [rig.position, rig.length]
@@ -122,7 +124,7 @@ record: [rig.position, rig.length]
 
 TEST_CASE("A link held at its length swings as a physical pendulum") {
   // 10 N pull the pin downward; the spring holds 0.25 m but for the 10 um that they stretch it.
-  const Table table = run_text(head + R"(
+  const table::Table table = run_text(head + R"(
   stretch: {block: Sum, signs: "+-", u: [rig.length, 0.24999 m]}
   spring:  {block: Gain, u: stretch, gain: -1e6 N/m}
   rig:     {block: Linkage, force: spring, external: [0 N, -10 N], anchors: [[0, 0]], pin_mass: 0.3 kg,
@@ -144,17 +146,17 @@ TEST_CASE("A linkage and its mirror image move as mirror images") {
         ", pin_mass: 0.8 kg, rod_mass: [0.2, 0.2, 0.4], rod_centre: 50 mm, housing_inertia: 1e-3, " + start +
         "}\nrecord: [rig.position]\n");
   };
-  const Table left = run("[[-0.16, 0.36], [0.16, 0.36], [0, 0]], force: [2 N, 0 N, 1 N]",
-                         "initial_position: [0.01, 0.2], initial_velocity: [0.02, 0.1]");
-  const Table right = run("[[0.16, 0.36], [-0.16, 0.36], [0, 0]], force: [2 N, 0 N, 1 N]",
-                          "initial_position: [-0.01, 0.2], initial_velocity: [-0.02, 0.1]");
+  const table::Table left = run("[[-0.16, 0.36], [0.16, 0.36], [0, 0]], force: [2 N, 0 N, 1 N]",
+                                "initial_position: [0.01, 0.2], initial_velocity: [0.02, 0.1]");
+  const table::Table right = run("[[0.16, 0.36], [-0.16, 0.36], [0, 0]], force: [2 N, 0 N, 1 N]",
+                                 "initial_position: [-0.01, 0.2], initial_velocity: [-0.02, 0.1]");
   const auto &x = column(left, "rig.position.1"), &mirrored = column(right, "rig.position.1");
   for (std::size_t k = 0; k < x.size(); k += 50) CHECK(x[k] == -mirrored[k]);
   CHECK(column(left, "rig.position.2") == column(right, "rig.position.2"));
 }
 
 TEST_CASE("On a line a linkage is a mass") {
-  const Table table = run_text(head + R"(
+  const table::Table table = run_text(head + R"(
   force: {block: Sine, amplitude: 3 N, frequency: 3 Hz}
   rig:   {block: Linkage, force: force, external: 1 N, anchors: [[-0.2]], pin_mass: 0.5 kg, rod_mass: 0.25 kg,
           housing_inertia: 1e-3, rod_centre: 50 mm, initial_velocity: 0.1}

@@ -18,7 +18,7 @@ const std::string bodies =
 struct Polar {
   double r, turn, radial_speed;  ///< turn: angular velocity
 
-  Polar(const Table& table, std::size_t k) {
+  Polar(const table::Table& table, std::size_t k) {
     const auto at = [&](const std::string& name) { return column(table, "rig." + name)[k]; };
     const double x = at("position.1") - 0.02, y = at("position.2") + 0.01, u = at("velocity.1"),
                  v = at("velocity.2");
@@ -33,7 +33,7 @@ struct Polar {
   }
 };
 
-Table thrown(const std::string& torque, const std::string& force) {
+table::Table thrown(const std::string& torque, const std::string& force) {
   return run_text("step: 0.1 ms\nstop: 0.4 s\nsolver: rk4\nblocks:\n  torque: " + torque + "\n  force: " +
                   force + "\n  rig: {block: Linkage, force: force, torque: torque, " + bodies +
                   R"(, initial_position: [0.24, 0], initial_velocity: [-0.1, 0.3]}
@@ -51,7 +51,7 @@ const std::string no_torque = "{block: Constant, value: 0 N m}", no_force = "{bl
 }  // namespace
 
 TEST_CASE("A polar platform that is left alone keeps its angular momentum and its energy") {
-  const Table table = thrown(no_torque, no_force);
+  const table::Table table = thrown(no_torque, no_force);
   const Polar first(table, 0);
   for (std::size_t k = 0; k < column(table, "time").size(); k += 100) {
     const Polar now(table, k);
@@ -65,8 +65,8 @@ TEST_CASE("A polar platform that is left alone keeps its angular momentum and it
 TEST_CASE(
     "A torque adds its impulse to the angular momentum, whatever the radial force, and both their work to "
     "the energy") {
-  const Table table = thrown("{block: Sine, amplitude: 0.5 N m, frequency: 3 Hz, phase: 1}",
-                             "{block: Sine, amplitude: 4 N, frequency: 5 Hz, bias: -2 N}");
+  const table::Table table = thrown("{block: Sine, amplitude: 0.5 N m, frequency: 3 Hz, phase: 1}",
+                                    "{block: Sine, amplitude: 4 N, frequency: 5 Hz, bias: -2 N}");
   const Polar first(table, 0);
   for (std::size_t k = 0; k < column(table, "time").size(); k += 100) {
     const Polar now(table, k);
@@ -78,7 +78,7 @@ TEST_CASE(
 
 TEST_CASE("Along a circle the pusher feels the torque over the arm and the centrifugal force, and no more") {
   // r = 0.2 m, turning at 3 rad/s: pin and rod pull outward by their mass times radius times 9.
-  const Table table = run_text("step: 1 ms\nstop: 1 s\nsolver: rk4\nblocks:\n" + std::string(R"(
+  const table::Table table = run_text("step: 1 ms\nstop: 1 s\nsolver: rk4\nblocks:\n" + std::string(R"(
   phase:    {block: Ramp, slope: 3 rad/s}
   cosine:   {block: Trig, function: cos, u: phase}
   sine:     {block: Trig, function: sin, u: phase}
@@ -90,7 +90,7 @@ TEST_CASE("Along a circle the pusher feels the torque over the arm and the centr
   acceleration: {block: Gain, u: spoke, gain: -1.8 m/s2}
   rig: {block: DrivenLinkage, position: position, velocity: velocity, acceleration: acceleration, force: 0 N,
         torque: -0.3 N m, )") + bodies +
-                               R"(}
+                                      R"(}
   felt: {block: Rotate, u: rig.external, angle: phase, inverse: true}
 record: [felt, rig.angular_rate]
 )");

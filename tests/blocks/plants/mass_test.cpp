@@ -5,7 +5,7 @@
 using namespace stepwire;
 
 TEST_CASE("A mass under a constant force moves on a parabola") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 ms
 stop: 2 s
 solver: rk4

@@ -11,7 +11,7 @@ namespace {
 
 /// Force of the RD-1097-01 after a long steady motion, by either integration.
 double steady_force(const std::string& speed, const std::string& current, const std::string& more = "") {
-  const Table table = run_text(
+  const table::Table table = run_text(
       "step: 0.1 ms\nstop: 1 s\nsolver: rk4\nblocks:\n  damper: {block: MRDamper, preset: rd-1097-01, "
       "velocity: " +
       speed + ", current: " + current + more + "}\nrecord: [damper.force]\n");
@@ -35,7 +35,7 @@ record: [velocity, damper.force, damper.z, damper.dissipated, damper.stored, dam
 )";
 }
 
-double imbalance(const Table& table) {
+double imbalance(const table::Table& table) {
   const auto& work = column(table, "work");
   double worst = 0.0;
   for (std::size_t k = 0; k < work.size(); ++k) {
@@ -91,7 +91,7 @@ blocks:
 record: [damper.dissipated, damper.stored, damper.switching_work]
 )");
   };
-  const Table fine = run("solver", "0.02 ms");
+  const table::Table fine = run("solver", "0.02 ms");
   for (const char* name : {"damper.dissipated", "damper.switching_work"}) {
     const double right = column(fine, name).back();
     const double coarse = std::abs(column(run("exact", "2 ms"), name).back() - right);
@@ -105,7 +105,7 @@ record: [damper.dissipated, damper.stored, damper.switching_work]
 }
 
 TEST_CASE("The dissipated energy of a damper never falls") {
-  const Table table = run_text(exercise("solver", "0.1 ms"));
+  const table::Table table = run_text(exercise("solver", "0.1 ms"));
   const auto& energy = column(table, "damper.dissipated");
   CHECK(energy.front() == 0.0);
   CHECK(energy.back() > 0.0);
@@ -113,7 +113,7 @@ TEST_CASE("The dissipated energy of a damper never falls") {
 }
 
 TEST_CASE("Without changes of current no switching work is booked") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 0.1 ms
 stop: 0.5 s
 solver: rk4
@@ -126,7 +126,7 @@ record: [damper.switching_work, damper.stored]
 }
 
 TEST_CASE("The exact step agrees with the solver and converges with the square of the step") {
-  const auto end = [](const Table& table) { return column(table, "damper.z").back(); };
+  const auto end = [](const table::Table& table) { return column(table, "damper.z").back(); };
   const double fine = end(run_text(exercise("solver", "0.01 ms")));
   const double coarse = std::abs(end(run_text(exercise("exact", "1 ms"))) - fine);
   const double halved = std::abs(end(run_text(exercise("exact", "0.5 ms"))) - fine);
@@ -157,7 +157,7 @@ TEST_CASE("The stiffest damper that a fit may try stays within its limit at 300 
   const double rate = A / std::pow(limit, n), share = gamma / 200.0;
   const double beta = n == 1.0 ? 100e3 : rate * 0.5;
   const double gamma_si = n == 1.0 ? gamma * 1e3 : rate * share;
-  const Table table = run_text(fmt::format(R"(
+  const table::Table table = run_text(fmt::format(R"(
 step: 1 ms
 stop: 1 s
 solver: rk4
@@ -166,7 +166,7 @@ blocks:
   damper:   {{block: MRDamper, velocity: velocity, current: 0.2 A, A: {}, n: {}, beta: {}, gamma: {}, integration: exact}}
 record: [damper.z, damper.dissipated]
 )",
-                                           A, n, beta, gamma_si));
+                                                  A, n, beta, gamma_si));
   const double least = beta - std::abs(gamma_si);  // of either direction; 0: a spring that never yields
   const double bound = least > 0.0 ? std::pow(A / least, 1.0 / n) : 1.0;
   double before = 0.0;
@@ -178,7 +178,7 @@ record: [damper.z, damper.dissipated]
 }
 
 TEST_CASE("A stiffness and an offset add to the damper's force") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 ms
 stop: 0.1 s
 solver: rk4
@@ -200,7 +200,7 @@ TEST_CASE("Parameters in millimetres, newtons and seconds are those of the prese
 TEST_CASE("A damper given by the limit of z is the one of beta and gamma") {
   // 10.614 - 7.0773 = 3.5367 per mm: z settles at 36.2095/3.5367 mm; for n = 2 at the root
   // of 36.2095/3.5367e6 m^2.
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 0.1 ms
 stop: 1 s
 solver: rk4

@@ -7,7 +7,7 @@ using namespace stepwire;
 
 namespace {
 
-Table pushed(const std::string& parameters, const std::string& stop) {
+table::Table pushed(const std::string& parameters, const std::string& stop) {
   return run_text("step: 1 ms\nstop: " + stop + "\nsolver: rk4\nblocks:\n  motor: {block: Pusher, " +
                   parameters +
                   R"(}
@@ -21,7 +21,7 @@ record: [motor.position, motor.velocity, motor.acceleration, motor.distance, mot
 
 TEST_CASE("A pusher reaches its speed evenly, holds it and stops at the point") {
   // 1 s to reach 10 mm/s with 10 mm/s2, over 5 mm; 20 mm at that speed take 2 s; 5 mm to stop.
-  const Table table = pushed(
+  const table::Table table = pushed(
       "points: [[10 mm, 0 mm], [10 mm, 30 mm]], speed: 10 mm/s, highest_acceleration: 0.01 m/s2", "5 s");
   const auto &y = column(table, "motor.position.2"), &v = column(table, "motor.velocity.2");
   CHECK(y[500] == Approx(1.25e-3));
@@ -37,7 +37,7 @@ TEST_CASE("A pusher reaches its speed evenly, holds it and stops at the point") 
 
 TEST_CASE(
     "Position and velocity of a pusher are the integrals of what it gives beside them, round corners too") {
-  const Table table = pushed(
+  const table::Table table = pushed(
       "points: [[10 mm, 0 mm], [40 mm, 0 mm], [40 mm, 0.1 mm], [10 mm, -40 mm]], speed: 20 mm/s", "5 s");
   for (const std::string i : {".1", ".2"})
     for (std::size_t k = 0; k < column(table, "time").size(); ++k) {
@@ -50,7 +50,7 @@ TEST_CASE(
 }
 
 TEST_CASE("A speed that is never reached makes a push of constant acceleration") {
-  const Table table =
+  const table::Table table =
       pushed("points: [[10 mm, 0 mm], [30 mm, 0 mm]], speed: 1 m/s, highest_acceleration: 0.02 m/s2", "2 s");
   // half of the way in sqrt(20 mm / 0.02 m/s2) = 1 s
   CHECK(column(table, "motor.position.1")[1000] == Approx(20e-3));
@@ -61,7 +61,7 @@ TEST_CASE("A speed that is never reached makes a push of constant acceleration")
 }
 
 TEST_CASE("A pusher rests until it begins") {
-  const Table table = pushed("points: [[10 mm, 0 mm], [30 mm, 0 mm]], begin: 0.5 s", "1 s");
+  const table::Table table = pushed("points: [[10 mm, 0 mm], [30 mm, 0 mm]], begin: 0.5 s", "1 s");
   CHECK(column(table, "motor.acceleration.1")[499] == 0.0);
   CHECK(column(table, "motor.position.1")[500] == 10e-3);
   CHECK(column(table, "motor.velocity.1")[600] > 0.0);

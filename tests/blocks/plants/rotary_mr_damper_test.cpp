@@ -11,10 +11,11 @@ constexpr double lbf_in = 0.1129848290276167;  // 4.4482216152605 N times 0.0254
 
 /// Torque while turning at 1 rad/s, after this many seconds.
 double torque(const std::string& current, const std::string& time = "10 s", const std::string& more = "") {
-  const Table table = run_text("step: 1 ms\nstop: " + time +
-                               "\nsolver: rk4\nblocks:\n  brake: {block: RotaryMRDamper, preset: rd-2087-01, "
-                               "velocity: 1 rad/s, current: " +
-                               current + more + "}\nrecord: [brake.torque]\n");
+  const table::Table table =
+      run_text("step: 1 ms\nstop: " + time +
+               "\nsolver: rk4\nblocks:\n  brake: {block: RotaryMRDamper, preset: rd-2087-01, "
+               "velocity: 1 rad/s, current: " +
+               current + more + "}\nrecord: [brake.torque]\n");
   return column(table, "brake.torque").back();
 }
 
@@ -51,7 +52,7 @@ TEST_CASE("Above its identified range the rotary damper keeps its torque") {
 }
 
 TEST_CASE("Scaled pre-sliding stores the energy that a slip of one z limit allows") {
-  const Table table = run_text(R"(
+  const table::Table table = run_text(R"(
 step: 1 ms
 stop: 5 s
 solver: rk4

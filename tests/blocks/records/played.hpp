@@ -9,12 +9,12 @@
 
 /// A record with a row every `interval` [s] from 0 on: time, and y in mm of it.
 inline std::string record_text(std::size_t rows, double interval, const std::function<double(double)>& y) {
-  stepwire::Table table{{{"time", "s", {}}, {"y", "mm", {}}}};
+  stepwire::table::Table table{{{"time", "s", {}}, {"y", "mm", {}}}};
   for (std::size_t row = 0; row < rows; ++row) {
     table.columns[0].values.push_back(static_cast<double>(row) * interval);
     table.columns[1].values.push_back(y(table.columns[0].values.back()));
   }
-  return stepwire::csv_text(table);
+  return stepwire::table::csv_text(table);
 }
 
 /// A diagram that plays column y of a file with these keys, at every `step` up to `stop`.

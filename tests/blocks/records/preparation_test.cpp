@@ -78,10 +78,11 @@ TEST_CASE("columns of one file are cut alike by the movement of one of them, wha
   const Scratch scratch;
   const std::string file =
       scratch.file("two.csv", "time,y,F\n0,0,5\n1,0,6\n2,9,7\n3,1,8\n4,9,9\n5,4,10\n6,4,11\n7,4,12\n");
-  const Table table = run_text("step: 1 s\nstop: 2 s\nblocks:\n  y: {block: FromFile, file: '" + file +
-                               "', column: y, prepare: [{remove: first}, {differentiate: 1}, {trim: y}]}\n"
-                               "  F: {block: FromFile, file: '" +
-                               file + "', column: F, prepare: [{trim: y}]}\nrecord: [y, F]\n");
+  const table::Table table =
+      run_text("step: 1 s\nstop: 2 s\nblocks:\n  y: {block: FromFile, file: '" + file +
+               "', column: y, prepare: [{remove: first}, {differentiate: 1}, {trim: y}]}\n"
+               "  F: {block: FromFile, file: '" +
+               file + "', column: F, prepare: [{trim: y}]}\nrecord: [y, F]\n");
   check_near(column(table, "F"), {7.0, 8.0, 9.0});
   check_near(column(table, "y"), {0.5, 0.0, 1.5});
 }
@@ -123,7 +124,7 @@ TEST_CASE("a derivative has its unit: a speed is no length") {
 TEST_CASE("a step takes parameters of the diagram") {
   const Scratch scratch;
   const std::string file = four_rows(scratch);
-  const Table table = run_text(
+  const table::Table table = run_text(
       "step: 0.1 s\nstop: 0.3 s\nparameters:\n  rest: {value: 1 mm}\nblocks:\n  y: {block: "
       "FromFile, file: '" +
       file + "', column: y, prepare: [{remove: $rest}]}\nrecord: [y]\n");

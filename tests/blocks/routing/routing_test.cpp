@@ -5,7 +5,7 @@
 using namespace stepwire;
 
 TEST_CASE("what is joined and taken apart again is the same") {
-  const Table run = run_text(R"(
+  const table::Table run = run_text(R"(
 step: 1 s
 stop: 2 s
 blocks:

@@ -18,7 +18,7 @@ record: [t]
 }
 
 TEST_CASE("an assertion that holds, and a terminator, change nothing") {
-  const Table run = run_text(R"(
+  const table::Table run = run_text(R"(
 step: 0.5 s
 stop: 1 s
 blocks:

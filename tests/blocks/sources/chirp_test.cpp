@@ -26,7 +26,7 @@ TEST_CASE("the phase of a chirp is the integral of its frequency") {
 }
 
 TEST_CASE("a linear chirp is sin(2 pi (f0 t + (f1 - f0) t^2 / 2 T))") {
-  const Table run = run_text(R"(
+  const table::Table run = run_text(R"(
 step: 1 ms
 stop: 2 s
 blocks:

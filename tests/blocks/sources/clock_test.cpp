@@ -5,7 +5,7 @@
 using namespace stepwire;
 
 TEST_CASE("a clock gives the time, and holds it between its ticks") {
-  const Table run = run_text(R"(
+  const table::Table run = run_text(R"(
 step: 0.25 s
 stop: 1 s
 blocks:

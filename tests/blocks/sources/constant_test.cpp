@@ -5,7 +5,7 @@
 using namespace stepwire;
 
 TEST_CASE("a constant has its value at every step") {
-  const Table run = run_text(R"(
+  const table::Table run = run_text(R"(
 step: 0.1 s
 stop: 1 s
 blocks:
@@ -16,7 +16,7 @@ record: [force]
 }
 
 TEST_CASE("a constant list is a vector") {
-  const Table run = run_text(R"(
+  const table::Table run = run_text(R"(
 step: 1 s
 stop: 1 s
 blocks:

@@ -20,7 +20,7 @@ struct Folder {
   ~Folder() { std::filesystem::remove_all(path); }
 
   std::string file(const std::string& name, const std::string& content) const {
-    write_file((path / name).string(), content);
+    io::write_file((path / name).string(), content);
     return (path / name).string();
   }
 };
@@ -42,13 +42,13 @@ void require_near(const std::vector<double>& values, const std::vector<double>& 
   for (std::size_t i = 0; i < values.size(); ++i) REQUIRE(values[i] == Approx(expected[i]).margin(1e-12));
 }
 
-const char* const record = "time [ms],x [mm],F_N\n1000,0,5\n1200,4000,7\n1400,2000,9\n";
+const char* const record_text = "time [ms],x [mm],F_N\n1000,0,5\n1200,4000,7\n1400,2000,9\n";
 
 }  // namespace
 
 TEST_CASE("a record is played from its first row, straight between rows, in SI by its header") {
   const Folder folder;
-  const std::string file = folder.file("press.csv", record);
+  const std::string file = folder.file("press.csv", record_text);
   require_near(played(file, "column: x", "0.4 s"), {0, 2, 4, 3, 2});
   require_near(played(file, "column: F_N", "0.4 s"), {5, 6, 7, 8, 9});
   require_near(played(file, "column: F_N, unit: kN", "0.4 s"), {5000, 6000, 7000, 8000, 9000});
@@ -56,13 +56,13 @@ TEST_CASE("a record is played from its first row, straight between rows, in SI b
 
 TEST_CASE("a held record changes at its rows and not a tick late") {
   const Folder folder;
-  const std::string file = folder.file("press.csv", record);
+  const std::string file = folder.file("press.csv", record_text);
   require_near(played(file, "column: x, interpolation: hold", "0.4 s"), {0, 0, 4, 4, 2});
 }
 
 TEST_CASE("a record may end the run, be held, or be repeated") {
   const Folder folder;
-  const std::string file = folder.file("press.csv", record);
+  const std::string file = folder.file("press.csv", record_text);
   require_near(played(file, "column: x, after_end: hold", "0.7 s"), {0, 2, 4, 3, 2, 2, 2, 2});
   // The first row follows one mean interval, 0.2 s, after the last.
   require_near(played(file, "column: x, after_end: repeat", "0.8 s"), {0, 2, 4, 3, 2, 1, 0, 2, 4});
@@ -83,7 +83,7 @@ TEST_CASE("what nobody reads of a record may be no numbers, and times may be cal
 }
 
 TEST_CASE("the example of the page on diagrams plays a record with its header") {
-  const std::string page = read_file(STEPWIRE_SOURCE_DIR "/diagrams/README.md");
+  const std::string page = io::read_file(STEPWIRE_SOURCE_DIR "/diagrams/README.md");
   const std::string header = "t [s],x [mm],F [N]";
   REQUIRE(page.find("`" + header + "`") != std::string::npos);
   const std::size_t begin = page.find("  velocity:\n    {block: FromFile"), end = page.find("record:", begin);
@@ -102,7 +102,7 @@ TEST_CASE("the example of the page on diagrams plays a record with its header") 
   for (std::size_t at = placed.find("press.csv"); at != std::string::npos;
        at = placed.find("press.csv", at + 99))
     placed.replace(at, 9, (folder.path / "press.csv").string());
-  const Table table = run_text(placed);
+  const table::Table table = run_text(placed);
   const auto &v = column(table, "velocity"), &F = column(table, "force");
   // Both are trimmed by x, to where it has moved by its threshold (velocity: 2 % of its range, force: 1 %).
   for (const std::size_t k : {300u, 800u, 1300u}) {
@@ -114,7 +114,7 @@ TEST_CASE("the example of the page on diagrams plays a record with its header") 
 
 TEST_CASE("a run may begin inside of a record, and a part of it may be used") {
   const Folder folder;
-  const std::string file = folder.file("press.csv", record);
+  const std::string file = folder.file("press.csv", record_text);
   require_near(played(file, "column: x, start: 1.1 s", "0.3 s"), {2, 4, 3, 2});
   require_near(played(file, "column: x, from: 1.2 s", "0.2 s"), {4, 3, 2});
   require_near(played(file, "column: x, to: 1.2 s, after_end: hold", "0.3 s"), {0, 2, 4, 4});
@@ -122,9 +122,9 @@ TEST_CASE("a run may begin inside of a record, and a part of it may be used") {
 
 TEST_CASE("two columns of a MAT file without times are a vector over the sample time") {
   const Folder folder;
-  const Table table{{{"u", "", {1, 2, 3, 4}}, {"v", "", {10, 20, 30, 40}}}};
-  write_mat((folder.path / "uv.mat").string(), table);
-  const Table run = run_text(
+  const table::Table table{{{"u", "", {1, 2, 3, 4}}, {"v", "", {10, 20, 30, 40}}}};
+  mat::write_mat((folder.path / "uv.mat").string(), table);
+  const table::Table run = run_text(
       "step: 0.1 s\nstop: 0.3 s\nblocks:\n  uv: {block: FromFile, file: '" +
       (folder.path / "uv.mat").string() +
       "', column: [u, v], sample_time: 0.1 s}\n  v: {block: Select, u: uv, indices: [2]}\nrecord: [v]\n");
@@ -136,12 +136,12 @@ TEST_CASE("a band-limited record is its periodic signal between the rows") {
   const auto signal = [](double t) {
     return 1.0 + 2.0 * std::sin(2.0 * M_PI * t) + std::cos(6.0 * M_PI * t);
   };
-  Table rows{{{"time", "s", {}}, {"u", "", {}}}};
+  table::Table rows{{{"time", "s", {}}, {"u", "", {}}}};
   for (int i = 0; i < 8; ++i) {
     rows.columns[0].values.push_back(i / 8.0);
     rows.columns[1].values.push_back(signal(i / 8.0));
   }
-  const std::string file = folder.file("u.csv", csv_text(rows));
+  const std::string file = folder.file("u.csv", table::csv_text(rows));
   const auto y = played(file, "column: u, interpolation: band_limited", "2 s");
   for (std::size_t i = 0; i < y.size(); ++i)
     REQUIRE(y[i] == Approx(signal(static_cast<double>(i) * 0.1)).margin(1e-12));
@@ -149,7 +149,7 @@ TEST_CASE("a band-limited record is its periodic signal between the rows") {
 
 TEST_CASE("what is wrong in a record is told with the file and the row") {
   const Folder folder;
-  const std::string good = folder.file("press.csv", record);
+  const std::string good = folder.file("press.csv", record_text);
   REQUIRE_THAT(refused(good, "column: y"), Catch::Contains("no column 'y'") && Catch::Contains("x, F_N"));
   REQUIRE_THAT(refused(good, "column: x, time: t"),
                Catch::Contains("no column 't'") && Catch::Contains("sample_time"));
@@ -168,7 +168,7 @@ TEST_CASE("what is wrong in a record is told with the file and the row") {
 
 TEST_CASE("a column is suggested for one that is not there") {
   const Folder folder;
-  const std::string file = folder.file("press.csv", record);
+  const std::string file = folder.file("press.csv", record_text);
   REQUIRE_THAT(refused(file, "column: F_n"), Catch::Contains("did you mean 'F_N'? It has: time, x, F_N"));
   REQUIRE_THAT(refused(file, "column: x, time: tim"), Catch::Contains("did you mean 'time'?"));
 }
@@ -203,7 +203,8 @@ TEST_CASE("rows that are no numbers, no rows, and times that stand still are tol
 
 TEST_CASE("columns of a MAT file that differ in length are refused") {
   const Folder folder;
-  write_mat((folder.path / "odd.mat").string(), Table{{{"time", "", {0, 0.1, 0.2}}, {"x", "", {1, 2}}}});
+  mat::write_mat((folder.path / "odd.mat").string(),
+                 table::Table{{{"time", "", {0, 0.1, 0.2}}, {"x", "", {1, 2}}}});
   REQUIRE_THAT(refused((folder.path / "odd.mat").string(), "column: x"),
                Catch::Contains("x has 2 rows, but there are 3 times"));
 }
@@ -220,7 +221,7 @@ TEST_CASE("a measured record of a press is read") {
     WARN("skipped: STEPWIRE_DATA is not set");
     return;
   }
-  const Table run = run_text(R"(
+  const table::Table run = run_text(R"(
 step: 1 ms
 stop: 1 s
 blocks:

@@ -19,7 +19,7 @@ double line(const std::vector<double>& y, int hertz) {
 }
 
 std::vector<double> multisine(const std::string& keys) {
-  const Table run =
+  const table::Table run =
       run_text("step: 1 ms\nstop: 1 s\nblocks:\n  y: {block: Multisine, " + keys + "}\nrecord: [y]\n");
   return column(run, "y");
 }

@@ -29,7 +29,7 @@ Moments moments(const std::vector<double>& x) {
 }
 
 std::vector<double> noise(const std::string& keys) {
-  const Table run =
+  const table::Table run =
       run_text("step: 1 ms\nstop: 199.999 s\nblocks:\n  w: {block: Noise, " + keys + "}\nrecord: [w]\n");
   return column(run, "w");
 }
@@ -59,7 +59,7 @@ TEST_CASE("power over the period is the variance of a sample") {
 }
 
 TEST_CASE("noise is held through its period and the same for the same seed") {
-  const Table run = run_text(R"(
+  const table::Table run = run_text(R"(
 step: 1 ms
 stop: 50 ms
 blocks:

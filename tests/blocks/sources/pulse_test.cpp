@@ -6,7 +6,7 @@
 using namespace stepwire;
 
 TEST_CASE("pulses are high in the first part of each period after the delay") {
-  const Table run = run_text(R"(
+  const table::Table run = run_text(R"(
 step: 0.1 s
 stop: 1.2 s
 blocks:
@@ -17,7 +17,7 @@ record: [y]
 }
 
 TEST_CASE("edges of pulses fall on their ticks through a long run") {
-  const Table run = run_text(R"(
+  const table::Table run = run_text(R"(
 step: 1 ms
 stop: 99.999 s
 blocks:
@@ -29,7 +29,7 @@ record: [y]
 }
 
 TEST_CASE("a pulse as wide as its period never falls, and one without width never rises") {
-  const Table run = run_text(R"(
+  const table::Table run = run_text(R"(
 step: 0.1 s
 stop: 3 s
 blocks:

@@ -5,7 +5,7 @@
 using namespace stepwire;
 
 TEST_CASE("a ramp stays at its initial value and grows by its slope from its start on") {
-  const Table run = run_text(R"(
+  const table::Table run = run_text(R"(
 step: 0.5 s
 stop: 3 s
 blocks:

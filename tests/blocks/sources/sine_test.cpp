@@ -7,7 +7,7 @@
 using namespace stepwire;
 
 TEST_CASE("a sine of half a hertz is sin(pi t + phase) to the last bit") {
-  const Table run = run_text(R"(
+  const table::Table run = run_text(R"(
 step: 1 ms
 stop: 3 s
 blocks:
@@ -21,7 +21,7 @@ record: [hand]
 }
 
 TEST_CASE("a sine with lists is one wave for each element") {
-  const Table run = run_text(R"(
+  const table::Table run = run_text(R"(
 step: 10 ms
 stop: 1 s
 blocks:

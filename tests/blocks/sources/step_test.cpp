@@ -6,7 +6,7 @@
 using namespace stepwire;
 
 TEST_CASE("a step jumps at the tick of its time and not one later") {
-  const Table run = run_text(R"(
+  const table::Table run = run_text(R"(
 step: 0.1 s
 stop: 1 s
 blocks:

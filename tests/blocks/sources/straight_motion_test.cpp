@@ -8,8 +8,8 @@ using namespace stepwire;
 
 namespace {
 
-const Table& smooth_start() {
-  static const Table table = run_text(R"(
+const table::Table& smooth_start() {
+  static const table::Table table = run_text(R"(
 step: 1 ms
 stop: 2 s
 solver: rk4
@@ -25,7 +25,7 @@ record: [push.position, push.velocity, push.acceleration, push.distance, speed, 
 }  // namespace
 
 TEST_CASE("A straight motion rests, then goes on at its speed along its direction") {
-  const Table& table = smooth_start();
+  const table::Table& table = smooth_start();
   CHECK(column(table, "push.distance")[250] == 0.0);
   CHECK(column(table, "push.velocity.1")[250] == 0.0);
   CHECK(column(table, "push.distance").back() == Approx(3.0 * (2.0 - 0.25 - 0.25)).epsilon(1e-12));
@@ -36,7 +36,7 @@ TEST_CASE("A straight motion rests, then goes on at its speed along its directio
 }
 
 TEST_CASE("Velocity and acceleration of a straight motion are its derivatives") {
-  const Table& table = smooth_start();
+  const table::Table& table = smooth_start();
   for (const std::string i : {".1", ".2", ".3"}) {
     const auto &position = column(table, "push.position" + i), &place = column(table, "place" + i);
     const auto &velocity = column(table, "push.velocity" + i), &speed = column(table, "speed" + i);
@@ -48,14 +48,14 @@ TEST_CASE("Velocity and acceleration of a straight motion are its derivatives") 
 }
 
 TEST_CASE("Halfway through its rise a straight motion has half its speed and its largest acceleration") {
-  const Table& table = smooth_start();
+  const table::Table& table = smooth_start();
   CHECK(column(table, "push.velocity.1")[500] == Approx(1.0).epsilon(1e-12));
   CHECK(column(table, "push.acceleration.1")[500] ==
         Approx(2.0 * std::numbers::pi / 2.0 / 0.5).epsilon(1e-12));
 }
 
 TEST_CASE("A straight motion without rise moves at once") {
-  const Table table = run_text(
+  const table::Table table = run_text(
       "step: 1 ms\nstop: 1 s\nblocks:\n  push: {block: StraightMotion, speed: -2 m/s}\nrecord: "
       "[push.position, push.velocity]\n");
   CHECK(column(table, "push.velocity").front() == -2.0);
@@ -71,7 +71,7 @@ TEST_CASE("A straight motion without direction is refused") {
 }
 
 TEST_CASE("A turn is added to the angle of a straight motion in the plane") {
-  const Table table = run_text(R"yaml(
+  const table::Table table = run_text(R"yaml(
 step: 10 ms
 stop: 1 s
 solver: rk4

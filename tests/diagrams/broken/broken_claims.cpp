@@ -27,7 +27,7 @@ struct Change {
   std::string what;
   std::string in;  // beside the figure's file; empty: that file itself
   std::vector<std::pair<std::string, std::string>> replaced;
-  std::vector<Setting> settings;
+  std::vector<diagram::Setting> settings;
   std::vector<std::string> fails;  // first words of claims
 };
 
@@ -36,25 +36,25 @@ struct Broken {
   std::vector<std::pair<std::string, std::string>> unmoved;
 };
 
-std::vector<std::pair<std::string, std::string>> pairs_of(const Node* node) {
+std::vector<std::pair<std::string, std::string>> pairs_of(const yaml::Node* node) {
   std::vector<std::pair<std::string, std::string>> pairs;
   if (node)
-    for (const Entry& entry : node->entries) pairs.emplace_back(entry.key, entry.value.text);
+    for (const yaml::Entry& entry : node->entries) pairs.emplace_back(entry.key, entry.value.text);
   return pairs;
 }
 
-Change read_change(const Node& node) {
+Change read_change(const yaml::Node& node) {
   Change change;
-  for (const Entry& entry : node.entries)
+  for (const yaml::Entry& entry : node.entries)
     if (!std::set<std::string>{"change", "in", "replace", "set", "fails"}.contains(entry.key))
       throw std::runtime_error(
           fmt::format("line {}: '{}' is no key of a change", entry.mark.line, entry.key));
   change.what = node.find("change") ? node.find("change")->text : "";
-  if (const Node* in = node.find("in")) change.in = in->text;
+  if (const yaml::Node* in = node.find("in")) change.in = in->text;
   change.replaced = pairs_of(node.find("replace"));
   for (const auto& [name, value] : pairs_of(node.find("set"))) change.settings.push_back({name, value});
-  if (const Node* fails = node.find("fails"))
-    for (const Node& item : fails->items) change.fails.push_back(item.text);
+  if (const yaml::Node* fails = node.find("fails"))
+    for (const yaml::Node& item : fails->items) change.fails.push_back(item.text);
   if (change.what.empty() || change.fails.empty() || (change.replaced.empty() && change.settings.empty()))
     throw std::runtime_error(
         fmt::format("line {}: a change has 'change', 'fails', and 'replace' or 'set'", node.mark.line));
@@ -62,10 +62,10 @@ Change read_change(const Node& node) {
 }
 
 Broken read_broken(const std::string& file) {
-  const Document document = parse_document(read_file(file), file);
+  const yaml::Document document = yaml::parse_document(io::read_file(file), file);
   Broken broken;
-  if (const Node* changes = document.root.find("changes"))
-    for (const Node& item : changes->items) broken.changes.push_back(read_change(item));
+  if (const yaml::Node* changes = document.root.find("changes"))
+    for (const yaml::Node& item : changes->items) broken.changes.push_back(read_change(item));
   broken.unmoved = pairs_of(document.root.find("unmoved"));
   return broken;
 }
@@ -88,7 +88,7 @@ class Copy {
 
   /// Replaces texts, each of which occurs once, and returns what the file had before.
   std::string replace(const std::string& file, const Change& change) const {
-    const std::string before = read_file(file);
+    const std::string before = io::read_file(file);
     std::string text = before;
     for (const auto& [old, other] : change.replaced) {
       const std::size_t at = text.find(old);
@@ -97,7 +97,7 @@ class Copy {
         throw std::runtime_error(fmt::format("'{}' is in {} more than once", old, file));
       text.replace(at, old.size(), other);
     }
-    write_file(file, text);
+    io::write_file(file, text);
     return before;
   }
 
@@ -108,50 +108,52 @@ class Copy {
 /// Runs, fits and makes studies as the gallery does.
 class Runner {
  public:
-  std::vector<Verdict> verdicts(const std::string& file, const std::vector<Setting>& settings) {
-    LoadOptions options;
+  std::vector<claim::Verdict> verdicts(const std::string& file,
+                                       const std::vector<diagram::Setting>& settings) {
+    session::LoadOptions options;
     options.settings = settings;
-    LoadedModel model = load_model(registry_, file, options);
+    session::LoadedModel model = session::load_model(registry_, file, options);
     has_study_or_fit_ = model.study || model.fit;
     if (model.study) {
       const auto experiments = studies_.experiments(registry_, model, {}, {});
-      return study_outcome(model, *experiments).verdicts;
+      return session::study_outcome(model, *experiments).verdicts;
     }
     if (model.fit) {
-      const FitResult fit = fit_model(registry_, model, {}, {});
-      model = load_model(registry_, file, with_fitted(options, fit));
+      const estimation::FitResult fit = session::fit_model(registry_, model, {}, {});
+      model = session::load_model(registry_, file, session::with_fitted(options, fit));
     }
     parameters_ = model.job.plan.diagram.parameters;
     swept_.clear();
     if (model.job.plan.diagram.sweep)
-      for (const Sweep::Axis& axis : model.job.plan.diagram.sweep->axes) swept_.insert(axis.parameter);
-    RunOptions run;
-    run.engine = ExecutionMode::automatic;
+      for (const diagram::Sweep::Axis& axis : model.job.plan.diagram.sweep->axes)
+        swept_.insert(axis.parameter);
+    run::RunOptions run;
+    run.engine = run::ExecutionMode::automatic;
     run.code = &code_;
-    const Outcome outcome = run_model(model, run);
-    if (!outcome.result.faults.empty()) throw Error(outcome.result.faults.front().fault);
+    const session::Outcome outcome = session::run_model(model, run);
+    if (!outcome.result.faults.empty()) throw yaml::Error(outcome.result.faults.front().fault);
     return outcome.verdicts;
   }
 
   bool has_study_or_fit() const { return has_study_or_fit_; }
-  const std::vector<DiagramParameter>& parameters() const { return parameters_; }
+  const std::vector<diagram::DiagramParameter>& parameters() const { return parameters_; }
   bool sweeps(const std::string& parameter) const { return swept_.contains(parameter); }
 
  private:
   const Registry registry_ = blocks();
-  GeneratedCode code_;
-  Studies studies_;
+  codegen::GeneratedCode code_;
+  session::Studies studies_;
   bool has_study_or_fit_ = false;
-  std::vector<DiagramParameter> parameters_;
+  std::vector<diagram::DiagramParameter> parameters_;
   std::set<std::string> swept_;
 };
 
-bool is_statement(const Verdict& verdict) {
-  return verdict.kind == Claim::Kind::statement;
+bool is_statement(const claim::Verdict& verdict) {
+  return verdict.kind == claim::Claim::Kind::statement;
 }
 
 /// Twice the value of a parameter as a setting; empty where that is the same, or no number.
-std::string doubled(const DiagramParameter& parameter) {
+std::string doubled(const diagram::DiagramParameter& parameter) {
   const std::string& text = parameter.text;
   if (const double* number = std::get_if<double>(&parameter.value.content))
     return *number == 0.0 ? "" : fmt::format("= 2*({})", text.starts_with("=") ? text.substr(1) : text);
@@ -198,14 +200,14 @@ class Check {
   }
 
   void as_it_is() {
-    for (const Verdict& verdict : runner_.verdicts(copy_.file(name_), {})) {
+    for (const claim::Verdict& verdict : runner_.verdicts(copy_.file(name_), {})) {
       if (verdict.fails()) fault(fmt::format("fails as it is: {} ({})", verdict.that, verdict.shown));
       if (!is_statement(verdict)) continue;
       ++claims_;
       if (verdict.disagrees.empty()) unbroken_.insert(verdict.that);
     }
     parameters_ = runner_.parameters();
-    std::erase_if(parameters_, [&](const DiagramParameter& one) {
+    std::erase_if(parameters_, [&](const diagram::DiagramParameter& one) {
       return runner_.sweeps(one.name) || one.name.find('.') != std::string::npos;  // that of a part
     });
   }
@@ -214,24 +216,25 @@ class Check {
     const std::string changed =
         change.in.empty() ? copy_.file(name_) : fs::path(copy_.file(change.in)).lexically_normal().string();
     const std::string before = copy_.replace(changed, change);
-    std::vector<Verdict> verdicts;
+    std::vector<claim::Verdict> verdicts;
     try {
       verdicts = runner_.verdicts(copy_.file(name_), change.settings);
     } catch (...) {
-      write_file(changed, before);
+      io::write_file(changed, before);
       throw;
     }
-    write_file(changed, before);
+    io::write_file(changed, before);
     for (const std::string& words : change.fails) expect_failure(change, words, verdicts);
   }
 
-  void expect_failure(const Change& change, const std::string& words, const std::vector<Verdict>& verdicts) {
-    const auto named = [&](const Verdict& verdict) {
+  void expect_failure(const Change& change, const std::string& words,
+                      const std::vector<claim::Verdict>& verdicts) {
+    const auto named = [&](const claim::Verdict& verdict) {
       return is_statement(verdict) && verdict.that.starts_with(words);
     };
     const auto count = std::ranges::count_if(verdicts, named);
     if (count != 1) return fault(fmt::format("{}: {} claims begin with '{}'", change.what, count, words));
-    const Verdict& verdict = *std::ranges::find_if(verdicts, named);
+    const claim::Verdict& verdict = *std::ranges::find_if(verdicts, named);
     if (verdict.holds)
       fault(fmt::format("{}: holds all the same: {}: {} ({})", change.what, verdict.that, verdict.shown,
                         verdict.check));
@@ -240,7 +243,7 @@ class Check {
 
   void double_parameters() {
     const auto parameters = parameters_;
-    for (const DiagramParameter& parameter : parameters) {
+    for (const diagram::DiagramParameter& parameter : parameters) {
       const std::string value = doubled(parameter);
       if (value.empty()) continue;
       ++doubled_;
@@ -253,15 +256,16 @@ class Check {
         fault(fmt::format("doubling '{}' breaks a claim; take it out of 'unmoved'", parameter.name));
     }
     for (const auto& [name, why] : broken_.unmoved)
-      if (std::ranges::none_of(parameters, [&](const DiagramParameter& one) { return one.name == name; }))
+      if (std::ranges::none_of(parameters,
+                               [&](const diagram::DiagramParameter& one) { return one.name == name; }))
         fault(fmt::format("unmoved: there is no parameter '{}' that can be doubled", name));
   }
 
   /// Or is the value refused, or the run ended by it?
-  bool breaks_a_claim(const Setting& setting) {
+  bool breaks_a_claim(const diagram::Setting& setting) {
     try {
-      return std::ranges::any_of(runner_.verdicts(copy_.file(name_), {setting}), &Verdict::fails);
-    } catch (const Error&) {
+      return std::ranges::any_of(runner_.verdicts(copy_.file(name_), {setting}), &claim::Verdict::fails);
+    } catch (const yaml::Error&) {
       return true;
     }
   }
@@ -270,7 +274,7 @@ class Check {
   Broken broken_;
   std::string name_;
   Copy copy_;
-  std::vector<DiagramParameter> parameters_;
+  std::vector<diagram::DiagramParameter> parameters_;
   std::set<std::string> unbroken_;
   std::size_t claims_ = 0, doubled_ = 0;
   int faults_ = 0;

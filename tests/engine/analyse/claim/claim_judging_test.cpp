@@ -3,12 +3,12 @@
 
 #include "tests/engine/view/plot/samples.hpp"
 
-using namespace stepwire;
-using namespace stepwire::testing;
+namespace stepwire::claim {
+using namespace testing;
 
 namespace {
 
-Verdict verdict_of(const std::string& text, const std::vector<Recording>& recordings) {
+Verdict verdict_of(const std::string& text, const std::vector<record::Recording>& recordings) {
   const auto read = claims_of("- {that: a, " + text + "}");
   INFO(read.faults);
   REQUIRE(read.faults.empty());
@@ -16,9 +16,9 @@ Verdict verdict_of(const std::string& text, const std::vector<Recording>& record
 }
 
 /// One run with these columns x over time.
-std::vector<Recording> record_of(std::vector<double> time, std::vector<double> x,
-                                 std::vector<std::size_t> starts = {0}) {
-  Recording recording;
+std::vector<record::Recording> record_of(std::vector<double> time, std::vector<double> x,
+                                         std::vector<std::size_t> starts = {0}) {
+  record::Recording recording;
   recording.table.columns = {column("time", "s", std::move(time)), column("rig.x", "m", std::move(x))};
   recording.starts = std::move(starts);
   return {recording};
@@ -186,3 +186,5 @@ TEST_CASE("a length is no condition whose share could be taken") {
   CHECK_THAT(claims_of("- {that: a, fraction: rig.x, at_most: 1}").faults,
              Catch::Contains("'rig.x' is in m and no condition; write what has to hold"));
 }
+
+}  // namespace stepwire::claim

@@ -2,8 +2,8 @@
 
 #include "tests/engine/view/plot/samples.hpp"
 
-using namespace stepwire;
-using namespace stepwire::testing;
+namespace stepwire::claim {
+using namespace testing;
 
 namespace {
 
@@ -135,3 +135,5 @@ TEST_CASE("one slip in a claim is told once") {
   CHECK(faults_of("{that: a, max: time, equals: 0 s, within: 1 %}") ==
         "d.yaml:1:45: claims.within: 1 % of 0 is 0; give a tolerance with the unit of the value\n");
 }
+
+}  // namespace stepwire::claim

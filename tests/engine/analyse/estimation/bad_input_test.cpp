@@ -2,7 +2,7 @@
 
 #include "tests/engine/analyse/estimation/fit_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::estimation {
 using Catch::Contains;
 using Catch::StartsWith;
 
@@ -87,3 +87,5 @@ TEST_CASE("what is held out must be told by swept parameters, and something must
   CHECK_THAT(error_of_fit("  parameters: {slope: {start: 1}}\n" + compare + "  hold_out: 1\n"),
              Contains("holds out every record"));
 }
+
+}  // namespace stepwire::estimation

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-using namespace stepwire;
+namespace stepwire::estimation {
 
 namespace {
 
@@ -44,3 +44,5 @@ TEST_CASE("what is known beside a product keeps its error, and the product's mem
   CHECK(in_words(certainty.free_directions[0], names) ==
         "only the product of A and alpha can be known; fix one of them");
 }
+
+}  // namespace stepwire::estimation

@@ -7,27 +7,28 @@
 
 namespace stepwire {
 
-FitResult fit_text(const std::string& yaml, CodeSource* code, const FitOptions& options) {
+estimation::FitResult fit_text(const std::string& yaml, plan::CodeSource* code,
+                               const estimation::FitOptions& options) {
   static const Registry registry = blocks();
   const std::string file = "fit.yaml";
-  Loader loader(registry);
-  loader.add(parse_document("stepwire: 1\ntitle: test\n" + yaml, file));
-  const LoadedModel model = load_model(loader, file, {});
+  diagram::Loader loader(registry);
+  loader.add(yaml::parse_document("stepwire: 1\ntitle: test\n" + yaml, file));
+  const session::LoadedModel model = session::load_model(loader, file, {});
   REQUIRE(model.fit);
-  return fit({loader, file, {}, code}, model.job, *model.fit, options);
+  return estimation::fit({loader, file, {}, code}, model.job, *model.fit, options);
 }
 
 std::string fit_error(const std::string& yaml) {
   try {
     fit_text(yaml);
-  } catch (const Error& error) {
+  } catch (const yaml::Error& error) {
     return error.what();
   }
   return "";
 }
 
-const FittedNumber& found(const FitResult& result, const std::string& name) {
-  for (const FittedNumber& number : result.numbers)
+const estimation::FittedNumber& found(const estimation::FitResult& result, const std::string& name) {
+  for (const estimation::FittedNumber& number : result.numbers)
     if (number.title() == name) return number;
   FAIL("nothing was found for " << name);
   return result.numbers.front();

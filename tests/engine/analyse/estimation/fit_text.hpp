@@ -7,13 +7,14 @@
 namespace stepwire {
 
 /// Fits what a diagram asks for that is given as text, compiled or not. Throws Error as the program does.
-FitResult fit_text(const std::string& yaml, CodeSource* code = nullptr, const FitOptions& options = {});
+estimation::FitResult fit_text(const std::string& yaml, plan::CodeSource* code = nullptr,
+                               const estimation::FitOptions& options = {});
 
 /// The message with which the fit is refused; empty if it is not.
 std::string fit_error(const std::string& yaml);
 
 /// The number that was found for a parameter; fails the test where there is none.
-const FittedNumber& found(const FitResult& result, const std::string& name);
+const estimation::FittedNumber& found(const estimation::FitResult& result, const std::string& name);
 
 /// The file of a fit of y = slope u + bias to the points (t, y), t = 0, 1, ... s, for t from 0 to 7.
 /// `fit` is what stands below the section's key.

@@ -8,7 +8,7 @@
 #include "engine/simulate/codegen/generated_code.hpp"
 #include "tests/engine/analyse/estimation/fit_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::estimation {
 
 namespace {
 
@@ -22,11 +22,11 @@ bool there() {
 FitResult fit_example(const std::string& name, const std::function<void(FitRequest&)>& change = {}) {
   static const Registry registry = blocks();
   const std::string file = STEPWIRE_SOURCE_DIR "/diagrams/examples/" + name;
-  Loader loader(registry);
-  LoadedModel model = load_model(loader, file, {});
+  diagram::Loader loader(registry);
+  session::LoadedModel model = session::load_model(loader, file, {});
   REQUIRE(model.fit);
   if (change) change(*model.fit);
-  GeneratedCode code;
+  codegen::GeneratedCode code;
   return fit({loader, file, {}, &code}, model.job, *model.fit);
 }
 
@@ -39,8 +39,8 @@ double worst_agreement(const FitResult& result) {
 
 /// Holds out the records of one motion of the press.
 void hold_out(FitRequest& request, bool first) {
-  const Expression condition(first ? "name < 5" : "name >= 5");
-  request.hold_out = Formula{"", condition, {"name"}, std::nullopt, std::nullopt, {}};
+  const expression::Expression condition(first ? "name < 5" : "name >= 5");
+  request.hold_out = query::Formula{"", condition, {"name"}, std::nullopt, std::nullopt, {}};
 }
 
 }  // namespace
@@ -71,3 +71,5 @@ TEST_CASE("the parameters of the Bouc-Wen benchmark are found to 1 % from its no
     CHECK(found(result, name).value == Approx(value).epsilon(0.01));
   }
 }
+
+}  // namespace stepwire::estimation

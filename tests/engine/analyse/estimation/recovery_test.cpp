@@ -5,7 +5,7 @@
 #include "engine/simulate/codegen/generated_code.hpp"
 #include "tests/engine/analyse/estimation/fit_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::estimation {
 using Catch::Contains;
 
 namespace {
@@ -43,11 +43,12 @@ TEST_CASE("without noise the truth is found again") {
 TEST_CASE(
     "what no parameter moves is run once and played back where it is read at ticks alone, to the same "
     "result") {
-  GeneratedCode code;
+  codegen::GeneratedCode code;
   std::string sampled = lag(both), stepped = lag(both);
   sampled.replace(sampled.find("frequency: 1 Hz}"), 16, "frequency: 1 Hz, every: 20 ms}");
   stepped.replace(stepped.find("rk4"), 3, "euler");
-  for (CodeSource* source : {static_cast<CodeSource*>(nullptr), static_cast<CodeSource*>(&code)}) {
+  for (plan::CodeSource* source :
+       {static_cast<plan::CodeSource*>(nullptr), static_cast<plan::CodeSource*>(&code)}) {
     const FitResult whole = fit_text(lag(both), source), part = fit_text(sampled, source),
                     euler = fit_text(stepped, source);
     CHECK_FALSE(whole.in_part);  // the solver reads the sine between ticks
@@ -77,7 +78,7 @@ TEST_CASE("differential evolution may go ahead") {
 TEST_CASE(
     "a parameter that no straight line describes is planned for each run, of the one compilation, to the "
     "same result") {
-  GeneratedCode code;
+  codegen::GeneratedCode code;
   std::string text = lag(both);
   text.replace(text.find("tau: $tau"), 9, "tau: = tau^2 / 1 s");
   const FitResult result = fit_text(text, &code);
@@ -169,8 +170,9 @@ fit:
   parameters: {gamma: {start: 0 1/m, bounds: [-300 1/m, 300 1/m]}}
   compare: [{model: model.force, measured: truth}]
 )";
-  GeneratedCode code;
-  for (CodeSource* source : {static_cast<CodeSource*>(nullptr), static_cast<CodeSource*>(&code)}) {
+  codegen::GeneratedCode code;
+  for (plan::CodeSource* source :
+       {static_cast<plan::CodeSource*>(nullptr), static_cast<plan::CodeSource*>(&code)}) {
     const FitResult result = fit_text(text, source);
     CHECK(result.limited);
     CHECK(found(result, "gamma").value >= -100.0);
@@ -179,3 +181,5 @@ fit:
     CHECK_THAT(result.findings.front(), Contains("|gamma| = ") && Contains("above beta = 100"));
   }
 }
+
+}  // namespace stepwire::estimation

@@ -6,7 +6,7 @@
 
 #include "engine/analyse/estimation/certainty.hpp"
 
-using namespace stepwire;
+namespace stepwire::estimation {
 
 namespace {
 
@@ -61,3 +61,5 @@ TEST_CASE("Intervals of a mean hold the truth as often as they say, although res
   CHECK(held >= 0.90 * 400);
   CHECK(held <= 0.985 * 400);
 }
+
+}  // namespace stepwire::estimation

@@ -5,7 +5,7 @@
 #include "engine/simulate/codegen/generated_code.hpp"
 #include "tests/engine/analyse/estimation/fit_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::estimation {
 
 namespace {
 
@@ -101,7 +101,7 @@ TEST_CASE("a robust loss takes less from a row that is far off") {
 }
 
 TEST_CASE("compiled runs give what interpreted ones give, at any number of threads") {
-  GeneratedCode code;
+  codegen::GeneratedCode code;
   FitOptions one, three;
   one.threads = 1;
   three.threads = 3;
@@ -116,7 +116,7 @@ TEST_CASE("compiled runs give what interpreted ones give, at any number of threa
 
 TEST_CASE(
     "a number that follows a parameter in no straight line costs a plan for each run, but no compilation") {
-  GeneratedCode code;
+  codegen::GeneratedCode code;
   std::string text = straight_line(both);
   const std::string gain = "gain: $slope";
   REQUIRE(text.find(gain) != std::string::npos);
@@ -128,3 +128,5 @@ TEST_CASE(
   CHECK(found(compiled, "slope").value == found(interpreted, "slope").value);
   CHECK(found(compiled, "bias").standard_error == found(interpreted, "bias").standard_error);
 }
+
+}  // namespace stepwire::estimation

@@ -9,8 +9,8 @@
 
 // Numbers of R 4.2.2; each command stands at its test.
 
-using namespace stepwire;
-using namespace stepwire::textbook;
+namespace stepwire::statistics {
+using namespace textbook;
 using Catch::Matchers::Contains;
 
 namespace {
@@ -201,3 +201,5 @@ TEST_CASE("what an analysis cannot work on is refused with the reason") {
   CHECK(anova(constant, additive_terms({"feedback"})).warnings.at(0) ==
         "'feedback' cannot be estimated: it has one level only");
 }
+
+}  // namespace stepwire::statistics

@@ -7,7 +7,7 @@
 
 #include "engine/analyse/statistics/statistics_error.hpp"
 
-using namespace stepwire;
+namespace stepwire::statistics {
 
 namespace {
 
@@ -125,3 +125,5 @@ TEST_CASE("points without a circle are refused with the reason") {
   line(0, 2) = NAN;
   CHECK_THROWS_WITH(fit_circle(line), "a coordinate is no finite number");
 }
+
+}  // namespace stepwire::statistics

@@ -5,8 +5,8 @@
 #include "engine/analyse/statistics/statistics_error.hpp"
 #include "tests/engine/analyse/statistics/textbook.hpp"
 
-using namespace stepwire;
-using namespace stepwire::textbook;
+namespace stepwire::statistics {
+using namespace textbook;
 using Catch::Matchers::Contains;
 
 namespace {
@@ -49,3 +49,5 @@ TEST_CASE("one condition or one subject is refused in one sentence") {
                     "comparisons need two subjects or more with a value under every condition; there is one "
                     "(subject 2 has no value under 2)");
 }
+
+}  // namespace stepwire::statistics

@@ -11,8 +11,8 @@
 
 // Numbers of R 4.2.2; each command stands at its test. Its noncentral F ends at nine digits.
 
-using namespace stepwire;
-using namespace stepwire::textbook;
+namespace stepwire::statistics {
+using namespace textbook;
 
 namespace {
 
@@ -121,3 +121,5 @@ TEST_CASE("one condition has no interval within subjects") {
   CHECK(std::isfinite(alone[0].plain.low));
   CHECK(std::isnan(alone[0].within_subject.low));
 }
+
+}  // namespace stepwire::statistics

@@ -7,7 +7,7 @@
 
 // Numbers of R 4.2.2.
 
-using namespace stepwire;
+namespace stepwire::statistics {
 
 namespace {
 
@@ -48,3 +48,5 @@ TEST_CASE("tails of F and chi-squared agree with R") {
   CHECK(chi_squared_tail(3, 2) == Approx(2.23130160148430e-01).epsilon(1e-12));
   CHECK(chi_squared_tail(30, 5.5) == Approx(2.44068001451617e-05).epsilon(1e-12));
 }
+
+}  // namespace stepwire::statistics

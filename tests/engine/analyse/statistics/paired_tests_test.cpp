@@ -9,7 +9,7 @@
 
 // Numbers of R 4.2.2; each command stands at its test.
 
-using namespace stepwire;
+namespace stepwire::statistics {
 
 namespace {
 
@@ -113,3 +113,5 @@ TEST_CASE("signed ranks of zeros alone have no probability") {
   CHECK(signed_rank_test({1.0, 1.0}).p == 0.5);
   CHECK(signed_rank_test({1.0}).p == 1.0);
 }
+
+}  // namespace stepwire::statistics

@@ -10,8 +10,8 @@
 
 // Numbers of R 4.2.2; each command stands at its test.
 
-using namespace stepwire;
-using namespace stepwire::textbook;
+namespace stepwire::statistics {
+using namespace textbook;
 
 namespace {
 
@@ -99,3 +99,5 @@ TEST_CASE("the subjects needed are those from which on the power stays") {
   CHECK_FALSE(subjects_needed(std::vector<double>{0.0, 0.0, 0.9, 0.7}).has_value());
   CHECK_FALSE(subjects_needed(std::vector<double>{}).has_value());
 }
+
+}  // namespace stepwire::statistics

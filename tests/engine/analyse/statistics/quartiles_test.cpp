@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-using namespace stepwire;
+namespace stepwire::statistics {
 
 TEST_CASE("the quartiles of 1 to 10 after Hazen are 3, 5.5 and 8") {
   const BoxSummary box = box_summary({10, 9, 8, 7, 6, 5, 4, 3, 2, 1});
@@ -51,3 +51,5 @@ TEST_CASE("a whisker without a value in reach ends at its box") {
   CHECK(box.high_whisker == 1.0);
   CHECK(box.beyond == std::vector<double>{100.0});
 }
+
+}  // namespace stepwire::statistics

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-using namespace stepwire;
+namespace stepwire::statistics {
 
 TEST_CASE("equal values share the mean of their ranks") {
   CHECK(ranks({10.0, 30.0, 20.0, 20.0}) == std::vector<double>{1.0, 4.0, 2.5, 2.5});
@@ -38,3 +38,5 @@ TEST_CASE("what does not vary, is too short or is no number has no rank correlat
   CHECK(std::isnan(rank_correlation({1}, {1})));
   CHECK(std::isnan(rank_correlation({1, NAN, 2}, {1, 2, 3})));
 }
+
+}  // namespace stepwire::statistics

@@ -13,8 +13,8 @@
 //     w2 <- (p+2)*(p-1)*(p-2)*(2*p^3+6*p^2+3*p+2)/(288*(n*p*rho)^2); z <- -n*rho*log(W); d <- p*(p+1)/2-1
 //     a <- pchisq(z, d, lower=FALSE); a + w2*(pchisq(z, d+4, lower=FALSE) - a) }
 
-using namespace stepwire;
-using namespace stepwire::textbook;
+namespace stepwire::statistics {
+using namespace textbook;
 using Catch::Matchers::Contains;
 
 TEST_CASE("the drugs of Student's sleep data differ as R says") {
@@ -108,3 +108,5 @@ TEST_CASE("a design that is not complete is refused with the cell that is missin
       "error", {1.0, 2.0}, {running("condition", 2, 1, 2), running("subject", 1, 1, 2, true)}};
   CHECK_THROWS_WITH(repeated_measures(alone, {"condition"}, "subject"), Contains("two subjects or more"));
 }
+
+}  // namespace stepwire::statistics

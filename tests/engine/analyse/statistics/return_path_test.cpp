@@ -7,7 +7,7 @@
 
 #include "engine/analyse/statistics/statistics_error.hpp"
 
-using namespace stepwire;
+namespace stepwire::statistics {
 
 namespace {
 
@@ -136,3 +136,5 @@ TEST_CASE("paths that cannot be scored are refused with the reason") {
   CHECK_THROWS_WITH(return_error(path, to_half_plane, {Resampling::Rule::chord, 0.0}),
                     "a spacing is above 0, not 0");
 }
+
+}  // namespace stepwire::statistics

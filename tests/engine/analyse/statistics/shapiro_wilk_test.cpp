@@ -6,7 +6,7 @@
 
 // Numbers of shapiro.test of R 4.2.2.
 
-using namespace stepwire;
+namespace stepwire::statistics {
 
 namespace {
 
@@ -42,3 +42,5 @@ TEST_CASE("normality of too few, too many or equal values is not judged") {
   CHECK_FALSE(shapiro_wilk({0.1 + 0.2, 0.3, 0.3}).has_value());
   CHECK_FALSE(shapiro_wilk(std::vector<double>(5001, 1.0)).has_value());
 }
+
+}  // namespace stepwire::statistics

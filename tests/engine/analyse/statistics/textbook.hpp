@@ -9,15 +9,15 @@
 namespace stepwire::textbook {
 
 /// Levels of a factor that runs through `count` levels, each `each` times, over and over up to `size`.
-inline Factor running(const std::string& name, std::size_t count, std::size_t each, std::size_t size,
-                      bool subject = false) {
+inline statistics::Factor running(const std::string& name, std::size_t count, std::size_t each,
+                                  std::size_t size, bool subject = false) {
   std::vector<std::string> words;
   for (std::size_t i = 0; i < size; ++i) words.push_back(std::to_string(i / each % count + 1));
-  return make_factor(name, words, subject);
+  return statistics::make_factor(name, words, subject);
 }
 
 /// Hours of sleep gained with two drugs (Student 1908); R: datasets::sleep.
-inline Observations sleep() {
+inline statistics::Observations sleep() {
   return {
       "extra",
       {0.7, -1.6, -0.2, -1.2, -0.1, 3.4, 3.7, 0.8, 0, 2, 1.9, 0.8, 1.1, 0.1, -0.1, 4.4, 5.5, 1.6, 4.6, 3.4},
@@ -25,7 +25,7 @@ inline Observations sleep() {
 }
 
 /// Effort to rise from four stools; R: nlme::ergoStool, ordered by Subject and Type.
-inline Observations stools() {
+inline statistics::Observations stools() {
   return {"effort",
           {7,  11, 8, 7,  8,  11, 8, 7,  7,  11, 10, 9,  9,  13, 10, 8,  9,  11,
            11, 10, 7, 14, 13, 9,  8, 12, 12, 11, 12, 15, 12, 10, 10, 14, 13, 12},
@@ -33,7 +33,7 @@ inline Observations stools() {
 }
 
 /// Yields of oats, a split plot (Yates 1935); R: MASS::oats, ordered by B, V and N.
-inline Observations oats() {
+inline statistics::Observations oats() {
   return {"Y",
           {117, 114, 161, 141, 105, 140, 118, 156, 111, 130, 157, 174, 70,  108, 126, 149, 96,  124,
            121, 144, 61,  91,  97,  100, 60,  102, 89,  96,  89,  129, 132, 124, 68,  64,  112, 86,
@@ -43,11 +43,11 @@ inline Observations oats() {
 }
 
 /// Yields of peas over nitrogen, phosphate and potash in blocks of four; R: datasets::npk.
-inline Observations peas() {
+inline statistics::Observations peas() {
   const auto digits = [](const std::string& name, const std::string& text, bool subject = false) {
     std::vector<std::string> words;
     for (const char c : text) words.emplace_back(1, c);
-    return make_factor(name, words, subject);
+    return statistics::make_factor(name, words, subject);
   };
   return {"yield",
           {49.5, 62.8, 46.8, 57,   59.8, 58.5, 55.5, 56,   62.8, 55.8, 69.5, 55,
@@ -57,7 +57,7 @@ inline Observations peas() {
 }
 
 /// Breaks of yarn over wool and tension; R: datasets::warpbreaks.
-inline Observations warps() {
+inline statistics::Observations warps() {
   return {"breaks",
           {26, 30, 54, 25, 70, 52, 51, 26, 67, 18, 21, 29, 17, 12, 18, 35, 30, 36,
            36, 21, 24, 18, 10, 43, 28, 15, 26, 27, 14, 29, 19, 29, 31, 41, 20, 44,
@@ -66,9 +66,9 @@ inline Observations warps() {
 }
 
 /// The same without the rows 1, 2, 20, 33 and 54, so that its cells differ in size.
-inline Observations unequal_warps() {
-  Observations all = warps(), some{all.response, {}, all.factors};
-  for (Factor& factor : some.factors) factor.level.clear();
+inline statistics::Observations unequal_warps() {
+  statistics::Observations all = warps(), some{all.response, {}, all.factors};
+  for (statistics::Factor& factor : some.factors) factor.level.clear();
   for (std::size_t i = 0; i < all.values.size(); ++i) {
     if (i == 0 || i == 1 || i == 19 || i == 32 || i == 53) continue;
     some.values.push_back(all.values[i]);
@@ -79,7 +79,7 @@ inline Observations unequal_warps() {
 }
 
 /// Growth of teeth over supplement and dose; R: datasets::ToothGrowth.
-inline Observations teeth() {
+inline statistics::Observations teeth() {
   return {"len",
           {4.2,  11.5, 7.3,  5.8,  6.4,  10,   11.2, 11.2, 5.2,  7,    16.5, 16.5, 15.2, 17.3, 22.5,
            17.3, 13.6, 14.5, 18.8, 15.5, 23.6, 18.5, 33.9, 25.5, 26.4, 32.5, 26.7, 21.5, 23.3, 29.5,

@@ -5,8 +5,8 @@
 
 #include "tests/engine/analyse/study/samples.hpp"
 
-using namespace stepwire;
-using namespace stepwire::testing;
+namespace stepwire::study {
+using namespace testing;
 using Catch::Matchers::Contains;
 
 namespace {
@@ -63,7 +63,7 @@ TEST_CASE("a study with a missing trial says why it has no repeated measures") {
 
 TEST_CASE("a table of variances has its lines, its design and its warnings") {
   const TaskAnalysis found = analyse(errors_of("1", task_1));
-  const std::string words = text(anova_table(found.additive, "Task 1"));
+  const std::string words = text::text(anova_table(found.additive, "Task 1"));
   CHECK_THAT(words,
              Contains("Task 1\nterm") && Contains("haptic") && Contains("residual") && Contains("total"));
   CHECK_THAT(words, Contains("40 values in 4 cells of 10\n(balanced).") && Contains("type III"));
@@ -71,11 +71,12 @@ TEST_CASE("a table of variances has its lines, its design and its warnings") {
   const std::string json = anova_json(found.additive).text(-1);
   CHECK_THAT(json, Contains("\"name\":\"haptic\"") && Contains("\"degrees_of_freedom\":37.0") &&
                        Contains("\"balanced\":true"));
-  CHECK_THAT(text(anova_table(*analyse(errors_of("2", task_2)).repeated, "Task 2")), Contains("P (GG)"));
+  CHECK_THAT(text::text(anova_table(*analyse(errors_of("2", task_2)).repeated, "Task 2")),
+             Contains("P (GG)"));
 }
 
 TEST_CASE("the errors of every condition are summed up in one line") {
-  const TextTable table = error_summary(errors_of("1", task_1));
+  const text::TextTable table = error_summary(errors_of("1", task_1));
   REQUIRE(table.rows.size() == 4);
   CHECK(table.rows[3][0] == "HV");
   CHECK(table.rows[3][1] == "10");
@@ -86,3 +87,5 @@ TEST_CASE("probabilities are printed with three digits") {
   CHECK(printed_probability(0.21649) == "0.216");
   CHECK(printed_probability(NAN) == "–");
 }
+
+}  // namespace stepwire::study

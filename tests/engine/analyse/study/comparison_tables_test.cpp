@@ -5,8 +5,8 @@
 #include "engine/analyse/study/comparison_columns.hpp"
 #include "tests/engine/analyse/study/samples.hpp"
 
-using namespace stepwire;
-using namespace stepwire::testing;
+namespace stepwire::study {
+using namespace testing;
 using Catch::Matchers::Contains;
 
 namespace {
@@ -36,15 +36,15 @@ const std::vector<double> first{0.7, -1.6, -0.2, -1.2, -0.1, 3.4, 3.7, 0.8, 0, 2
 
 std::string shown(const std::string& name, const TaskAnalysis& analysis) {
   REQUIRE(analysis.within.has_value());
-  const TextTable table = comparison_table(name, *analysis.within, " of task 1", 1);
+  const text::TextTable table = comparison_table(name, *analysis.within, " of task 1", 1);
   for (const auto& row : table.rows) CHECK(row.size() == table.columns.size());
-  const std::string all = text(table);
+  const std::string all = text::text(table);
   CHECK_THAT(all, !Contains("nan") && !Contains("inf"));
   return all;
 }
 
 /// The first row of a table that begins with these cells.
-std::vector<std::string> row_of(const TextTable& table, const std::vector<std::string>& start) {
+std::vector<std::string> row_of(const text::TextTable& table, const std::vector<std::string>& start) {
   for (const auto& row : table.rows)
     if (std::equal(start.begin(), start.end(), row.begin())) return row;
   return {};
@@ -55,18 +55,18 @@ std::vector<std::string> row_of(const TextTable& table, const std::vector<std::s
 TEST_CASE("the tables of a study show what R says of the sleep data") {
   // t.test(d), wilcox by all signs, power.t.test and the noncentral t as in the tests of the statistics
   const TaskAnalysis analysis = analysed({{"NO", second}, {"H", first}});
-  const WithinSubjects& within = *analysis.within;
-  const TextTable pairs = comparison_table("comparisons", within, "", 1);
+  const statistics::WithinSubjects& within = *analysis.within;
+  const text::TextTable pairs = comparison_table("comparisons", within, "", 1);
   CHECK(pairs.rows.at(0) == std::vector<std::string>{"NO - H", "1.580", "4.062", "0.00283", "0.00283", "45",
                                                      "0.00391", "0.00391"});
   CHECK(row_of(comparison_table("intervals", within, "", 1), {"NO - H"}) ==
         std::vector<std::string>{"NO - H", "1.580", "0.700", "2.460", "–", "–"});
-  const TextTable effects = comparison_table("effect_sizes", within, "", 1);
+  const text::TextTable effects = comparison_table("effect_sizes", within, "", 1);
   CHECK(row_of(effects, {"NO - H", "d_z"}) ==
         std::vector<std::string>{"NO - H", "d_z", "1.285", "0.415", "2.118"});
   CHECK(row_of(effects, {"NO - H", "d_av"})[2] == "0.833");
   CHECK(row_of(effects, {"haptic", "generalised η²"})[2] == "0.161");
-  const TextTable power = comparison_table("power", within, "", 1);
+  const text::TextTable power = comparison_table("power", within, "", 1);
   CHECK(power.rows.at(0)[4] == "7");
   CHECK(power.rows.at(0)[1] ==
         power.rows.at(1)[1]);  // the term haptic has the same scores but for their size
@@ -151,3 +151,5 @@ TEST_CASE("a name that two pairs of conditions would have belongs to neither") {
   for (const std::string& column : comparison_columns(request)) CHECK_THAT(column, Contains(".A_B_B_A"));
   CHECK(comparison_columns(request).size() == 8);
 }
+
+}  // namespace stepwire::study

@@ -6,7 +6,7 @@
 #include "engine/view/render/render.hpp"
 #include "tests/engine/analyse/study/samples.hpp"
 
-using namespace stepwire;
+namespace stepwire::study {
 using Catch::Contains;
 
 namespace {
@@ -36,7 +36,7 @@ StudyRequest task_1() {
 }  // namespace
 
 TEST_CASE("the table has the quantiles, and where the thesis' value lies among the experiments") {
-  const TextTable table = experiments_table(made_up(), task_1());
+  const text::TextTable table = experiments_table(made_up(), task_1());
   REQUIRE(table.rows.size() == 3);
   // Of 99 values the middle one is the 50th; 69 are below 0.698.
   CHECK(table.rows[0] == std::vector<std::string>{"mean.NO", "0.698", "0.5", "0.0545", "0.946", "69.7 %"});
@@ -45,21 +45,23 @@ TEST_CASE("the table has the quantiles, and where the thesis' value lies among t
 }
 
 TEST_CASE("significance is counted with its sign") {
-  const TextTable table = experiments_significance_table(made_up(), task_1());
+  const text::TextTable table = experiments_significance_table(made_up(), task_1());
   REQUIRE(table.rows.size() == 1);
   CHECK(table.rows[0] == std::vector<std::string>{"p.haptic", "2.02e-05", "1.00e-04", "1.00e-04", "1.00e-04",
                                                   "0.0 %", "75 of 99", "24 of 99"});
 }
 
 TEST_CASE("the picture has a panel with a line for each value that the thesis prints") {
-  const std::string svg = render(repetition_figure(made_up(), task_1())).svg;
+  const std::string svg = render::render(session::repetition_figure(made_up(), task_1())).svg;
   CHECK_THAT(svg,
              Contains("thesis: 0.698") && Contains("thesis: 2.02e-05") && Contains("log10 of P, haptic"));
   CHECK_THAT(svg, !Contains("thesis: 0.217"));
 }
 
 TEST_CASE("a study of which nothing is published has the distributions of its own means") {
-  const TextTable table = experiments_table(made_up(), {});
+  const text::TextTable table = experiments_table(made_up(), {});
   REQUIRE(table.rows.size() == 2);
   CHECK(table.rows[0] == std::vector<std::string>{"mean.NO", "–", "0.5", "0.0545", "0.946", "–"});
 }
+
+}  // namespace stepwire::study

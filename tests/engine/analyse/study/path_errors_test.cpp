@@ -10,8 +10,8 @@
 #include "tests/engine/analyse/study/samples.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 
-using namespace stepwire;
-using namespace stepwire::testing;
+namespace stepwire::study {
+using namespace testing;
 using Catch::Matchers::Contains;
 
 namespace {
@@ -40,7 +40,8 @@ TEST_CASE("a drawing scores the squares of its distances from the circle of the 
 }
 
 TEST_CASE("another fit may be asked for, and is told") {
-  CHECK_THAT(circle_errors(drawings(), {"1", "NO", CircleFit::taubin}).rule, Contains("(Taubin fit)"));
+  CHECK_THAT(circle_errors(drawings(), {"1", "NO", statistics::CircleFit::taubin}).rule,
+             Contains("(Taubin fit)"));
 }
 
 TEST_CASE("a straight return scores its length times its angle, over the largest") {
@@ -72,7 +73,7 @@ TEST_CASE("what comes behind the first point inside counts in no number of a ret
 }
 
 TEST_CASE("a trial that lasted too long is scored, and named") {
-  const PathErrors errors = circle_errors(drawings(), {"1", "NO", CircleFit::geometric, 20.0});
+  const PathErrors errors = circle_errors(drawings(), {"1", "NO", statistics::CircleFit::geometric, 20.0});
   REQUIRE(errors.warnings.size() == 4);
   CHECK(errors.warnings[1] ==
         "subject a, task 1, condition V lasted 24.8 s; the thesis repeats trials that last longer than 20 s");
@@ -94,24 +95,25 @@ TEST_CASE("what cannot be scored names its trial") {
 }
 
 TEST_CASE("the table of errors is written with names and units, and read back") {
-  ColumnWords words;
-  const Table table = error_table(circle_errors(drawings()), words);
-  const std::string text = csv_text(table, words);
+  table::ColumnWords words;
+  const table::Table table = error_table(circle_errors(drawings()), words);
+  const std::string text = table::csv_text(table, words);
   CHECK_THAT(text,
              Catch::StartsWith("subject,condition,error [mm^2],normalised,raw [mm^2],deviation [mm],length "
                                "[mm],duration [s],points\na,NO,"));
   const Scratch scratch;
-  ColumnWords again{{"subject", {}}, {"condition", {}}};
-  CHECK(read_csv(scratch.file("errors.csv", text), again).find("error")->values[1] == Approx(100.0));
+  table::ColumnWords again{{"subject", {}}, {"condition", {}}};
+  CHECK(table::read_csv(scratch.file("errors.csv", text), again).find("error")->values[1] == Approx(100.0));
   CHECK(again["condition"] == std::vector<std::string>{"NO", "V"});
 }
 
 TEST_CASE("conditions become the factors of the analysis") {
-  const Observations two = observations(errors_of("1", {{"NO", 4}, {"H", 3}, {"V", 2}, {"HV", 1}}));
+  const statistics::Observations two =
+      observations(errors_of("1", {{"NO", 4}, {"H", 3}, {"V", 2}, {"HV", 1}}));
   CHECK(two.factors.size() == 4);  // haptic, visual, condition, subject
   CHECK(two.factor("haptic").levels == std::vector<std::string>{"absent", "present"});
   CHECK(two.factor("visual").level[3] == 1);
-  const Observations three = observations(errors_of("2", {{"H", 3}, {"V", 2}, {"V_gp", 1}}));
+  const statistics::Observations three = observations(errors_of("2", {{"H", 3}, {"V", 2}, {"V_gp", 1}}));
   CHECK(three.factor("guiding path").level[2] == 1);
   CHECK(three.factor("subject").subject);
   CHECK_THROWS_WITH(observations(errors_of("1", {{"no", 1}})),
@@ -119,16 +121,19 @@ TEST_CASE("conditions become the factors of the analysis") {
 }
 
 TEST_CASE("figures read the errors, with the words of their conditions") {
-  const Recording recording = error_recording(circle_errors(drawings()));
+  const record::Recording recording = error_recording(circle_errors(drawings()));
   CHECK(recording.table.rows() == 4);
   CHECK(recording.table.find("normalised")->values[0] == 1.0);
   REQUIRE(recording.categories.size() == 2);
   CHECK(recording.categories[1].texts == std::vector<std::string>{"NO", "V"});
-  if (!has_gnuplot()) return;
-  const SymbolTable names{"d.yaml", {{"condition", Dimension{}, 0}, {"normalised", Dimension{}, 0}}};
-  Faults faults;
-  const auto document = parse_document("{plot: box, y: normalised, by: condition}", "d.yaml");
-  const auto figures = read_figures(document.root, names, faults);
+  if (!render::has_gnuplot()) return;
+  const query::SymbolTable names{"d.yaml",
+                                 {{"condition", unit::Dimension{}, 0}, {"normalised", unit::Dimension{}, 0}}};
+  yaml::Faults faults;
+  const auto document = yaml::parse_document("{plot: box, y: normalised, by: condition}", "d.yaml");
+  const auto figures = plot::read_figures(document.root, names, faults);
   REQUIRE(faults.empty());
-  CHECK_THAT(draw(figures[0], std::vector{recording}).svg, Contains(">NO<") && Contains(">median<"));
+  CHECK_THAT(render::draw(figures[0], std::vector{recording}).svg, Contains(">NO<") && Contains(">median<"));
 }
+
+}  // namespace stepwire::study

@@ -6,7 +6,7 @@
 #include "tests/engine/analyse/study/samples.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 
-using namespace stepwire;
+namespace stepwire::study {
 using Catch::Contains;
 
 namespace {
@@ -23,7 +23,7 @@ TEST_CASE("experiments are read back from their file to the same bits, sorted by
   const Scratch folder;
   Repetition repetition(columns);
   for (std::uint64_t seed = 9; seed > 0; --seed) repetition.add(made_up(seed));
-  write_file(folder.path("a.csv"), repetition.csv());
+  io::write_file(folder.path("a.csv"), repetition.csv());
   Repetition again(columns);
   again.read(folder.path("a.csv"));
   CHECK(again.csv() == repetition.csv());
@@ -44,3 +44,5 @@ TEST_CASE("an experiment of a sweep is there once all its points are") {
   CHECK(repetition.has(1, 2));
   CHECK(repetition.outcomes(1).size() == 2);
 }
+
+}  // namespace stepwire::study

@@ -5,8 +5,8 @@
 
 #include "tests/engine/analyse/study/samples.hpp"
 
-using namespace stepwire;
-using namespace stepwire::testing;
+namespace stepwire::study {
+using namespace testing;
 using Catch::Matchers::Contains;
 
 namespace {
@@ -58,14 +58,14 @@ TEST_CASE("a condition that we do not have is left out of the words and shown as
   const SideBySide both =
       compare_errors(published_task_2().means, {{"V", 0.5}, {"H", 0.4}}, published_task_2().order);
   CHECK(both.agreements.size() == 2);  // one order, one ratio
-  CHECK_THAT(text(side_by_side_table(both)), Contains("–"));
+  CHECK_THAT(text::text(side_by_side_table(both)), Contains("–"));
 }
 
 TEST_CASE("a factor agrees where it is significant on both sides or on neither") {
   TaskAnalysis ours;
   ours.effects = {{"haptic", -0.1}, {"visual", -0.2}, {"guiding path", -0.3}};
   for (const auto& [name, p] : {std::pair{"haptic", 0.04}, {"visual", 0.01}, {"guiding path", 0.06}}) {
-    AnovaRow row;
+    statistics::AnovaRow row;
     row.name = name;
     row.p = p;
     ours.additive.terms.push_back(row);
@@ -79,7 +79,7 @@ TEST_CASE("a factor agrees where it is significant on both sides or on neither")
 
 TEST_CASE("a factor that is significant the other way round does not agree") {
   TaskAnalysis ours;
-  AnovaRow row;
+  statistics::AnovaRow row;
   row.name = "haptic";
   row.p = 0.001;
   ours.additive.terms = {row};
@@ -91,7 +91,7 @@ TEST_CASE("a factor that is significant the other way round does not agree") {
     CHECK(haptic.agrees == (effect < 0.0));
     CHECK(haptic.ours == (effect < 0.0 ? "significant and lowers the error by 0.2"
                                        : "significant and raises the error by 0.2"));
-    CHECK_THAT(text(side_by_side_table(both)), Contains(effect < 0.0 ? "-0.200" : "+0.200"));
+    CHECK_THAT(text::text(side_by_side_table(both)), Contains(effect < 0.0 ? "-0.200" : "+0.200"));
   }
 }
 
@@ -113,9 +113,9 @@ TEST_CASE("the words stand below the table, and in JSON") {
   const auto all = compare(published_task_1(),
                            analyse(errors_of("1", {{"NO", 0.7}, {"H", 0.2}, {"V", 0.1}, {"HV", 0.08}})));
   REQUIRE(all.size() == 2);
-  CHECK_THAT(text(side_by_side_table(all[0])),
+  CHECK_THAT(text::text(side_by_side_table(all[0])),
              Contains("Agrees: order NO > H > V > HV; ours: NO > H > V > HV."));
-  CHECK_THAT(text(side_by_side_table(all[1])),
+  CHECK_THAT(text::text(side_by_side_table(all[1])),
              Contains("2.02e-05") && Contains("Agrees: haptic is significant"));
   CHECK_THAT(side_by_side_json(all[1]).text(-1),
              Contains("\"published\":2.02e-05") && Contains("\"agrees\":true"));
@@ -136,3 +136,5 @@ TEST_CASE("a study beside which nothing is published has its own numbers alone")
   CHECK(all[1].effects[0].ours == -0.25);
   CHECK(all[1].agreements.empty());
 }
+
+}  // namespace stepwire::study

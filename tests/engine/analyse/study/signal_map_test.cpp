@@ -4,7 +4,7 @@
 
 #include "tests/support/plan_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::study {
 using Catch::Contains;
 
 namespace {
@@ -26,8 +26,8 @@ units: {at: m, back: m, behind: m, way: m}
 record: [at, way, behind]
 )";
 
-SignalRef recorded(const Plan& plan, const std::string& name) {
-  for (const RecordedSignal& signal : plan.diagram.records.front().signals)
+diagram::SignalRef recorded(const plan::Plan& plan, const std::string& name) {
+  for (const diagram::RecordedSignal& signal : plan.diagram.records.front().signals)
     if (signal.name == name) return signal.signal;
   FAIL(name << " is not recorded");
   return {};
@@ -36,7 +36,7 @@ SignalRef recorded(const Plan& plan, const std::string& name) {
 }  // namespace
 
 TEST_CASE("a signal is evaluated as a function of another one, wherever that is, in any order") {
-  const Plan plan = plan_text(field);
+  const plan::Plan plan = plan_text(field);
   const SignalMap way(plan.diagram, recorded(plan, "at"), recorded(plan, "way"), {});
   for (int round = 0; round < 2; ++round)
     for (const double angle : {0.3, 2.0, -1.2}) {
@@ -47,13 +47,15 @@ TEST_CASE("a signal is evaluated as a function of another one, wherever that is,
 }
 
 TEST_CASE("a signal that remembers is no function of another one, and the block that does is named") {
-  const Plan plan = plan_text(field);
+  const plan::Plan plan = plan_text(field);
   try {
     const SignalMap behind(plan.diagram, recorded(plan, "at"), recorded(plan, "behind"), {"a.yaml", {3, 4}});
     FAIL("a delay was taken");
-  } catch (const Error& error) {
+  } catch (const yaml::Error& error) {
     CHECK_THAT(error.what(),
                Catch::StartsWith("a.yaml:3:4: study.way_back: is no function of the place alone") &&
                    Contains("'late' (UnitDelay)"));
   }
 }
+
+}  // namespace stepwire::study

@@ -3,8 +3,8 @@
 #include "engine/analyse/study/study_tables.hpp"
 #include "tests/engine/analyse/study/samples.hpp"
 
-using namespace stepwire;
-using namespace stepwire::testing;
+namespace stepwire::study {
+using namespace testing;
 
 namespace {
 
@@ -27,8 +27,8 @@ Experiment experiment_of(const std::string& offset,
   return experiment;
 }
 
-std::vector<NamedTable> tables_of(const Experiments& experiments) {
-  std::vector<NamedTable> tables = empty_study_tables(true);
+std::vector<query::NamedTable> tables_of(const Experiments& experiments) {
+  std::vector<query::NamedTable> tables = empty_study_tables(true);
   fill_sweep_tables(experiments, request_of_task_1(), tables);
   return tables;
 }
@@ -41,7 +41,7 @@ TEST_CASE("a swept study has a line for each point, with what is published below
       tables_of({experiment_of("2 N", {{"NO", 0.698}, {"H", 0.217}, {"V", 0.114}, {"HV", 0.079}}),
                  experiment_of("5 N", {{"NO", 0.698}, {"H", 0.114}, {"V", 0.217}, {"HV", 0.079}})});
   REQUIRE(tables.size() == 2);
-  const TextTable& means = *tables[0].table;
+  const text::TextTable& means = *tables[0].table;
   CHECK(means.columns == std::vector<std::string>{"offset", "NO", "H", "V", "HV", "(1)"});
   REQUIRE(means.rows.size() == 3);
   CHECK(means.rows[0].front() == "2 N");
@@ -58,7 +58,7 @@ TEST_CASE("whether factors are significant as published is told for each point")
   const auto tables =
       tables_of({experiment_of("2 N", {{"NO", 0.698}, {"H", 0.217}, {"V", 0.114}, {"HV", 0.079}}),
                  experiment_of("5 N", {{"NO", 0.3}, {"H", 0.3}, {"V", 0.3}, {"HV", 0.3}})});
-  const TextTable& significance = *tables[1].table;
+  const text::TextTable& significance = *tables[1].table;
   CHECK(significance.columns == std::vector<std::string>{"offset", "haptic", "visual", "(1)", "(2)"});
   REQUIRE(significance.rows.size() == 3);
   CHECK(significance.rows[0][3] == "holds");
@@ -73,7 +73,9 @@ TEST_CASE("a point whose trials cannot be analysed says why") {
   lost.not_analysed = "all errors are zero";
   const auto tables =
       tables_of({lost, experiment_of("2 N", {{"NO", 0.7}, {"H", 0.2}, {"V", 0.1}, {"HV", 0.05}})});
-  const TextTable& means = *tables[0].table;
+  const text::TextTable& means = *tables[0].table;
   CHECK(means.rows[0] == std::vector<std::string>{"9 N", "–", "–", "–", "–", "–"});
   CHECK(means.notes.front() == "Not analysed with offset=9 N: all errors are zero.");
 }
+
+}  // namespace stepwire::study

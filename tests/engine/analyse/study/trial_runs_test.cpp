@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-using namespace stepwire;
+namespace stepwire::study {
 
 namespace {
 
@@ -39,3 +39,5 @@ TEST_CASE("the condition of the circle comes first, and each order of the others
   }
   CHECK(order_of_conditions(request_of("", {"H", "V"}), 1, 1).size() == 2);
 }
+
+}  // namespace stepwire::study

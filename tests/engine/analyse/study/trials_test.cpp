@@ -6,8 +6,8 @@
 #include "tests/engine/analyse/study/samples.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 
-using namespace stepwire;
-using namespace stepwire::testing;
+namespace stepwire::study {
+using namespace testing;
 using Catch::Matchers::EndsWith;
 
 namespace {
@@ -22,7 +22,7 @@ std::vector<Trial> trials_of(const std::string& text) {
 std::string refusal(const std::string& text) {
   try {
     trials_of(text);
-  } catch (const TableError& error) {
+  } catch (const table::TableError& error) {
     return error.what();
   }
   return "nothing is wrong";
@@ -85,3 +85,5 @@ TEST_CASE("a file of trials that is wrong is refused with its row and what would
       EndsWith(".csv:6: subject 1, task 1, condition V starts again; its first trial is at line 2, and a "
                "repeated trial replaces the first one"));
 }
+
+}  // namespace stepwire::study

@@ -7,7 +7,7 @@
 #include "engine/simulate/codegen/compiler.hpp"
 #include "tests/engine/app/cli/program.hpp"
 
-using namespace stepwire;
+namespace stepwire::cli {
 using Catch::Contains;
 
 namespace {
@@ -37,7 +37,7 @@ record:
 
 /// Where the compilers' standard streams and search path are those of this machine.
 bool there_is_a_compiler() {
-  if (Compiler().found()) return true;
+  if (codegen::Compiler().found()) return true;
   WARN("there is no C++ compiler here; nothing was compared");
   return false;
 }
@@ -57,16 +57,17 @@ TEST_CASE("a generated program is built without us and writes the same bytes as 
   INFO(done.err);
   REQUIRE(done.code == 0);
   const std::string made = folder.path("rig");
-  const ProcessResult configured =
-      run_process({.command = {"cmake", "-S", made, "-B", made + "/build", "-G", "Ninja"}});
+  const subprocess::ProcessResult configured =
+      subprocess::run_process({.command = {"cmake", "-S", made, "-B", made + "/build", "-G", "Ninja"}});
   INFO(configured.errors);
   REQUIRE(configured.status == 0);
-  const ProcessResult built =
-      run_process({.command = {"cmake", "--build", made + "/build"}, .limit = compiler_limit()});
+  const subprocess::ProcessResult built = subprocess::run_process(
+      {.command = {"cmake", "--build", made + "/build"}, .limit = subprocess::compiler_limit()});
   INFO(built.output);
   REQUIRE(built.status == 0);
-  REQUIRE(run_process({.command = {made + "/build/bin/rig_diagram", made}}).succeeded());
-  const ProcessResult misused = run_process({.command = {made + "/build/bin/rig_diagram", "--help"}});
+  REQUIRE(subprocess::run_process({.command = {made + "/build/bin/rig_diagram", made}}).succeeded());
+  const subprocess::ProcessResult misused =
+      subprocess::run_process({.command = {made + "/build/bin/rig_diagram", "--help"}});
   CHECK(misused.status == 2);
   CHECK_THAT(misused.errors, Contains("usage: "));
   CHECK(content_of(made + "/signals.csv") == content_of(folder.path("out/signals.csv")));
@@ -194,14 +195,16 @@ TEST_CASE(
   }
   folder.file("made/CMakeLists.txt", super);
   const std::string made = folder.path("made");
-  REQUIRE(run_process({.command = {"cmake", "-S", made, "-B", made + "/build", "-G", "Ninja"}}).succeeded());
-  const ProcessResult built =
-      run_process({.command = {"cmake", "--build", made + "/build"}, .limit = compiler_limit()});
+  REQUIRE(subprocess::run_process({.command = {"cmake", "-S", made, "-B", made + "/build", "-G", "Ninja"}})
+              .succeeded());
+  const subprocess::ProcessResult built = subprocess::run_process(
+      {.command = {"cmake", "--build", made + "/build"}, .limit = subprocess::compiler_limit()});
   INFO(built.output);
   REQUIRE(built.succeeded());
   REQUIRE(run_program(folder, {"run", "main.yaml", "--out", "out"}).code == 0);
   for (const auto& [file, program] : names) {
-    REQUIRE(run_process({.command = {made + "/build/" + program + "/bin/" + program + "_diagram", made}})
+    REQUIRE(subprocess::run_process(
+                {.command = {made + "/build/" + program + "/bin/" + program + "_diagram", made}})
                 .succeeded());
     CHECK(content_of(made + "/signals.csv") == content_of(folder.path("out/signals.csv")));
   }
@@ -234,3 +237,5 @@ TEST_CASE("an option without its value is refused, and takes none of the next wo
     CHECK_THAT(done.err, Contains("has no value"));
   }
 }
+
+}  // namespace stepwire::cli

@@ -11,14 +11,14 @@
 #include "tests/engine/app/cli/hostile.hpp"
 #include "tests/engine/app/cli/program.hpp"
 
-using namespace stepwire;
+namespace stepwire::cli {
 using Catch::Contains;
 
 namespace {
 
 /// A text in quotes of YAML, which are those of JSON.
 std::string in_yaml(const std::string& text) {
-  return Json(text).text(-1);
+  return json::Json(text).text(-1);
 }
 
 /// A text as far as a file can have it for its name.
@@ -69,7 +69,7 @@ std::string all_hostile() {
 
 TEST_CASE(
     "hostile texts everywhere in a diagram are compiled to the interpreter's bits and execute nothing") {
-  if (!Compiler().found()) {
+  if (!codegen::Compiler().found()) {
     WARN("there is no C++ compiler here; nothing was compared");
     return;
   }
@@ -88,12 +88,13 @@ TEST_CASE(
   CHECK_THAT(content_of(folder.path("compiled/run.json")), !Contains("\"compiled_ticks\": 0,"));
   REQUIRE(run_program(folder, {"generate", "all.yaml", "--c-api", "-o", "made"}).code == 0);
   const std::string made = folder.path("made");
-  REQUIRE(run_process({.command = {"cmake", "-S", made, "-B", made + "/build", "-G", "Ninja"}}).succeeded());
-  const ProcessResult built =
-      run_process({.command = {"cmake", "--build", made + "/build"}, .limit = compiler_limit()});
+  REQUIRE(subprocess::run_process({.command = {"cmake", "-S", made, "-B", made + "/build", "-G", "Ninja"}})
+              .succeeded());
+  const subprocess::ProcessResult built = subprocess::run_process(
+      {.command = {"cmake", "--build", made + "/build"}, .limit = subprocess::compiler_limit()});
   INFO(built.output);
   REQUIRE(built.succeeded());
-  REQUIRE(run_process({.command = {made + "/build/bin/all_diagram", made}}).succeeded());
+  REQUIRE(subprocess::run_process({.command = {made + "/build/bin/all_diagram", made}}).succeeded());
   CHECK(content_of(made + "/signals.csv") == content_of(folder.path("interpreted/signals.csv")));
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path("")))
     CHECK(entry.path().filename() != "executed");
@@ -104,7 +105,7 @@ TEST_CASE("hostile texts reach pictures, pages and the terminal without control 
   folder.file("all.yaml", hostile_yaml(folder, all_hostile()));
   const Done done = run_program(folder, {"run", "all.yaml", "--out", "out"});
   INFO(done.err);
-  CHECK(visible_lines(done.out) == done.out);
+  CHECK(text::visible_lines(done.out) == done.out);
   const std::size_t texts = hostile_texts().size();
   CHECK(lines_of(done.out).size() ==
         texts + 3);  // title, counts, a line for each claim, and where it is written
@@ -114,14 +115,14 @@ TEST_CASE("hostile texts reach pictures, pages and the terminal without control 
         content_of(folder.path("out/figure" + (i == 0 ? "" : "-" + std::to_string(i + 1)) + ".svg"));
     INFO(i);
     CHECK_THAT(svg, Contains("</svg>"));
-    CHECK(printable(svg) == svg);
+    CHECK(text::printable(svg) == svg);
     CHECK_THAT(svg, !Contains("<script"));
-    const ProcessResult parsed =
-        run_process({.command = {"python3", "-c",
-                                 "import sys, xml.dom.minidom as m; m.parseString(sys.stdin.buffer.read())"},
-                     .input = svg});
+    const subprocess::ProcessResult parsed = subprocess::run_process(
+        {.command = {"python3", "-c",
+                     "import sys, xml.dom.minidom as m; m.parseString(sys.stdin.buffer.read())"},
+         .input = svg});
     INFO(parsed.errors);
-    CHECK((parsed.succeeded() || parsed.end == ProcessResult::End::not_started));
+    CHECK((parsed.succeeded() || parsed.end == subprocess::ProcessResult::End::not_started));
   }
   const auto claims = nlohmann::json::parse(content_of(folder.path("out/claims.json")));
   REQUIRE(claims.size() == texts);
@@ -140,7 +141,9 @@ TEST_CASE("a message about a hostile text is one line that a terminal shows as i
       const Done done = run_program(folder, call);
       INFO(done.err);
       CHECK(done.code == 2);
-      CHECK(visible_lines(done.err) == done.err);
+      CHECK(text::visible_lines(done.err) == done.err);
     }
   }
 }
+
+}  // namespace stepwire::cli

@@ -34,10 +34,10 @@ TEST_CASE("an interrupted run ends with 130 and keeps what was recorded") {
   const Done done = interrupted(folder, {"run", "endless.yaml", "--out", "out"});
   INFO(done.err);
   CHECK(done.code == 130);
-  const auto table = stepwire::read_csv(folder.path("out/signals.csv"));
+  const auto table = stepwire::table::read_csv(folder.path("out/signals.csv"));
   CHECK(table.rows() > 1);
   CHECK(table.rows() < 100'000);
-  CHECK(stepwire::read_mat(folder.path("out/signals.mat")).find("lag")->values ==
+  CHECK(stepwire::mat::read_mat(folder.path("out/signals.mat")).find("lag")->values ==
         table.find("lag")->values);
   const auto run = nlohmann::json::parse(content_of(folder.path("out/run.json")));
   CHECK(run["interrupted"] == true);
@@ -56,7 +56,7 @@ TEST_CASE("an interrupted sweep keeps the runs that were begun, and files that w
   const Done done = interrupted(folder, {"run", "a.yaml", "b.yaml", "--out", "out"});
   INFO(done.err);
   CHECK(done.code == 130);
-  CHECK(stepwire::read_csv(folder.path("out/a/signals.csv")).rows() > 1);
+  CHECK(stepwire::table::read_csv(folder.path("out/a/signals.csv")).rows() > 1);
   CHECK_FALSE(std::filesystem::exists(folder.path("out/b")));
 }
 
@@ -192,7 +192,7 @@ TEST_CASE("a loop ends with its recording written, however many signals come") {
     CHECK(done.code == 130);
     CHECK(done.seconds < 30.0);
     CHECK(nlohmann::json::parse(content_of(folder.path("out/loop.json"))).is_object());
-    CHECK(stepwire::read_csv(folder.path("out/signals.csv")).rows() > 3);
+    CHECK(stepwire::table::read_csv(folder.path("out/signals.csv")).rows() > 3);
     CHECK_THAT(content_of(folder.path("out/loop.svg")), Contains("</svg>"));
     CHECK(pieces_in(folder.path("out")) == 0);
     CHECK(run_program(folder, {"verify", "out"}).code == 0);

@@ -63,13 +63,13 @@ TEST_CASE("a loop serves all deadlines, leaves its files, and judges no claims")
   if (!report["thread"]["allocations"].is_null()) CHECK(report["thread"]["allocations"] == 0);
   CHECK_FALSE(report["machine"]["kernel"].get<std::string>().empty());
   CHECK(report["rows"]["lost_to_ring"] == 0);
-  const auto signals = stepwire::read_csv(folder.path("out/signals.csv"));
+  const auto signals = stepwire::table::read_csv(folder.path("out/signals.csv"));
   REQUIRE(signals.columns.size() == 4);
   CHECK(static_cast<int>(signals.rows()) == report["ticks"]);
   for (std::size_t row = 0; row < signals.rows(); ++row)
     CHECK(signals.find("tick")->values[row] == static_cast<double>(row));
   CHECK(signals.find("wall")->unit == "s");
-  const auto inputs = stepwire::read_csv(folder.path("out/inputs.csv"));
+  const auto inputs = stepwire::table::read_csv(folder.path("out/inputs.csv"));
   CHECK(inputs.rows() == signals.rows());
   CHECK(inputs.find("target")->values.front() == 2.0);
   CHECK_THAT(content_of(folder.path("out/loop.svg")), Contains("A lag with an input: 1000 Hz, other"));
@@ -89,7 +89,7 @@ TEST_CASE("what a loop leaves is verified bit by bit, inputs and dropped deadlin
 }
 
 TEST_CASE("a loop of compiled code gives the bits that the interpreter gives") {
-  if (!stepwire::Compiler().found()) {
+  if (!stepwire::codegen::Compiler().found()) {
     WARN("there is no C++ compiler here; nothing was compared");
     return;
   }
@@ -179,7 +179,8 @@ TEST_CASE("an interrupted loop ends with 130, and what it has is reported and ke
   const json report = report_in(folder);
   CHECK(report["end"] == "interrupted");
   CHECK(report["deadlines"]["passed"] < 60'000);
-  CHECK(static_cast<int>(stepwire::read_csv(folder.path("out/signals.csv")).rows()) == report["ticks"]);
+  CHECK(static_cast<int>(stepwire::table::read_csv(folder.path("out/signals.csv")).rows()) ==
+        report["ticks"]);
   for (const auto& entry : std::filesystem::directory_iterator(folder.path("out")))
     CHECK(entry.path().extension() != ".part");
 }
@@ -215,7 +216,7 @@ record: [left]
   CHECK(done.code == 2);
   CHECK_THAT(done.err, Catch::StartsWith("a.yaml:8:12: inverse.y: became inf at 0.01 s; the run ends here"));
   CHECK_THAT(done.out, Contains("ended by the diagram"));
-  CHECK(stepwire::read_csv(folder.path("out/signals.csv")).rows() == 10);
+  CHECK(stepwire::table::read_csv(folder.path("out/signals.csv")).rows() == 10);
 }
 
 TEST_CASE("a loop runs a file with a sweep once, with the file's own values") {

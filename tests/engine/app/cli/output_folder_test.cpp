@@ -20,8 +20,8 @@ bool there(const Scratch& folder, const std::string& name) {
 TEST_CASE("a folder that another run writes into is refused with 3, by every verb that writes one") {
   const Scratch folder;
   folder.file("lag.yaml", lag_yaml);
-  const stepwire::OwnedFolder own(folder.path("out"));
-  stepwire::note_written(folder.path("out/figure.svg"));
+  const stepwire::io::OwnedFolder own(folder.path("out"));
+  stepwire::io::note_written(folder.path("out/figure.svg"));
   folder.file("out/figure.svg", "of the other run");
   for (const std::vector<std::string>& call : {std::vector<std::string>{"run", "lag.yaml", "--out", "out"},
                                                {"loop", "lag.yaml", "--duration", "0.1", "--out", "out"},

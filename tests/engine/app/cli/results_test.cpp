@@ -46,7 +46,7 @@ TEST_CASE("run --out writes all that a run leaves, and nothing else") {
 }
 
 TEST_CASE("the spec of a picture lies beside it as JSON that other programs read") {
-  const std::string python = stepwire::find_program("python3");
+  const std::string python = stepwire::subprocess::find_program("python3");
   if (python.empty()) {
     WARN("python3 is not installed; no other program read the JSON");
     return;
@@ -60,7 +60,7 @@ TEST_CASE("the spec of a picture lies beside it as JSON that other programs read
       "curve = panel['marks'][0]['curves'][0]\n"
       "print(panel['x']['unit'], panel['marks'][0]['mark'], len(curve['x']) == len(curve['y']))\n";
   const auto read =
-      stepwire::run_process({.command = {python, "-c", script, folder.path("out/figure.json")}});
+      stepwire::subprocess::run_process({.command = {python, "-c", script, folder.path("out/figure.json")}});
   CHECK(read.output == "s line True\n");
 }
 
@@ -73,8 +73,8 @@ TEST_CASE("signals.csv and signals.mat hold the same bits, those of the closed f
   CHECK(lines.size() == 502);
   CHECK(lines[1] == "0,1,0");
   CHECK_THAT(lines[3], Catch::StartsWith("0.002,1,0.0198"));
-  const auto csv = stepwire::read_csv(folder.path("out/signals.csv"));
-  const auto mat = stepwire::read_mat(folder.path("out/signals.mat"));
+  const auto csv = stepwire::table::read_csv(folder.path("out/signals.csv"));
+  const auto mat = stepwire::mat::read_mat(folder.path("out/signals.mat"));
   REQUIRE(mat.find("lag") != nullptr);
   CHECK(csv.find("lag")->values == mat.find("lag")->values);
   CHECK(csv.find("time")->values == mat.find("time")->values);
@@ -201,7 +201,7 @@ TEST_CASE("swept words stand as words in signals.csv and as their numbers in sig
   CHECK(lines[0] == "time [s],way,table");
   CHECK(lines[4] == "0.003,hold,1");
   CHECK(lines[8] == "0.003,linear,1.003");
-  CHECK(stepwire::read_mat(folder.path("out/signals.mat")).find("way")->values ==
+  CHECK(stepwire::mat::read_mat(folder.path("out/signals.mat")).find("way")->values ==
         std::vector<double>{0, 0, 0, 0, 1, 1, 1, 1});
   const json run = json::parse(content_of(folder.path("out/run.json")));
   CHECK(run["sweep"][0]["parameter"] == "way");

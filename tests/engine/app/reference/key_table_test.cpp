@@ -6,7 +6,7 @@
 #include "engine/app/reference/key_schema.hpp"
 #include "engine/base/yaml/section.hpp"
 
-using namespace stepwire;
+namespace stepwire::reference {
 using Catch::Contains;
 using nlohmann::json;
 
@@ -21,27 +21,30 @@ struct Lamp {
   enum class Color { white, red } color = Color::white;
 };
 
-using LampTable = KeyTable<Lamp, SectionReading>;
+using LampTable = yaml::KeyTable<Lamp, yaml::SectionReading>;
 
 LampTable lamp_table(std::vector<LampTable::Row> more) {
-  std::vector<LampTable::Row> rows{{"power", "what it takes", form::above_zero(form::number()), &Lamp::power},
-                                   {"on", "true: it shines", form::truth(), &Lamp::on},
-                                   {"count", "how many there are", form::whole(1, 9), &Lamp::count}};
+  std::vector<LampTable::Row> rows{
+      {"power", "what it takes", yaml::form::above_zero(yaml::form::number()), &Lamp::power},
+      {"on", "true: it shines", yaml::form::truth(), &Lamp::on},
+      {"count", "how many there are", yaml::form::whole(1, 9), &Lamp::count}};
   rows.insert(rows.end(), more.begin(), more.end());
   return {"a lamp", "{power: 3}", std::move(rows)};
 }
 
 std::vector<std::string> read_lamp(const LampTable& table, const std::string& yaml, Lamp& lamp) {
   std::vector<std::string> faults;
-  const SectionReading read("lamp", [&](const Mark&, const std::string& subject, const std::string& message) {
-    faults.push_back(subject + ": " + plain(message));
-  });
-  table.read(parse_document(yaml, "test.yaml").root, lamp, read);
+  const yaml::SectionReading read(
+      "lamp", [&](const yaml::Mark&, const std::string& subject, const std::string& message) {
+        faults.push_back(subject + ": " + yaml::plain(message));
+      });
+  table.read(yaml::parse_document(yaml, "test.yaml").root, lamp, read);
   return faults;
 }
 
-const LampTable::Row name_row{"name", "text on it", form::text(), &Lamp::name};
-const LampTable::Row color_row{"color", "in which it shines", form::word({"white", "red"}), &Lamp::color};
+const LampTable::Row name_row{"name", "text on it", yaml::form::text(), &Lamp::name};
+const LampTable::Row color_row{"color", "in which it shines", yaml::form::word({"white", "red"}),
+                               &Lamp::color};
 
 }  // namespace
 
@@ -70,7 +73,7 @@ TEST_CASE("a row that is added to a table is read, described by the schema and s
 
 TEST_CASE("all faults of a map are found in one pass, each with what would be right") {
   Lamp lamp;
-  const LampTable table = lamp_table({color_row, needed(name_row)});
+  const LampTable table = lamp_table({color_row, yaml::needed(name_row)});
   const auto faults = read_lamp(table, "{power: 0, on: maybe, count: 10, color: rde}", lamp);
   REQUIRE(faults.size() == 5);
   CHECK(faults[0] == "lamp: 'name' is missing (text on it): {power: 3}");
@@ -86,8 +89,8 @@ TEST_CASE("all faults of a map are found in one pass, each with what would be ri
 TEST_CASE("one key of a choice stands in a map, and what belongs to another stands beside it") {
   Lamp lamp;
   const LampTable table =
-      lamp_table({one_of("look", color_row), one_of("look", name_row),
-                  beside({"color"}, LampTable::Row{"shade", "of the colour", form::text()})});
+      lamp_table({yaml::one_of("look", color_row), yaml::one_of("look", name_row),
+                  yaml::beside({"color"}, LampTable::Row{"shade", "of the colour", yaml::form::text()})});
   CHECK(read_lamp(table, "{on: true}", lamp) ==
         std::vector<std::string>{"lamp: a lamp needs one look: color, name"});
   CHECK(read_lamp(table, "{color: red, name: desk}", lamp) ==
@@ -96,3 +99,5 @@ TEST_CASE("one key of a choice stands in a map, and what belongs to another stan
         std::vector<std::string>{"lamp.shade: 'shade' goes with 'color' only"});
   CHECK(read_lamp(table, "{color: red, shade: deep}", lamp).empty());
 }
+
+}  // namespace stepwire::reference

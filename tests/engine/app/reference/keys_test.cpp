@@ -11,7 +11,7 @@
 #include "engine/base/yaml/section.hpp"
 #include "tests/support/json_schema.hpp"
 
-using namespace stepwire;
+namespace stepwire::reference {
 using Catch::Contains;
 using nlohmann::json;
 
@@ -28,10 +28,10 @@ const json& schema() {
 }
 
 /// The map of keys in a form: itself, or what one of its choices, items or names is.
-const Key* map_in(const Key& form) {
-  if (form.form == Key::Form::keys) return &form;
-  for (const Key& inner : form.of)
-    if (const Key* map = map_in(inner)) return map;
+const yaml::Key* map_in(const yaml::Key& form) {
+  if (form.form == yaml::Key::Form::keys) return &form;
+  for (const yaml::Key& inner : form.of)
+    if (const yaml::Key* map = map_in(inner)) return map;
   return nullptr;
 }
 
@@ -55,16 +55,16 @@ const json& schema_of(const Section& section) {
 }
 
 /// Checks all maps of keys in a form against the schema of the same place.
-void compare(const Key& form, const json& written) {
-  const Key* map = map_in(form);
+void compare(const yaml::Key& form, const json& written) {
+  const yaml::Key* map = map_in(form);
   if (!map) return;
   const json* described = map_in(written);
   REQUIRE(described);
   std::set<std::string> keys, properties;
-  for (const Key& key : map->of) keys.insert(key.name);
+  for (const yaml::Key& key : map->of) keys.insert(key.name);
   for (const auto& [key, value] : described->at("properties").items()) properties.insert(key);
   CHECK(keys == properties);
-  for (const Key& key : map->of) {
+  for (const yaml::Key& key : map->of) {
     INFO(key.name);
     CHECK_FALSE(key.doc.empty());
     CHECK(described->at("properties").at(key.name).at("description") == key.doc);
@@ -73,78 +73,79 @@ void compare(const Key& form, const json& written) {
 }
 
 /// The example of a section as a whole file: what it has stands in place of that of the head's example.
-Document example_file(const Section& section) {
-  Document added = parse_document(section.example, "example.yaml");
+yaml::Document example_file(const Section& section) {
+  yaml::Document added = yaml::parse_document(section.example, "example.yaml");
   if (added.root.find("stepwire")) return added;
-  Document file = parse_document(find_section("head")->example, "example.yaml");
-  std::erase_if(file.root.entries, [&](const Entry& entry) { return added.root.find(entry.key); });
-  for (const Entry& entry : added.root.entries) file.root.entries.push_back(entry);
+  yaml::Document file = yaml::parse_document(find_section("head")->example, "example.yaml");
+  std::erase_if(file.root.entries, [&](const yaml::Entry& entry) { return added.root.find(entry.key); });
+  for (const yaml::Entry& entry : added.root.entries) file.root.entries.push_back(entry);
   return file;
 }
 
-LoadedModel loaded(Document document) {
-  Loader loader(registry());
+session::LoadedModel loaded(yaml::Document document) {
+  diagram::Loader loader(registry());
   loader.add(std::move(document));
-  return load_model(loader, "example.yaml", {});
+  return session::load_model(loader, "example.yaml", {});
 }
 
-Entry named(const std::string& key) {
-  Entry entry;
+yaml::Entry named(const std::string& key) {
+  yaml::Entry entry;
   entry.key = key;
-  entry.value.kind = Node::Kind::scalar;
+  entry.value.kind = yaml::Node::Kind::scalar;
   entry.value.text = "1";
   return entry;
 }
 
 /// The first map in a value that has a key of `form`: where the keys of the section stand.
-Node* map_with_keys(Node& node, const Key& form) {
-  for (const Entry& entry : node.entries)
+yaml::Node* map_with_keys(yaml::Node& node, const yaml::Key& form) {
+  for (const yaml::Entry& entry : node.entries)
     if (form.find(entry.key)) return &node;
-  for (Entry& entry : node.entries)
-    if (Node* map = map_with_keys(entry.value, form)) return map;
-  for (Node& item : node.items)
-    if (Node* map = map_with_keys(item, form)) return map;
+  for (yaml::Entry& entry : node.entries)
+    if (yaml::Node* map = map_with_keys(entry.value, form)) return map;
+  for (yaml::Node& item : node.items)
+    if (yaml::Node* map = map_with_keys(item, form)) return map;
   return nullptr;
 }
 
 /// The value under which a section stands in a file.
-Node& value_of(const Section& section, Document& file) {
+yaml::Node& value_of(const Section& section, yaml::Document& file) {
   if (section.name == "head") return file.root;
   const std::string key = section.name.substr(0, section.name.find('.'));
-  for (Entry& entry : file.root.entries)
+  for (yaml::Entry& entry : file.root.entries)
     if (entry.key == key) return entry.value;
   FAIL("the example of " << section.name << " lacks it");
   return file.root;
 }
 
-bool has_only(const Node& map, const Key& keys) {
-  return std::ranges::all_of(map.entries, [&](const Entry& entry) { return keys.find(entry.key); });
+bool has_only(const yaml::Node& map, const yaml::Key& keys) {
+  return std::ranges::all_of(map.entries, [&](const yaml::Entry& entry) { return keys.find(entry.key); });
 }
 
 /// The maps of keys of a form that a value has, with those inside of them.
-void find_maps(Node& node, const Key& form, std::vector<Node*>& maps) {
-  using enum Key::Form;
+void find_maps(yaml::Node& node, const yaml::Key& form, std::vector<yaml::Node*>& maps) {
+  using enum yaml::Key::Form;
   if (form.form == keys && node.is_map() && form.rest.empty() && has_only(node, form)) {
     maps.push_back(&node);
-    for (const Key& key : form.of)
-      for (Entry& entry : node.entries)
+    for (const yaml::Key& key : form.of)
+      for (yaml::Entry& entry : node.entries)
         if (entry.key == key.name) find_maps(entry.value, key, maps);
   }
   if (form.form == list && node.is_list())
-    for (Node& item : node.items) find_maps(item, form.of.front(), maps);
+    for (yaml::Node& item : node.items) find_maps(item, form.of.front(), maps);
   if (form.form == names && node.is_map())
-    for (Entry& entry : node.entries) find_maps(entry.value, form.of.front(), maps);
+    for (yaml::Entry& entry : node.entries) find_maps(entry.value, form.of.front(), maps);
   if (form.form == either)
-    for (const Key& choice : form.of) find_maps(node, choice, maps);
+    for (const yaml::Key& choice : form.of) find_maps(node, choice, maps);
 }
 
-std::vector<Node*> maps_of(const Section& section, Document& file) {
-  std::vector<Node*> maps;
-  Node& value = value_of(section, file);
+std::vector<yaml::Node*> maps_of(const Section& section, yaml::Document& file) {
+  std::vector<yaml::Node*> maps;
+  yaml::Node& value = value_of(section, file);
   find_maps(value, section.form, maps);
-  for (Node& item : value.items) find_maps(item, section.form, maps);
-  for (Entry& entry : value.entries)
-    if (maps.empty() && section.form.form == Key::Form::either) find_maps(entry.value, section.form, maps);
+  for (yaml::Node& item : value.items) find_maps(item, section.form, maps);
+  for (yaml::Entry& entry : value.entries)
+    if (maps.empty() && section.form.form == yaml::Key::Form::either)
+      find_maps(entry.value, section.form, maps);
   return maps;
 }
 
@@ -162,7 +163,7 @@ TEST_CASE("the example of each section can be run, and fits the schema") {
   for (const Section& section : format_sections()) {
     INFO(section.name << "\n" << section.example);
     REQUIRE_FALSE(section.example.empty());
-    const Document file = example_file(section);
+    const yaml::Document file = example_file(section);
     CHECK(schema_faults(json_of(file.root), schema()) == "");
     CHECK_NOTHROW(loaded(file));
   }
@@ -171,10 +172,10 @@ TEST_CASE("the example of each section can be run, and fits the schema") {
 TEST_CASE("the reader of each section refuses a key that its table has not") {
   for (const Section& section : format_sections()) {
     INFO(section.name);
-    const Key* map = map_in(section.form);
+    const yaml::Key* map = map_in(section.form);
     REQUIRE(map);
-    Document file = example_file(section);
-    Node* place = map_with_keys(value_of(section, file), *map);
+    yaml::Document file = example_file(section);
+    yaml::Node* place = map_with_keys(value_of(section, file), *map);
     if (section.name == "sweep") place = nullptr;  // it takes any parameter
     if (!place) continue;
     place->entries.push_back(named("bogus_key"));
@@ -185,11 +186,11 @@ TEST_CASE("the reader of each section refuses a key that its table has not") {
 TEST_CASE("the reader of each section refuses a key that no map inside of it has") {
   std::size_t inner = 0;
   for (const Section& section : format_sections()) {
-    Document counted = example_file(section);
+    yaml::Document counted = example_file(section);
     const std::size_t count = maps_of(section, counted).size();
     for (std::size_t i = 0; i < count; ++i) {
-      Document file = example_file(section);
-      Node& map = *maps_of(section, file)[i];
+      yaml::Document file = example_file(section);
+      yaml::Node& map = *maps_of(section, file)[i];
       INFO(section.name << ": map " << i << " with '" << map.entries.front().key << "'");
       map.entries.push_back(named("bogus_key"));
       CHECK_THROWS_WITH(loaded(file), Contains("'bogus_key'"));
@@ -201,11 +202,11 @@ TEST_CASE("the reader of each section refuses a key that no map inside of it has
 
 TEST_CASE("the reader of each section takes every key that its table has") {
   for (const Section& section : format_sections()) {
-    const Key* map = map_in(section.form);
-    for (const Key& key : map->of) {
+    const yaml::Key* map = map_in(section.form);
+    for (const yaml::Key& key : map->of) {
       INFO(section.name << ": " << key.name);
-      Document file = example_file(section);
-      Node* place = map_with_keys(value_of(section, file), *map);
+      yaml::Document file = example_file(section);
+      yaml::Node* place = map_with_keys(value_of(section, file), *map);
       if (!place || place->find(key.name)) continue;
       if (section.name == "figure") continue;  // it has panels here, and not all keys of plots
       place->entries.push_back(named(key.name));
@@ -222,9 +223,11 @@ TEST_CASE("each page names all keys of its section, and the list all sections") 
   for (const Section& section : format_sections()) {
     INFO(section.name);
     for (const std::string& page : {format_page(section), format_markdown(section)})
-      for (const Key& key : map_in(section.form)->of) CHECK_THAT(page, Contains(key.name));
+      for (const yaml::Key& key : map_in(section.form)->of) CHECK_THAT(page, Contains(key.name));
     CHECK_THAT(format_list(),
                Contains("\n  " + section.name + " ") || Catch::StartsWith("  " + section.name));
     CHECK_THAT(formats_markdown(), Contains("\n## " + section.name + "\n"));
   }
 }
+
+}  // namespace stepwire::reference

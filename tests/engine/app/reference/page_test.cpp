@@ -10,7 +10,7 @@
 #include "engine/app/reference/format_page.hpp"
 #include "engine/app/reference/words.hpp"
 
-using namespace stepwire;
+namespace stepwire::reference {
 
 namespace {
 
@@ -170,3 +170,5 @@ TEST_CASE("the keys of a map stand once where a list of such maps may stand in i
     CHECK(page.find(title, first + 1) == std::string::npos);
   }
 }
+
+}  // namespace stepwire::reference

@@ -11,7 +11,7 @@
 #include "engine/view/plot/figure.hpp"
 #include "tests/support/json_schema.hpp"
 
-using namespace stepwire;
+namespace stepwire::reference {
 using nlohmann::json;
 
 namespace {
@@ -27,7 +27,7 @@ const json& schema() {
 }
 
 std::string faults_of(const std::string& yaml) {
-  return schema_faults(json_of(parse_document(yaml, "test.yaml").root), schema());
+  return schema_faults(json_of(yaml::parse_document(yaml, "test.yaml").root), schema());
 }
 
 /// A diagram that fits but for what is added to it.
@@ -50,7 +50,7 @@ TEST_CASE("every diagram file of the repository fits the schema") {
   REQUIRE(diagram_files().size() > 5);
   for (const auto& file : diagram_files()) {
     INFO(file);
-    CHECK(schema_faults(json_of(read_document(file.string()).root), schema()) == "");
+    CHECK(schema_faults(json_of(yaml::read_document(file.string()).root), schema()) == "");
   }
 }
 
@@ -63,8 +63,8 @@ TEST_CASE("every block is offered with its explanation and has all its keys") {
     const json expected{{"const", type->name}, {"description", type->doc}};
     CHECK(std::find(names.begin(), names.end(), expected) != names.end());
     const json& properties = definitions.at("block." + type->name).at("properties");
-    CHECK(properties.size() == keys_of(*type).size() + 1);
-    for (const std::string& key : keys_of(*type)) {
+    CHECK(properties.size() == diagram::keys_of(*type).size() + 1);
+    for (const std::string& key : diagram::keys_of(*type)) {
       INFO(key);
       REQUIRE(properties.contains(key));
       CHECK(!properties.at(key).at("description").get<std::string>().empty());
@@ -73,10 +73,10 @@ TEST_CASE("every block is offered with its explanation and has all its keys") {
 }
 
 TEST_CASE("every plot is offered and has all its keys") {
-  for (const Key& plot : plot_forms(true)) {
+  for (const yaml::Key& plot : plot::plot_forms(true)) {
     INFO(plot.name);
     const json& properties = schema().at("$defs").at("plot." + plot.name).at("properties");
-    for (const Key& key : plot.of) CHECK(properties.contains(key.name));
+    for (const yaml::Key& key : plot.of) CHECK(properties.contains(key.name));
     CHECK(properties.contains("caption"));
     const std::set<std::string> pictures{"diagram", "rig", "scene", "table"};  // that are no panels of others
     const bool alone = pictures.contains(plot.name);
@@ -88,7 +88,7 @@ TEST_CASE("every plot is offered and has all its keys") {
 
 TEST_CASE("every solver is offered") {
   const json& names = schema().at("properties").at("solver").at("anyOf");
-  CHECK(names.size() == solver_kinds().size());
+  CHECK(names.size() == solve::solver_kinds().size());
 }
 
 TEST_CASE("an unknown key of a block, a missing input and an unknown block do not fit") {
@@ -155,3 +155,5 @@ TEST_CASE("a file that is run says for how long, a part need not") {
   CHECK(faults_of(blocks + "outputs: {y: a}\n") == "");
   CHECK(faults_of(diagram("  a: {block: Lag, u: 1}", "setp: 1 ms")) == "/setp: is not allowed\n");
 }
+
+}  // namespace stepwire::reference

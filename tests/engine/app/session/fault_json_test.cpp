@@ -7,7 +7,7 @@
 #include "engine/app/session/session.hpp"
 #include "tests/engine/app/cli/program.hpp"
 
-using namespace stepwire;
+namespace stepwire::session {
 using nlohmann::json;
 
 namespace {
@@ -17,7 +17,7 @@ json faults_of(const Scratch& folder, const std::string& file) {
   static const Registry registry = blocks();
   try {
     Session(registry).load(folder.path(file));
-  } catch (const Error& error) {
+  } catch (const yaml::Error& error) {
     return json::parse(faults_json(error.faults()).text());
   }
   return json::array();
@@ -81,7 +81,8 @@ TEST_CASE("what stands outside of the blocks has no block, and a setting of a ca
   REQUIRE_FALSE(faults.empty());
   CHECK(faults[0]["block"].is_null());
   CHECK(faults[0]["line"] == 3);
-  const json call = json::parse(faults_json({Fault{{"--set tau=x", {}}, "tau", "what; that", {}}}).text());
+  const json call =
+      json::parse(faults_json({yaml::Fault{{"--set tau=x", {}}, "tau", "what; that", {}}}).text());
   CHECK(call[0]["line"].is_null());
   CHECK(call[0]["end"].is_null());
   CHECK(call[0]["cure"] == "that");
@@ -101,3 +102,5 @@ TEST_CASE("a fault of the call has that for its place") {
   CHECK(empty.code == 2);
   CHECK(json::parse(empty.out)[0]["faults"][0]["call"] == "--set m=");
 }
+
+}  // namespace stepwire::session

@@ -9,7 +9,7 @@
 #include "engine/app/session/loop_run.hpp"
 #include "tests/engine/app/cli/small_study.hpp"
 
-using namespace stepwire;
+namespace stepwire::session {
 
 namespace {
 
@@ -19,16 +19,16 @@ const Registry& library() {
 }
 
 /// Counts what it is shown, from any thread.
-struct Counting : RunObserver {
-  void begin(const ObservedRun& run) override {
+struct Counting : run::RunObserver {
+  void begin(const run::ObservedRun& run) override {
     const std::lock_guard lock(mutex);
     begun.insert(run.index);
   }
-  void row(const ObservedRun&, std::size_t, std::span<const double>) override {
+  void row(const run::ObservedRun&, std::size_t, std::span<const double>) override {
     const std::lock_guard lock(mutex);
     ++rows;
   }
-  void end(const ObservedRun&) override {
+  void end(const run::ObservedRun&) override {
     const std::lock_guard lock(mutex);
     ++ended;
   }
@@ -81,8 +81,8 @@ TEST_CASE("a session watches a run, a sweep and a study by the same observer") {
 
 TEST_CASE("a session watches a real-time loop, and ends it by an observer") {
   struct Stops : Counting {
-    Flow before_tick(const ObservedRun& run) override {
-      return run.simulation.tick() < 5 ? Flow::go_on : Flow::stop;
+    run::Flow before_tick(const run::ObservedRun& run) override {
+      return run.simulation.tick() < 5 ? run::Flow::go_on : run::Flow::stop;
     }
   } stops;
   const Scratch folder;
@@ -93,12 +93,12 @@ TEST_CASE("a session watches a real-time loop, and ends it by an observer") {
   Monitor monitor;
   monitor.observers = {&stops};
   std::int64_t steps = 0;
-  auto end = Loop::End::done;
+  auto end = realtime::Loop::End::done;
   run_loop(call, library(), monitor, [&](const LoopOutcome& outcome) {
     steps = outcome.loop.simulation().tick();
     end = outcome.loop.end();
   });
-  CHECK(end == Loop::End::stopped);
+  CHECK(end == realtime::Loop::End::stopped);
   CHECK(steps == 5);
   CHECK(stops.rows == 5);
   CHECK(stops.ended == 1);
@@ -107,7 +107,7 @@ TEST_CASE("a session watches a real-time loop, and ends it by an observer") {
 TEST_CASE("a session returns what is wrong as an error, and prints nothing") {
   const Scratch folder;
   folder.file("a.yaml", lag("").replace(lag("").find("Lag"), 3, "Lak"));
-  CHECK_THROWS_AS(Session(library()).load(folder.path("a.yaml")), Error);
+  CHECK_THROWS_AS(Session(library()).load(folder.path("a.yaml")), yaml::Error);
 }
 
 TEST_CASE("an interrupted session keeps what was recorded") {
@@ -117,10 +117,12 @@ TEST_CASE("an interrupted session keeps what was recorded") {
   Monitor monitor;
   monitor.interrupt = &at_once;
   Session session(library(), monitor);
-  const Outcome outcome = session.run(session.load(folder.path("lag.yaml")), ExecutionMode::interpreted);
+  const Outcome outcome = session.run(session.load(folder.path("lag.yaml")), run::ExecutionMode::interpreted);
   CHECK(outcome.early());
   CHECK(outcome.result.interrupted);
   const std::size_t rows = outcome.result.recordings[0].table.rows();
   CHECK(rows > 0);
   CHECK(rows < 10'001);
 }
+
+}  // namespace stepwire::session

@@ -8,7 +8,7 @@
 #include "engine/base/table/table_file.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 
-using namespace stepwire;
+namespace stepwire::data_file {
 
 namespace {
 
@@ -82,8 +82,8 @@ TEST_CASE("of too many tables those asked for longest ago are dropped") {
 TEST_CASE("files that are not there or are no tables are told as ever, and not kept") {
   const Scratch scratch;
   TableCache cache(100);
-  CHECK_THROWS_AS(cache.read(scratch.path("none.csv")), EnvironmentError);
-  CHECK_THROWS_AS(cache.read(old_file(scratch, "bad.csv", "x,y\n1,2,3\n")), TableError);
+  CHECK_THROWS_AS(cache.read(scratch.path("none.csv")), io::EnvironmentError);
+  CHECK_THROWS_AS(cache.read(old_file(scratch, "bad.csv", "x,y\n1,2,3\n")), table::TableError);
   CHECK(cache.numbers() == 0);
 }
 
@@ -105,3 +105,5 @@ TEST_CASE("several threads may read the same tables") {
   CHECK(wrong == 0);
   CHECK(cache.numbers() == 2);
 }
+
+}  // namespace stepwire::data_file

@@ -15,7 +15,7 @@
 
 #include "engine/base/expression/expression.hpp"
 
-using stepwire::Expression;
+namespace stepwire::expression {
 
 namespace {
 
@@ -241,3 +241,5 @@ TEST_CASE("compiled as C++, expressions have the bits that an evaluation gives t
     CHECK(difference(expressions[i], compiled.functions()[i]) == "");
   }
 }
+
+}  // namespace stepwire::expression

@@ -6,7 +6,7 @@
 
 #include "engine/base/expression/expression.hpp"
 
-using stepwire::Expression;
+namespace stepwire::expression {
 
 namespace {
 
@@ -104,7 +104,7 @@ TEST_CASE("a seed or a stream that is not whole is refused with its place") {
     for (const std::string& text : {std::string("2 + ") + draw, std::string("x && ") + draw + " > 0.5"}) try {
         const Expression expression(text);
         FAIL("not refused: " << text);
-      } catch (const stepwire::ExpressionError& error) {
+      } catch (const stepwire::expression::ExpressionError& error) {
         CHECK(error.position == text.find(std::string(draw).substr(0, 4)));
         CHECK_THAT(error.what(), Catch::Contains("that is a whole number") && Catch::Contains("round"));
       }
@@ -115,7 +115,7 @@ TEST_CASE("a seed that follows from variables is refused for the values that mak
   const Expression formula("x > 0 ? lognormal(subject / 2, 3, 0.3) : 1");
   using Values = std::vector<std::optional<double>>;
   CHECK_NOTHROW(formula.check_draws(Values{1.0, 8.0}));
-  CHECK_THROWS_AS(formula.check_draws(Values{1.0, 9.0}), stepwire::ExpressionError);
+  CHECK_THROWS_AS(formula.check_draws(Values{1.0, 9.0}), stepwire::expression::ExpressionError);
   CHECK_NOTHROW(formula.check_draws(Values{-1.0, 9.0}));          // nothing is drawn
   CHECK_NOTHROW(formula.check_draws(Values{1.0, std::nullopt}));  // nothing is known
   const double broken[] = {1.0, 9.0};
@@ -124,9 +124,12 @@ TEST_CASE("a seed that follows from variables is refused for the values that mak
 
 TEST_CASE("a number that is drawn has no unit, so that it keeps that of what it is multiplied with") {
   for (const char* text : {"4 Hz * lognormal(subject, 3, 0.3)", "4 Hz * uniform(subject, 3)"}) {
-    const stepwire::Measure measure = Expression(text).measure({{stepwire::Dimension{}, true}});
+    const stepwire::expression::Measure measure =
+        Expression(text).measure({{stepwire::unit::Dimension{}, true}});
     REQUIRE(measure.dimension);
-    CHECK(*measure.dimension == stepwire::parse_unit("Hz")->dimension);
+    CHECK(*measure.dimension == stepwire::unit::parse_unit("Hz")->dimension);
     CHECK(measure.sure);
   }
 }
+
+}  // namespace stepwire::expression

@@ -4,8 +4,7 @@
 
 #include "engine/base/expression/expression.hpp"
 
-using stepwire::Expression;
-using stepwire::ExpressionError;
+namespace stepwire::expression {
 
 namespace {
 
@@ -130,3 +129,5 @@ TEST_CASE("comparisons in a row are refused, since the second would compare 0 or
   CHECK(wrong("(tau < x) == (x < 3)").message == "no error");
   CHECK(wrong("tau < x ? x < 3 : x > 4").message == "no error");
 }
+
+}  // namespace stepwire::expression

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-using namespace stepwire;
+namespace stepwire::expression {
 
 TEST_CASE("an expression is a function of those numbers that its variables are") {
   const double v[] = {1.0, 10.0, 100.0};
@@ -12,3 +12,5 @@ TEST_CASE("an expression is a function of those numbers that its variables are")
   CHECK(copy(v) == 199.0);
   CHECK(function.source()->cpp() == "v[2] - v[0] + v[2]");
 }
+
+}  // namespace stepwire::expression

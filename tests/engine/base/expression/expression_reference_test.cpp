@@ -103,8 +103,8 @@ TEST_CASE("random formulas have the value that C++ gives them, to the last bit")
   for (int i = 0; i < 5000; ++i) {
     const Formula formula = maker.make(1 + i % 4);
     INFO(formula.text);
-    const stepwire::Expression expression(formula.text,
-                                          [](std::string_view name) { return name.size() == 1; });
+    const stepwire::expression::Expression expression(formula.text,
+                                                      [](std::string_view name) { return name.size() == 1; });
     std::vector<double> values;
     for (const std::string& name : expression.variables())
       values.push_back(xyz[static_cast<std::size_t>(name[0] - 'x')]);

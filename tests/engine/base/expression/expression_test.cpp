@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-using stepwire::Expression;
+namespace stepwire::expression {
 
 namespace {
 
@@ -201,3 +201,5 @@ TEST_CASE("the variables of a text may be renamed, and nothing else of it change
   CHECK(text == "rig.cart.position > 5 mm && max(rig.cart.position, m)*pi < 2 A/m ? rig.cart.position : m");
   CHECK(Expression(text)(std::vector<double>{0.1, 0.3}) == expression(std::vector<double>{0.1, 0.3}));
 }
+
+}  // namespace stepwire::expression

@@ -2,25 +2,26 @@
 
 #include "engine/base/expression/expression.hpp"
 
-using namespace stepwire;
+namespace stepwire::expression {
 
 namespace {
 
-const Dimension metre{{1}}, second{{0, 0, 1}}, newton{{1, 1, -2}}, pure;
+const unit::Dimension metre{{1}}, second{{0, 0, 1}}, newton{{1, 1, -2}}, pure;
 
 /// Of variables whose units are known, in the order of their appearance.
-Measure measure(const std::string& text, const std::vector<Dimension>& dimensions) {
+Measure measure(const std::string& text, const std::vector<unit::Dimension>& dimensions) {
   std::vector<Measure> known;
-  for (const Dimension& dimension : dimensions) known.push_back({dimension, true});
+  for (const unit::Dimension& dimension : dimensions) known.push_back({dimension, true});
   return Expression(text).measure(known);
 }
 
-std::optional<Dimension> found(const std::string& text, const std::vector<Dimension>& dimensions) {
+std::optional<unit::Dimension> found(const std::string& text,
+                                     const std::vector<unit::Dimension>& dimensions) {
   return measure(text, dimensions).dimension;
 }
 
 /// "place: message"
-std::string refusal(const std::string& text, const std::vector<Dimension>& dimensions) {
+std::string refusal(const std::string& text, const std::vector<unit::Dimension>& dimensions) {
   try {
     measure(text, dimensions);
   } catch (const ExpressionError& error) {
@@ -37,8 +38,8 @@ TEST_CASE("the unit of an expression follows from those of its variables and num
   CHECK(found("hypot(a, b)", {metre, metre}) == metre);
   CHECK(found("a*b", {newton, metre}) == newton * metre);
   CHECK(found("a/b - 3 mm/s", {metre, second}) == metre / second);
-  CHECK(found("sqrt(a)", {metre}) == power(metre, 0.5));
-  CHECK(found("a^2 + b^(1/2)", {metre, power(metre, 4.0)}) == power(metre, 2.0));
+  CHECK(found("sqrt(a)", {metre}) == unit::power(metre, 0.5));
+  CHECK(found("a^2 + b^(1/2)", {metre, unit::power(metre, 4.0)}) == unit::power(metre, 2.0));
   CHECK(found("a > b", {metre, metre}) == pure);
   CHECK(found("a > 0 ? b : -b", {metre, newton}) == newton);
   CHECK(found("atan2(a, b)", {metre, metre}) == pure);
@@ -82,3 +83,5 @@ TEST_CASE("a bare factor could be of any unit, so that nothing is refused with i
   CHECK_FALSE(found("3 + 200*a", {metre}));
   CHECK(measure("a/b", {metre, second}).sure);
 }
+
+}  // namespace stepwire::expression

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <set>
 
-using namespace stepwire;
+namespace stepwire::hash {
 
 TEST_CASE("A hash is XXH3 of 128 bits") {
   // From the test vectors of xxHash 0.8: XXH128 of nothing, seed 0.
@@ -21,3 +21,5 @@ TEST_CASE("Where a piece ends counts, and so does every byte") {
   }
   CHECK(seen.size() == text.size());
 }
+
+}  // namespace stepwire::hash

@@ -7,7 +7,7 @@
 #include "engine/base/io/file.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 
-using namespace stepwire;
+namespace stepwire::io {
 using Catch::Contains;
 
 namespace {
@@ -115,3 +115,5 @@ TEST_CASE("Where nothing can be kept nothing is found, and there is a reason") {
   cache.keep(name, "content");
   CHECK_FALSE(cache.find(name));
 }
+
+}  // namespace stepwire::io

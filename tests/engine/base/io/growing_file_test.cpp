@@ -8,8 +8,7 @@
 #include "engine/base/io/file.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 
-using stepwire::AtomicFileWriter;
-using stepwire::read_file;
+namespace stepwire::io {
 
 namespace {
 
@@ -73,3 +72,5 @@ TEST_CASE("a growing file that cannot be says why") {
   CHECK_THROWS_WITH(AtomicFileWriter(scratch.path("a/b.csv")),
                     Catch::Contains("a: Not a directory") || Catch::Contains("a: File exists"));
 }
+
+}  // namespace stepwire::io

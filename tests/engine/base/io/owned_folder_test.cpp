@@ -7,7 +7,7 @@
 #include "engine/base/io/file.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 
-using namespace stepwire;
+namespace stepwire::io {
 using Catch::Contains;
 
 namespace {
@@ -127,3 +127,5 @@ TEST_CASE("A folder whose run writes nothing, or is refused, is left without a l
   { const OwnedFolder own(folder.path("out")); }
   CHECK(there(folder, "out/signals.csv"));
 }
+
+}  // namespace stepwire::io

@@ -7,7 +7,7 @@
 #include "engine/base/io/environment_error.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 
-using namespace stepwire;
+namespace stepwire::io {
 
 namespace {
 
@@ -39,3 +39,5 @@ TEST_CASE("STEPWIRE_HOME names another place, or the prefix above it, and no oth
   const Home home(scratch.path("prefix"));
   CHECK(resource("drawing") == std::filesystem::canonical(scratch.path("prefix/share/stepwire/drawing")));
 }
+
+}  // namespace stepwire::io

@@ -4,7 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
-using stepwire::Json;
+namespace stepwire::json {
 
 TEST_CASE("every kind of value is written as RFC 8259 says") {
   CHECK(Json().text() == "null");
@@ -52,3 +52,5 @@ TEST_CASE("bytes that are no UTF-8 are replaced") {
         "\"a\xEF\xBF\xBD"
         "b\"");
 }
+
+}  // namespace stepwire::json

@@ -9,7 +9,7 @@
 #include "tests/engine/base/mat/mat_samples.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 
-using namespace stepwire;
+namespace stepwire::mat {
 using testing::write_by_library;
 
 namespace {
@@ -18,12 +18,12 @@ namespace {
 std::string outcome(const std::string& path) {
   try {
     std::string text;
-    for (const Column& column : read_mat(path).columns) {
+    for (const table::Column& column : read_mat(path).columns) {
       text += column.name + ":";
       text.append(reinterpret_cast<const char*>(column.values.data()), column.values.size() * sizeof(double));
     }
     return text;
-  } catch (const TableError& error) {
+  } catch (const table::TableError& error) {
     return error.what();
   }
 }
@@ -71,7 +71,7 @@ void check_all_changes(mat_ft version, std::size_t stride) {
   const Scratch scratch;
   const std::string path = scratch.path("a.mat");
   write_by_library(path, version);
-  const std::string whole = read_file(path);
+  const std::string whole = io::read_file(path);
   for (std::size_t at = 0; at < whole.size(); at += stride) {
     for (const int change : {0x01, 0x80, 0xFF}) {
       std::string damaged = whole;
@@ -125,3 +125,5 @@ TEST_CASE("dimensions beyond any memory are refused") {
              Catch::Contains("beyond any memory"));
   CHECK_THAT(read_of(level_5({0xFFFF'FFFF, 1}, 9, "")), Catch::Contains("below 0"));
 }
+
+}  // namespace stepwire::mat

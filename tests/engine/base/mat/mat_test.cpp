@@ -12,10 +12,7 @@
 #include "tests/engine/base/mat/mat_samples.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 
-using stepwire::read_mat;
-using stepwire::Table;
-using stepwire::TableError;
-using stepwire::write_mat;
+namespace stepwire::mat {
 using stepwire::testing::write_by_library;
 
 namespace {
@@ -25,7 +22,7 @@ using Values = std::vector<double>;
 void check_library_file(mat_ft version) {
   const Scratch scratch;
   write_by_library(scratch.path("a.mat"), version);
-  const Table table = read_mat(scratch.path("a.mat"));
+  const table::Table table = read_mat(scratch.path("a.mat"));
   CHECK(table.columns.size() == (version == MAT_FT_MAT4 ? 5 : 7));
   CHECK(table.find("column")->values == Values{1.5, 2.5, 3.5});
   CHECK(table.find("row")->values == Values{1.5, 2.5, 3.5});
@@ -50,7 +47,7 @@ std::set<std::size_t> piece_ends(const std::string& file, mat_ft version) {
   return ends;
 }
 
-Table sample() {
+table::Table sample() {
   return {{{"time", "s", {0.0, 0.1, 0.2}},
            {"rig.x", "mm", {1.0 / 3.0, -0.0, INFINITY}},
            {"rig_x", "µm", {1.0, 2.0, 3.0}},
@@ -69,9 +66,9 @@ TEST_CASE("MAT files of level 4, 5 and 7.3 are read") {
 
 TEST_CASE("a table comes back from a MAT file with its names, units and bits") {
   const Scratch scratch;
-  const Table table = sample();
+  const table::Table table = sample();
   write_mat(scratch.path("a.mat"), table);
-  const Table back = stepwire::read_mat(scratch.path("a.mat"));
+  const table::Table back = stepwire::mat::read_mat(scratch.path("a.mat"));
   REQUIRE(back.columns.size() == table.columns.size());
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     CHECK(back.columns[i].name == table.columns[i].name);
@@ -102,7 +99,7 @@ TEST_CASE("the same table makes the same file") {
   const Scratch scratch;
   write_mat(scratch.path("a.mat"), sample());
   write_mat(scratch.path("b.mat"), sample());
-  CHECK(stepwire::read_file(scratch.path("a.mat")) == stepwire::read_file(scratch.path("b.mat")));
+  CHECK(stepwire::io::read_file(scratch.path("a.mat")) == stepwire::io::read_file(scratch.path("b.mat")));
 }
 
 TEST_CASE("the Bouc-Wen benchmark is read as its authors describe it") {
@@ -113,8 +110,8 @@ TEST_CASE("the Bouc-Wen benchmark is read as its authors describe it") {
   }
   // Validation records of 8192 samples at 750 Hz; the multisine has an rms of 50 N.
   const std::string folder = std::string(data) + "/bouc_wen_benchmark/";
-  const Table force = read_mat(folder + "uval_multisine.mat");
-  const Table position = read_mat(folder + "yval_multisine.mat");
+  const table::Table force = read_mat(folder + "uval_multisine.mat");
+  const table::Table position = read_mat(folder + "yval_multisine.mat");
   REQUIRE(force.columns.size() == 1);
   CHECK(force.columns[0].name == "uval_multisine");
   CHECK(position.columns[0].name == "yval_multisine");
@@ -127,10 +124,10 @@ TEST_CASE("the Bouc-Wen benchmark is read as its authors describe it") {
 
 TEST_CASE("what is no MAT file is said to be none") {
   const Scratch scratch;
-  CHECK_THROWS_AS(read_mat(scratch.file("a.mat", "time,x\n0,1\n")), TableError);
-  CHECK_THROWS_AS(read_mat(scratch.file("b.mat", "")), TableError);
-  CHECK_THROWS_AS(read_mat(scratch.file("c.mat", std::string(5000, 'x'))), TableError);
-  CHECK_THROWS_AS(read_mat(scratch.path("none.mat")), stepwire::EnvironmentError);
+  CHECK_THROWS_AS(read_mat(scratch.file("a.mat", "time,x\n0,1\n")), table::TableError);
+  CHECK_THROWS_AS(read_mat(scratch.file("b.mat", "")), table::TableError);
+  CHECK_THROWS_AS(read_mat(scratch.file("c.mat", std::string(5000, 'x'))), table::TableError);
+  CHECK_THROWS_AS(read_mat(scratch.path("none.mat")), stepwire::io::EnvironmentError);
 }
 
 TEST_CASE("a damaged MAT file is an error or a table, and one that was cut off is an error") {
@@ -138,7 +135,7 @@ TEST_CASE("a damaged MAT file is an error or a table, and one that was cut off i
   for (const mat_ft version : {MAT_FT_MAT4, MAT_FT_MAT5, MAT_FT_MAT73}) {
     const std::string path = scratch.path("a.mat");
     write_by_library(path, version);
-    const std::string whole = stepwire::read_file(path);
+    const std::string whole = stepwire::io::read_file(path);
     const std::set<std::size_t> ends = piece_ends(whole, version);
     std::mt19937 random(1);
     for (int i = 0; i < 150; ++i) {
@@ -150,13 +147,15 @@ TEST_CASE("a damaged MAT file is an error or a table, and one that was cut off i
       scratch.file("a.mat", damaged);
       INFO(version << " " << i << " " << damaged.size() << " of " << whole.size());
       if (cut && ends.count(damaged.size()) == 0) {
-        CHECK_THROWS_AS(read_mat(path), TableError);
+        CHECK_THROWS_AS(read_mat(path), table::TableError);
       } else {
         try {
           read_mat(path);
-        } catch (const TableError&) {
+        } catch (const table::TableError&) {
         }
       }
     }
   }
 }
+
+}  // namespace stepwire::mat

@@ -7,7 +7,7 @@
 #include "engine/base/table/table_file.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 
-using namespace stepwire;
+namespace stepwire::mat {
 
 namespace {
 
@@ -52,7 +52,9 @@ TEST_CASE("what unpacks to much more than its file holds is refused before it is
 
 TEST_CASE("a column of zeros that packs well is read all the same") {
   const Scratch scratch;
-  const Table table = read_mat(scratch.file("few.mat", packed_zeros(1'000'000)));
+  const table::Table table = read_mat(scratch.file("few.mat", packed_zeros(1'000'000)));
   REQUIRE(table.columns.size() == 1);
   CHECK(table.columns[0].values == std::vector<double>(1'000'000, 0.0));
 }
+
+}  // namespace stepwire::mat

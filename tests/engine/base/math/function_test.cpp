@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-using namespace stepwire;
+namespace stepwire {
 
 namespace {
 
@@ -41,3 +41,5 @@ TEST_CASE("a copy of a function has its source, whatever becomes of the other") 
   CHECK(second(v) == 2.0);
   CHECK(third(v) == 2.0);
 }
+
+}  // namespace stepwire

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-using namespace stepwire;
+namespace stepwire {
 
 TEST_CASE("random bits are those of SplitMix64") {
   // The published sequence for seed 1234567.
@@ -28,3 +28,5 @@ TEST_CASE("the normal quantile undoes the normal distribution") {
     REQUIRE(0.5 * std::erfc(-z / std::sqrt(2.0)) == Approx(p).epsilon(1e-13));
   }
 }
+
+}  // namespace stepwire

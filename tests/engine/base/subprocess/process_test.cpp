@@ -11,7 +11,7 @@
 #include "engine/base/io/environment_error.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 
-using namespace stepwire;
+namespace stepwire::subprocess {
 using Catch::Contains;
 using End = ProcessResult::End;
 
@@ -55,7 +55,7 @@ TEST_CASE("A program that is not there, is killed, or hangs is told apart") {
   hangs.limit = std::chrono::milliseconds(100);
   CHECK(seconds_of(hangs, End::overdue) < 10.0);
   CHECK_THAT(run_process(hangs).problem("it"), Contains("does not come to an end"));
-  CHECK_THROWS_AS(run_helper("it", hangs), EnvironmentError);
+  CHECK_THROWS_AS(run_helper("it", hangs), io::EnvironmentError);
 }
 
 TEST_CASE("A program that writes without end is ended, and of its complaints the beginning is kept") {
@@ -114,3 +114,5 @@ TEST_CASE("A program finds signals as it expects them, whatever this one ignores
   CHECK(run_process(shell("kill -PIPE $$; exit 5")).end == End::killed);
   std::signal(SIGPIPE, before);
 }
+
+}  // namespace stepwire::subprocess

@@ -10,11 +10,7 @@
 #include "engine/base/table/table_file.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 
-using stepwire::Column;
-using stepwire::csv_text;
-using stepwire::read_csv;
-using stepwire::Table;
-using stepwire::TableError;
+namespace stepwire::table {
 
 namespace {
 
@@ -27,7 +23,7 @@ Table read(const std::string& content) {
 std::string wrong(const std::string& content) {
   try {
     read(content);
-  } catch (const stepwire::TableError& error) {
+  } catch (const stepwire::table::TableError& error) {
     const std::string message = error.what();
     return message.substr(message.find("press.csv"));
   }
@@ -85,14 +81,14 @@ TEST_CASE("a column of words is numbered where the caller says that it is one") 
   const Scratch scratch;
   const std::string path = scratch.file("a.csv", "time [s],way [m],x\n0,hold,1\n1,\"a,b\",2\n2,hold,+3\n");
   CHECK_THROWS_WITH(read_csv(path), Catch::Contains("a.csv:2: 'hold' is no number (column 'way')"));
-  stepwire::ColumnWords words{{"way", {}}, {"other", {}}};
+  stepwire::table::ColumnWords words{{"way", {}}, {"other", {}}};
   const Table table = read_csv(path, words);
   CHECK(words.at("way") == std::vector<std::string>{"hold", "a,b"});
   CHECK(words.at("other").empty());
   CHECK(table.find("way")->values == Values{0.0, 1.0, 0.0});
   CHECK(table.find("way")->unit == "m");
   CHECK(table.find("x")->values == Values{1.0, 2.0, 3.0});
-  CHECK(stepwire::read_csv_header(path).columns.at(1).unit == "m");
+  CHECK(stepwire::table::read_csv_header(path).columns.at(1).unit == "m");
   CHECK(read_csv(scratch.file("b.csv", "a,b\n"), words).columns.size() == 2);
   CHECK(csv_text(table, words) == "time [s],way [m],x\n0,hold,1\n1,\"a,b\",2\n2,hold,3\n");
 }
@@ -121,7 +117,7 @@ TEST_CASE("what is wrong in a CSV file is said with its line") {
 
 TEST_CASE("in a record as other programs leave it only what is read must be numbers") {
   const Scratch scratch;
-  const stepwire::RecordTable table = stepwire::read_record_csv(scratch.file(
+  const stepwire::table::RecordTable table = stepwire::table::read_record_csv(scratch.file(
       "press.csv",
       ",t [s],x [mm],note,\n0,0,1,begins,\n1,0.1,2,\"\",\n2,0.2,off,,\n3,0.3,4,ends\n,,,,\n,,\n"));
   REQUIRE(table.columns.size() == 3);  // that of the row numbers and that of the trailing comma have no names
@@ -132,9 +128,9 @@ TEST_CASE("in a record as other programs leave it only what is read must be numb
   CHECK_THAT(table.problems.at("note"),
              Catch::EndsWith("press.csv:2: 'begins' is no number (column 'note')"));
   CHECK(table.problems.count("t") == 0);
-  CHECK_THROWS_WITH(stepwire::read_record_csv(scratch.file("a.csv", "a,b\n1,2,3\n")),
+  CHECK_THROWS_WITH(stepwire::table::read_record_csv(scratch.file("a.csv", "a,b\n1,2,3\n")),
                     Catch::Contains("a.csv:2: 3 values where the header names 2"));
-  CHECK_THROWS_WITH(stepwire::read_record_csv(scratch.file("a.csv", "a,b\n1\n")),
+  CHECK_THROWS_WITH(stepwire::table::read_record_csv(scratch.file("a.csv", "a,b\n1\n")),
                     Catch::Contains("a.csv:2: 1 value where the header names 2"));
 }
 
@@ -142,9 +138,10 @@ TEST_CASE("a missing file is a matter of the surroundings and keeps the system's
   const Scratch scratch;
   CHECK_THROWS_WITH(read_csv(scratch.path("none.csv")),
                     Catch::Contains("none.csv: No such file or directory"));
-  CHECK_THROWS_AS(read_csv(scratch.path("none.csv")), stepwire::EnvironmentError);
+  CHECK_THROWS_AS(read_csv(scratch.path("none.csv")), stepwire::io::EnvironmentError);
   CHECK_THROWS_WITH(read_csv(scratch.path("")), Catch::Contains("Is a directory"));
-  CHECK_THROWS_WITH(stepwire::read_data_file(scratch.file("a.txt", "")), Catch::Contains("not '.txt'"));
+  CHECK_THROWS_WITH(stepwire::data_file::read_data_file(scratch.file("a.txt", "")),
+                    Catch::Contains("not '.txt'"));
 }
 
 TEST_CASE("numbers are written in the fewest digits") {
@@ -165,7 +162,7 @@ TEST_CASE("every double comes back from a CSV file with the same bits") {
   }
   const Scratch scratch;
   write_csv(scratch.path("a.csv"), table);
-  const Table back = stepwire::read_csv(scratch.path("a.csv"));
+  const Table back = stepwire::table::read_csv(scratch.path("a.csv"));
   REQUIRE(back.columns.size() == 2);
   for (std::size_t c = 0; c < 2; ++c) {
     CHECK(back.columns[c].name == table.columns[c].name);
@@ -178,7 +175,7 @@ TEST_CASE("every double comes back from a CSV file with the same bits") {
 }
 
 TEST_CASE("columns of different lengths are no CSV table") {
-  CHECK_THROWS_AS(csv_text({{{"a", "", {1.0}}, {"b", "", {}}}}), stepwire::TableError);
+  CHECK_THROWS_AS(csv_text({{{"a", "", {1.0}}, {"b", "", {}}}}), stepwire::table::TableError);
 }
 
 TEST_CASE("ten megabytes are read within a second") {
@@ -225,12 +222,12 @@ TEST_CASE("a field without end is refused") {
 TEST_CASE("Words that a spreadsheet would compute are kept from it and read back as they were") {
   const std::vector<std::string> words{"=1+2", "+1+2",  "-cmd", "@SUM(A1)", "\t=1",   "\r=1", "'=1",  "''=1",
                                        "'",    "plain", "-5",   "+3.5",     "'plain", "=",    "-5 mm"};
-  stepwire::Table table{{{"word", "", {}}, {"=name", "m", {}}}};
+  stepwire::table::Table table{{{"word", "", {}}, {"=name", "m", {}}}};
   for (std::size_t i = 0; i < words.size(); ++i) {
     table.columns[0].values.push_back(static_cast<double>(i));
     table.columns[1].values.push_back(-1.5);
   }
-  const std::string text = stepwire::csv_text(table, {{"word", words}});
+  const std::string text = stepwire::table::csv_text(table, {{"word", words}});
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
     const std::string cell = line.substr(line.front() == '"' ? 1 : 0);
@@ -240,8 +237,10 @@ TEST_CASE("Words that a spreadsheet would compute are kept from it and read back
   CHECK(text.find("'=name [m]") != std::string::npos);
   CHECK(text.find(",-1.5\n") != std::string::npos);
   const Scratch scratch;
-  stepwire::ColumnWords read{{"word", {}}};
-  const stepwire::Table back = stepwire::read_csv(scratch.file("words.csv", text), read);
+  stepwire::table::ColumnWords read{{"word", {}}};
+  const stepwire::table::Table back = stepwire::table::read_csv(scratch.file("words.csv", text), read);
   CHECK(read["word"] == words);
   CHECK(back.columns[1].name == "=name");
 }
+
+}  // namespace stepwire::table

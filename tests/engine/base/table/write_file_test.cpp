@@ -9,29 +9,28 @@
 #include "engine/base/io/file.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 
-using stepwire::EnvironmentError;
-using stepwire::read_file;
-using stepwire::write_file;
+namespace stepwire::table {
 
 TEST_CASE("a file is written whole, its folders are made, and nothing else is left") {
   const Scratch scratch;
   const std::string content = std::string("a\0b\r\n", 5) + std::string(100'000, 'x');
-  write_file(scratch.path("deep/er/a.txt"), content);
-  CHECK(read_file(scratch.path("deep/er/a.txt")) == content);
-  write_file(scratch.path("a.txt"), "first");
-  write_file(scratch.path("a.txt"), "");
-  CHECK(read_file(scratch.path("a.txt")).empty());
+  io::write_file(scratch.path("deep/er/a.txt"), content);
+  CHECK(io::read_file(scratch.path("deep/er/a.txt")) == content);
+  io::write_file(scratch.path("a.txt"), "first");
+  io::write_file(scratch.path("a.txt"), "");
+  CHECK(io::read_file(scratch.path("a.txt")).empty());
   CHECK(scratch.files() == 2);
 }
 
 TEST_CASE("a file that cannot be replaced keeps its content and says why") {
   const Scratch scratch;
   std::filesystem::create_directories(scratch.path("folder"));
-  CHECK_THROWS_WITH(write_file(scratch.path("folder"), "x"), Catch::Contains("folder: Is a directory"));
+  CHECK_THROWS_WITH(io::write_file(scratch.path("folder"), "x"), Catch::Contains("folder: Is a directory"));
   scratch.file("a.txt", "old");
-  CHECK_THROWS_WITH(write_file(scratch.path("a.txt/b.txt"), "x"), Catch::Contains("a.txt: Not a directory"));
-  CHECK_THROWS_AS(write_file(scratch.path("a.txt/b.txt"), "x"), EnvironmentError);
-  CHECK(read_file(scratch.path("a.txt")) == "old");
+  CHECK_THROWS_WITH(io::write_file(scratch.path("a.txt/b.txt"), "x"),
+                    Catch::Contains("a.txt: Not a directory"));
+  CHECK_THROWS_AS(io::write_file(scratch.path("a.txt/b.txt"), "x"), io::EnvironmentError);
+  CHECK(io::read_file(scratch.path("a.txt")) == "old");
   CHECK(scratch.files() == 2);
 }
 
@@ -47,14 +46,14 @@ TEST_CASE("a write that ends half way leaves the old file and no other") {
   setrlimit(RLIMIT_FSIZE, &small);
   std::string message;
   try {
-    write_file(path, std::string(1'000'000, 'x'));
-  } catch (const EnvironmentError& error) {
+    io::write_file(path, std::string(1'000'000, 'x'));
+  } catch (const io::EnvironmentError& error) {
     message = error.what();
   }
   setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, handler);
   CHECK(message == path + ": File too large");
-  CHECK(read_file(path) == "old");
+  CHECK(io::read_file(path) == "old");
   CHECK(scratch.files() == 1);
 }
 
@@ -65,7 +64,7 @@ TEST_CASE("a full device is noticed even where only the last flush fails, and st
   }
   const Scratch scratch;
   std::filesystem::create_symlink("/dev/full", scratch.path("full.csv"));
-  CHECK_THROWS_WITH(write_file(scratch.path("full.csv"), "x"),
+  CHECK_THROWS_WITH(io::write_file(scratch.path("full.csv"), "x"),
                     Catch::Contains("full.csv: No space left on device"));
   CHECK(std::filesystem::is_character_file("/dev/full"));
   CHECK(scratch.files() == 1);
@@ -75,9 +74,9 @@ TEST_CASE("a link stays a link and what it points to is replaced") {
   const Scratch scratch;
   const std::string target = scratch.file("target.txt", "old");
   std::filesystem::create_symlink(target, scratch.path("link.txt"));
-  write_file(scratch.path("link.txt"), "new");
+  io::write_file(scratch.path("link.txt"), "new");
   CHECK(std::filesystem::is_symlink(scratch.path("link.txt")));
-  CHECK(read_file(target) == "new");
+  CHECK(io::read_file(target) == "new");
 }
 
 TEST_CASE("threads that write one file leave one whole version of it") {
@@ -86,11 +85,13 @@ TEST_CASE("threads that write one file leave one whole version of it") {
   std::vector<std::thread> threads;
   for (const char c : {'a', 'b', 'c', 'd'}) {
     threads.emplace_back([&path, c] {
-      for (int i = 0; i < 20; ++i) write_file(path, std::string(100'000, c));
+      for (int i = 0; i < 20; ++i) io::write_file(path, std::string(100'000, c));
     });
   }
   for (std::thread& thread : threads) thread.join();
-  const std::string content = read_file(path);
+  const std::string content = io::read_file(path);
   CHECK(content == std::string(100'000, content.at(0)));
   CHECK(scratch.files() == 1);
 }
+
+}  // namespace stepwire::table

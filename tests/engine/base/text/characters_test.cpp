@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-using namespace stepwire;
+namespace stepwire::text {
 
 TEST_CASE("A text that people can read is shown as it is") {
   for (const std::string text : {"", "plain", "a\\b 'c' \"d\"", "größe µm/s² – 测量", "\U0001F600"}) {
@@ -41,3 +41,5 @@ TEST_CASE("Control characters of JSON are its own escapes, which a reader takes 
   CHECK(visible(escaped) == escaped);
   CHECK(nlohmann::json::parse(escaped).get<std::string>() == text);
 }
+
+}  // namespace stepwire::text

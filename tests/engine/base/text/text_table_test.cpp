@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-using namespace stepwire;
+namespace stepwire::text {
 using Catch::Matchers::Contains;
 
 namespace {
@@ -37,7 +37,9 @@ TEST_CASE("notes are wrapped below the table") {
 TEST_CASE("the picture holds every cell, with what SVG reserves replaced") {
   TextTable table = sample;
   table.rows.push_back({"<a & b>", "1", ""});
-  const std::string svg = draw(table);
+  const std::string svg = svg::draw(table);
   CHECK_THAT(svg, Contains(">HV_gp</text>") && Contains(">2.02e-05</text>") && Contains("&lt;a &amp; b&gt;"));
   CHECK(svg.starts_with("<svg "));
 }
+
+}  // namespace stepwire::text

@@ -3,8 +3,7 @@
 
 #include "engine/base/unit/unit.hpp"
 
-using stepwire::Dimension;
-using stepwire::parse_quantity;
+namespace stepwire::unit {
 
 namespace {
 
@@ -57,3 +56,5 @@ TEST_CASE("what is no quantity is refused") {
     CHECK_FALSE(parse_quantity(text));
   }
 }
+
+}  // namespace stepwire::unit

@@ -3,9 +3,7 @@
 
 #include "engine/base/unit/unit.hpp"
 
-using stepwire::Dimension;
-using stepwire::parse_unit;
-using stepwire::si_name;
+namespace stepwire::unit {
 
 TEST_CASE("a dimension is named as an engineer writes it") {
   for (const char* text : {"N",
@@ -63,3 +61,5 @@ TEST_CASE("dimensions multiply, divide and have powers") {
   CHECK(si_name(force / length) == "N/m");
   CHECK(power(length * length, 0.5) == length);
 }
+
+}  // namespace stepwire::unit

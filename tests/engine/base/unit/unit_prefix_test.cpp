@@ -4,7 +4,7 @@
 
 #include "engine/base/unit/unit.hpp"
 
-using stepwire::unit_prefix;
+namespace stepwire::unit {
 
 namespace {
 
@@ -52,3 +52,5 @@ TEST_CASE("after a sign a taken name is no unit") {
   CHECK(unit_prefix("m/s", taken) == 3);
   CHECK(unit_prefix("N*g.s", taken) == 1);
 }
+
+}  // namespace stepwire::unit

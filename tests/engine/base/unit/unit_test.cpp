@@ -6,9 +6,7 @@
 #include <thread>
 #include <vector>
 
-using stepwire::Dimension;
-using stepwire::parse_unit;
-using stepwire::Unit;
+namespace stepwire::unit {
 
 namespace {
 
@@ -153,3 +151,5 @@ TEST_CASE("units are read from several threads at once") {
   for (std::thread& thread : threads) thread.join();
   CHECK(good == std::vector<int>(4, 200));
 }
+
+}  // namespace stepwire::unit

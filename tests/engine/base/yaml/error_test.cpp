@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-using namespace stepwire;
+namespace stepwire::yaml {
 
 namespace {
 
@@ -34,7 +34,7 @@ TEST_CASE("a fault in a part names the lines that used the part, innermost first
 }
 
 TEST_CASE("a fault is seen on one line whatever the user wrote") {
-  CHECK(visible(fault("a\nb.yaml", {1, 1}, "'x\ny' is unknown").text()) ==
+  CHECK(text::visible(fault("a\nb.yaml", {1, 1}, "'x\ny' is unknown").text()) ==
         "a\\nb.yaml:1:1: 'x\\ny' is unknown");
 }
 
@@ -92,3 +92,5 @@ TEST_CASE("a fault knows its cure, whatever semicolons the texts of a user have"
   CHECK(near.wrong() == "there is no it's; x");
   CHECK(near.cure() == "did you mean 'it'?");
 }
+
+}  // namespace stepwire::yaml

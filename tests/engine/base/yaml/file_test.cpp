@@ -7,7 +7,7 @@
 
 #include "engine/base/yaml/document.hpp"
 
-using namespace stepwire;
+namespace stepwire::yaml {
 
 namespace {
 
@@ -69,3 +69,5 @@ TEST_CASE("a device without end is read up to the limit only") {
   limits.bytes = 1 << 20;
   CHECK_THROWS_WITH(read_document("/dev/zero", limits), Catch::Contains("no regular file"));
 }
+
+}  // namespace stepwire::yaml

@@ -5,7 +5,7 @@
 
 #include "engine/base/yaml/document.hpp"
 
-using namespace stepwire;
+namespace stepwire::yaml {
 using Catch::Contains;
 
 namespace {
@@ -130,3 +130,5 @@ TEST_CASE("noise is an error or a tree, never an end of the program") {
     error_of(bytes);
   }
 }
+
+}  // namespace stepwire::yaml

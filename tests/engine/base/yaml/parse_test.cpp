@@ -3,7 +3,7 @@
 
 #include "engine/base/yaml/document.hpp"
 
-using namespace stepwire;
+namespace stepwire::yaml {
 
 namespace {
 
@@ -140,3 +140,5 @@ TEST_CASE("the escapes of a text in double quotes are UTF-8") {
         "c\xe2\x80\xa8\xc3\xa9");
   CHECK(parse(R"({"\_": 1})").entries.at(0).key == "\xc2\xa0");
 }
+
+}  // namespace stepwire::yaml

@@ -3,7 +3,7 @@
 
 #include "engine/base/yaml/document.hpp"
 
-using namespace stepwire;
+namespace stepwire::yaml {
 using Catch::Contains;
 
 namespace {
@@ -105,3 +105,5 @@ TEST_CASE("line ends of one carriage return are told as such and not as one wron
   CHECK_THAT(error_of("a: 1\rb: 2\r"), Contains("a.yaml:1:5: a carriage return without a line feed"));
   CHECK(error_of("a: 1\r\nb: 2\r\n") == "none");
 }
+
+}  // namespace stepwire::yaml

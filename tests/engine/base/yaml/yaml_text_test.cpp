@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-using namespace stepwire;
+namespace stepwire::yaml {
 
 namespace {
 
@@ -97,3 +97,5 @@ TEST_CASE("every diagram file of the repository comes back from its tree") {
     CHECK(yaml_text(back) == yaml_text(root));
   }
 }
+
+}  // namespace stepwire::yaml

@@ -3,7 +3,7 @@
 #include "engine/model/block/declare.hpp"
 #include "engine/model/block/registry.hpp"
 
-using namespace stepwire;
+namespace stepwire {
 
 namespace {
 
@@ -119,3 +119,5 @@ TEST_CASE("a registry finds its kinds by name and takes each name once") {
   CHECK(registry.find("plain") == nullptr);
   CHECK_THROWS_AS(registry.add<Plain>("again"), std::logic_error);
 }
+
+}  // namespace stepwire

@@ -2,7 +2,7 @@
 
 #include "engine/model/block/registry.hpp"
 
-using namespace stepwire;
+namespace stepwire {
 using Catch::Contains;
 
 namespace {
@@ -48,3 +48,5 @@ TEST_CASE("a symbol that names what its block does not have is refused before an
   CHECK_THAT(refusal_of({.text = "{tau"}), Contains("brace"));
   CHECK_THAT(refusal_of({.text = "tau}"}), Contains("brace"));
 }
+
+}  // namespace stepwire

@@ -4,7 +4,7 @@
 
 #include "engine/model/block/value.hpp"
 
-using namespace stepwire;
+namespace stepwire {
 
 TEST_CASE("a tree is an empty map until it is given one, and its copies outlive it") {
   Tree copy;
@@ -21,3 +21,5 @@ TEST_CASE("a tree is an empty map until it is given one, and its copies outlive 
   CHECK(*value.find("idle")->text() == "1");
   CHECK(value.find("idle")->line == 4);
 }
+
+}  // namespace stepwire

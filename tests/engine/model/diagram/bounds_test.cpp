@@ -3,7 +3,7 @@
 
 #include "tests/support/plan_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::diagram {
 using Catch::Matchers::Contains;
 
 namespace {
@@ -58,3 +58,5 @@ TEST_CASE("of twenty thousand misspelt names a hundred are listed") {
   const std::string constants = "blocks:\n" + numbered("  a", many, ": {block: Constant, value: 1}\n");
   CHECK(faults_of(constants + "record: [" + numbered("aa", many, "x, ") + "a0]\n").size() == 101);
 }
+
+}  // namespace stepwire::diagram

@@ -3,7 +3,7 @@
 
 #include "tests/support/plan_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::diagram {
 
 namespace {
 
@@ -128,3 +128,5 @@ TEST_CASE("a decimal comma and a formula with a comma are called so") {
   REQUIRE(refused.size() == 1);
   CHECK_THAT(refused[0], Catch::Contains("Constant has no '5 N'; a comma ends a value"));
 }
+
+}  // namespace stepwire::diagram

@@ -7,7 +7,7 @@
 #include "tests/support/plan_text.hpp"
 #include "tests/support/run_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::diagram {
 
 namespace {
 
@@ -16,13 +16,13 @@ const std::string part =
     "stepwire: 1\nparameters: {mass: 2 kg}\ninputs: {f: {unit: N}}\noutputs: {x: body.position, g: twice}\n"
     "blocks:\n  twice: {block: Gain, u: f, gain: = 2}\n  body: {block: Mass, force: twice, mass: $mass}\n";
 
-std::string flattened(const Plan& plan) {
+std::string flattened(const plan::Plan& plan) {
   return flattened_text(plan.diagram);
 }
 
-Plan again(const Plan& plan) {
+plan::Plan again(const plan::Plan& plan) {
   Loader loader(library());
-  return make_plan(loader.load_text(flattened(plan), "flattened.yaml"));
+  return plan::make_plan(loader.load_text(flattened(plan), "flattened.yaml"));
 }
 
 std::string hash_of(const std::string& yaml) {
@@ -61,7 +61,7 @@ record:
 }
 
 TEST_CASE("inputs and outputs of the diagram itself stay") {
-  const Plan plan = plan_text(
+  const plan::Plan plan = plan_text(
       "inputs: {f: {unit: N, default: 3 mN, doc: of the hand}, g: {default: [1, 2]}, angle: {default: 180 "
       "deg}}\noutputs: {half: {signal: half, safe: 0.5 mN, doc: d}, plain: half.y}\n"
       "blocks: {half: {block: Gain, gain: 0.5, u: f}, two: {block: Gain, u: g}, t: {block: Gain, u: "
@@ -73,14 +73,14 @@ TEST_CASE("inputs and outputs of the diagram itself stay") {
 outputs: {half: {signal: half, safe: 0.0005 N, doc: d}, plain: {signal: half}}
 blocks:
   half: {block: Gain, u: f, gain: 0.5})"));
-  const Plan flat = again(plan);
+  const plan::Plan flat = again(plan);
   REQUIRE(flat.diagram.inputs.size() == 3);
   CHECK(flat.diagram.outputs[0].safe->isApproxToConstant(0.0005));
   CHECK(diagram_hash(flat.diagram) == diagram_hash(plan.diagram));
 }
 
 TEST_CASE("values of every kind come back with the same bits") {
-  const Plan plan = plan_text(R"(solver: rk4
+  const plan::Plan plan = plan_text(R"(solver: rk4
 blocks:
   inf: {block: Constant, value: 0.1}
   tiny: {block: Constant, value: [-0, 5e-324, 1.7976931348623157e308, 0.30000000000000004]}
@@ -94,12 +94,12 @@ record: [all, lag.x]
 )");
   const std::string text = flattened(plan);
   INFO(text);
-  const Plan flat = again(plan);
+  const plan::Plan flat = again(plan);
   CHECK(flattened(flat) == text);
-  Executor one(plan), other(flat);
+  run::Executor one(plan), other(flat);
   one.evaluate();
   other.evaluate();
-  const auto bits = [](const Executor& s) {
+  const auto bits = [](const run::Executor& s) {
     const auto& values = s.workspace().values;
     return std::string(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double));
   };
@@ -114,10 +114,10 @@ TEST_CASE("a word with a $ in it stays what it is") {
   folder.write("$x.csv", "time [s],a$b [m]\n0,1\n3,2\n");
   folder.write("main.yaml",
                head + "blocks: {a: {block: FromFile, file: $$x.csv, column: a$$b}}\nrecord: a\n");
-  const Plan plan = folder.plan("main.yaml");
+  const plan::Plan plan = folder.plan("main.yaml");
   CHECK_THAT(flattened(plan), Catch::Contains("$$x.csv\n") && Catch::Contains("column: [a$$b]"));
   CHECK(flattened(again(plan)) == flattened(plan));
-  CHECK(run_plan(again(plan)).recordings.at(0).table.columns.at(1).values.back() == 2.0);
+  CHECK(run::run_plan(again(plan)).recordings.at(0).table.columns.at(1).values.back() == 2.0);
 }
 
 TEST_CASE("a recorded name may be that of a block inside that it does not mean") {
@@ -126,9 +126,9 @@ TEST_CASE("a recorded name may be that of a block inside that it does not mean")
                "stepwire: 1\noutputs: {v: slow}\nblocks:\n  v: {block: Constant, value: 1}\n"
                "  slow: {block: Gain, u: v, gain: 5}\n");
   folder.write("main.yaml", head + "blocks: {p: {diagram: part.yaml}}\nrecord: [p.v, p.slow, p]\n");
-  const Plan plan = folder.plan("main.yaml");
-  const Plan flat = again(plan);
-  const Table table = run_plan(flat).recordings.at(0).table;
+  const plan::Plan plan = folder.plan("main.yaml");
+  const plan::Plan flat = again(plan);
+  const table::Table table = run::run_plan(flat).recordings.at(0).table;
   CHECK(column(table, "p.v").front() == 5.0);
   CHECK(column(table, "p.slow").front() == 5.0);
   CHECK(column(table, "p").front() == 5.0);
@@ -180,7 +180,7 @@ TEST_CASE("data files are named as the caller wishes, from the root where it wis
   const DiagramFolder folder;
   folder.write("x.csv", "time [s],x [m]\n0,1\n3,2\n");
   folder.write("main.yaml", head + "blocks: {a: {block: FromFile, file: x.csv, column: x}}\nrecord: a\n");
-  const Plan plan = folder.plan("main.yaml");
+  const plan::Plan plan = folder.plan("main.yaml");
   CHECK_THAT(flattened(plan), Catch::Contains("file: " + folder.path("x.csv") + "\n"));
   const std::string text = flattened_text(plan.diagram, [](const std::string&) { return "there/x.csv"; });
   CHECK_THAT(text, Catch::Contains("file: there/x.csv\n"));
@@ -190,7 +190,7 @@ TEST_CASE("ten thousand blocks are flattened in tens of milliseconds") {
   std::string yaml = "solver: rk4\nblocks:\n  b0: {block: Sine, amplitude: 0.1 N}\n";
   for (int i = 1; i <= 10'000; ++i)
     yaml += fmt::format("  b{}: {{block: Lag, u: b{}, tau: {} ms, gain: 1.1}}\n", i, i - 1, i);
-  const Plan plan = plan_text(yaml + "record: [b1, b10000]\n");
+  const plan::Plan plan = plan_text(yaml + "record: [b1, b10000]\n");
   const auto start = std::chrono::steady_clock::now();
   const std::string text = flattened(plan);
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
@@ -200,3 +200,5 @@ TEST_CASE("ten thousand blocks are flattened in tens of milliseconds") {
   CHECK(spent.count() < 0.2);
 #endif
 }
+
+}  // namespace stepwire::diagram

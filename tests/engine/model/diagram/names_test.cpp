@@ -5,7 +5,7 @@
 #include "tests/support/plan_text.hpp"
 #include "tests/support/run_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::diagram {
 
 namespace {
 
@@ -18,11 +18,11 @@ const std::string cart =
 }  // namespace
 
 TEST_CASE("a block may be called as if it lay in a part, and is wired, recorded and set by that name") {
-  const RunResult result = result_of(cart +
-                                         "  fast: {block: Gain, u: rig.cart.velocity, gain: 2}\nrecord: "
-                                         "[rig.cart.position, fast, rig.push]\n",
-                                     {{"rig.cart.mass", "4 kg"}});
-  const Table& table = result.recordings.at(0).table;
+  const run::RunResult result = result_of(cart +
+                                              "  fast: {block: Gain, u: rig.cart.velocity, gain: 2}\nrecord: "
+                                              "[rig.cart.position, fast, rig.push]\n",
+                                          {{"rig.cart.mass", "4 kg"}});
+  const table::Table& table = result.recordings.at(0).table;
   CHECK(column(table, "rig.push").back() == 2.0);
   CHECK(column(table, "rig.cart.position").back() == Approx(0.5 * 2.0 / 4.0 * 9.0));
   CHECK(column(table, "fast").back() == Approx(3.0));
@@ -50,13 +50,13 @@ TEST_CASE("the nearest of dotted names is suggested") {
 }
 
 TEST_CASE("what is recorded may have a name of the file's own") {
-  const RunResult result = result_of(
+  const run::RunResult result = result_of(
       cart +
       "record: [rig.push, {signals: [rig.cart.velocity, {v: rig.cart.velocity, rig.x: rig.cart.position}]},\n"
       "         {every: 1.5 s, signals: {x: rig.cart.position}}]\nstep: 0.5 s\n");
   REQUIRE(result.recordings.size() == 2);
   Lines names;
-  for (const Column& column : result.recordings[0].table.columns)
+  for (const table::Column& column : result.recordings[0].table.columns)
     names.push_back(column.name + " " + column.unit);
   CHECK(names == Lines{"time s", "rig.push N", "rig.cart.velocity m/s", "v m/s", "rig.x m"});
   CHECK(column(result.recordings[0].table, "v") == column(result.recordings[0].table, "rig.cart.velocity"));
@@ -89,3 +89,5 @@ TEST_CASE("a file may say the unit of a signal, which then holds along its wires
         Lines{"test.yaml:5:9: units.c: there is no block 'c'", "test.yaml:5:18: units.a: '5' is no unit"});
   CHECK(faults_of(blocks + "units: N\n") == Lines{"test.yaml:5:8: units: must be a map of signal: unit"});
 }
+
+}  // namespace stepwire::diagram

@@ -3,14 +3,14 @@
 #include "tests/support/plan_text.hpp"
 #include "tests/support/run_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::diagram {
 
 namespace {
 
 /// The value of a Constant that is written so, below some parameters.
 std::vector<double> value_of(const std::string& text, const std::string& parameters = "{}",
                              const std::vector<Setting>& settings = {}) {
-  const RunResult result = result_of(
+  const run::RunResult result = result_of(
       "parameters: " + parameters + "\nblocks:\n  c: {block: Constant, value: " + text + "}\nrecord: c\n",
       settings);
   std::vector<double> values;
@@ -86,7 +86,7 @@ TEST_CASE("a unit that is unknown or the wrong one is refused") {
 }
 
 TEST_CASE("parameters are listed with what was assumed and what was set") {
-  const Plan plan = plan_text(
+  const plan::Plan plan = plan_text(
       "parameters: {a: {value: 2 mm, doc: length, assumed: true}, b: 3}\nblocks:\n  c: {block: Constant, "
       "value: = a * b}\n",
       {{"b", "4"}});
@@ -101,8 +101,9 @@ TEST_CASE("parameters are listed with what was assumed and what was set") {
 TEST_CASE("a setting reaches a parameter, a key of a block, an initial value and the head") {
   CHECK(value_of("$a", "{a: 1 mm}", {{"a", "3 mm"}}) == Values{0.003});
   CHECK(value_of("1", "{}", {{"c.value", "[4, 5]"}}) == Values{4, 5});
-  const Plan plan = plan_text("solver: euler\nblocks:\n  x: {block: Integrator, u: 1}\n",
-                              {{"x.initial", "7"}, {"stop", "2 s"}, {"step", "0.5 s"}, {"solver", "rk4"}});
+  const plan::Plan plan =
+      plan_text("solver: euler\nblocks:\n  x: {block: Integrator, u: 1}\n",
+                {{"x.initial", "7"}, {"stop", "2 s"}, {"step", "0.5 s"}, {"solver", "rk4"}});
   CHECK(plan.steps == 4);
   CHECK(plan.diagram.solver == "rk4");
   CHECK(plan.diagram.blocks[0].initial.at(0).value[0] == 7.0);
@@ -184,3 +185,5 @@ TEST_CASE("an angle per time is no frequency in Hz, nor the other way round") {
   CHECK(fault("Sine, frequency: 3 1/s").empty());
   CHECK(fault("Sine, frequency: 3 kHz").empty());
 }
+
+}  // namespace stepwire::diagram

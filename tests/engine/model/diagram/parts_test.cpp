@@ -3,7 +3,7 @@
 #include "tests/support/plan_text.hpp"
 #include "tests/support/run_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::diagram {
 
 namespace {
 
@@ -89,7 +89,7 @@ TEST_CASE("an input of a part may have a default, and a part be run by itself wi
   folder.write("main.yaml", head +
                                 "blocks:\n  p: {diagram: part.yaml, v: 1}\n  q: {diagram: part.yaml, v: 1, "
                                 "u: 2}\nrecord: [p, q]\n");
-  const Table run = folder.run("main.yaml");
+  const table::Table run = folder.run("main.yaml");
   CHECK(column(run, "p").front() == 5.0);
   CHECK(column(run, "q").front() == 3.0);
   CHECK(
@@ -132,3 +132,5 @@ TEST_CASE("ends that do not fit are refused at the wire, whether it enters a par
   CHECK(folder.faults("in.yaml") ==
         Lines{"in.yaml:7:30: p.m.force: m.position is in m, but p.m.force is in N"});
 }
+
+}  // namespace stepwire::diagram

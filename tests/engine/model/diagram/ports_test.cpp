@@ -3,7 +3,7 @@
 #include "engine/simulate/run/executor.hpp"
 #include "tests/support/plan_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::diagram {
 
 namespace {
 
@@ -13,18 +13,18 @@ const std::string doubled =
     "blocks: {half: {block: Gain, gain: 0.5, u: force}}\n"
     "record: [half]\n";
 
-double half_of(const Executor& simulation) {
+double half_of(const run::Executor& simulation) {
   return simulation.values()[simulation.plan().slot(simulation.plan().diagram.outputs[0].signal).offset];
 }
 
 }  // namespace
 
 TEST_CASE("an input of the diagram itself holds its default until somebody writes it") {
-  const Plan plan = plan_text(doubled);
+  const plan::Plan plan = plan_text(doubled);
   REQUIRE(plan.diagram.inputs.size() == 1);
   CHECK(plan.diagram.inputs[0].name == "force");
   CHECK(plan.diagram.inputs[0].doc == "of the hand");
-  Executor simulation(plan);
+  run::Executor simulation(plan);
   simulation.evaluate();
   CHECK(half_of(simulation) == 1.5);
   const double written = 8.0;
@@ -37,7 +37,7 @@ TEST_CASE("an input of the diagram itself holds its default until somebody write
 }
 
 TEST_CASE("an output of the diagram itself knows its signal and its safe value") {
-  const Plan plan = plan_text(doubled);
+  const plan::Plan plan = plan_text(doubled);
   REQUIRE(plan.diagram.outputs.size() == 2);
   CHECK(plan.diagram.outputs[0].name == "half");
   CHECK((*plan.diagram.outputs[0].safe)[0] == 0.5);
@@ -63,3 +63,5 @@ TEST_CASE("a safe value of another unit or size than its output is refused") {
   CHECK(with_safe("[1, 2, 3]") ==
         std::vector<std::string>{"test.yaml:2:11: held.safe: has 3 elements where the signal has 2"});
 }
+
+}  // namespace stepwire::diagram

@@ -2,7 +2,7 @@
 
 #include "tests/support/plan_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::diagram {
 
 namespace {
 
@@ -74,3 +74,5 @@ TEST_CASE("to record one element of a vector, the vector is recorded") {
   CHECK(fault_of("  v: {block: Constant, value: [1, 2]}\nrecord: v.1\n") ==
         "test.yaml:7:9: record: 'v.1' is no signal of its own; 'v' brings all its elements, v.1, ...");
 }
+
+}  // namespace stepwire::diagram

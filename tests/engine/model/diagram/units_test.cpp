@@ -2,7 +2,7 @@
 
 #include "tests/support/plan_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::diagram {
 
 namespace {
 
@@ -10,11 +10,11 @@ const std::string head = "solver: rk4\nblocks:\n  m: {block: Mass, mass: 2 kg, f
 
 /// The unit of each block's first output.
 std::map<std::string, std::string> units_of(const std::string& blocks) {
-  const Plan plan = plan_text(head + blocks);
+  const plan::Plan plan = plan_text(head + blocks);
   std::map<std::string, std::string> units;
   for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
     const auto& dimension = plan.diagram.output_dimensions[b].at(0);
-    units[plan.diagram.blocks[b].name] = dimension ? si_name(*dimension) : "?";
+    units[plan.diagram.blocks[b].name] = dimension ? unit::si_name(*dimension) : "?";
   }
   return units;
 }
@@ -104,3 +104,5 @@ TEST_CASE("the condition that ends a run compares what has one unit") {
   CHECK(fault_of(wire + "n.position - time < 0\n") ==
         "test.yaml:5:12: stop_when: '-' joins m and s; they must have the same unit");
 }
+
+}  // namespace stepwire::diagram

@@ -4,7 +4,7 @@
 #include "blocks/register.hpp"
 #include "tests/support/plan_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::plan {
 
 namespace {
 
@@ -62,7 +62,7 @@ stop: 10 s
 solver: rk4
 )",
                               {}, registry);
-  Executor simulation(plan);
+  run::Executor simulation(plan);
   held_calls = timed_calls = followed_calls = aside_calls = once_calls = 0;
   simulation.reset();
   while (!simulation.finished()) {
@@ -84,7 +84,9 @@ TEST_CASE("what only feeds on constants is a constant, whatever stands in betwee
       "  d: {block: Product, u: [c, b]}\n");
   for (const PlannedBlock& block : plan.blocks) CHECK(block.rate.kind == Rate::Kind::constant);
   CHECK(plan.outputs.empty());
-  Executor simulation(plan);
+  run::Executor simulation(plan);
   simulation.evaluate();
   CHECK(simulation.values()[plan.blocks[3].outputs[0].offset] == 52.0);
 }
+
+}  // namespace stepwire::plan

@@ -5,14 +5,14 @@
 #include "tests/support/plan_text.hpp"
 #include "tests/support/run_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::plan {
 
 namespace {
 
 std::size_t offset(const Plan& plan, const std::string& block) {
   const auto& blocks = plan.diagram.blocks;
-  const auto found =
-      std::find_if(blocks.begin(), blocks.end(), [&](const DiagramBlock& one) { return one.name == block; });
+  const auto found = std::find_if(blocks.begin(), blocks.end(),
+                                  [&](const diagram::DiagramBlock& one) { return one.name == block; });
   return plan.blocks[static_cast<std::size_t>(found - blocks.begin())].outputs.front().offset;
 }
 
@@ -39,7 +39,7 @@ TEST_CASE("of two integrators of one signal the second reads it as any other blo
   const Plan plan = plan_text(text);
   REQUIRE(plan.derivatives.size() == 1);
   CHECK(plan.derivatives.front().count == 1);
-  const Table run = run_text(text);
+  const table::Table run = run_text(text);
   CHECK(column(run, "x").back() == Approx(std::exp(-1.0)).epsilon(1e-12));
   CHECK(column(run, "y").back() == Approx(2.0 + std::exp(-1.0)).epsilon(1e-12));
   CHECK(column(run, "back").back() == -column(run, "x").back());
@@ -54,7 +54,7 @@ TEST_CASE("states, sources of time and limited integrators keep their slopes apa
 }
 
 TEST_CASE("a slope that a slower block writes holds between its ticks") {
-  const Table run = run_text(
+  const table::Table run = run_text(
       "step: 1 s\nstop: 6 s\nsolver: rk4\nblocks:\n  t: {block: Clock}\n"
       "  held: {block: Gain, gain: 1, u: t, every: 3 s}\n  x: {block: Integrator, u: held}\nrecord: [x, "
       "held]\n");
@@ -63,10 +63,12 @@ TEST_CASE("a slope that a slower block writes holds between its ticks") {
 }
 
 TEST_CASE("a signal in the place of a slope that is not finite ends the run as any other does") {
-  const RunResult result = result_of(
+  const run::RunResult result = result_of(
       "solver: rk4\nblocks:\n  huge: {block: Gain, gain: 1e308, u: x}\n  x: {block: Integrator, u: huge, "
       "initial: 10}\n");
   REQUIRE(result.faults.size() == 1);
   CHECK(result.faults[0].block == "huge");
   CHECK(result.faults[0].time == 0.0);
 }
+
+}  // namespace stepwire::plan

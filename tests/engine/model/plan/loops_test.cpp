@@ -2,7 +2,7 @@
 
 #include "tests/support/plan_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::plan {
 
 TEST_CASE("an algebraic loop is refused with every hop, its line and the cure") {
   const auto refused = faults_of(R"(blocks:
@@ -59,3 +59,5 @@ TEST_CASE("a loop through parts names the blocks inside, each in its own file") 
           Catch::Contains("first.twice (double.yaml:5) -> second.twice (double.yaml:5) -> first.twice;") &&
           Catch::Contains("(used by main.yaml:5:20)"));
 }
+
+}  // namespace stepwire::plan

@@ -5,7 +5,7 @@
 #include "tests/support/plan_text.hpp"
 #include "tests/support/run_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::plan {
 
 namespace {
 
@@ -56,7 +56,7 @@ blocks:
   two: {diagram: two.yaml, a: t, b: two.y}
 record: [two.y, two.z]
 )");
-  const Table run = folder.run("main.yaml");
+  const table::Table run = folder.run("main.yaml");
   CHECK(column(run, "two.y") == std::vector<double>{1, 2, 3, 4});
   CHECK(column(run, "two.z") == std::vector<double>{-1, -2, -3, -4});
 }
@@ -65,7 +65,7 @@ TEST_CASE(
     "a block with one output of its state and one that follows its input runs in a feedback over both") {
   static const Registry registry = with_damper();
   // v = 1 - z, so x' = 1 - 2 x and x = (1 - exp(-2 t)) / 2; force = 2 - 2 x + x.
-  const RunResult result = result_of(R"(blocks:
+  const run::RunResult result = result_of(R"(blocks:
   v: {block: Sum, signs: "+-", u: [1, damper.z]}
   damper: {block: Damper, v: v}
 step: 1 ms
@@ -73,8 +73,8 @@ stop: 1 s
 solver: rk4
 record: [v, damper.force, damper.z]
 )",
-                                     {}, registry);
-  const Table& run = result.recordings.front().table;
+                                          {}, registry);
+  const table::Table& run = result.recordings.front().table;
   const auto& time = column(run, "time");
   for (std::size_t row = 0; row < time.size(); row += 50) {
     const double x = (1.0 - std::exp(-2.0 * time[row])) / 2.0;
@@ -95,7 +95,7 @@ TEST_CASE("the output that follows the input at once still makes a loop") {
 
 TEST_CASE("a mass that a damper brakes by its own velocity comes to the speed at which the forces balance") {
   // The force of the damper follows the velocity at once, but the velocity is a state: no loop.
-  const Table run = run_text(R"(
+  const table::Table run = run_text(R"(
 step: 0.1 ms
 stop: 1 s
 solver: rk4
@@ -125,7 +125,7 @@ blocks:
   t: {block: Clock}
 record: [a, b.y, c, d]
 )");
-  const Table run = folder.run("main.yaml");
+  const table::Table run = folder.run("main.yaml");
   CHECK(column(run, "a") == std::vector<double>{0, 2, 4, 6});
   CHECK(column(run, "b.y") == std::vector<double>{0, 4, 8, 12});
   CHECK(column(run, "d") == std::vector<double>{0, 16, 32, 48});
@@ -156,9 +156,11 @@ blocks:
   set: {diagram: outer.yaml, u: t, k: 2}
 record: [plain, set, set.m.first.g, set.m.first]
 )");
-  const Table run = folder.run("main.yaml", {{"plain.m.second.k", "10"}});
+  const table::Table run = folder.run("main.yaml", {{"plain.m.second.k", "10"}});
   CHECK(column(run, "plain") == std::vector<double>{0, 50, 100});
   CHECK(column(run, "set") == std::vector<double>{0, 6, 12});
   CHECK(column(run, "set.m.first.g") == std::vector<double>{0, 2, 4});
   CHECK(column(run, "set.m.first") == std::vector<double>{0, 2, 4});
 }
+
+}  // namespace stepwire::plan

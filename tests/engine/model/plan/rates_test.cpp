@@ -3,7 +3,7 @@
 #include "tests/support/plan_text.hpp"
 #include "tests/support/run_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::plan {
 
 namespace {
 
@@ -14,7 +14,7 @@ double held(int tick, int period) {
 
 const std::string milliseconds = "  t: {block: Clock}\n  ms: {block: Gain, gain: 1000, u: t}\n";
 
-void check_column(const Table& run, const std::string& name, int (*expected)(int tick)) {
+void check_column(const table::Table& run, const std::string& name, int (*expected)(int tick)) {
   const auto& values = column(run, name);
   for (std::size_t tick = 0; tick < values.size(); ++tick) {
     INFO(name << " at tick " << tick);
@@ -25,7 +25,7 @@ void check_column(const Table& run, const std::string& name, int (*expected)(int
 }  // namespace
 
 TEST_CASE("what stands behind a sampled block runs at its ticks and holds in between") {
-  const Table run = run_text("step: 1 ms\nstop: 10 ms\nblocks:\n" + milliseconds + R"(
+  const table::Table run = run_text("step: 1 ms\nstop: 10 ms\nblocks:\n" + milliseconds + R"(
   sampled: {block: ZeroOrderHold, u: ms, every: 3 ms}
   behind: {block: Gain, gain: 10, u: sampled}
   both: {block: Sum, u: [sampled, ms]}
@@ -37,7 +37,7 @@ record: [sampled, behind, both]
 }
 
 TEST_CASE("held values cross between rates both ways") {
-  const Table run = run_text("step: 1 ms\nstop: 40 ms\nblocks:\n" + milliseconds + R"(
+  const table::Table run = run_text("step: 1 ms\nstop: 40 ms\nblocks:\n" + milliseconds + R"(
   fast: {block: ZeroOrderHold, u: slow, every: 1 ms}
   slow: {block: ZeroOrderHold, u: middle, every: 10 ms}
   middle: {block: ZeroOrderHold, u: ms, every: 3 ms}
@@ -51,7 +51,7 @@ record: [fast, slow, middle, back]
 }
 
 TEST_CASE("delays of several periods remember each for its own period") {
-  const Table run = run_text("step: 1 ms\nstop: 40 ms\nblocks:\n" + milliseconds + R"(
+  const table::Table run = run_text("step: 1 ms\nstop: 40 ms\nblocks:\n" + milliseconds + R"(
   slow: {block: UnitDelay, u: ms, every: 10 ms}
   fast: {block: UnitDelay, u: ms, every: 1 ms}
 record: [slow, fast]
@@ -79,7 +79,7 @@ TEST_CASE(
 }
 
 TEST_CASE("blocks that act at ticks act at every step where nothing gives them a period") {
-  const Table run = run_text(R"(
+  const table::Table run = run_text(R"(
 step: 1 s
 stop: 3 s
 blocks:
@@ -131,3 +131,5 @@ TEST_CASE("a continuous state without a solver is refused, a discrete diagram ne
                  "test.yaml:2:6: x: Integrator has a continuous state, and the diagram names no solver"));
   CHECK(faults_of("blocks:\n  x: {block: UnitDelay, u: 1}\n").empty());
 }
+
+}  // namespace stepwire::plan

@@ -3,7 +3,7 @@
 #include "tests/support/plan_text.hpp"
 #include "tests/support/run_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::plan {
 
 namespace {
 
@@ -20,7 +20,7 @@ std::string only_fault(const std::string& blocks) {
 }  // namespace
 
 TEST_CASE("vectors pass gains, and a single gain counts for every element") {
-  const Table run = run_text(
+  const table::Table run = run_text(
       frame +
       "  g: {block: Gain, gain: 10, u: v}\n  h: {block: Gain, gain: [1, 10, 100], u: g}\nrecord: [g, h]\n");
   CHECK(column(run, "g.3") == std::vector<double>{30, 30, 30});
@@ -29,13 +29,14 @@ TEST_CASE("vectors pass gains, and a single gain counts for every element") {
 }
 
 TEST_CASE("a sum adds a single signal to every element of a vector") {
-  const Table run = run_text(frame + "  s: {block: Sum, signs: \"+-+\", u: [v, t, 10]}\nrecord: [s]\n");
+  const table::Table run =
+      run_text(frame + "  s: {block: Sum, signs: \"+-+\", u: [v, t, 10]}\nrecord: [s]\n");
   CHECK(column(run, "s.1") == std::vector<double>{11, 10, 9});
   CHECK(column(run, "s.3") == std::vector<double>{13, 12, 11});
 }
 
 TEST_CASE("a number at a vector input stands for all of its elements") {
-  const Table run = run_text(
+  const table::Table run = run_text(
       "step: 1 s\nstop: 2 s\nsolver: euler\nblocks:\n  x: {block: Integrator, u: 2, initial: [0, "
       "10]}\nrecord: [x]\n");
   CHECK(column(run, "x.1") == std::vector<double>{0, 2, 4});
@@ -43,7 +44,7 @@ TEST_CASE("a number at a vector input stands for all of its elements") {
 }
 
 TEST_CASE("a vector goes round a loop: its size comes from the one place that says it") {
-  const Table run = run_text(R"(
+  const table::Table run = run_text(R"(
 step: 1 s
 stop: 3 s
 blocks:
@@ -71,7 +72,7 @@ TEST_CASE("a loop takes its size from whichever element of a list is known, and 
 }
 
 TEST_CASE("an initial value gives a loop its size") {
-  const Table run = run_text(
+  const table::Table run = run_text(
       "step: 1 s\nstop: 2 s\nblocks:\n  twice: {block: Gain, gain: 2, u: last}\n"
       "  last: {block: UnitDelay, u: twice, initial: [1, 3]}\nrecord: [last]\n");
   CHECK(column(run, "last.1") == std::vector<double>{1, 2, 4});
@@ -79,7 +80,7 @@ TEST_CASE("an initial value gives a loop its size") {
 }
 
 TEST_CASE("what nothing gives a size is a single number") {
-  const Table run = run_text(
+  const table::Table run = run_text(
       "step: 1 s\nstop: 2 s\nblocks:\n  a: {block: Sum, u: [b, 1]}\n  b: {block: UnitDelay, u: a}\nrecord: "
       "[a]\n");
   CHECK(column(run, "a") == std::vector<double>{1, 2, 3});
@@ -103,3 +104,5 @@ TEST_CASE("rows of different length are no matrix") {
   CHECK(only_fault("  m: {block: MatrixGain, gain: [[1, 2], [3]], u: w}\n") ==
         "test.yaml:4:41: m.gain: this row has 1 numbers, the first has 2");
 }
+
+}  // namespace stepwire::plan

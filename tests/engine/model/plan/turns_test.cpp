@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
-using namespace stepwire;
+namespace stepwire::plan {
 
 namespace {
 
@@ -43,3 +43,5 @@ TEST_CASE("once nobody is left, a round starts anew") {
   for (int who : {7, 2}) turns.call(who);
   CHECK(asked(turns, [](int, int) {}) == std::vector<int>{2, 7});
 }
+
+}  // namespace stepwire::plan

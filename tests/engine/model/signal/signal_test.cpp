@@ -5,7 +5,7 @@
 #include "engine/model/signal/numbers.hpp"
 #include "engine/model/signal/signal.hpp"
 
-using namespace stepwire;
+namespace stepwire {
 
 TEST_CASE("an output writes through to the memory it is bound to, whatever its size") {
   double memory[4] = {};
@@ -61,3 +61,5 @@ TEST_CASE("a notice keeps the time at which it was raised first") {
   CHECK(diagnostic.raised());
   CHECK(first == 2.0);
 }
+
+}  // namespace stepwire

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-using namespace stepwire;
+namespace stepwire {
 
 TEST_CASE("a text keeps what it was given, and its copies outlive it") {
   Text copy, assigned = "other", moved;
@@ -32,3 +32,5 @@ TEST_CASE("a literal can be copied and replaced like any text") {
   CHECK(text.view() == "time");
   CHECK(text.view().data() == copy.view().data());
 }
+
+}  // namespace stepwire

@@ -5,7 +5,7 @@
 #include "engine/simulate/codegen/headers.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 
-using namespace stepwire;
+namespace stepwire::codegen {
 
 namespace {
 
@@ -24,5 +24,7 @@ TEST_CASE("two folders of blocks that mean different files by one include cannot
   const std::string a = yard(folder, "one", "a", "// 1\n"), b = yard(folder, "two", "b", "// 2\n");
   CHECK(with_included({a}).all.size() == 2);
   CHECK(with_included({b}).all.size() == 2);
-  CHECK_THROWS_AS(with_included({a, b}), EnvironmentError);
+  CHECK_THROWS_AS(with_included({a, b}), io::EnvironmentError);
 }
+
+}  // namespace stepwire::codegen

@@ -13,40 +13,40 @@
 #include "tests/engine/simulate/codegen/consumer_project.hpp"
 #include "tests/support/plan_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::codegen {
 
 namespace {
 
-void write_program(const Scratch& folder, const Plan& plan, const std::string& name) {
+void write_program(const Scratch& folder, const plan::Plan& plan, const std::string& name) {
   for (const auto& [path, text] : program_files(plan, tuning_of(plan), {name, "a test", true})) {
     const std::string file = folder.path(name + "/" + path);
     std::filesystem::create_directories(std::filesystem::path(file).parent_path());
-    write_file(file, text);
+    io::write_file(file, text);
   }
 }
 
-Plan plan_file(const Scratch& folder, const std::string& name) {
-  return make_plan(Loader(library()).load(folder.path(name)));
+plan::Plan plan_file(const Scratch& folder, const std::string& name) {
+  return plan::make_plan(diagram::Loader(library()).load(folder.path(name)));
 }
 
 /// What the struct `recorded` of a generated program holds.
-void append_recorded(const Executor& run, std::string& bytes) {
-  for (const RecordRequest& request : run.plan().diagram.records)
-    for (const RecordedSignal& signal : request.signals) {
-      const SignalSlot slot = run.plan().slot(signal.signal);
+void append_recorded(const run::Executor& run, std::string& bytes) {
+  for (const diagram::RecordRequest& request : run.plan().diagram.records)
+    for (const diagram::RecordedSignal& signal : request.signals) {
+      const plan::SignalSlot slot = run.plan().slot(signal.signal);
       bytes.append(reinterpret_cast<const char*>(run.values() + slot.offset),
                    static_cast<std::size_t>(slot.size) * sizeof(double));
     }
 }
 
-void set(Executor& run, const std::string& name, const std::string& value) {
-  REQUIRE(run.set(name, value) == Executor::Setting::done);
+void set(run::Executor& run, const std::string& name, const std::string& value) {
+  REQUIRE(run.set(name, value) == run::Executor::Setting::done);
 }
 
-std::string of_rig(const Plan& plan) {
-  Executor run(plan);
+std::string of_rig(const plan::Plan& plan) {
+  run::Executor run(plan);
   run.reset();
-  Workspace kept;
+  run::Workspace kept;
   std::string bytes;
   const auto step = [&] {
     const double lift = 0.01 * static_cast<double>(run.tick());
@@ -76,10 +76,10 @@ std::string of_rig(const Plan& plan) {
   return bytes;
 }
 
-std::string of_rack(const Plan& plan) {
-  Executor run(plan);
+std::string of_rack(const plan::Plan& plan) {
+  run::Executor run(plan);
   run.reset();
-  Workspace kept;
+  run::Workspace kept;
   std::string bytes;
   const auto step = [&] {
     const double force = 0.5 * static_cast<double>(run.tick());
@@ -121,24 +121,25 @@ TEST_CASE(
   folder.file("part.yaml", part_yaml);
   folder.file("rig.yaml", rig_yaml);
   folder.file("rack.yaml", rack_yaml);
-  const Plan rig = plan_file(folder, "rig.yaml"), rack = plan_file(folder, "rack.yaml");
+  const plan::Plan rig = plan_file(folder, "rig.yaml"), rack = plan_file(folder, "rack.yaml");
   write_program(folder, rig, "rig");
   write_program(folder, rack, "rack");
   folder.file("consumer.cpp", cpp_consumer);
   folder.file("consumer.c", c_consumer);
   folder.file("CMakeLists.txt", project);
   const std::string build = folder.path("build");
-  REQUIRE(run_process({.command = {"cmake", "-S", folder.path(""), "-B", build, "-G", "Ninja"}}).succeeded());
-  const ProcessResult built =
-      run_process({.command = {"cmake", "--build", build}, .limit = compiler_limit()});
+  REQUIRE(subprocess::run_process({.command = {"cmake", "-S", folder.path(""), "-B", build, "-G", "Ninja"}})
+              .succeeded());
+  const subprocess::ProcessResult built = subprocess::run_process(
+      {.command = {"cmake", "--build", build}, .limit = subprocess::compiler_limit()});
   INFO(built.output << built.errors);
   REQUIRE(built.succeeded());
   CHECK_FALSE(std::filesystem::exists(build + "/rig/bin/rig_diagram"));  // only where it is wanted
-  const ProcessResult cpp = run_process({.command = {build + "/cpp"}});
+  const subprocess::ProcessResult cpp = subprocess::run_process({.command = {build + "/cpp"}});
   INFO(cpp.errors);
   CHECK(cpp.status == 0);
   CHECK(difference(cpp.output, of_rig(rig)) == "");
-  const ProcessResult c = run_process({.command = {build + "/c"}});
+  const subprocess::ProcessResult c = subprocess::run_process({.command = {build + "/c"}});
   CHECK(c.status == 0);
   CHECK(difference(c.output, of_rack(rack)) == "");
 }
@@ -147,7 +148,7 @@ TEST_CASE("a generated program shows which parameters cannot change, and why") {
   const Scratch folder;
   folder.file("part.yaml", part_yaml);
   folder.file("rig.yaml", rig_yaml);
-  const Plan plan = plan_file(folder, "rig.yaml");
+  const plan::Plan plan = plan_file(folder, "rig.yaml");
   const Tuning tuning = tuning_of(plan);
   REQUIRE(tuning.fixed.size() == 1);
   CHECK(tuning.fixed[0].name == "wait");
@@ -163,7 +164,7 @@ TEST_CASE("a generated program shows which parameters cannot change, and why") {
 }
 
 TEST_CASE("with no parameters to change every number stands in the code") {
-  const Plan plan = plan_text(
+  const plan::Plan plan = plan_text(
       "parameters: {k: 0.5}\nblocks:\n  wave: {block: Sine}\n  half: {block: Gain, gain: $k, u: wave}\n");
   const auto text = [&](const Tuning& tuning) {
     return program_files(plan, tuning, {"rig", "a test", false}).at("rig.cpp");
@@ -171,3 +172,5 @@ TEST_CASE("with no parameters to change every number stands in the code") {
   CHECK_THAT(text({}), Catch::Contains("b.gain = 0.5;") && !Catch::Contains("follow_parameters"));
   CHECK_THAT(text(tuning_of(plan)), Catch::Contains("b.gain = numbers[0];"));
 }
+
+}  // namespace stepwire::codegen

@@ -9,7 +9,7 @@
 #include "tests/engine/app/cli/hostile.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 
-using namespace stepwire;
+namespace stepwire::codegen {
 
 TEST_CASE("Whatever a text holds, its comment is one line that ends nothing and goes on nowhere") {
   for (const std::string& text : hostile_texts()) {
@@ -51,11 +51,13 @@ TEST_CASE("A compiler takes comments for comments and reads string literals back
   source += "}\n";
   std::ofstream(folder.path("words.cpp"), std::ios::binary) << source;
   for (const std::string flag : {"-std=c++20", "-trigraphs"}) {
-    const ProcessResult built =
-        run_process({.command = {"c++", "-Wall", "-Wextra", "-Werror", "-Wno-trigraphs", flag, "-o",
-                                 folder.path("words"), folder.path("words.cpp")}});
+    const subprocess::ProcessResult built =
+        subprocess::run_process({.command = {"c++", "-Wall", "-Wextra", "-Werror", "-Wno-trigraphs", flag,
+                                             "-o", folder.path("words"), folder.path("words.cpp")}});
     INFO(built.errors);
     REQUIRE(built.succeeded());
-    CHECK(run_process({.command = {folder.path("words")}}).output == wanted);
+    CHECK(subprocess::run_process({.command = {folder.path("words")}}).output == wanted);
   }
 }
+
+}  // namespace stepwire::codegen

@@ -6,7 +6,7 @@
 #include "engine/simulate/codegen/compiler.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 
-using namespace stepwire;
+namespace stepwire::codegen {
 
 TEST_CASE("precompiled headers are taken by a compilation with the same flags, and by no other") {
   const Compiler compiler;
@@ -24,7 +24,7 @@ TEST_CASE("precompiled headers are taken by a compilation with the same flags, a
                    {flag, "-fno-tree-pta", "-fno-tree-slp-vectorize", "-fPIC", "-H", "-fsyntax-only",
                     "-include", scratch.path("headers/standard.hpp"), source});
     // GCC's manual: -H marks a precompiled header that is used with "!".
-    return run_process({.command = command}).errors.find("! ") != std::string::npos;
+    return subprocess::run_process({.command = command}).errors.find("! ") != std::string::npos;
   };
   CHECK(takes(Compiler::native));
   CHECK_FALSE(takes("-fno-exceptions"));
@@ -40,3 +40,5 @@ TEST_CASE("what a compiler says of flags that it does not know is told") {
   CHECK(compiler.precompile(scratch.path("headers"), {"-fno-such-flag"}).find("no-such-flag") !=
         std::string::npos);
 }
+
+}  // namespace stepwire::codegen

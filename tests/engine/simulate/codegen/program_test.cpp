@@ -9,7 +9,7 @@
 #include "engine/simulate/codegen/literals.hpp"
 #include "tests/support/plan_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::codegen {
 using Catch::Contains;
 
 namespace {
@@ -69,11 +69,11 @@ TEST_CASE("each call names its block and the line of the file") {
 TEST_CASE("a block without a header is refused with its name and its line") {
   Registry registry;
   registry.add<Foreign>("test");
-  const Plan plan = plan_text("blocks:\n  odd: {block: Foreign, u: 1}\n", {}, registry);
+  const plan::Plan plan = plan_text("blocks:\n  odd: {block: Foreign, u: 1}\n", {}, registry);
   try {
     make_program(plan);
     FAIL("it is not refused");
-  } catch (const Error& error) {
+  } catch (const yaml::Error& error) {
     CHECK(std::string(error.what()) ==
           "test.yaml:2:8: odd: Foreign cannot be generated: no header declares its struct");
   }
@@ -85,21 +85,22 @@ TEST_CASE("a small program is written out, and a large one of like blocks become
 }
 
 TEST_CASE("numbers that a parameter changes are read from the run, all others are written") {
-  const Plan plan = plan_text(
+  const plan::Plan plan = plan_text(
       "parameters: {k: 0.5}\nblocks:\n  half: {block: Gain, gain: $k, u: 1}\n"
       "  third: {block: Gain, gain: 0.25, u: half}\n");
-  const auto variable = variable_blocks(plan, Variation(plan.diagram, {"k"}));
+  const auto variable = plan::variable_blocks(plan, diagram::Variation(plan.diagram, {"k"}));
   const std::string text = make_steps(plan, variable).text;
   CHECK(text.find("b.gain = numbers[") == std::string::npos);  // what is constant is computed once, elsewhere
-  const Plan moving = plan_text(
+  const plan::Plan moving = plan_text(
       "parameters: {k: 0.5}\nblocks:\n  wave: {block: Sine}\n  half: {block: Gain, gain: $k, u: wave}\n"
       "  third: {block: Gain, gain: 0.25, u: half}\n");
   const std::string moved =
-      make_steps(moving, variable_blocks(moving, Variation(moving.diagram, {"k"}))).text;
+      make_steps(moving, plan::variable_blocks(moving, diagram::Variation(moving.diagram, {"k"}))).text;
   CHECK_THAT(moved, Contains("b.gain = numbers[0];"));
   CHECK_THAT(moved, Contains("b.gain = 0.25;"));
-  const NumberTable numbers(moving, variable_blocks(moving, Variation(moving.diagram, {"k"})),
-                            [&](std::size_t b) { return moving.diagram.blocks[b].block.get(); });
+  const plan::NumberTable numbers(moving,
+                                  plan::variable_blocks(moving, diagram::Variation(moving.diagram, {"k"})),
+                                  [&](std::size_t b) { return moving.diagram.blocks[b].block.get(); });
   REQUIRE(numbers.size() == 1);
   CHECK(numbers.data()[0] == 0.5);
 }
@@ -115,12 +116,13 @@ TEST_CASE("lists of any length share a program where they vary") {
                      "]}\nblocks:\n  wave: {block: Sine}\n"
                      "  curve: {block: LookupTable, u: wave, points: $x, values: $y}\n");
   };
-  const Plan one = plan_of(100), other = plan_of(300);
-  auto variable = variable_blocks(one, Variation(one.diagram, {"x", "y"}));
+  const plan::Plan one = plan_of(100), other = plan_of(300);
+  auto variable = plan::variable_blocks(one, diagram::Variation(one.diagram, {"x", "y"}));
   CHECK(make_steps(one, variable).text != make_steps(other, variable).text);  // the length stands in the text
-  widen(variable, one, [&](std::size_t b) { return other.diagram.blocks[b].block.get(); });
-  const auto size_of = [&](const Plan& plan) {
-    return NumberTable(plan, variable, [&](std::size_t b) { return plan.diagram.blocks[b].block.get(); })
+  plan::widen(variable, one, [&](std::size_t b) { return other.diagram.blocks[b].block.get(); });
+  const auto size_of = [&](const plan::Plan& plan) {
+    return plan::NumberTable(plan, variable,
+                             [&](std::size_t b) { return plan.diagram.blocks[b].block.get(); })
         .size();
   };
   CHECK(size_of(other) == size_of(one) + 400);
@@ -130,11 +132,11 @@ TEST_CASE("lists of any length share a program where they vary") {
 
 TEST_CASE(
     "where a parameter varies, what its block computes is read from the run, other parameters are not") {
-  const Plan plan = plan_text(
+  const plan::Plan plan = plan_text(
       "step: 1 ms\nsolver: rk4\nparameters: {beta: 3, high: 20}\nblocks:\n  wave: {block: Sine}\n"
       "  damper: {block: RotaryMRDamper, velocity: wave, current: 0.5 A, beta: $beta, alpha: [$high, 5]}\n");
   const auto text = [&](const std::string& name) {
-    return make_steps(plan, variable_blocks(plan, Variation(plan.diagram, {name}))).text;
+    return make_steps(plan, plan::variable_blocks(plan, diagram::Variation(plan.diagram, {name}))).text;
   };
   CHECK_THAT(text("beta"), Contains("b.beta = numbers[0];"));
   CHECK_THAT(text("beta"), Contains("b.factors = {numbers[1], numbers[2], numbers[3]};"));
@@ -147,3 +149,5 @@ TEST_CASE(
 TEST_CASE("the same diagram gives the same text") {
   CHECK(program_of(gains(3)) == program_of(gains(3)));
 }
+
+}  // namespace stepwire::codegen

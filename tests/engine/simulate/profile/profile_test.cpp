@@ -7,7 +7,7 @@
 #include "engine/simulate/run/executor.hpp"
 #include "tests/support/plan_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::profile {
 
 namespace {
 
@@ -70,7 +70,7 @@ double fake_clock() {
 
 Profile profile_of(const std::string& yaml) {
   static const Registry registry = with_slow_blocks();
-  const Plan plan = plan_text(yaml, {}, registry);
+  const plan::Plan plan = plan_text(yaml, {}, registry);
   return profile_plan(plan, {fake_clock});
 }
 
@@ -165,3 +165,5 @@ TEST_CASE("a profile ends where its run ends: at stop_when, at a value that is n
   CHECK(failed.ticks < 10);
   CHECK(block(failed, "up").phases[1].calls == failed.ticks + 1);
 }
+
+}  // namespace stepwire::profile

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <sstream>
 
-using stepwire::CyclictestHistogram;
+namespace stepwire::realtime {
 
 namespace {
 
@@ -46,3 +46,5 @@ TEST_CASE("the histogram of cyclictest is read with its overflows, and adds up o
     CHECK(histogram.max() == 61);
   }
 }
+
+}  // namespace stepwire::realtime

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-using namespace stepwire;
+namespace stepwire::realtime {
 
 namespace {
 
@@ -98,3 +98,5 @@ TEST_CASE("the words for overruns are read, and nothing else") {
     CHECK_FALSE(parse_overrun(text));
   }
 }
+
+}  // namespace stepwire::realtime

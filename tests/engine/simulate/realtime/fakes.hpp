@@ -12,7 +12,7 @@ namespace stepwire {
 inline constexpr std::int64_t ms = 1'000'000;  // [ns]
 
 /// A clock that goes on only where a test says so.
-class FakeClock : public LoopClock {
+class FakeClock : public realtime::LoopClock {
  public:
   std::int64_t now() override { return now_; }
   void sleep_until(std::int64_t deadline) override {
@@ -35,7 +35,7 @@ class FakeClock : public LoopClock {
 };
 
 /// An outside world that keeps what it is given, and takes time where a test says so.
-class FakeDevice : public Device {
+class FakeDevice : public realtime::Device {
  public:
   explicit FakeDevice(FakeClock& clock) : clock_(clock) {}
 
@@ -77,13 +77,13 @@ record: [count]
 
 /// A loop over a diagram with a clock and an outside world of the test's own.
 struct LoopRig {
-  explicit LoopRig(const std::string& yaml, const LoopOptions& options = {},
+  explicit LoopRig(const std::string& yaml, const realtime::LoopOptions& options = {},
                    std::size_t ring_numbers = 1 << 16)
       : plan(plan_text(yaml)),
         ring(ring_numbers),
         recorder(plan, ring),
         loop(plan, options, device, clock, &recorder) {
-    for (const DiagramOutput& output : plan.diagram.outputs)
+    for (const diagram::DiagramOutput& output : plan.diagram.outputs)
       device.size += static_cast<std::size_t>(plan.slot(output.signal).size);
   }
 
@@ -95,17 +95,18 @@ struct LoopRig {
     return rows;
   }
 
-  Plan plan;
+  plan::Plan plan;
   FakeClock clock;
   FakeDevice device{clock};
-  RowRing ring;
-  LoopRecorder recorder;
-  Loop loop;
+  realtime::RowRing ring;
+  realtime::LoopRecorder recorder;
+  realtime::Loop loop;
 };
 
-inline LoopOptions options_of(std::int64_t deadlines, Overrun::Kind kind = Overrun::Kind::skip,
-                              std::int64_t misses = 0) {
-  LoopOptions options;
+inline realtime::LoopOptions options_of(std::int64_t deadlines,
+                                        realtime::Overrun::Kind kind = realtime::Overrun::Kind::skip,
+                                        std::int64_t misses = 0) {
+  realtime::LoopOptions options;
   options.deadlines = deadlines;
   options.overrun = {kind, misses};
   return options;

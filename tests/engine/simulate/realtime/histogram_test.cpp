@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-using stepwire::Histogram;
+namespace stepwire::realtime {
 
 namespace {
 
@@ -71,3 +71,5 @@ TEST_CASE("what is below 0 or beyond the last bin is counted all the same") {
   CHECK(histogram.count_in(Histogram::bins() - 1) == 1);
   CHECK(histogram.quantile(1.0) == hours);
 }
+
+}  // namespace stepwire::realtime

@@ -4,7 +4,7 @@
 #include "blocks/register.hpp"
 #include "tests/engine/simulate/realtime/fakes.hpp"
 
-using namespace stepwire;
+namespace stepwire::realtime {
 
 namespace {
 
@@ -104,7 +104,7 @@ TEST_CASE("a wake-up runs the ticks of one period, and writes what the first of 
 }
 
 TEST_CASE("outputs are written before the states are advanced") {
-  const Plan plan = plan_text(
+  const plan::Plan plan = plan_text(
       "step: 1 ms\noutputs: {held: held}\nblocks:\n  held: {block: Laborious, u: wave}\n"
       "  wave: {block: Sine, frequency: 1 Hz}\n",
       {}, with_test_blocks());
@@ -121,7 +121,7 @@ TEST_CASE("outputs are written before the states are advanced") {
 }
 
 TEST_CASE("the cost of a block type is sampled where it arises") {
-  const Plan plan = plan_text(
+  const plan::Plan plan = plan_text(
       "step: 1 ms\nblocks:\n  a: {block: Laborious, u: wave}\n  b: {block: Laborious, u: wave}\n"
       "  wave: {block: Sine, frequency: 1 Hz}\n  half: {block: Gain, gain: 0.5, u: wave}\n",
       {}, with_test_blocks());
@@ -144,7 +144,7 @@ TEST_CASE("the cost of a block type is sampled where it arises") {
 }
 
 TEST_CASE("a loop that stops hands out the safe values before it advances the states") {
-  const Plan plan = plan_text(
+  const plan::Plan plan = plan_text(
       "step: 1 ms\noutputs: {held: {signal: held, safe: 7}}\nblocks:\n  held: {block: Laborious, u: wave}\n"
       "  wave: {block: Sine, frequency: 1 Hz}\n",
       {}, with_test_blocks());
@@ -162,7 +162,7 @@ TEST_CASE("a loop that stops hands out the safe values before it advances the st
 }
 
 TEST_CASE("an interrupt ends the loop at its next wake-up with the safe values") {
-  const Plan plan = plan_text(counting_yaml);
+  const plan::Plan plan = plan_text(counting_yaml);
   FakeClock clock;
   FakeDevice device(clock);
   device.size = 1;
@@ -226,17 +226,17 @@ TEST_CASE("a loop that is served in slices goes on where it was, safe in between
 }
 
 TEST_CASE("a block that is not fit for a loop is refused with its place and why") {
-  const Plan plan = plan_text("blocks:\n  log: {block: Reader}\n", {}, with_test_blocks());
+  const plan::Plan plan = plan_text("blocks:\n  log: {block: Reader}\n", {}, with_test_blocks());
   CHECK_THROWS_WITH(require_fit_for_loop(plan),
                     "test.yaml:2:8: log: Reader is not fit for a real-time loop: it reads a file at every "
                     "step; 'stepwire run' takes it");
   FakeClock clock;
   FakeDevice device(clock);
-  CHECK_THROWS_AS(Loop(plan, options_of(1), device, clock, nullptr), Error);
+  CHECK_THROWS_AS(Loop(plan, options_of(1), device, clock, nullptr), yaml::Error);
 }
 
 TEST_CASE("a period that is no whole number of steps is refused with both and with what would be right") {
-  const Plan plan = plan_text("step: 1 ms\nstop: 1 s\nblocks:\n  one: {block: Constant, value: 1}\n");
+  const plan::Plan plan = plan_text("step: 1 ms\nstop: 1 s\nblocks:\n  one: {block: Constant, value: 1}\n");
   CHECK(ticks_per_period(plan.diagram, 1000.0) == 1);
   CHECK(ticks_per_period(plan.diagram, 100.0) == 10);
   CHECK_THROWS_WITH(ticks_per_period(plan.diagram, 1500.0),
@@ -245,3 +245,5 @@ TEST_CASE("a period that is no whole number of steps is refused with both and wi
   CHECK_THROWS_WITH(ticks_per_period(plan.diagram, 400.0),
                     Catch::Contains("a rate of 333.333333 Hz") || Catch::Contains("a rate of 500 Hz"));
 }
+
+}  // namespace stepwire::realtime

@@ -4,7 +4,7 @@
 
 #include "tests/engine/simulate/realtime/fakes.hpp"
 
-using namespace stepwire;
+namespace stepwire::realtime {
 
 namespace {
 
@@ -138,3 +138,5 @@ TEST_CASE("the worst of each stretch of deadlines is kept where it happened") {
   CHECK(worst[199].response == ms / 2);
   CHECK(worst[199].wake_up == 0);
 }
+
+}  // namespace stepwire::realtime

@@ -9,7 +9,7 @@
 #include "tests/engine/base/table/scratch.hpp"
 #include "tests/engine/simulate/realtime/fakes.hpp"
 
-using namespace stepwire;
+namespace stepwire::realtime {
 
 namespace {
 
@@ -76,14 +76,14 @@ TEST_CASE("after a jam the rows go on with the tick that is then") {
 }
 
 TEST_CASE("the files have time, tick and wall, and the signals as a run names them") {
-  const Plan plan = plan_text(two_rates_yaml);
+  const plan::Plan plan = plan_text(two_rates_yaml);
   const auto files = loop_files(plan);
   REQUIRE(files.size() == 3);
   CHECK(files[0].name == "signals.csv");
   CHECK(files[1].name == "signals-2.csv");
   CHECK(files[2].name == "inputs.csv");
   std::string heads;
-  for (const LoopFile& file : files) append_csv_head(heads, file.columns);
+  for (const LoopFile& file : files) table::append_csv_head(heads, file.columns);
   CHECK(heads ==
         "time [s],tick,wall [s],wave\n"
         "time [s],tick,wall [s],push.1 [N],push.2 [N]\n"
@@ -98,15 +98,16 @@ TEST_CASE("what a loop records is what a run records, to the last bit") {
   writer.finish();
   CHECK(writer.rows() == rig.recorder.rows());
   CHECK(writer.lost() + rig.recorder.lost() == 0);
-  const RunResult run = run_plan(plan_text(two_rates_yaml + "stop: 1.999 s\n"));
+  const run::RunResult run = run::run_plan(plan_text(two_rates_yaml + "stop: 1.999 s\n"));
   for (const std::size_t file : {0u, 1u}) {
-    const Table loop = read_csv(scratch.path(file == 0 ? "out/signals.csv" : "out/signals-2.csv"));
-    for (Column column : run.recordings[file].table.columns) {
+    const table::Table loop =
+        table::read_csv(scratch.path(file == 0 ? "out/signals.csv" : "out/signals-2.csv"));
+    for (table::Column column : run.recordings[file].table.columns) {
       column.values.resize(loop.rows());  // a run records its last tick, too, where the period skips it
       CHECK(loop.find(column.name)->values == column.values);
     }
   }
-  const Table inputs = read_csv(scratch.path("out/inputs.csv"));
+  const table::Table inputs = table::read_csv(scratch.path("out/inputs.csv"));
   CHECK(inputs.rows() == 2000);
   CHECK(inputs.find("tick")->values.back() == 1999);
   CHECK(inputs.find("force.2")->values.back() == 2.0);
@@ -119,7 +120,7 @@ TEST_CASE("ticks are written in all digits") {
   const double row[3] = {0, 100.0, 100'000};
   CHECK(ring.push(row, 3));
   writer.finish();
-  CHECK(read_file(scratch.path("out/a.csv")) == "time [s],tick\n100,100000\n");
+  CHECK(io::read_file(scratch.path("out/a.csv")) == "time [s],tick\n100,100000\n");
 }
 
 TEST_CASE("a disk that fills up loses rows, which are counted, and the files keep whole rows") {
@@ -140,13 +141,15 @@ TEST_CASE("a disk that fills up loses rows, which are counted, and the files kee
   CHECK(writer.lost() > 0);
   CHECK(writer.rows() + writer.lost() == 20'000);
   CHECK(writer.trouble() == scratch.path("out/signals.csv") + ": File too large");
-  const Table table = read_csv(scratch.path("out/signals.csv"));
+  const table::Table table = table::read_csv(scratch.path("out/signals.csv"));
   CHECK(static_cast<std::int64_t>(table.rows()) == writer.rows());
 }
 
 TEST_CASE("a signal with the name of a column of the loop is refused") {
-  const Plan plan = plan_text("blocks:\n  tick: {block: Constant, value: 1}\nrecord: [tick]\n");
+  const plan::Plan plan = plan_text("blocks:\n  tick: {block: Constant, value: 1}\nrecord: [tick]\n");
   CHECK_THROWS_WITH(loop_files(plan),
                     "test.yaml:3:10: tick: is also the name of a column that a loop records; give the block "
                     "another name");
 }
+
+}  // namespace stepwire::realtime

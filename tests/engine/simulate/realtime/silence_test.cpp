@@ -12,7 +12,7 @@
 #include "engine/simulate/realtime/allocations.hpp"
 #include "tests/engine/simulate/realtime/fakes.hpp"
 
-using namespace stepwire;
+namespace stepwire::realtime {
 
 namespace {
 
@@ -93,7 +93,7 @@ TEST_CASE("two thousand wake-ups make no system call but what the clock's sleep 
     WARN("skipped: a thread of the sanitizer is part of every program");
     return;
   }
-  const Plan plan = plan_text(busy_yaml);
+  const plan::Plan plan = plan_text(busy_yaml);
   RowRing ring(1 << 14);  // it runs full, which must go without a call too
   LoopRecorder recorder(plan, ring);
   const pid_t child = fork();
@@ -113,3 +113,5 @@ TEST_CASE("two thousand wake-ups make no system call but what the clock's sleep 
   CHECK(WIFEXITED(status));
   CHECK(WEXITSTATUS(status) == 0);
 }
+
+}  // namespace stepwire::realtime

@@ -11,7 +11,7 @@
 #include "engine/simulate/realtime/serve.hpp"
 #include "tests/engine/simulate/realtime/fakes.hpp"
 
-using namespace stepwire;
+namespace stepwire::realtime {
 
 namespace {
 
@@ -55,7 +55,7 @@ TEST_CASE("the real clock never wakes before its deadline, asleep or spinning") 
 }
 
 TEST_CASE("a loop in a thread of its own serves all its deadlines and says how the thread ran") {
-  const Plan plan = plan_text(counting_yaml);
+  const plan::Plan plan = plan_text(counting_yaml);
   SystemClock clock;
   NoDevice device;
   Loop loop(plan, options_of(20), device, clock, nullptr);
@@ -103,3 +103,5 @@ TEST_CASE("a machine knows its processor and its kernel") {
   CHECK_FALSE(machine.kernel.empty());
   CHECK_FALSE(allowed_cpus().empty());
 }
+
+}  // namespace stepwire::realtime

@@ -4,10 +4,10 @@
 #include "tests/support/plan_text.hpp"
 #include "tests/support/run_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::record {
 
 TEST_CASE("record takes several periods, states, vectors and all, each signal once") {
-  const RunResult result = result_of(R"(blocks:
+  const run::RunResult result = result_of(R"(blocks:
   v: {block: Constant, value: [1, 2]}
   x: {block: Integrator, u: v}
 solver: rk4
@@ -21,7 +21,8 @@ record:
   REQUIRE(result.recordings.size() == 3);
   const auto names = [&](std::size_t recording) {
     std::vector<std::string> list;
-    for (const Column& column : result.recordings[recording].table.columns) list.push_back(column.name);
+    for (const table::Column& column : result.recordings[recording].table.columns)
+      list.push_back(column.name);
     return list;
   };
   CHECK(names(0) == std::vector<std::string>{"time", "v.1", "v.2"});
@@ -37,13 +38,14 @@ TEST_CASE("a recording that no memory holds is refused before the run") {
   const DiagramFolder folder;
   folder.write("long.yaml",
                "stepwire: 1\nstep: 1 ns\nstop: 1000 s\nblocks:\n  c: {block: Clock}\nrecord: c\n");
-  Loader loader(library());
-  REQUIRE_THROWS_WITH(make_job(loader, folder.path("long.yaml")),
+  diagram::Loader loader(library());
+  REQUIRE_THROWS_WITH(run::make_job(loader, folder.path("long.yaml")),
                       Catch::Contains("long.yaml:6:9: record") && Catch::Contains("GB"));
 }
 
 TEST_CASE("a recorder that goes back replaces what it kept from there on") {
-  const Plan plan = plan_text("blocks:\n  t: {block: Clock}\nstop: 9 s\nrecord: {every: 2 s, signals: t}\n");
+  const plan::Plan plan =
+      plan_text("blocks:\n  t: {block: Clock}\nstop: 9 s\nrecord: {every: 2 s, signals: t}\n");
   RunRecording recording(plan);
   Recorder& recorder = recording.recorders().front();
   std::vector<double> values(plan.layout.size, 1.0);
@@ -54,3 +56,5 @@ TEST_CASE("a recorder that goes back replaces what it kept from there on") {
   CHECK(column(recording.take().front().table, "t") ==
         std::vector<double>{1, 1, 2, 2});  // at 0, 2, 4 and 6 s
 }
+
+}  // namespace stepwire::record

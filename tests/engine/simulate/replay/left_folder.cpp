@@ -10,15 +10,15 @@
 namespace stepwire {
 
 void leave(const DiagramFolder& folder, const std::string& file, const std::string& out) {
-  Loader loader(library());
-  const LoadedModel model = load_model(loader, folder.path(file), {});
-  write_replay(folder.path(out), model.job);
-  write_outputs(folder.path(out), model, run_model(model, {}));
+  diagram::Loader loader(library());
+  const session::LoadedModel model = session::load_model(loader, folder.path(file), {});
+  replay::write_replay(folder.path(out), model.job);
+  session::write_outputs(folder.path(out), model, session::run_model(model, {}));
 }
 
 void change(const DiagramFolder& folder, const std::string& file, const std::string& what,
             const std::string& by) {
-  std::string content = read_file(folder.path(file));
+  std::string content = io::read_file(folder.path(file));
   const std::size_t at = content.find(what);
   REQUIRE(at != std::string::npos);
   folder.write(file, content.replace(at, what.size(), by));
@@ -27,10 +27,10 @@ void change(const DiagramFolder& folder, const std::string& file, const std::str
 std::string verdict_of(const DiagramFolder& folder, const std::string& out) {
   std::string text;
   try {
-    text = verification_text(verify(folder.path(out), library()));
-  } catch (const Error& error) {
+    text = replay::verification_text(replay::verify(folder.path(out), library()));
+  } catch (const yaml::Error& error) {
     text = error.what();
-  } catch (const TableError& error) {
+  } catch (const table::TableError& error) {
     text = error.what();
   }
   const std::string place = folder.path(out) + "/";

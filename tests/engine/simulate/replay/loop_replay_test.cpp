@@ -4,7 +4,7 @@
 
 #include "tests/engine/simulate/replay/left_folder.hpp"
 
-using namespace stepwire;
+namespace stepwire::replay {
 
 namespace {
 
@@ -114,3 +114,5 @@ TEST_CASE(
   folder.write("out/inputs.csv", inputs);
   CHECK(verdict_of(folder, "out") == "3 signals in 4 rows: all bits agree; 3 rows are lost");
 }
+
+}  // namespace stepwire::replay

@@ -8,7 +8,7 @@
 #include "engine/model/diagram/flatten.hpp"
 #include "tests/support/plan_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::replay {
 
 namespace {
 
@@ -25,9 +25,9 @@ std::set<std::string> names_in(const std::string& folder) {
   return names;
 }
 
-Job job_of(const DiagramFolder& folder, const std::string& file) {
-  Loader loader(library());
-  return make_job(loader, folder.path(file));
+run::Job job_of(const DiagramFolder& folder, const std::string& file) {
+  diagram::Loader loader(library());
+  return run::make_job(loader, folder.path(file));
 }
 
 }  // namespace
@@ -43,15 +43,15 @@ TEST_CASE(
   other: {block: FromFile, file: b/rows.csv, column: x}
 record: [one, same, other]
 )");
-  const Plan plan = folder.plan("main.yaml");
+  const plan::Plan plan = folder.plan("main.yaml");
   write_replay(folder.path("out"), plan);
   CHECK(names_in(folder.path("out/inputs")) == std::set<std::string>{"rows.csv", "rows-2.csv"});
-  const std::string hash = diagram_hash(plan.diagram);
+  const std::string hash = diagram::diagram_hash(plan.diagram);
   std::filesystem::remove_all(folder.path("a"));
   std::filesystem::remove_all(folder.path("b"));
-  const Plan kept = folder.plan("out/diagram.yaml");
-  CHECK(diagram_hash(kept.diagram) == hash);
-  const Table table = run_plan(kept).recordings.at(0).table;
+  const plan::Plan kept = folder.plan("out/diagram.yaml");
+  CHECK(diagram::diagram_hash(kept.diagram) == hash);
+  const table::Table table = run::run_plan(kept).recordings.at(0).table;
   CHECK(table.columns.at(1).values == std::vector<double>{0, 1, 2});
   CHECK(table.columns.at(2).values == table.columns.at(1).values);
   CHECK(table.columns.at(3).values == std::vector<double>{0, 3, 6});
@@ -91,11 +91,11 @@ blocks: {a: {block: FromFile, file: $file, column: x}, b: {block: Gain, u: a, ga
 record: b
 sweep: {file: [low.csv, high.csv], gain: [1, 10]}
 )");
-  const Job job = job_of(folder, "main.yaml");
+  const run::Job job = job_of(folder, "main.yaml");
   write_replay(folder.path("out"), job);
   CHECK(names_in(folder.path("out")) == std::set<std::string>{"diagram.yaml", "sweep.csv", "inputs"});
   CHECK(names_in(folder.path("out/inputs")) == std::set<std::string>{"low.csv", "high.csv"});
-  CHECK(read_file(folder.path("out/sweep.csv")) ==
+  CHECK(io::read_file(folder.path("out/sweep.csv")) ==
         "a.file,b.gain\ninputs/low.csv,1\ninputs/low.csv,10\ninputs/high.csv,1\ninputs/high.csv,10\n");
 }
 
@@ -106,7 +106,7 @@ blocks: {a: {block: Constant, value: $rows}, b: {block: Gain, u: a, gain: $gain}
 record: b
 sweep: {rows: [1, "= 2 + 3"], gain: [1, 10]}
 )");
-  const Job job = job_of(folder, "main.yaml");
+  const run::Job job = job_of(folder, "main.yaml");
   CHECK(job.family->size() == 1);
   folder.write("times.yaml", head + R"(parameters: {gain: 1}
 blocks: {a: {block: Constant, value: 1}, b: {block: Gain, u: a, gain: $gain}}
@@ -116,7 +116,7 @@ sweep: {step: [0.5 s, 1 s], gain: [1, 10]}
   write_replay(folder.path("out"), job_of(folder, "times.yaml"));
   CHECK(names_in(folder.path("out")) == std::set<std::string>{"diagrams", "sweep.csv"});
   CHECK(names_in(folder.path("out/diagrams")) == std::set<std::string>{"0001.yaml", "0002.yaml"});
-  CHECK(read_file(folder.path("out/sweep.csv")) ==
+  CHECK(io::read_file(folder.path("out/sweep.csv")) ==
         "diagram,b.gain\ndiagrams/0001.yaml,1\ndiagrams/0001.yaml,10\ndiagrams/0002.yaml,1\n"
         "diagrams/0002.yaml,10\n");
 }
@@ -126,17 +126,19 @@ TEST_CASE("a run of what was left may be left in the same folder") {
   folder.write("rows.csv", rows(2));
   folder.write("main.yaml", head + "blocks: {a: {block: FromFile, file: rows.csv, column: x}}\nrecord: a\n");
   write_replay(folder.path("out"), folder.plan("main.yaml"));
-  const std::string before = read_file(folder.path("out/diagram.yaml"));
+  const std::string before = io::read_file(folder.path("out/diagram.yaml"));
   write_replay(folder.path("out"), folder.plan("out/diagram.yaml"));
-  CHECK(read_file(folder.path("out/diagram.yaml")) == before);
-  CHECK(read_file(folder.path("out/inputs/rows.csv")) == rows(2));
+  CHECK(io::read_file(folder.path("out/diagram.yaml")) == before);
+  CHECK(io::read_file(folder.path("out/inputs/rows.csv")) == rows(2));
 }
 
 TEST_CASE("a data file that is gone is a matter of the surroundings") {
   const DiagramFolder folder;
   folder.write("rows.csv", rows(2));
   folder.write("main.yaml", head + "blocks: {a: {block: FromFile, file: rows.csv, column: x}}\nrecord: a\n");
-  const Plan plan = folder.plan("main.yaml");
+  const plan::Plan plan = folder.plan("main.yaml");
   std::filesystem::remove(folder.path("rows.csv"));
-  CHECK_THROWS_AS(write_replay(folder.path("out"), plan), EnvironmentError);
+  CHECK_THROWS_AS(write_replay(folder.path("out"), plan), io::EnvironmentError);
 }
+
+}  // namespace stepwire::replay

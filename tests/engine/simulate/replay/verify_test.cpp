@@ -7,7 +7,7 @@
 #include "engine/simulate/replay/recorded.hpp"
 #include "tests/engine/simulate/replay/left_folder.hpp"
 
-using namespace stepwire;
+namespace stepwire::replay {
 
 namespace {
 
@@ -38,7 +38,7 @@ TEST_CASE("a changed number is named with its line, signal, time and both values
   const DiagramFolder folder;
   folder.write("main.yaml", line);
   leave(folder, "main.yaml", "out");
-  REQUIRE(read_file(folder.path("out/signals.csv")) ==
+  REQUIRE(io::read_file(folder.path("out/signals.csv")) ==
           "time [s],t [s],rig.x [m]\n0,0,0\n0.25,0.25,0.5\n0.5,0.5,1\n0.75,0.75,1.5\n1,1,2\n");
   const auto verdict_with = [&](const std::string& what, const std::string& by) {
     leave(folder, "main.yaml", "out");
@@ -184,3 +184,5 @@ TEST_CASE("numbers are the same where their bits are, and nan where both are") {
   CHECK_FALSE(same_bits(NAN, INFINITY));
   CHECK(same_bits(INFINITY, INFINITY));
 }
+
+}  // namespace stepwire::replay

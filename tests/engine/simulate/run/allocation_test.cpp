@@ -3,11 +3,11 @@
 #include "tests/support/allocations.hpp"
 #include "tests/support/plan_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::run {
 
 TEST_CASE("a step allocates nothing, with any solver") {
-  for (const SolverKind& kind : solver_kinds()) {
-    const Plan plan = plan_text(R"(step: 1 ms
+  for (const solve::SolverKind& kind : solve::solver_kinds()) {
+    const plan::Plan plan = plan_text(R"(step: 1 ms
 stop: 20 s
 blocks:
   noise: {block: Noise, seed: 1, every: 10 ms}
@@ -32,3 +32,5 @@ solver: )" + kind.name);
     CHECK(simulation.healthy());
   }
 }
+
+}  // namespace stepwire::run

@@ -5,14 +5,14 @@
 #include "tests/support/plan_text.hpp"
 #include "tests/support/run_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::run {
 
 TEST_CASE("both ends are recorded, and nothing is updated behind the stop") {
-  const Plan plan = plan_text(
+  const plan::Plan plan = plan_text(
       "step: 0.1 s\nstop: 0.5 s\nblocks:\n  count: {block: Sum, u: [1, last]}\n  last: {block: UnitDelay, u: "
       "count}\nrecord: [count, last]\n");
   const RunResult result = run_plan(plan);
-  const Table& table = result.recordings.front().table;
+  const table::Table& table = result.recordings.front().table;
   CHECK(table.rows() == 6);
   CHECK(column(table, "time").front() == 0.0);
   CHECK(column(table, "time").back() == 0.5);
@@ -109,7 +109,7 @@ TEST_CASE("a condition over a whole vector, or an element that is not there, is 
 }
 
 TEST_CASE("an interruption ends a run soon and keeps its rows") {
-  const Plan plan = plan_text("blocks:\n  t: {block: Clock}\nstop: 1e6 s\nrecord: t\n");
+  const plan::Plan plan = plan_text("blocks:\n  t: {block: Clock}\nstop: 1e6 s\nrecord: t\n");
   std::atomic<bool> interrupt = false;
   RunOptions options;
   options.interrupt = &interrupt;
@@ -131,3 +131,5 @@ TEST_CASE("the last tick of a run is recorded where the period of a record skips
   const RunResult met = result_of(blocks + "stop: 100 s\nstop_when: t >= 8\n");
   CHECK(column(met.recordings[0].table, "t") == std::vector<double>{0, 4, 8});
 }
+
+}  // namespace stepwire::run

@@ -8,7 +8,7 @@
 #include "engine/simulate/run/run.hpp"
 #include "tests/support/plan_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::run {
 
 namespace {
 
@@ -38,17 +38,18 @@ struct Witness : RunObserver {
 };
 
 /// Rows of a recording's run.
-std::vector<std::vector<double>> rows_of(const Recording& recording, std::size_t first, std::size_t count) {
+std::vector<std::vector<double>> rows_of(const record::Recording& recording, std::size_t first,
+                                         std::size_t count) {
   std::vector<std::vector<double>> rows(count);
   for (std::size_t k = 0; k < count; ++k)
-    for (const Column& column : recording.table.columns) rows[k].push_back(column.values[first + k]);
+    for (const table::Column& column : recording.table.columns) rows[k].push_back(column.values[first + k]);
   return rows;
 }
 
 }  // namespace
 
 TEST_CASE("an observer is shown every row that is recorded, while the run goes on") {
-  const Plan plan = plan_text(ramp);
+  const plan::Plan plan = plan_text(ramp);
   Witness witness;
   RunOptions options;
   options.observers = {&witness};
@@ -61,7 +62,7 @@ TEST_CASE("an observer is shown every row that is recorded, while the run goes o
 TEST_CASE("an observer of a sweep is shown the rows of all its runs") {
   const DiagramFolder folder;
   folder.write("sweep.yaml", "stepwire: 1\n" + ramp + "sweep: {k: [1, 2, 3, 4]}\n");
-  Loader loader(library());
+  diagram::Loader loader(library());
   Witness witness;
   RunOptions options;
   options.observers = {&witness};
@@ -91,9 +92,9 @@ TEST_CASE("an observer may keep a moment, set a value, go back, pause and stop")
     Workspace kept;
     bool returned = false, paused = false;
   };
-  const Plan plan = plan_text(ramp);
+  const plan::Plan plan = plan_text(ramp);
   Executor simulation(plan);
-  RunRecording recording(plan);
+  record::RunRecording recording(plan);
   Drive drive(simulation, recording.recorders());
   Director director;
   RunObserver* const observers[] = {&director};
@@ -101,8 +102,10 @@ TEST_CASE("an observer may keep a moment, set a value, go back, pause and stop")
   CHECK(drive.run() == Drive::End::paused);
   CHECK(simulation.tick() == 3);
   CHECK(drive.run() == Drive::End::stopped);
-  const std::vector<Recording> recordings = recording.take();
+  const std::vector<record::Recording> recordings = recording.take();
   const std::vector<double>& x = recordings[0].table.find("x")->values;
   REQUIRE(x.size() == 5);
   for (std::size_t k = 0; k < 5; ++k) CHECK(x[k] == Approx(std::vector<double>{0, 2, 4, 14, 24}[k]));
 }
+
+}  // namespace stepwire::run

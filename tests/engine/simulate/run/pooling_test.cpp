@@ -2,18 +2,18 @@
 
 #include <catch2/catch.hpp>
 
-using namespace stepwire;
+namespace stepwire::run {
 
 namespace {
 
-Recording recording_of(std::vector<double> times, std::vector<std::size_t> starts) {
+record::Recording recording_of(std::vector<double> times, std::vector<std::size_t> starts) {
   return {{{{"time", "s", std::move(times)}}}, std::move(starts), {}};
 }
 
 }  // namespace
 
 TEST_CASE("runs that are put behind others keep where each of them starts") {
-  Recording all;
+  record::Recording all;
   append_runs(all, recording_of({0, 1, 0, 1, 2}, {0, 2}));
   append_runs(all, recording_of({0, 3, 0}, {0, 2}));
   CHECK(all.starts == std::vector<std::size_t>{0, 2, 5, 7});
@@ -21,10 +21,12 @@ TEST_CASE("runs that are put behind others keep where each of them starts") {
 }
 
 TEST_CASE("the last axis of a grid runs fastest, and paired axes run side by side") {
-  Sweep sweep;
+  diagram::Sweep sweep;
   sweep.axes = {{"a", {"1", "2"}, {}, {}}, {"b", {"1", "2", "3"}, {}, {}}};
   CHECK(indices_of(sweep, 1) == std::vector<std::size_t>{0, 1});
   CHECK(indices_of(sweep, 5) == std::vector<std::size_t>{1, 2});
   sweep.together = true;
   CHECK(indices_of(sweep, 1) == std::vector<std::size_t>{1, 1});
 }
+
+}  // namespace stepwire::run

@@ -8,7 +8,7 @@
 
 #include "tests/support/plan_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::run {
 
 namespace {
 
@@ -35,8 +35,8 @@ TEST_CASE("a system call is seen") {
 }
 
 TEST_CASE("ten thousand steps make no system call") {
-  for (const SolverKind& kind : solver_kinds()) {
-    const Plan plan = plan_text(R"(step: 1 ms
+  for (const solve::SolverKind& kind : solve::solver_kinds()) {
+    const plan::Plan plan = plan_text(R"(step: 1 ms
 stop: 20 s
 blocks:
   noise: {block: Noise, seed: 1, every: 10 ms}
@@ -57,3 +57,5 @@ solver: )" + kind.name);
     }));
   }
 }
+
+}  // namespace stepwire::run

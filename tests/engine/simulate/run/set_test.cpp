@@ -4,7 +4,7 @@
 #include "engine/simulate/codegen/generated_code.hpp"
 #include "tests/support/plan_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::run {
 using Catch::Contains;
 
 namespace {
@@ -34,7 +34,7 @@ blocks:
 record: all
 )";
 
-Plan plan_with(const std::string& yaml, const std::vector<Setting>& settings = {}) {
+plan::Plan plan_with(const std::string& yaml, const std::vector<diagram::Setting>& settings = {}) {
   return plan_text(yaml, settings);
 }
 
@@ -47,7 +47,7 @@ void go(Executor& run, int ticks) {
 
 /// The bits of all signals and states of some ticks. Derivatives are the solver's own affair.
 std::vector<std::uint64_t> next(Executor& run, int ticks) {
-  const Layout& layout = run.plan().layout;
+  const plan::Layout& layout = run.plan().layout;
   std::vector<std::uint64_t> all;
   const auto add = [&](std::size_t first, std::size_t end) {
     for (std::size_t i = first; i < end; ++i) all.push_back(std::bit_cast<std::uint64_t>(run.values()[i]));
@@ -64,7 +64,7 @@ std::vector<std::uint64_t> next(Executor& run, int ticks) {
 std::string refusal(Executor& run, const std::string& name, const std::string& value) {
   try {
     static_cast<void>(run.set(name, value));
-  } catch (const Error& error) {
+  } catch (const yaml::Error& error) {
     return error.what();
   }
   return "";
@@ -90,7 +90,7 @@ const std::vector<Case> cases = {{"mass", "5 kg"},
 }  // namespace
 
 TEST_CASE("a value set between two ticks gives the bits of a run that begins with it and with that state") {
-  const Plan plan = plan_with(spring);
+  const plan::Plan plan = plan_with(spring);
   for (const Case& one : cases) {
     INFO(one.name << "=" << one.value);
     Executor run(plan);
@@ -98,7 +98,7 @@ TEST_CASE("a value set between two ticks gives the bits of a run that begins wit
     const Workspace kept = run.workspace();
     REQUIRE(run.set(one.name, one.value) == Executor::Setting::done);
     if (one.name == "sum.u.1") continue;  // no file sets what is wired
-    const Plan own = plan_with(spring, {{one.name, one.value}});
+    const plan::Plan own = plan_with(spring, {{one.name, one.value}});
     Executor begun(own);
     begun.restore(kept);
     CHECK((next(run, 60) == next(begun, 60)));
@@ -109,7 +109,7 @@ TEST_CASE("a value set between two ticks gives the bits of a run that begins wit
 }
 
 TEST_CASE("what a wire carries can be set as well") {
-  const Plan plan = plan_text("blocks: {a: {block: Gain, gain: 3, u: 2}}\nrecord: a\n");
+  const plan::Plan plan = plan_text("blocks: {a: {block: Gain, gain: 3, u: 2}}\nrecord: a\n");
   Executor one(plan);
   REQUIRE(one.set("a.u", "5") == Executor::Setting::done);
   one.evaluate();
@@ -117,12 +117,13 @@ TEST_CASE("what a wire carries can be set as well") {
 }
 
 TEST_CASE("compiled code takes values as the interpreter does, and is left for those that it does not read") {
-  GeneratedCode source;
-  const Plan plan = plan_with(spring);
+  codegen::GeneratedCode source;
+  const plan::Plan plan = plan_with(spring);
   std::vector<std::string> names;
   for (const Case& one : cases)
     if (one.name != "sum.u.1") names.push_back(one.name);
-  const auto code = source.compile(plan, variable_blocks(plan, Variation(plan.diagram, names)), {});
+  const auto code =
+      source.compile(plan, plan::variable_blocks(plan, diagram::Variation(plan.diagram, names)), {});
   const auto fixed = source.compile(plan, {}, {});
   if (!code || !fixed) {
     WARN("there is no C++ compiler here; nothing was compared");
@@ -151,14 +152,15 @@ TEST_CASE("compiled code takes values as the interpreter does, and is left for t
 }
 
 TEST_CASE("code is left once a number changes that stands in it, and code that is widened for it serves") {
-  GeneratedCode source;
-  const Plan plan = plan_text(
+  codegen::GeneratedCode source;
+  const plan::Plan plan = plan_text(
       "step: 1 ms\nparameters: {x: [0, 1, 2], y: [0, 3, 5]}\nblocks:\n  wave: {block: Sine, amplitude: 2}\n"
       "  table: {block: LookupTable, u: wave, points: $x, values: $y}\nrecord: table\n");
-  const Variation lists(plan.diagram, {"x", "y"});
-  std::vector<VariableBlock> variable = variable_blocks(plan, lists);
+  const diagram::Variation lists(plan.diagram, {"x", "y"});
+  std::vector<plan::VariableBlock> variable = plan::variable_blocks(plan, lists);
   const auto set_lists = [&](Executor& run, const std::string& x, const std::string& y) {
-    const std::vector<Assignment> both{{"x", value_of_text(x, ""), ""}, {"y", value_of_text(y, ""), ""}};
+    const std::vector<diagram::Assignment> both{{"x", diagram::value_of_text(x, ""), ""},
+                                                {"y", diagram::value_of_text(y, ""), ""}};
     REQUIRE(run.set(lists, both) == Executor::Setting::done);
   };
   const auto code = source.compile(plan, variable, {});
@@ -184,7 +186,7 @@ TEST_CASE("code is left once a number changes that stands in it, and code that i
 }
 
 TEST_CASE("a refused value leaves everything as it was, and says what would be right") {
-  const Plan plan = plan_with(spring);
+  const plan::Plan plan = plan_with(spring);
   Executor run(plan), untouched(plan);
   go(run, 10);
   go(untouched, 10);
@@ -202,7 +204,7 @@ TEST_CASE("a refused value leaves everything as it was, and says what would be r
 }
 
 TEST_CASE("values that need another plan are answered so, and change nothing") {
-  const Plan plan = plan_with(spring);
+  const plan::Plan plan = plan_with(spring);
   for (const Case& one : std::vector<Case>{{"step", "2 ms"}, {"late.delay", "6 ms"}, {"curve", "[1, 2]"}}) {
     INFO(one.name);
     Executor run(plan), untouched(plan);
@@ -226,7 +228,7 @@ TEST_CASE("a parameter of a part reaches the part's blocks") {
   folder.write("main.yaml",
                "stepwire: 1\nstep: 1 s\nstop: 3 s\nparameters: {a: 3}\nblocks:\n  c: {block: Clock}\n"
                "  rig: {diagram: part.yaml, k: =a+1, u: c}\nrecord: rig.y\n");
-  const Plan plan = folder.plan("main.yaml");
+  const plan::Plan plan = folder.plan("main.yaml");
   const auto last = [](Executor& run) {
     run.reset();
     go(run, 2);
@@ -242,3 +244,5 @@ TEST_CASE("a parameter of a part reaches the part's blocks") {
   REQUIRE(run.set("a", "1") == Executor::Setting::done);  // rig.k was set by its own name, and stays
   CHECK(last(run) == 28.0);
 }
+
+}  // namespace stepwire::run

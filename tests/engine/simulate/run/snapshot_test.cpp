@@ -2,7 +2,7 @@
 
 #include "tests/support/plan_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::run {
 
 namespace {
 
@@ -37,7 +37,7 @@ std::vector<std::vector<double>> rest_of(Executor& simulation) {
 }  // namespace
 
 TEST_CASE("a run from a kept moment gives the same bits as the run that went through it") {
-  const Plan plan = plan_text(everything);
+  const plan::Plan plan = plan_text(everything);
   Executor whole(plan);
   const auto in_one_go = rest_of(whole);
   REQUIRE(in_one_go.size() == 501);
@@ -61,13 +61,13 @@ TEST_CASE("a run from a kept moment gives the same bits as the run that went thr
 }
 
 TEST_CASE("the runner records what a run stepped by hand computes") {
-  const Plan plan = plan_text(everything);
+  const plan::Plan plan = plan_text(everything);
   const RunResult result = run_plan(plan);
   Executor by_hand(plan);
   const auto ticks = rest_of(by_hand);
-  const Table& table = result.recordings.front().table;
+  const table::Table& table = result.recordings.front().table;
   REQUIRE(table.rows() == ticks.size());
-  for (const RecordedSignal& signal : plan.diagram.records.front().signals) {
+  for (const diagram::RecordedSignal& signal : plan.diagram.records.front().signals) {
     INFO(signal.name);
     const auto& column = table.find(signal.name)->values;
     const std::size_t offset = plan.slot(signal.signal).offset;
@@ -78,9 +78,11 @@ TEST_CASE("the runner records what a run stepped by hand computes") {
 }
 
 TEST_CASE("a run put back to its beginning gives the same bits") {
-  const Plan plan = plan_text(everything);
+  const plan::Plan plan = plan_text(everything);
   Executor simulation(plan);
   const auto first = rest_of(simulation);
   simulation.reset();
   CHECK(first == rest_of(simulation));
 }
+
+}  // namespace stepwire::run

@@ -8,7 +8,7 @@
 #include "tests/support/plan_text.hpp"
 #include "tests/support/run_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::run {
 
 namespace {
 
@@ -17,14 +17,14 @@ const std::string head = "stepwire: 1\nstep: 1 s\nstop: 1 s\n";
 RunResult swept(const std::string& yaml, unsigned threads = 0) {
   const DiagramFolder folder;
   folder.write("sweep.yaml", head + yaml);
-  Loader loader(library());
+  diagram::Loader loader(library());
   const Job job = make_job(loader, folder.path("sweep.yaml"));
   RunOptions options;
   options.threads = threads;
   return run_job(job, options);
 }
 
-bool same_bits(const Table& a, const Table& b) {
+bool same_bits(const table::Table& a, const table::Table& b) {
   if (a.columns.size() != b.columns.size()) return false;
   for (std::size_t i = 0; i < a.columns.size(); ++i) {
     const auto &x = a.columns[i].values, &y = b.columns[i].values;
@@ -44,7 +44,7 @@ blocks:
 sweep: {a: {values: [10, 20]}, b: {from: 1 m, to: 3 m, count: 3}}
 record: y
 )");
-  const Recording& all = result.recordings.at(0);
+  const record::Recording& all = result.recordings.at(0);
   CHECK(column(all.table, "a") == std::vector<double>{10, 10, 10, 10, 10, 10, 20, 20, 20, 20, 20, 20});
   CHECK(column(all.table, "b") == std::vector<double>{1, 1, 2, 2, 3, 3, 1, 1, 2, 2, 3, 3});
   CHECK(column(all.table, "y") == std::vector<double>{11, 11, 12, 12, 13, 13, 21, 21, 22, 22, 23, 23});
@@ -72,7 +72,7 @@ TEST_CASE("words are swept as numbers that stand for them") {
   const RunResult result = swept(
       "parameters: {kind: normal}\nblocks:\n  y: {block: Noise, seed: 1, distribution: $kind}\nrecord: y\n"
       "sweep: {kind: {values: [normal, uniform]}}\n");
-  const Recording& all = result.recordings.at(0);
+  const record::Recording& all = result.recordings.at(0);
   CHECK(column(all.table, "kind") == std::vector<double>{0, 0, 1, 1});
   REQUIRE(all.categories.size() == 1);
   CHECK(all.categories[0].column == "kind");
@@ -111,7 +111,7 @@ TEST_CASE("what is swept must be something that can be set") {
       "sweep.yaml",
       head +
           "parameters: {gain: 1}\nblocks:\n  y: {block: Gain, gain: $gain, u: 1}\nsweep: {gian: [1, 2]}\n");
-  Loader loader(library());
+  diagram::Loader loader(library());
   REQUIRE_THROWS_WITH(make_job(loader, folder.path("sweep.yaml")),
                       Catch::Contains("there is no parameter 'gian'; did you mean 'gain'?"));
 }
@@ -122,10 +122,10 @@ TEST_CASE("what is wrong with one value of a sweep is told at that value") {
                            const std::string& parameter = "a: {value: 1 N, above: 0 N}") {
     folder.write("sweep.yaml", head + "parameters: {" + parameter +
                                    "}\nblocks: {y: {block: Gain, u: $a}}\nsweep: " + sweep + "\n");
-    Loader loader(library());
+    diagram::Loader loader(library());
     try {
       make_job(loader, folder.path("sweep.yaml"));
-    } catch (const Error& error) {
+    } catch (const yaml::Error& error) {
       const std::string text = error.what();
       return text.substr(text.find("sweep.yaml"));
     }
@@ -155,7 +155,7 @@ TEST_CASE("what is set from outside is not swept any more") {
                head +
                    "parameters: {a: 0, b: 0}\nblocks: {y: {block: Sum, u: [$a, $b]}}\nrecord: y\n"
                    "sweep: {a: [1, 2, 3], b: [10, 20, 30]}\n");
-  Loader loader(library());
+  diagram::Loader loader(library());
   const RunResult result = run_job(make_job(loader, folder.path("sweep.yaml"), {{"a", "7"}}));
   CHECK(column(result.recordings.at(0).table, "y") == std::vector<double>{17, 17, 27, 27, 37, 37});
 }
@@ -188,7 +188,8 @@ record: y
 )");
   const auto& values = result.recordings.front().table.find("a")->values;
   for (int i = 1; i <= 100; ++i)
-    CHECK(values[2 * static_cast<std::size_t>(i - 1)] == parse_quantity(fmt::format("{} mm", i))->value);
+    CHECK(values[2 * static_cast<std::size_t>(i - 1)] ==
+          unit::parse_quantity(fmt::format("{} mm", i))->value);
 }
 
 TEST_CASE("a thousand subjects of a range are a thousand people") {
@@ -203,3 +204,5 @@ record: y
   const auto& values = result.recordings.front().table.find("y")->values;
   CHECK(std::set<double>(values.begin(), values.end()).size() == 1000);
 }
+
+}  // namespace stepwire::run

@@ -2,7 +2,7 @@
 
 #include "tests/support/plan_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::run {
 
 namespace {
 
@@ -23,8 +23,8 @@ struct Counter : ScheduleProbe {
 };
 
 /// How often a stretch runs in ten ticks.
-int runs_of(const std::vector<KernelCall> Plan::*phase, std::size_t first, std::size_t end) {
-  const Plan plan = plan_text(swing_yaml);
+int runs_of(const std::vector<plan::KernelCall> plan::Plan::*phase, std::size_t first, std::size_t end) {
+  const plan::Plan plan = plan_text(swing_yaml);
   Executor simulation(plan), unwatched(plan);
   Counter counter;
   counter.phase = &(plan.*phase);
@@ -47,9 +47,11 @@ int runs_of(const std::vector<KernelCall> Plan::*phase, std::size_t first, std::
 }  // namespace
 
 TEST_CASE("a watcher is told each time that its stretch of a phase runs, and changes no bit") {
-  CHECK(runs_of(&Plan::outputs, 0, 1) == 10);
-  CHECK(runs_of(&Plan::updates, 0, 1) == 10);      // told also where nothing of it is due
-  CHECK(runs_of(&Plan::derivatives, 0, 1) == 40);  // four stages of rk4
-  CHECK(runs_of(&Plan::stage, 0, 1) == 30);        // the first stage is the tick itself
-  CHECK(runs_of(&Plan::outputs, 0, 0) == 10);      // an empty stretch
+  CHECK(runs_of(&plan::Plan::outputs, 0, 1) == 10);
+  CHECK(runs_of(&plan::Plan::updates, 0, 1) == 10);      // told also where nothing of it is due
+  CHECK(runs_of(&plan::Plan::derivatives, 0, 1) == 40);  // four stages of rk4
+  CHECK(runs_of(&plan::Plan::stage, 0, 1) == 30);        // the first stage is the tick itself
+  CHECK(runs_of(&plan::Plan::outputs, 0, 0) == 10);      // an empty stretch
 }
+
+}  // namespace stepwire::run

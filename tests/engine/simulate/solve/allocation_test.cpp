@@ -5,7 +5,7 @@
 #include "engine/simulate/solve/solver.hpp"
 #include "tests/support/allocations.hpp"
 
-using namespace stepwire;
+namespace stepwire::solve {
 
 namespace {
 
@@ -54,3 +54,5 @@ TEST_CASE("no solver allocates in a step, whatever the number of states") {
       CHECK(chain.x[0] > 0.5);
     }
 }
+
+}  // namespace stepwire::solve

@@ -5,7 +5,7 @@
 #include "engine/simulate/solve/explicit_solver.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
-using namespace stepwire;
+namespace stepwire::solve {
 
 namespace {
 
@@ -133,3 +133,5 @@ TEST_CASE("a method may leave out its last slope, and a stage the slope before i
     CHECK(measured_order(problem, simpson, 400, 1.0) == Approx(2.0).margin(0.15));
   CHECK(measured_order(forced_oscillator, fehlberg, 40, 2.0) == Approx(4.0).margin(0.15));
 }
+
+}  // namespace stepwire::solve

@@ -5,7 +5,7 @@
 #include "tests/support/plan_text.hpp"
 #include "tests/support/run_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::solve {
 
 namespace {
 
@@ -47,7 +47,7 @@ class Decay : public System {
 }  // namespace
 
 TEST_CASE("the Rosenbrock solver follows a stiff plant on which the classical method blows up") {
-  const Table run = run_text(stiff_plant("rosenbrock"));
+  const table::Table run = run_text(stiff_plant("rosenbrock"));
   CHECK(column(run, "plant.1").back() == Approx(std::exp(-1.0)).epsilon(1e-4));
   CHECK(column(run, "plant.2").back() == Approx(std::exp(-1.0)).epsilon(1e-4));
   CHECK_THAT(error_of(stiff_plant("rk4")), Catch::Contains("plant") && Catch::Contains("became"));
@@ -74,3 +74,5 @@ TEST_CASE("a solver that is not known is refused where it stands, with the neare
         "bogacki_shampine, "
         "rk4, dormand_prince, rosenbrock, sdirk");
 }
+
+}  // namespace stepwire::solve

@@ -6,7 +6,7 @@
 #include "tests/support/plan_text.hpp"
 #include "tests/support/run_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::solve {
 using Catch::Matchers::Contains;
 
 namespace {
@@ -48,7 +48,7 @@ constexpr double y1_at_40 = 0.715827068719406, y2_at_40 = 9.18553476455778e-6;
 TEST_CASE("sdirk has Robertson's problem right from steps of 20 ms down") {
   for (const char* step : {"20 ms", "10 ms", "5 ms"}) {
     INFO(step);
-    const Table run = run_text(robertson("sdirk", step));
+    const table::Table run = run_text(robertson("sdirk", step));
     CHECK(column(run, "y1").back() == Approx(y1_at_40).epsilon(1e-8));
     CHECK(column(run, "y2").back() == Approx(y2_at_40).epsilon(1e-7));
     CHECK(column(run, "y3").back() == Approx(1.0 - y1_at_40 - y2_at_40).epsilon(1e-8));
@@ -83,7 +83,7 @@ TEST_CASE("Van der Pol's relaxation at too large a step ends with an error and n
 
 TEST_CASE("sdirk follows Van der Pol's slow way to shortly before its jump at 807 s") {
   // SciPy 1.10.1: solve_ivp(f, (0, 2000), [2, 0], "Radau", rtol=1e-12, atol=1e-14) at 800 s.
-  const Table run = run_text(van_der_pol("sdirk", "50 ms", "800 s"));
+  const table::Table run = run_text(van_der_pol("sdirk", "50 ms", "800 s"));
   CHECK(column(run, "y").back() == Approx(1.08392336).epsilon(1e-8));
 }
 
@@ -91,8 +91,8 @@ TEST_CASE("an input that jumps within a step moves what is at rest without a fau
   for (const char* solver : {"rosenbrock", "sdirk"})
     for (const char* time : {"0.5002 s", "0.5005 s", "0.5009 s"}) {
       INFO(solver << " " << time);
-      const Table run = run_text(std::string("step: 1 ms\nstop: 1 s\nsolver: ") + solver +
-                                 "\nblocks:\n  push: {block: Step, time: " + time + R"(, after: 10}
+      const table::Table run = run_text(std::string("step: 1 ms\nstop: 1 s\nsolver: ") + solver +
+                                        "\nblocks:\n  push: {block: Step, time: " + time + R"(, after: 10}
   a: {block: Integrator, u: push}
   b: {block: Integrator, u: a}
   c: {block: Integrator, u: b}
@@ -106,7 +106,7 @@ record: [b]
 TEST_CASE("a mode that is infinitely fast is gone after one step of sdirk") {
   // Its stability function is 0 at minus infinity, and falls to that as 1/z.
   for (const auto& [tau, most] : {std::pair{"1 ms", 1e-2}, {"1 us", 1e-5}, {"1 ns", 1e-8}}) {
-    const Table run =
+    const table::Table run =
         run_text(std::string("step: 1 s\nstop: 1 s\nsolver: sdirk\nblocks:\n  x: {block: Lag, u: 0, "
                              "tau: ") +
                  tau + ", initial: 1}\nrecord: [x]\n");
@@ -119,12 +119,14 @@ TEST_CASE("a tolerance beside a solver that has none is refused, unless another 
   const std::string text = "stepwire: 1\n" + robertson("rk4", "1 ms", "tolerance: 1 %\n");
   folder.write("a.yaml", text);
   folder.write("swept.yaml", text + "sweep: {solver: [rk4, sdirk]}\n");
-  Loader loader(library());
+  diagram::Loader loader(library());
   const std::string cure = "tolerance: only rosenbrock and sdirk have one; take it out, or name one of these";
-  CHECK_THROWS_WITH(make_job(loader, folder.path("a.yaml")), Contains("a.yaml:5:1") && Contains(cure));
-  CHECK_NOTHROW(make_job(loader, folder.path("a.yaml"), {{"solver", "sdirk"}}));
-  CHECK_NOTHROW(make_job(loader, folder.path("a.yaml"), {{"solver", "heun"}}));
-  CHECK_NOTHROW(make_job(loader, folder.path("swept.yaml")));
-  CHECK_THROWS_WITH(make_job(loader, folder.path("a.yaml"), {{"solver", "heun"}, {"tolerance", "2 %"}}),
+  CHECK_THROWS_WITH(run::make_job(loader, folder.path("a.yaml")), Contains("a.yaml:5:1") && Contains(cure));
+  CHECK_NOTHROW(run::make_job(loader, folder.path("a.yaml"), {{"solver", "sdirk"}}));
+  CHECK_NOTHROW(run::make_job(loader, folder.path("a.yaml"), {{"solver", "heun"}}));
+  CHECK_NOTHROW(run::make_job(loader, folder.path("swept.yaml")));
+  CHECK_THROWS_WITH(run::make_job(loader, folder.path("a.yaml"), {{"solver", "heun"}, {"tolerance", "2 %"}}),
                     Contains("--set tolerance=2 %") && Contains(cure));
 }
+
+}  // namespace stepwire::solve

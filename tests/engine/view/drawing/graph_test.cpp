@@ -5,7 +5,7 @@
 #include "engine/view/drawing/graph_faults.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 
-using namespace stepwire;
+namespace stepwire::drawing {
 using nlohmann::json;
 
 namespace {
@@ -28,7 +28,7 @@ void write_rig(const Scratch& folder) {
 
 json graph(const std::string& file, const GraphOptions& options = {}) {
   const Registry registry = blocks();
-  Loader loader(registry);
+  diagram::Loader loader(registry);
   return json::parse(DrawnFile(loader, file).view().graph(options).text());
 }
 
@@ -67,7 +67,7 @@ TEST_CASE("a graph has every block and every wire of a file once, with ports in 
   CHECK(rig["title"] == "a rig");
   CHECK(ids(rig) == Names{"mount", "net", "body", "drag"});
   CHECK(wires(rig) == Names{"body.position > mount.x", "'2 N' > net.u.1", "mount.force > net.u.2",
-                                  "drag.y > net.u.3", "net.y > body.force", "body.velocity > drag.u"});
+                            "drag.y > net.u.3", "net.y > body.force", "body.velocity > drag.u"});
   CHECK(ports(rig["nodes"][0]["inputs"]) == Names{"x"});
   CHECK(ports(rig["nodes"][0]["outputs"]) == Names{"force", "stretch"});
   CHECK(ports(rig["nodes"][1]["inputs"], "sign") == Names{"+", "-", "-"});
@@ -89,9 +89,8 @@ TEST_CASE("an opened part has a graph of its own, with its default where nothing
   CHECK(ids(inside) == Names{"mount.net", "mount.gain"});
   CHECK(ports(inside["inputs"]) == Names{"x"});
   CHECK(ports(inside["outputs"]) == Names{"force", "stretch"});
-  CHECK(wires(inside) == Names{"'1 mm' > mount.net.u.1", ".x > mount.net.u.2",
-                                     "mount.net.y > mount.gain.u", "mount.gain.y > .force",
-                                     "mount.net.y > .stretch"});
+  CHECK(wires(inside) == Names{"'1 mm' > mount.net.u.1", ".x > mount.net.u.2", "mount.net.y > mount.gain.u",
+                               "mount.gain.y > .force", "mount.net.y > .stretch"});
   CHECK(graph(folder.path("rig.yaml"), by_depth)["nodes"][0]["graph"] == inside);
 }
 
@@ -121,7 +120,7 @@ TEST_CASE("a file's parts are known by their names") {
   const Scratch folder;
   write_rig(folder);
   const Registry registry = blocks();
-  Loader loader(registry);
+  diagram::Loader loader(registry);
   CHECK(DrawnFile(loader, folder.path("rig.yaml")).view().parts() == Names{"mount"});
   CHECK(DrawnFile(loader, folder.path("spring.yaml")).view().parts().empty());
 }
@@ -139,7 +138,7 @@ std::vector<GraphFault> faults_with(const GraphOptions& options) {
   const Scratch folder;
   write_rig(folder);
   const Registry registry = blocks();
-  Loader loader(registry);
+  diagram::Loader loader(registry);
   return faults_of(DrawnFile(loader, folder.path("rig.yaml")).view(), options);
 }
 
@@ -159,8 +158,8 @@ TEST_CASE("a star in a pattern stands for any letters, also for none") {
 TEST_CASE("what is hidden is left out with its wires and the ports at their ends") {
   const json without = rig_with({.hide = {"drag"}});
   CHECK(ids(without) == Names{"mount", "net", "body"});
-  CHECK(wires(without) == Names{"body.position > mount.x", "'2 N' > net.u.1", "mount.force > net.u.2",
-                                      "net.y > body.force"});
+  CHECK(wires(without) ==
+        Names{"body.position > mount.x", "'2 N' > net.u.1", "mount.force > net.u.2", "net.y > body.force"});
   CHECK(ports(without["nodes"][1]["inputs"]) == Names{"u.1", "u.2"});
   CHECK(ports(without["nodes"][2]["outputs"]) == Names{"position"});
 }
@@ -203,21 +202,26 @@ TEST_CASE("names that a drawing does not have are faults, each with what is near
   options.groups = {{"a", {"net", "nte"}}, {"b", {"net"}}};
   const auto faults = faults_with(options);
   REQUIRE(faults.size() == 6);
-  CHECK(plain(faults[0].message) == "there is no part 'moutn'; did you mean 'mount'? It has: mount");
-  CHECK(plain(faults[1].message).starts_with("there is no block, part or signal 'darg'; did you mean 'drag'?"));
-  CHECK(plain(faults[2].message).starts_with("there is no block, part or signal 'x*'. It has: mount, mount.force"));
-  CHECK(plain(faults[3].message).starts_with("there is no block or part 'bdoy'; did you mean 'body'?"));
-  CHECK(plain(faults[4].message).starts_with(
-      "there is no block or part of the file itself 'nte'; did you mean 'net'?"));
-  CHECK(plain(faults[5].message) == "'net' is in two groups; one can hold it");
+  CHECK(yaml::plain(faults[0].message) == "there is no part 'moutn'; did you mean 'mount'? It has: mount");
+  CHECK(yaml::plain(faults[1].message)
+            .starts_with("there is no block, part or signal 'darg'; did you mean 'drag'?"));
+  CHECK(yaml::plain(faults[2].message)
+            .starts_with("there is no block, part or signal 'x*'. It has: mount, mount.force"));
+  CHECK(yaml::plain(faults[3].message).starts_with("there is no block or part 'bdoy'; did you mean 'body'?"));
+  CHECK(yaml::plain(faults[4].message)
+            .starts_with("there is no block or part of the file itself 'nte'; did you mean 'net'?"));
+  CHECK(yaml::plain(faults[5].message) == "'net' is in two groups; one can hold it");
 }
 
 TEST_CASE("a label on a signal that is not drawn, or on a block with several, is a fault") {
   const auto unknown = faults_with({.labels = {{"mount.forc", "F"}}});
   REQUIRE(unknown.size() == 1);
-  CHECK(plain(unknown[0].message).starts_with("there is no signal 'mount.forc'; did you mean 'mount.force'?"));
+  CHECK(yaml::plain(unknown[0].message)
+            .starts_with("there is no signal 'mount.forc'; did you mean 'mount.force'?"));
   const auto closed = faults_with({.labels = {{"mount.net", "s"}}});
   REQUIRE(closed.size() == 1);
-  CHECK(plain(closed[0].message).starts_with("no wire is drawn that is 'mount.net' alone"));
+  CHECK(yaml::plain(closed[0].message).starts_with("no wire is drawn that is 'mount.net' alone"));
   CHECK(faults_with({.labels = {{"body", "x"}}}).size() == 1);
 }
+
+}  // namespace stepwire::drawing

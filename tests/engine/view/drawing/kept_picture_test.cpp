@@ -8,7 +8,7 @@
 #include "engine/view/drawing/draw.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 
-using namespace stepwire;
+namespace stepwire::drawing {
 
 namespace {
 
@@ -27,7 +27,7 @@ class CacheOfTest {
 };
 
 /// The graph of a chain of a source and a gain.
-Json graph_of_gain(const std::string& gain) {
+json::Json graph_of_gain(const std::string& gain) {
   const Scratch folder;
   const std::string file =
       folder.file("gain.yaml",
@@ -35,7 +35,7 @@ Json graph_of_gain(const std::string& gain) {
                   "  b: {block: Gain, u: a, gain: " +
                       gain + "}\nrecord: [b]\n");
   const Registry registry = blocks();
-  Loader loader(registry);
+  diagram::Loader loader(registry);
   return DrawnFile(loader, file).view().graph({});
 }
 
@@ -47,8 +47,8 @@ TEST_CASE("The same diagram is drawn once and then taken from the cache, another
   const std::string drawn = draw_picture(graph_of_gain("2"));
   CHECK(drawn.find("<svg") != std::string::npos);
   const std::filesystem::directory_iterator kept(folder.path("new"));
-  CHECK(read_file(kept->path().string()).starts_with(drawn));
-  Cache(folder.path("new")).keep(kept->path().filename().string(), "as it was");
+  CHECK(io::read_file(kept->path().string()).starts_with(drawn));
+  io::Cache(folder.path("new")).keep(kept->path().filename().string(), "as it was");
   CHECK(draw_picture(graph_of_gain("2")) == "as it was");
   CHECK(draw_picture(graph_of_gain("3")).find("<svg") != std::string::npos);
 }
@@ -67,3 +67,5 @@ TEST_CASE("Where nothing can be kept a diagram is drawn all the same") {
   const CacheOfTest cache(folder.file("file", "") + "/below");
   CHECK(draw_picture(graph_of_gain("2")).find("<svg") != std::string::npos);
 }
+
+}  // namespace stepwire::drawing

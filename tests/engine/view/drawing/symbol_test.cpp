@@ -5,7 +5,7 @@
 #include "engine/model/diagram/load.hpp"
 #include "engine/view/drawing/symbol_text.hpp"
 
-using namespace stepwire;
+namespace stepwire::drawing {
 
 namespace {
 
@@ -14,13 +14,13 @@ using Lines = std::vector<std::string>;
 /// The text in the symbol of a block that is written as these keys.
 Lines lines_of(const std::string& keys, bool* fraction = nullptr) {
   const Registry registry = blocks();
-  Loader loader(registry);
+  diagram::Loader loader(registry);
   const std::string head =
       "stepwire: 1\nstep: 1 ms\nstop: 1 s\nsolver: rk4\nparameters: {tau: 2, k: 3, long_name: 1}\n";
   const std::string text =
       head + "blocks: {a: {" + keys + "}, others: {block: Constant, value: [$tau, $k, $long_name]}}\n";
-  const Diagram diagram = loader.load_text(text, "a.yaml");
-  const Document document = parse_document(text, "a.yaml");
+  const diagram::Diagram diagram = loader.load_text(text, "a.yaml");
+  const yaml::Document document = yaml::parse_document(text, "a.yaml");
   const SymbolText found = symbol_text(diagram.blocks[0], document.root.find("blocks")->entries[0].value);
   if (fraction) *fraction = found.fraction;
   return found.lines;
@@ -71,3 +71,5 @@ TEST_CASE("words and relations are typeset, and a block without symbol shows the
   CHECK(lines_of("block: PID, u: 1") == Lines{"PID"});
   CHECK(lines_of("block: Saturation, u: 1").empty());
 }
+
+}  // namespace stepwire::drawing

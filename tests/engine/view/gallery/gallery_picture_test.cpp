@@ -4,10 +4,10 @@
 
 #include "tests/engine/view/plot/samples.hpp"
 
-using namespace stepwire;
+namespace stepwire::gallery {
 
 TEST_CASE("the words of a picture name what is shown over what, as its axes do") {
-  Figure figure;
+  plot::Figure figure;
   figure.panels = {testing::panel_of("{plot: lines, x: time, y: [push.force, push.force]}")};
   CHECK(described(figure) == "force of push [N] over time [s]");
   figure.title = "All";
@@ -41,3 +41,5 @@ TEST_CASE("a script has the texts of pictures as they are") {
   CHECK(picture_script({{"a.svg", "<svg>\n\"\\</svg>"}}) ==
         "stepwirePictures({\"a.svg\":\"<svg>\\n\\\"\\\\</svg>\"});\n");
 }
+
+}  // namespace stepwire::gallery

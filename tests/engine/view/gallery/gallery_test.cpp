@@ -2,13 +2,13 @@
 
 #include <catch2/catch.hpp>
 
-using namespace stepwire;
+namespace stepwire::gallery {
 using Catch::Contains;
 
 namespace {
 
-Verdict verdict(const std::string& that, bool holds, const std::string& disagrees = "") {
-  Verdict result{};
+claim::Verdict verdict(const std::string& that, bool holds, const std::string& disagrees = "") {
+  claim::Verdict result{};
   result.that = that;
   result.check = "max x <= 2 N";
   result.shown = "1.5 N";
@@ -17,9 +17,9 @@ Verdict verdict(const std::string& that, bool holds, const std::string& disagree
   return result;
 }
 
-Verdict invariant(const std::string& that, bool holds) {
-  Verdict result = verdict(that, holds);
-  result.kind = Claim::Kind::invariant;
+claim::Verdict invariant(const std::string& that, bool holds) {
+  claim::Verdict result = verdict(that, holds);
+  result.kind = claim::Claim::Kind::invariant;
   return result;
 }
 
@@ -201,3 +201,5 @@ TEST_CASE("an entry names its pages of what is printed for its chapter") {
   CHECK_THAT(files.at("fig16/index.html"),
              Contains("#page=2\">chapter-2.pdf</a> <span class=\"soft\">pages 2 to 3</span>"));
 }
+
+}  // namespace stepwire::gallery

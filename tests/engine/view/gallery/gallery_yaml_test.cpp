@@ -6,7 +6,7 @@
 
 #include "engine/base/io/file.hpp"
 
-using namespace stepwire;
+namespace stepwire::gallery {
 
 namespace {
 
@@ -61,10 +61,12 @@ TEST_CASE("every diagram file is shown with all its signs") {
     for (const auto& entry :
          std::filesystem::directory_iterator(std::string(STEPWIRE_SOURCE_DIR "/diagrams/") + folder)) {
       if (entry.path().extension() != ".yaml") continue;
-      const std::string text = read_file(entry.path().string());
+      const std::string text = io::read_file(entry.path().string());
       INFO(entry.path());
       CHECK(shown(painted(text)) == text);
       ++files;
     }
   CHECK(files > 100);
 }
+
+}  // namespace stepwire::gallery

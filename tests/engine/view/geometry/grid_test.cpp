@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-using namespace stepwire;
+namespace stepwire::geometry {
 
 TEST_CASE("rows on a lattice keep its cells, and a missing one stays empty") {
   Curve points{{{0, 2, 0, 2, 0}, {0, 0, 1, 1, 2}, {1, 2, 3, 4, 5}}, 0};
@@ -80,3 +80,5 @@ TEST_CASE("a contour that leaves the grid is one open curve") {
   REQUIRE(curves.size() == 1);
   CHECK(curves[0].columns[0] == std::vector<double>{1.5, 1.5, 1.5, 1.5});
 }
+
+}  // namespace stepwire::geometry

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-using namespace stepwire;
+namespace stepwire::geometry {
 
 namespace {
 
@@ -103,3 +103,5 @@ TEST_CASE("points are cut to their share without regard to shape") {
   CHECK(cut(all, 0, 100).at(0).size() >= 20);
   CHECK(thinned(all, 0, 1000).at(0).size() == 2);
 }
+
+}  // namespace stepwire::geometry

@@ -5,7 +5,7 @@
 #include <random>
 #include <set>
 
-using namespace stepwire;
+namespace stepwire::geometry {
 
 namespace {
 
@@ -90,3 +90,5 @@ TEST_CASE("no point is left out, and points that are the same are one") {
   points.y.push_back(points.y.front());
   CHECK(triangulate(points.x, points.y).size() == count);
 }
+
+}  // namespace stepwire::geometry

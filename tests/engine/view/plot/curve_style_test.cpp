@@ -1,7 +1,7 @@
 #include "tests/engine/view/plot/samples.hpp"
 
-using namespace stepwire;
-using namespace stepwire::testing;
+namespace stepwire::plot {
+using namespace testing;
 using Catch::Contains;
 
 TEST_CASE(
@@ -25,7 +25,7 @@ TEST_CASE("each y of a plane has its own x where there are as many, else all hav
   const PlotSpec plot =
       spec_of("{plot: xy, x: [rig.x in mm, 2*rig.x in mm], y: [rig.v in mm/s, rig.v in mm/s]}");
   const auto widest = [&](std::size_t index) {
-    return extent_of(mark<LineMark>(plot, index).curves.at(0).x).high;
+    return geometry::extent_of(mark<LineMark>(plot, index).curves.at(0).x).high;
   };
   CHECK(widest(0) == Approx(1.0).epsilon(0.01));
   CHECK(widest(1) == Approx(2.0).epsilon(0.01));
@@ -34,3 +34,5 @@ TEST_CASE("each y of a plane has its own x where there are as many, else all hav
   CHECK_THAT(figures_of("{plot: xy, x: [rig.x, rig.v], y: [rig.v, rig.v]}").faults,
              Contains("figure.x: ") && Contains("one axis has one unit"));
 }
+
+}  // namespace stepwire::plot

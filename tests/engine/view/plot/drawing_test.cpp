@@ -6,13 +6,13 @@
 #include "engine/view/render/render.hpp"
 #include "tests/engine/view/plot/every_kind.hpp"
 
-using namespace stepwire;
-using namespace stepwire::testing;
+namespace stepwire::plot {
+using namespace testing;
 
 namespace {
 
 bool gnuplot_is_missing() {
-  if (has_gnuplot()) return false;
+  if (render::has_gnuplot()) return false;
   WARN("gnuplot is not installed; nothing was drawn");
   return true;
 }
@@ -21,7 +21,7 @@ std::string drawn(const std::string& text, int rows = 200) {
   const auto read = figures_of(text);
   INFO(read.faults);
   REQUIRE(read.faults.empty());
-  const Drawing drawing = draw(read.figures.at(0), sample_recordings({0.1, 0.2, 0.3}, rows));
+  const render::Drawing drawing = render::draw(read.figures.at(0), sample_recordings({0.1, 0.2, 0.3}, rows));
   CHECK(drawing.warnings == "");
   return drawing.svg;
 }
@@ -134,17 +134,18 @@ TEST_CASE("a large record gives a small picture") {
 
 TEST_CASE("what gnuplot complains of is told") {
   if (gnuplot_is_missing()) return;
-  CHECK_THROWS_WITH(run_gnuplot("plot nonsense of mine\n"), Catch::Contains("gnuplot failed: "));
-  CHECK(run_gnuplot("printerr 'careful'\n").complaints == "careful");
-  CHECK(run_gnuplot("print 'x'\n").output.empty());
+  CHECK_THROWS_WITH(render::run_gnuplot("plot nonsense of mine\n"), Catch::Contains("gnuplot failed: "));
+  CHECK(render::run_gnuplot("printerr 'careful'\n").complaints == "careful");
+  CHECK(render::run_gnuplot("print 'x'\n").output.empty());
 }
 
 TEST_CASE("a missing gnuplot is a fault of the surroundings that names the package") {
   const std::string path = std::getenv("PATH");
   ::setenv("PATH", "/nonexistent", 1);
-  CHECK_FALSE(has_gnuplot());
-  CHECK_THROWS_AS(run_gnuplot(""), EnvironmentError);
-  CHECK_THROWS_WITH(run_gnuplot(""), "gnuplot is not installed; on Debian it is the package gnuplot-nox");
+  CHECK_FALSE(render::has_gnuplot());
+  CHECK_THROWS_AS(render::run_gnuplot(""), io::EnvironmentError);
+  CHECK_THROWS_WITH(render::run_gnuplot(""),
+                    "gnuplot is not installed; on Debian it is the package gnuplot-nox");
   ::setenv("PATH", path.c_str(), 1);
 }
 
@@ -171,3 +172,5 @@ TEST_CASE("a reference is dashed, and has the unit of its axis") {
   CHECK(figures_of(plot + ", reference: push.force}").faults.find("one axis has one unit") !=
         std::string::npos);
 }
+
+}  // namespace stepwire::plot

@@ -2,25 +2,25 @@
 
 #include "tests/engine/view/plot/samples.hpp"
 
-using namespace stepwire;
-using namespace stepwire::testing;
+namespace stepwire::plot {
+using namespace testing;
 
 namespace {
 
 /// The value of a claim on what the figures of a text draw.
-Verdict verdict_on(const std::string& figures, const std::string& claim) {
+claim::Verdict verdict_on(const std::string& figures, const std::string& claim) {
   const ReadFigures read = figures_of(figures);
   INFO(read.faults);
   REQUIRE(read.faults.empty());
-  SymbolTable names = sample_names();
+  query::SymbolTable names = sample_names();
   names.drawn = drawn_quantities(read.figures);
-  const Document document = parse_document("- {that: it, " + claim + "}", "d.yaml");
-  Faults faults;
-  const auto claims = read_claims(document.root, Claim::Kind::statement, names, faults);
+  const yaml::Document document = yaml::parse_document("- {that: it, " + claim + "}", "d.yaml");
+  yaml::Faults faults;
+  const auto claims = claim::read_claims(document.root, claim::Claim::Kind::statement, names, faults);
   INFO(all_text(faults));
   REQUIRE(faults.empty());
   const auto recordings = sample_recordings({0.0, 0.1}, 40);
-  return judge(claims.at(0), recordings);
+  return claim::judge(claims.at(0), recordings);
 }
 
 const std::string two_pictures = R"(
@@ -53,11 +53,12 @@ TEST_CASE("The condition under which a row is drawn selects rows of a claim") {
 
 TEST_CASE("The unit of what is drawn is that of its expression") {
   const ReadFigures read = figures_of(two_pictures);
-  SymbolTable names = sample_names();
+  query::SymbolTable names = sample_names();
   names.drawn = drawn_quantities(read.figures);
-  Faults faults;
-  const Document document = parse_document("- {that: it, max: figure.color, equals: 8 mm}", "d.yaml");
-  read_claims(document.root, Claim::Kind::statement, names, faults);
+  yaml::Faults faults;
+  const yaml::Document document =
+      yaml::parse_document("- {that: it, max: figure.color, equals: 8 mm}", "d.yaml");
+  claim::read_claims(document.root, claim::Claim::Kind::statement, names, faults);
   CHECK_THAT(all_text(faults), Catch::Contains("8 mm is in m, but"));
   INFO(all_text(faults));
   CHECK(faults.size() == 1);
@@ -65,19 +66,23 @@ TEST_CASE("The unit of what is drawn is that of its expression") {
 
 TEST_CASE("A name that no picture draws is refused with its neighbours") {
   const ReadFigures read = figures_of(two_pictures);
-  SymbolTable names = sample_names();
+  query::SymbolTable names = sample_names();
   names.drawn = drawn_quantities(read.figures);
-  Faults faults;
-  const Document document = parse_document("- {that: it, max: figure.colour, at_most: 8 N}", "d.yaml");
-  read_claims(document.root, Claim::Kind::statement, names, faults);
+  yaml::Faults faults;
+  const yaml::Document document =
+      yaml::parse_document("- {that: it, max: figure.colour, at_most: 8 N}", "d.yaml");
+  claim::read_claims(document.root, claim::Claim::Kind::statement, names, faults);
   CHECK(all_text(faults).find("did you mean 'figure.color'?") != std::string::npos);
 }
 
 TEST_CASE("An invariant is a claim of its own kind, which no source can disagree with") {
-  Faults faults;
-  const Document document =
-      parse_document("- {that: it, max: rig.x, at_most: 1 m, disagrees: because}", "d.yaml");
-  const auto claims = read_claims(document.root, Claim::Kind::invariant, sample_names(), faults);
-  CHECK(claims.at(0).kind == Claim::Kind::invariant);
+  yaml::Faults faults;
+  const yaml::Document document =
+      yaml::parse_document("- {that: it, max: rig.x, at_most: 1 m, disagrees: because}", "d.yaml");
+  const auto claims =
+      claim::read_claims(document.root, claim::Claim::Kind::invariant, sample_names(), faults);
+  CHECK(claims.at(0).kind == claim::Claim::Kind::invariant);
   CHECK(all_text(faults).find("invariants.disagrees: an invariant always holds") != std::string::npos);
 }
+
+}  // namespace stepwire::plot

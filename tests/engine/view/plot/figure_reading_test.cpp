@@ -2,8 +2,8 @@
 
 #include "tests/engine/view/plot/samples.hpp"
 
-using namespace stepwire;
-using namespace stepwire::testing;
+namespace stepwire::plot {
+using namespace testing;
 
 namespace {
 
@@ -102,3 +102,5 @@ TEST_CASE("every plot explains its keys") {
     for (const auto& key : plot.of) CHECK_FALSE(key.doc.empty());
   }
 }
+
+}  // namespace stepwire::plot

@@ -2,8 +2,8 @@
 #include "engine/view/render/render.hpp"
 #include "tests/engine/view/plot/samples.hpp"
 
-using namespace stepwire;
-using namespace stepwire::testing;
+namespace stepwire::plot {
+using namespace testing;
 using Catch::Contains;
 
 namespace {
@@ -72,7 +72,7 @@ TEST_CASE("a name stays clear of a curve, of other marks and of the frame") {
 TEST_CASE("the name of a mark has a white rim in the picture, so that it is read on arrows and colours") {
   const auto read = figures_of("{" + plane + ", marks: {Q: [0 mm, 0 mm/s]}}");
   REQUIRE(read.faults.empty());
-  const std::string svg = draw(read.figures.at(0), sample_recordings({0.0}, 20)).svg;
+  const std::string svg = render::draw(read.figures.at(0), sample_recordings({0.0}, 20)).svg;
   const std::size_t name = svg.find("<text>Q</text>");
   REQUIRE(name != std::string::npos);
   CHECK_THAT(svg.substr(svg.rfind("<g", name), 300), Contains("paint-order:stroke") && Contains("#ffffff"));
@@ -113,3 +113,5 @@ TEST_CASE("texts that are nowhere in the plane are refused where they stand") {
   CHECK_THAT(figures_of("{" + plane + ", texts: {A: [2 mm, 0]}, x_range: [0 mm, 1 mm]}").faults,
              Contains("figure.texts: the text 'A' lies beyond the range of its axes"));
 }
+
+}  // namespace stepwire::plot

@@ -2,8 +2,8 @@
 #include "engine/view/plot/overlay_drawing.hpp"
 #include "tests/engine/view/plot/samples.hpp"
 
-using namespace stepwire;
-using namespace stepwire::testing;
+namespace stepwire::plot {
+using namespace testing;
 using Catch::Contains;
 
 namespace {
@@ -11,13 +11,13 @@ namespace {
 const std::string plane = "plot: xy, x: rig.x in mm, y: rig.v in mm/s";
 const std::string rose = "x: rig.x, y: rig.v, angle: 90 deg, value: push.force in N, radius: 2 mm";
 
-Column constant(const std::string& name, const std::string& unit, double value, std::size_t rows) {
+table::Column constant(const std::string& name, const std::string& unit, double value, std::size_t rows) {
   return column(name, unit, std::vector<double>(rows, value));
 }
 
 /// A point that goes from (0, 0) to (8 mm, 0) in four equal rows, and back in one.
-std::vector<Recording> there_and_back() {
-  Recording recording;
+std::vector<record::Recording> there_and_back() {
+  record::Recording recording;
   recording.table.columns = {column("time", "s", {0, 1, 2, 3, 4, 5}),
                              column("rig.x", "m", {0, 2e-3, 4e-3, 6e-3, 8e-3, 0}),
                              constant("rig.v", "m/s", 0, 6), constant("push.force", "N", 0, 6)};
@@ -40,7 +40,7 @@ void check_near(const Numbers& found, const Numbers& expected) {
   for (std::size_t i = 0; i < found.size(); ++i) CHECK(found[i] == Approx(expected[i]).margin(1e-12));
 }
 
-PlotSpec drawn_roses(const std::string& keys, const std::vector<Recording>& recordings) {
+PlotSpec drawn_roses(const std::string& keys, const std::vector<record::Recording>& recordings) {
   const Panel panel = panel_of("{" + plane + ", rose: {" + keys + "}}");
   PlotBuilder plot(panel);
   draw_roses(panel, recordings, plot);
@@ -78,7 +78,7 @@ TEST_CASE("the axes reach as far as a motion and as the disc of a rose that stan
 }
 
 TEST_CASE("a rose has a spoke for each row, the longest as long as its disc is wide") {
-  Recording recording;
+  record::Recording recording;
   recording.table.columns = {column("time", "s", {0, 1, 2}), constant("rig.x", "m", 1e-3, 3),
                              constant("rig.v", "m/s", 3e-3, 3), column("push.force", "N", {2, 8, 4})};
   const PlotSpec plot = drawn_roses(
@@ -110,7 +110,8 @@ TEST_CASE("claims may name what lies over a panel") {
       "{" + plane + ", motion: [{x: rig.x, y: rig.v}, {x: 2*rig.x, y: rig.v}], rose: {" + rose + "}}");
   REQUIRE(read.faults.empty());
   std::string names;
-  for (const NamedFormula& one : drawn_quantities(read.figures)) names += one.name + "=" + one.text + "\n";
+  for (const query::NamedFormula& one : drawn_quantities(read.figures))
+    names += one.name + "=" + one.text + "\n";
   CHECK_THAT(names, Contains("figure.motion.x=rig.x\n") && Contains("figure.1.motion.2.x=2*rig.x\n") &&
                         Contains("figure.rose.value=push.force\n"));
 }
@@ -131,3 +132,5 @@ TEST_CASE("motions and roses that cannot be drawn are refused where they stand")
   CHECK_THAT(figures_of("{plot: histogram, x: rig.x, motion: {x: rig.x, y: rig.v}}").faults,
              Contains("has no 'motion'"));
 }
+
+}  // namespace stepwire::plot

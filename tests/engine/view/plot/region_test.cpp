@@ -4,15 +4,15 @@
 #include "engine/view/plot/overlay_drawing.hpp"
 #include "tests/engine/view/plot/samples.hpp"
 
-using namespace stepwire;
-using namespace stepwire::testing;
+namespace stepwire::plot {
+using namespace testing;
 using Catch::Contains;
 
 namespace {
 
 const std::string plane = "plot: xy, x: rig.x in mm, y: rig.v in mm/s";
 
-PlotSpec drawn(const Panel& panel, const Extent& across, const Extent& up) {
+PlotSpec drawn(const Panel& panel, const geometry::Extent& across, const geometry::Extent& up) {
   PlotBuilder plot(panel);
   plot.add(LineMark{});
   plot.x = across;
@@ -21,7 +21,7 @@ PlotSpec drawn(const Panel& panel, const Extent& across, const Extent& up) {
   return plot.spec;
 }
 
-const Extent wide{-5.0, 5.0};
+const geometry::Extent wide{-5.0, 5.0};
 using Numbers = std::vector<double>;
 
 }  // namespace
@@ -60,9 +60,9 @@ TEST_CASE("a hole is run through against the sense of what is around it, so that
 TEST_CASE("the shade ends at the frame of the axes and lies below the curves") {
   const PlotSpec spec = drawn(panel_of("{" + plane + ", region: map}"), {0.0, 5.0}, {-5.0, 1.5});
   const auto& shade = mark<AreaMark>(spec, 0);
-  CHECK(extent_of(shade.x).low == 0.0);
-  CHECK(extent_of(shade.x).high == 2.0);
-  CHECK(extent_of(shade.y).high == 1.5);
+  CHECK(geometry::extent_of(shade.x).low == 0.0);
+  CHECK(geometry::extent_of(shade.x).high == 2.0);
+  CHECK(geometry::extent_of(shade.y).high == 1.5);
 }
 
 TEST_CASE("an outline has no more points than can be seen") {
@@ -89,3 +89,5 @@ TEST_CASE("a region that is none, or not of the plot's space, is refused") {
   CHECK_THAT(figures_of("{plot: 3d, x: rig.x, y: rig.v, z: time, region: map}").faults,
              Contains("'map' lies in the plane, and a plot '3d' shows space"));
 }
+
+}  // namespace stepwire::plot

@@ -28,8 +28,8 @@ inline Outline square_outline() {
 
 /// What the figures and claims of the tests may name: x [m], v [m/s], f [N] in one recording, slow [N] in
 /// another.
-inline SymbolTable sample_names() {
-  const Dimension metre{{1}}, second{{0, 0, 1}}, ampere{{0, 0, 0, 1}}, newton{{1, 1, -2}};
+inline query::SymbolTable sample_names() {
+  const unit::Dimension metre{{1}}, second{{0, 0, 1}}, ampere{{0, 0, 0, 1}}, newton{{1, 1, -2}};
   return {"d.yaml",
           {{"time", second, {}},
            {"current", ampere, {}},
@@ -44,13 +44,13 @@ inline SymbolTable sample_names() {
           {{"map", square_outline()}, {"ball", {true, {{{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}}}}}}};
 }
 
-inline Column column(std::string name, std::string unit, std::vector<double> values) {
+inline table::Column column(std::string name, std::string unit, std::vector<double> values) {
   return {std::move(name), std::move(unit), std::move(values)};
 }
 
 /// Runs of one period of x = sin(2 pi t) mm with the force 3 + 10 current N, one for each current.
-inline Recording sample_recording(const std::vector<double>& currents, int rows) {
-  Recording recording;
+inline record::Recording sample_recording(const std::vector<double>& currents, int rows) {
+  record::Recording recording;
   recording.starts.clear();
   auto& columns = recording.table.columns;
   columns = {column("time", "s", {}), column("current", "A", {}), column("rig.x", "m", {}),
@@ -68,14 +68,14 @@ inline Recording sample_recording(const std::vector<double>& currents, int rows)
   return recording;
 }
 
-inline std::vector<Recording> sample_recordings(const std::vector<double>& currents, int rows) {
-  Recording slow;
+inline std::vector<record::Recording> sample_recordings(const std::vector<double>& currents, int rows) {
+  record::Recording slow;
   slow.table.columns = {column("time", "s", {0.0, 1.0}), column("current", "A", {0.0, 0.0}),
                         column("slow", "N", {1.0, 2.0})};
   return {sample_recording(currents, rows), slow};
 }
 
-inline std::string all_text(const Faults& faults) {
+inline std::string all_text(const yaml::Faults& faults) {
   std::string text;
   for (const auto& fault : faults.list()) text += fault.text() + "\n";
   return text;
@@ -83,31 +83,31 @@ inline std::string all_text(const Faults& faults) {
 
 /// The claims of a text; what is wrong in it as one string.
 struct ReadClaims {
-  std::vector<Claim> claims;
+  std::vector<claim::Claim> claims;
   std::string faults;
 };
 
 inline ReadClaims claims_of(const std::string& text) {
-  const Document document = parse_document(text, "d.yaml");
-  Faults faults;
-  auto claims = read_claims(document.root, Claim::Kind::statement, sample_names(), faults);
+  const yaml::Document document = yaml::parse_document(text, "d.yaml");
+  yaml::Faults faults;
+  auto claims = claim::read_claims(document.root, claim::Claim::Kind::statement, sample_names(), faults);
   return {std::move(claims), all_text(faults)};
 }
 
 struct ReadFigures {
-  std::vector<Figure> figures;
+  std::vector<plot::Figure> figures;
   std::string faults;
 };
 
 inline ReadFigures figures_of(const std::string& text) {
-  const Document document = parse_document(text, "d.yaml");
-  Faults faults;
-  auto figures = read_figures(document.root, sample_names(), faults);
+  const yaml::Document document = yaml::parse_document(text, "d.yaml");
+  yaml::Faults faults;
+  auto figures = plot::read_figures(document.root, sample_names(), faults);
   return {std::move(figures), all_text(faults)};
 }
 
 /// The first panel of a figure without faults.
-inline Panel panel_of(const std::string& text) {
+inline plot::Panel panel_of(const std::string& text) {
   const auto read = figures_of(text);
   INFO(read.faults);
   REQUIRE(read.faults.empty());
@@ -115,22 +115,23 @@ inline Panel panel_of(const std::string& text) {
 }
 
 /// The figure that a text makes of a recording with these currents.
-inline FigureSpec figure_spec_of(const std::string& text, const std::vector<double>& currents = {0.0},
-                                 int rows = 40) {
+inline plot::FigureSpec figure_spec_of(const std::string& text, const std::vector<double>& currents = {0.0},
+                                       int rows = 40) {
   const auto read = figures_of(text);
   INFO(read.faults);
   REQUIRE(read.faults.empty());
-  return figure_spec(read.figures.at(0), sample_recordings(currents, rows));
+  return plot::figure_spec(read.figures.at(0), sample_recordings(currents, rows));
 }
 
 /// The plot of its first panel.
-inline PlotSpec spec_of(const std::string& text, const std::vector<double>& currents = {0.0}, int rows = 40) {
-  return std::get<PlotSpec>(figure_spec_of(text, currents, rows).panels.at(0).content);
+inline plot::PlotSpec spec_of(const std::string& text, const std::vector<double>& currents = {0.0},
+                              int rows = 40) {
+  return std::get<plot::PlotSpec>(figure_spec_of(text, currents, rows).panels.at(0).content);
 }
 
 /// The i-th mark, which is of this type.
 template <class MarkType>
-const MarkType& mark(const PlotSpec& plot, std::size_t index) {
+const MarkType& mark(const plot::PlotSpec& plot, std::size_t index) {
   REQUIRE(index < plot.marks.size());
   REQUIRE(std::holds_alternative<MarkType>(plot.marks[index]));
   return std::get<MarkType>(plot.marks[index]);

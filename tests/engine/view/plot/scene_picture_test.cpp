@@ -5,27 +5,27 @@
 #include "engine/view/scene/scene_states.hpp"
 #include "tests/engine/view/plot/scene_samples.hpp"
 
-using namespace stepwire;
-using namespace stepwire::testing;
+namespace stepwire::plot {
+using namespace testing;
 using Catch::Contains;
 
 namespace {
 
 /// The figures of a text over a scene.
-ReadFigures figures_over(const Scene& scene, const std::string& text) {
-  SymbolTable names = pen_names();
-  names.scene = std::make_shared<const Scene>(scene);
-  const Document document = parse_document(text, "d.yaml");
-  Faults faults;
+ReadFigures figures_over(const scene::Scene& scene, const std::string& text) {
+  query::SymbolTable names = pen_names();
+  names.scene = std::make_shared<const scene::Scene>(scene);
+  const yaml::Document document = yaml::parse_document(text, "d.yaml");
+  yaml::Faults faults;
   auto figures = read_figures(document.root, names, faults);
   return {std::move(figures), all_text(faults)};
 }
 
-std::string drawn(const Scene& scene, const std::string& text) {
+std::string drawn(const scene::Scene& scene, const std::string& text) {
   const ReadFigures read = figures_over(scene, text);
   INFO(read.faults);
   REQUIRE(read.faults.empty());
-  return draw(read.figures.at(0), std::vector{pen_recording(1000)}).svg;
+  return render::draw(read.figures.at(0), std::vector{pen_recording(1000)}).svg;
 }
 
 std::size_t count_of(const std::string& text, const std::string& part) {
@@ -43,7 +43,7 @@ TEST_CASE("a point of the scene stands in the picture to scale, with y upward") 
 }
 
 TEST_CASE("a scene is drawn at the instants that a figure names, side by side") {
-  const Scene scene = scene_of("a: {ball: pen, radius: 0.5 mm}");
+  const scene::Scene scene = scene_of("a: {ball: pen, radius: 0.5 mm}");
   const std::string svg =
       drawn(scene, "{plot: scene, at: [0.25 s, 750 ms], words: [first, second], title: A pen}");
   CHECK_THAT(svg, Contains("<circle cx=\"288\" cy=\"192\"") && Contains("<circle cx=\"384\" cy=\"192\""));
@@ -52,7 +52,7 @@ TEST_CASE("a scene is drawn at the instants that a figure names, side by side") 
 }
 
 TEST_CASE("without an instant the first row is drawn for which `where` is true") {
-  const Scene scene = scene_of("a: {ball: pen, radius: 0.5 mm}");
+  const scene::Scene scene = scene_of("a: {ball: pen, radius: 0.5 mm}");
   CHECK_THAT(drawn(scene, "{plot: scene, where: pen.1 >= 2 mm && run == 1}"),
              Contains("<circle cx=\"336\" cy=\"144\""));
   CHECK_THAT(drawn(scene, "{plot: scene, where: run == 1, at: 0.5 s}"),
@@ -62,7 +62,7 @@ TEST_CASE("without an instant the first row is drawn for which `where` is true")
 TEST_CASE("a plot of a scene is refused where there is none, and for what it does not know") {
   CHECK_THAT(figures_of("{plot: scene}").faults,
              Contains("figure.plot: a plot 'scene' draws the section 'scene'"));
-  const Scene scene = scene_of("a: {ball: pen}");
+  const scene::Scene scene = scene_of("a: {ball: pen}");
   CHECK_THAT(figures_over(scene, "{plot: scene, at: 1 m}").faults, Contains("figure.at: 1 m is in m"));
   CHECK_THAT(figures_over(scene, "{plot: scene, at: -1 s}").faults,
              Contains("figure.at: -1 s is not within the run"));
@@ -74,21 +74,21 @@ TEST_CASE("a plot of a scene is refused where there is none, and for what it doe
 }
 
 TEST_CASE("what is hidden is not seen, and words are escaped") {
-  const Scene scene = scene_of("a: {text: \"1 < 2\", at: [0, 0], when: pen.1 > 2 mm}");
+  const scene::Scene scene = scene_of("a: {text: \"1 < 2\", at: [0, 0], when: pen.1 > 2 mm}");
   CHECK_THAT(drawn(scene, "{plot: scene, at: 0 s}"), Contains("visibility=\"hidden\">1 &lt; 2</text>"));
   CHECK_THAT(drawn(scene, "{plot: scene, at: 1 s}"), Contains("visibility=\"visible\">1 &lt; 2</text>"));
 }
 
 TEST_CASE("what a scene shows stands in columns, for claims") {
-  const Scene scene = scene_of(all_objects);
+  const scene::Scene scene = scene_of(all_objects);
   std::vector<std::string> names;
-  for (const RecordedName& name : scene_state_names(scene)) names.push_back(name.name);
+  for (const query::RecordedName& name : scene::scene_state_names(scene)) names.push_back(name.name);
   CHECK(names == std::vector<std::string>{"scene.walls.1.blue", "scene.walls.1.red", "scene.walls.2.blue",
                                           "scene.walls.2.red", "scene.way.shown", "scene.goal.shown",
                                           "scene.ball.red", "scene.ball.yellow", "scene.hint.shown"});
   std::vector recordings{pen_recording(400)};
-  add_scene_states(scene, recordings);
-  const Table& table = recordings[0].table;
+  scene::add_scene_states(scene, recordings);
+  const table::Table& table = recordings[0].table;
   const auto value = [&](const std::string& name, std::size_t row) {
     return table.find(name)->values.at(row);
   };
@@ -107,13 +107,13 @@ TEST_CASE("what a scene shows stands in columns, for claims") {
 TEST_CASE("a sentence at the edge of a scene is not cut off, and a long one is smaller") {
   // An m of DejaVu Sans, the widest usual font, is 0.974 of its size wide; the picture is 480 wide.
   const auto reaches = [](const std::string& words) {
-    const Scene scene = scene_of("a: {text: " + words + ", at: [3.9 mm, 1 mm], size: 0.6 mm}");
-    Recording recording = pen_recording(10);
-    const SceneView view = view_of(scene, recording);
-    const SvgElement frame = scene_frame(scene, view.shapes(row_of(recording, 0)));
-    const SvgElement& text = frame.children.back();
+    const scene::Scene scene = scene_of("a: {text: " + words + ", at: [3.9 mm, 1 mm], size: 0.6 mm}");
+    record::Recording recording = pen_recording(10);
+    const scene::SceneView view = scene::view_of(scene, recording);
+    const svg::SvgElement frame = render::scene_frame(scene, view.shapes(scene::row_of(recording, 0)));
+    const svg::SvgElement& text = frame.children.back();
     const auto number = [&](const std::string& name) {
-      for (const SvgAttribute& attribute : text.attributes)
+      for (const svg::SvgAttribute& attribute : text.attributes)
         if (attribute.name == name) return std::stod(attribute.value);
       return 0.0;
     };
@@ -126,3 +126,5 @@ TEST_CASE("a sentence at the edge of a scene is not cut off, and a long one is s
   CHECK(usual == Approx(480.0 * 0.6 / 10.0));
   CHECK(small < 0.6 * usual);
 }
+
+}  // namespace stepwire::plot

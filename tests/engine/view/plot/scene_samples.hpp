@@ -6,8 +6,8 @@
 namespace stepwire::testing {
 
 /// A pen over a square of 4 mm with a hole of 2 mm, as samples.hpp draws it.
-inline SymbolTable pen_names() {
-  const Dimension metre{{1}}, second{{0, 0, 1}}, newton{{1, 1, -2}};
+inline query::SymbolTable pen_names() {
+  const unit::Dimension metre{{1}}, second{{0, 0, 1}}, newton{{1, 1, -2}};
   return {"d.yaml",
           {{"time", second, {}},
            {"run", {}, {}},
@@ -27,10 +27,10 @@ inline SymbolTable pen_names() {
 
 /// Two runs in which the pen goes along x from the middle of the hole to x = 4 mm, at y = 0 and at y = 1 mm:
 /// across the inner and then the outer wall.
-inline Recording pen_recording(int rows) {
-  Recording recording;
+inline record::Recording pen_recording(int rows) {
+  record::Recording recording;
   recording.starts.clear();
-  for (const RecordedName& name : pen_names().columns)
+  for (const query::RecordedName& name : pen_names().columns)
     if (name.name != "slow") recording.table.columns.push_back({name.name, "", {}});
   for (const double run : {0.0, 1.0}) {
     recording.starts.push_back(recording.table.rows());
@@ -45,19 +45,19 @@ inline Recording pen_recording(int rows) {
 }
 
 struct ReadScene {
-  Scene scene;
+  scene::Scene scene;
   std::string faults;
 };
 
 inline ReadScene read_scene_of(const std::string& text) {
-  const Document document = parse_document(text, "d.yaml");
-  Faults faults;
-  Scene scene = read_scene(document.root, pen_names(), faults);
+  const yaml::Document document = yaml::parse_document(text, "d.yaml");
+  yaml::Faults faults;
+  scene::Scene scene = scene::read_scene(document.root, pen_names(), faults);
   return {std::move(scene), all_text(faults)};
 }
 
 /// A scene with these objects and further keys, without faults.
-inline Scene scene_of(const std::string& objects, const std::string& more = "") {
+inline scene::Scene scene_of(const std::string& objects, const std::string& more = "") {
   auto read =
       read_scene_of("{view: {x: [-5 mm, 5 mm], y: [-4 mm, 4 mm]}, objects: {" + objects + "}" + more + "}");
   INFO(read.faults);

@@ -8,9 +8,10 @@
 #include "tests/engine/view/plot/every_kind.hpp"
 #include "tests/engine/view/plot/spec_reader.hpp"
 
-using namespace stepwire;
-using namespace stepwire::testing;
+namespace stepwire::plot {
+using namespace testing;
 using Catch::Contains;
+using testing::json;
 
 namespace {
 
@@ -42,7 +43,7 @@ TEST_CASE(
   for (const std::string& text : every_kind) {
     INFO(text);
     const FigureSpec figure = figure_spec_of(text, {0.1, 0.2, 0.3}, 200);
-    CHECK(gnuplot_script(figure_of_json(text_of(figure))) == gnuplot_script(figure));
+    CHECK(render::gnuplot_script(figure_of_json(text_of(figure))) == render::gnuplot_script(figure));
   }
 }
 
@@ -53,13 +54,13 @@ TEST_CASE("what lies over a plot, panels and charts are drawn the same from thei
       ", region: map, region_line: dashes, marks: {A: [0 mm, 0 mm/s]}, texts: {here: [1 mm, 1 "
       "mm/s]}, motion: {x: rig.x, y: rig.v}, rose: {x: rig.x, y: rig.v, angle: time*6, value: push.force in "
       "N, radius: 2 mm, at: [3 mm, 3 mm/s]}, note: {signal: current in mA, label: at}}";
-  const MatrixChart matrix{"m", {"a", "b"}, {{1.0, -0.25}, {nothing, 1.0}}};
+  const MatrixChart matrix{"m", {"a", "b"}, {{1.0, -0.25}, {query::nothing, 1.0}}};
   const BarChart bars{"b", "share [%]", {{"first", "#0072B2"}}, {{"it is a", {12.5}}, {"rest", {7.5}, true}}};
   for (const FigureSpec& figure :
        {figure_spec_of(over), figure_of(matrix), figure_of(bars),
         figure_spec_of("{title: two, panels: [" + over + ", {plot: lines, x: time, y: rig.x}]}"),
         figure_spec_of("{plot: lines, x: time, y: rig.x, where: time < 0}")})
-    CHECK(gnuplot_script(figure_of_json(text_of(figure))) == gnuplot_script(figure));
+    CHECK(render::gnuplot_script(figure_of_json(text_of(figure))) == render::gnuplot_script(figure));
 }
 
 TEST_CASE("what stands at its default is left out, and numbers of columns have seven digits") {
@@ -78,7 +79,7 @@ TEST_CASE("what stands at its default is left out, and numbers of columns have s
 }
 
 TEST_CASE("cells of an image that were not measured are null") {
-  ImageMark image{0.0, 0.0, 1.0, 1.0, 2, 1, {1.5, nothing}};
+  ImageMark image{0.0, 0.0, 1.0, 1.0, 2, 1, {1.5, query::nothing}};
   const FigureSpec figure{"", 10.0, 10.0, false, {{0.0, 0.0, 10.0, 10.0, PlotSpec{.marks = {image}}}}};
   const json values = json::parse(text_of(figure)).at("panels").at(0).at("marks").at(0).at("values");
   CHECK(values == json::array({1.5, nullptr}));
@@ -90,10 +91,11 @@ TEST_CASE("tables, diagrams and scenes are panels of their own") {
         .at("panels")
         .at(0);
   };
-  const json table = panel(TextTable{"t", {"of", "found"}, {{"a", "1 mm"}}, {"a note"}});
+  const json table = panel(text::TextTable{"t", {"of", "found"}, {{"a", "1 mm"}}, {"a note"}});
   CHECK(table.at("panel") == "table");
   CHECK(table.at("rows") == json::array({json::array({"a", "1 mm"})}));
-  const json graph = panel(DrawnGraph{DrawnGraph::Kind::rig, Json::object().set("title", "r")});
+  const json graph =
+      panel(DrawnGraph{DrawnGraph::Kind::rig, stepwire::json::Json::object().set("title", "r")});
   CHECK(graph.at("panel") == "rig");
   CHECK(graph.at("graph").at("title") == "r");
 }
@@ -105,3 +107,5 @@ TEST_CASE("the page of the format names every mark and every field") {
   for (const std::string& name : names_in_json(PlotMark{}))
     CHECK_THAT(page.str(), Contains("`" + name + "`"));
 }
+
+}  // namespace stepwire::plot

@@ -34,14 +34,14 @@ void read_word(const json& from, Enum& to, const Words& words) {
     if (from.get<std::string>() == words[i]) return void(to = static_cast<Enum>(i));
   throw std::invalid_argument(from.dump());
 }
-inline void read(const json& from, PlotSpec::Legend& to) {
-  read_word(from, to, PlotSpec::legends);
+inline void read(const json& from, plot::PlotSpec::Legend& to) {
+  read_word(from, to, plot::PlotSpec::legends);
 }
-inline void read(const json& from, TextMark::Align& to) {
-  read_word(from, to, TextMark::alignments);
+inline void read(const json& from, plot::TextMark::Align& to) {
+  read_word(from, to, plot::TextMark::alignments);
 }
-inline void read(const json& from, PointsMark::Symbol& to) {
-  read_word(from, to, PointsMark::symbols);
+inline void read(const json& from, plot::PointsMark::Symbol& to) {
+  read_word(from, to, plot::PointsMark::symbols);
 }
 
 template <class Struct>
@@ -49,7 +49,7 @@ requires requires {
   Struct::fields();
 }
 void read(const json& from, Struct& to);
-inline void read(const json& from, PlotMark& to);
+inline void read(const json& from, plot::PlotMark& to);
 
 template <class Value>
 void read(const json& from, std::optional<Value>& to) {
@@ -77,26 +77,27 @@ void read(const json& from, Struct& to) {
 }
 
 template <std::size_t index = 0>
-void read_mark(const json& from, PlotMark& to) {
-  if constexpr (index == std::variant_size_v<PlotMark>) {
+void read_mark(const json& from, plot::PlotMark& to) {
+  if constexpr (index == std::variant_size_v<plot::PlotMark>) {
     throw std::invalid_argument(from.dump());
   } else {
-    using Type = std::variant_alternative_t<index, PlotMark>;
+    using Type = std::variant_alternative_t<index, plot::PlotMark>;
     if (from.at("mark") != Type::name) return read_mark<index + 1>(from, to);
     read(from, to.emplace<Type>());
   }
 }
-inline void read(const json& from, PlotMark& to) {
+inline void read(const json& from, plot::PlotMark& to) {
   read_mark(from, to);
 }
 
 /// The figure of such a text.
-inline FigureSpec figure_of_json(const std::string& text) {
+inline plot::FigureSpec figure_of_json(const std::string& text) {
   const json from = json::parse(text);
-  FigureSpec figure{from.at("title"), from.at("width"), from.at("height"), from.value("aligned", false), {}};
+  plot::FigureSpec figure{
+      from.at("title"), from.at("width"), from.at("height"), from.value("aligned", false), {}};
   for (const json& panel : from.at("panels")) {
     const auto box = panel.at("box").get<std::vector<double>>();
-    PlotSpec plot;
+    plot::PlotSpec plot;
     read(panel, plot);
     figure.panels.push_back({box.at(0), box.at(1), box.at(2), box.at(3), std::move(plot)});
   }

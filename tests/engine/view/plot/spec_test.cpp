@@ -1,8 +1,8 @@
 // What each kind of plot makes of a small recording, without any renderer.
 #include "tests/engine/view/plot/samples.hpp"
 
-using namespace stepwire;
-using namespace stepwire::testing;
+namespace stepwire::plot {
+using namespace testing;
 
 namespace {
 
@@ -101,7 +101,7 @@ TEST_CASE("a path has a value at each point and the colours of its axis") {
          plot.palette.back() == ColorStop{1.0, "#b41203"}));
   const auto& line = mark<LineMark>(plot, 0);
   CHECK(line.line == LineStyle{"", 3.0});
-  CHECK(extent_of(line.curves.at(0).value).high == Approx(4.0));
+  CHECK(geometry::extent_of(line.curves.at(0).value).high == Approx(4.0));
 }
 
 TEST_CASE("a strip is one row of cells over x, without an axis upwards") {
@@ -196,7 +196,9 @@ TEST_CASE("panels stand in rows of so many columns, as high as the picture leave
 
 TEST_CASE("a table is a panel with its texts") {
   const FigureSpec figure = figure_spec_of("{plot: table, headings: [of, found], rows: {end: time in ms}}");
-  const auto& table = std::get<TextTable>(figure.panels.at(0).content);
+  const auto& table = std::get<text::TextTable>(figure.panels.at(0).content);
   CHECK(table.columns == std::vector<std::string>{"of", "found"});
   CHECK(table.rows.at(0) == std::vector<std::string>{"end", "0 ms"});
 }
+
+}  // namespace stepwire::plot

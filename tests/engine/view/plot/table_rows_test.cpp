@@ -2,41 +2,42 @@
 
 #include <catch2/catch.hpp>
 
-using namespace stepwire;
+namespace stepwire::plot {
 
 namespace {
 
-const SymbolTable names{"test.yaml",
-                        {{"time", parse_unit("s")->dimension, {}}, {"x", parse_unit("m")->dimension, 0}},
-                        {{"limit", 0.253, parse_unit("m")->dimension}}};
+const query::SymbolTable names{
+    "test.yaml",
+    {{"time", unit::parse_unit("s")->dimension, {}}, {"x", unit::parse_unit("m")->dimension, 0}},
+    {{"limit", 0.253, unit::parse_unit("m")->dimension}}};
 
 /// x = 0, 1, 2 m at 0, 1, 2 s.
-std::vector<Recording> recordings() {
-  Recording recording;
+std::vector<record::Recording> recordings() {
+  record::Recording recording;
   recording.table.columns = {{"time", "s", {0.0, 1.0, 2.0}}, {"x", "m", {0.0, 1.0, 2.0}}};
   recording.starts = {0};
   return {recording};
 }
 
-TextTable table_of(const std::string& yaml) {
-  Faults faults;
-  const Document document = parse_document(yaml, "test.yaml");
+text::TextTable table_of(const std::string& yaml) {
+  yaml::Faults faults;
+  const yaml::Document document = yaml::parse_document(yaml, "test.yaml");
   const TableRows rows = read_table_rows(document.root, names, faults);
   faults.throw_if_any();
   return filled(rows, recordings());
 }
 
 std::string fault_of(const std::string& yaml) {
-  Faults faults;
-  const Document document = parse_document(yaml, "test.yaml");
+  yaml::Faults faults;
+  const yaml::Document document = yaml::parse_document(yaml, "test.yaml");
   read_table_rows(document.root, names, faults);
-  return faults.size() == 0 ? "" : plain(faults.list().front().message);
+  return faults.size() == 0 ? "" : yaml::plain(faults.list().front().message);
 }
 
 }  // namespace
 
 TEST_CASE("a table of expressions has their values with their units, in the row that is selected") {
-  const TextTable table = table_of(
+  const text::TextTable table = table_of(
       "{title: T, headings: [of, now, limit], where: time > 0.5 s, rows: {x: [x in mm, $limit in mm], "
       "none: [2*time/(1 s), 0.5]}}");
   CHECK(table.title == "T");
@@ -54,5 +55,7 @@ TEST_CASE("a table of expressions without headings, without rows, or with a shor
 }
 
 TEST_CASE("a table of expressions for which no row is selected ends with the place") {
-  CHECK_THROWS_AS(table_of("{headings: [of, x], where: time > 9 s, rows: {a: x}}"), Error);
+  CHECK_THROWS_AS(table_of("{headings: [of, x], where: time > 9 s, rows: {a: x}}"), yaml::Error);
 }
+
+}  // namespace stepwire::plot

@@ -10,8 +10,8 @@
 #include "engine/view/svg/text_width.hpp"
 #include "tests/engine/view/plot/samples.hpp"
 
-using namespace stepwire;
-using namespace stepwire::testing;
+namespace stepwire::plot {
+using namespace testing;
 using Catch::Contains;
 
 namespace {
@@ -20,7 +20,7 @@ std::string drawn(const std::string& text) {
   const auto read = figures_of(text);
   INFO(read.faults);
   REQUIRE(read.faults.empty());
-  return draw(read.figures.at(0), sample_recordings({0.1, 0.2}, 200)).svg;
+  return render::draw(read.figures.at(0), sample_recordings({0.1, 0.2}, 200)).svg;
 }
 
 /// The texts of a picture with their places: "<text>TEXT</text>" behind "translate(X,Y)".
@@ -60,7 +60,7 @@ double min_room(const std::string& svg) {
 }  // namespace
 
 TEST_CASE("numbers at an axis do not touch in small panels") {
-  if (!has_gnuplot()) return;
+  if (!render::has_gnuplot()) return;
   const std::string wide = "{plot: lines, x: time in ms, y: rig.x in mm, x_range: [0 s, 1.2 s]}";
   const std::string panels = "{columns: 4, size: [800, 200], panels: [" + wide + "]}";
   CHECK(min_room(drawn(panels)) > 3.0);
@@ -82,28 +82,28 @@ TEST_CASE("ticks are as far apart as gnuplot has them, and farther where there i
 }
 
 TEST_CASE("a title that is too wide is smaller, and then has two lines") {
-  CHECK(fitted_title("force", 300.0) == "'force'");
-  CHECK_THAT(fitted_title("the force of the damper at the pin", 220.0), Contains("' font ',1"));
+  CHECK(render::fitted_title("force", 300.0) == "'force'");
+  CHECK_THAT(render::fitted_title("the force of the damper at the pin", 220.0), Contains("' font ',1"));
   const std::string two =
-      fitted_title("the \"force\" of the left damper and of the right damper at the pin", 250.0);
+      render::fitted_title("the \"force\" of the left damper and of the right damper at the pin", 250.0);
   CHECK_THAT(two, Contains("\\n") && Contains(", 'the \"force\" of"));
 }
 
 TEST_CASE("texts are as wide as in DejaVu Sans at most") {
-  CHECK(text_width("") == 0.0);
-  CHECK(text_width("i") == Approx(0.278));
-  CHECK(text_width("Wi") == Approx(0.989 + 0.278));
-  CHECK(text_width("µ") == Approx(0.8));
-  CHECK(fitted_size("WWWW", 10.0, 100.0) == 10.0);
-  CHECK(fitted_size("WWWW", 10.0, 20.0) == Approx(20.0 / (4 * 0.989)));
+  CHECK(svg::text_width("") == 0.0);
+  CHECK(svg::text_width("i") == Approx(0.278));
+  CHECK(svg::text_width("Wi") == Approx(0.989 + 0.278));
+  CHECK(svg::text_width("µ") == Approx(0.8));
+  CHECK(svg::fitted_size("WWWW", 10.0, 100.0) == 10.0);
+  CHECK(svg::fitted_size("WWWW", 10.0, 20.0) == Approx(20.0 / (4 * 0.989)));
 }
 
 TEST_CASE("a map is cut at the frame, cell by cell") {
-  Grid grid{0.5, 0.5, 1.0, 1.0, 4, 4, {}};
+  geometry::Grid grid{0.5, 0.5, 1.0, 1.0, 4, 4, {}};
   for (int i = 0; i < 16; ++i) grid.values.push_back(i);
-  const Grid same = within(grid, {0.0, 4.0}, {0.0, 4.0});
+  const geometry::Grid same = geometry::within(grid, {0.0, 4.0}, {0.0, 4.0});
   CHECK(same.columns == 4);
-  const Grid cut = within(grid, {0.5, 3.5}, {1.0, 4.0});
+  const geometry::Grid cut = geometry::within(grid, {0.5, 3.5}, {1.0, 4.0});
   CHECK(cut.x - 0.5 * cut.dx == Approx(0.5));
   CHECK(cut.x + (static_cast<double>(cut.columns) - 0.5) * cut.dx == Approx(3.5));
   CHECK(cut.y - 0.5 * cut.dy == Approx(1.0));
@@ -113,9 +113,11 @@ TEST_CASE("a map is cut at the frame, cell by cell") {
 }
 
 TEST_CASE("a signal without a label is named in words, without hints of gnuplot") {
-  if (!has_gnuplot()) return;
+  if (!render::has_gnuplot()) return;
   const std::string svg = drawn("{plot: lines, x: time in s, y: push.force}");
   CHECK_THAT(
       svg, Contains(">force of push [N]<") && !Contains("push.force") && !Contains("gnuplot_plot_1</title>"));
   CHECK_THAT(svg, Contains("prefers-color-scheme: dark"));
 }
+
+}  // namespace stepwire::plot

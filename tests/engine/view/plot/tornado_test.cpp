@@ -1,7 +1,7 @@
 #include "tests/engine/view/plot/samples.hpp"
 
-using namespace stepwire;
-using namespace stepwire::testing;
+namespace stepwire::plot {
+using namespace testing;
 using Catch::Contains;
 
 namespace {
@@ -9,16 +9,16 @@ namespace {
 const std::vector<std::string> which{"base", "mass", "mass", "speed", "speed"},
     what{"", "1 kg", "3 kg", "2 m/s", "8 m/s"};
 
-SymbolTable tornado_names() {
-  SymbolTable names = sample_names();
+query::SymbolTable tornado_names() {
+  query::SymbolTable names = sample_names();
   names.columns.push_back({"differs", std::nullopt, std::nullopt, "", which});
   names.columns.push_back({"differs_to", std::nullopt, std::nullopt, "", what});
   return names;
 }
 
 /// Five settings, each recorded twice: the outcome, and 1 N more.
-Recording tornado_recording() {
-  Recording recording;
+record::Recording tornado_recording() {
+  record::Recording recording;
   recording.starts.clear();
   recording.categories = {{"differs", which}, {"differs_to", what}};
   auto& columns = recording.table.columns;
@@ -34,12 +34,12 @@ Recording tornado_recording() {
 }
 
 PlotSpec tornado(const std::string& more) {
-  const Document document = parse_document("plot: tornado\nx: push.force\n" + more, "f.yaml");
-  Faults faults;
+  const yaml::Document document = yaml::parse_document("plot: tornado\nx: push.force\n" + more, "f.yaml");
+  yaml::Faults faults;
   const auto figures = read_figures(document.root, tornado_names(), faults);
   INFO(all_text(faults));
   REQUIRE(faults.empty());
-  const std::vector<Recording> recordings{tornado_recording()};
+  const std::vector<record::Recording> recordings{tornado_recording()};
   return std::get<PlotSpec>(figure_spec(figures.at(0), recordings).panels.at(0).content);
 }
 
@@ -73,7 +73,9 @@ TEST_CASE("a tornado shows what `where` selects") {
 }
 
 TEST_CASE("a tornado of a file that varies nothing one at a time says what is missing") {
-  Faults faults;
-  read_figures(parse_document("{plot: tornado, x: push.force}", "f.yaml").root, sample_names(), faults);
+  yaml::Faults faults;
+  read_figures(yaml::parse_document("{plot: tornado, x: push.force}", "f.yaml").root, sample_names(), faults);
   CHECK_THAT(all_text(faults), Contains("figure.by") && Contains("differs"));
 }
+
+}  // namespace stepwire::plot

@@ -2,37 +2,38 @@
 
 #include "engine/analyse/query/formula.hpp"
 
-using namespace stepwire;
+namespace stepwire::plot {
 using Catch::Contains;
 
 namespace {
 
-SymbolTable names_with_words() {
-  SymbolTable names{"a.yaml", {}, {}};
+query::SymbolTable names_with_words() {
+  query::SymbolTable names{"a.yaml", {}, {}};
   names.columns = {{"x", {}, 0}, {"rig.method", {}, 0}};
   names.columns.push_back({"condition", {}, 0});
   names.columns.back().words = {"NO", "H", "HV"};
   return names;
 }
 
-Recording rows_of_conditions() {
-  return {
-      Table{{{"x", "", {1, 2, 3}}, {"rig.method", "", {0, 0, 0}}, {"condition", "", {0, 1, 2}}}}, {0}, {}};
+record::Recording rows_of_conditions() {
+  return {table::Table{{{"x", "", {1, 2, 3}}, {"rig.method", "", {0, 0, 0}}, {"condition", "", {0, 1, 2}}}},
+          {0},
+          {}};
 }
 
 std::vector<double> values_of(const std::string& text) {
-  Faults faults;
-  const Node node{Node::Kind::scalar, false, {1, 1}, text, {}, {}};
-  const auto formula = read_formula(node, names_with_words(), "where", faults);
+  yaml::Faults faults;
+  const yaml::Node node{yaml::Node::Kind::scalar, false, {1, 1}, text, {}, {}};
+  const auto formula = query::read_formula(node, names_with_words(), "where", faults);
   INFO(text);
   REQUIRE(faults.empty());
-  return evaluate(*formula, rows_of_conditions());
+  return query::evaluate(*formula, rows_of_conditions());
 }
 
 std::string fault_of(const std::string& text) {
-  Faults faults;
-  const Node node{Node::Kind::scalar, false, {1, 1}, text, {}, {}};
-  read_formula(node, names_with_words(), "where", faults);
+  yaml::Faults faults;
+  const yaml::Node node{yaml::Node::Kind::scalar, false, {1, 1}, text, {}, {}};
+  query::read_formula(node, names_with_words(), "where", faults);
   REQUIRE(faults.size() == 1);
   return faults.list().front().text();
 }
@@ -54,3 +55,5 @@ TEST_CASE("a word that a column does not have, or that stands elsewhere, is told
   CHECK_THAT(fault_of("x + \"HV\""), Contains("a column of words"));
   CHECK_THAT(fault_of("condition == \"HV"), Contains("has no end"));
 }
+
+}  // namespace stepwire::plot

@@ -6,20 +6,20 @@
 #include "engine/view/render/gnuplot_text.hpp"
 #include "tests/engine/view/plot/samples.hpp"
 
-using namespace stepwire;
-using namespace stepwire::testing;
+namespace stepwire::render {
+using namespace testing;
 using Catch::Contains;
 
 namespace {
 
-FigureSpec figure_of(PlotSpec plot) {
+plot::FigureSpec figure_of(plot::PlotSpec plot) {
   return {"", 600.0, 400.0, false, {{0.0, 0.0, 600.0, 400.0, std::move(plot)}}};
 }
 
 }  // namespace
 
 TEST_CASE("a mark that is put together by hand is drawn with its numbers, colour and dash") {
-  const LineMark line{{{{0.0, 1.0}, {2.0, 0.5}, {}, {}}}, {"#123456", 1.5, {2.5, 4.0}}, 0.0, "it's"};
+  const plot::LineMark line{{{{0.0, 1.0}, {2.0, 0.5}, {}, {}}}, {"#123456", 1.5, {2.5, 4.0}}, 0.0, "it's"};
   const std::string script =
       gnuplot_script(figure_of({.x = {.range = {{0.0, 1.0}}, .step = 0.5}, .marks = {line}}));
   CHECK_THAT(script,
@@ -31,10 +31,10 @@ TEST_CASE("a mark that is put together by hand is drawn with its numbers, colour
 TEST_CASE("texts, labels and colours never become commands, not even in titles that are too wide") {
   const std::string bad =
       "a long title `touch no` that breaks in two \"lines\" 'here' and \\there, $(touch no) or not at all";
-  PlotSpec plot{.title = bad, .x = {.label = bad, .range = {{0.0, 1.0}}, .named_ticks = {{0.5, bad}}}};
+  plot::PlotSpec plot{.title = bad, .x = {.label = bad, .range = {{0.0, 1.0}}, .named_ticks = {{0.5, bad}}}};
   plot.texts.push_back({.text = bad});
-  plot.marks.push_back(LineMark{{{{0.0, 1.0}, {0.0, 1.0}, {}, {}}}, {"'; system 'touch no"}, 0.0, bad});
-  FigureSpec figure = figure_of(std::move(plot));
+  plot.marks.push_back(plot::LineMark{{{{0.0, 1.0}, {0.0, 1.0}, {}, {}}}, {"'; system 'touch no"}, 0.0, bad});
+  plot::FigureSpec figure = figure_of(std::move(plot));
   figure.panels.front().width = 200.0;
   const std::string script = gnuplot_script(figure);
   // In single quotes nothing has a meaning but the quote itself, of which none is left inside.
@@ -46,12 +46,15 @@ TEST_CASE("texts, labels and colours never become commands, not even in titles t
   }
   CHECK_THAT(outside, !Contains("touch") && !Contains("`"));
   CHECK_THAT(script, Contains("set title sprintf(\"%s\\n%s\", 'a long title `touch no`"));
-  std::get<LineMark>(std::get<PlotSpec>(figure.panels.front().content).marks.front()).line.color = "#123456";
+  std::get<plot::LineMark>(std::get<plot::PlotSpec>(figure.panels.front().content).marks.front()).line.color =
+      "#123456";
   if (has_gnuplot()) CHECK_THAT(render(figure).svg, Contains("`touch no`"));
 }
 
 TEST_CASE("one row of cells is drawn as two halves of it, which gnuplot does not refuse") {
-  const ImageMark image{0.5, 0.5, 1.0, 1.0, 2, 1, {7.0, 8.0}};
+  const plot::ImageMark image{0.5, 0.5, 1.0, 1.0, 2, 1, {7.0, 8.0}};
   CHECK_THAT(gnuplot_script(figure_of({.marks = {image}})),
              Contains("0.5 0.25 7\n1.5 0.25 8\n0.5 0.75 7\n1.5 0.75 8\n"));
 }
+
+}  // namespace stepwire::render

@@ -1,7 +1,7 @@
 #include "tests/engine/view/plot/scene_samples.hpp"
 
-using namespace stepwire;
-using namespace stepwire::testing;
+namespace stepwire::scene {
+using namespace testing;
 using Catch::Contains;
 
 TEST_CASE("a scene has its objects in the order of the file, with lengths in metres") {
@@ -87,11 +87,13 @@ TEST_CASE("signals of a scene are recorded together") {
 }
 
 TEST_CASE("what a scene shows has a name of its own") {
-  SymbolTable names = pen_names();
-  names.columns.push_back({"scene.a.shown", Dimension{}, 0});
-  Faults faults;
-  const Document document =
-      parse_document("{view: {x: [0, 1], y: [0, 1]}, objects: {a: {ball: pen, when: time > 1 s}}}", "d.yaml");
+  query::SymbolTable names = pen_names();
+  names.columns.push_back({"scene.a.shown", unit::Dimension{}, 0});
+  yaml::Faults faults;
+  const yaml::Document document = yaml::parse_document(
+      "{view: {x: [0, 1], y: [0, 1]}, objects: {a: {ball: pen, when: time > 1 s}}}", "d.yaml");
   read_scene(document.root, names, faults);
   CHECK_THAT(all_text(faults), Contains("'scene.a.shown' is recorded already"));
 }
+
+}  // namespace stepwire::scene

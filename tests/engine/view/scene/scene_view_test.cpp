@@ -1,7 +1,7 @@
 #include "tests/engine/view/plot/scene_samples.hpp"
 
-using namespace stepwire;
-using namespace stepwire::testing;
+namespace stepwire::scene {
+using namespace testing;
 
 namespace {
 
@@ -70,3 +70,5 @@ TEST_CASE("a row without a signal of the scene is refused") {
   const Scene scene = scene_of("a: {ball: pen}");
   CHECK_THROWS_WITH(SceneView(scene, {"pen.1"}), "'pen.2' was not recorded");
 }
+
+}  // namespace stepwire::scene

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-using namespace stepwire;
+namespace stepwire::svg {
 using Catch::Contains;
 
 namespace {
@@ -49,3 +49,5 @@ TEST_CASE("frames that are built differently are no animation") {
   CHECK_THROWS_WITH(animated_svg({dot(0, "red"), SvgElement{"svg"}}, 1.0),
                     Contains("differ in more than values"));
 }
+
+}  // namespace stepwire::svg
