@@ -25,12 +25,12 @@ void add_swept_names(const run::Job& job, query::SymbolTable& names) {
   if (job.points.empty()) return;
   for (const diagram::Sweep::Axis& axis : job.plan.diagram.sweep->axes) {
     query::RecordedName name{axis.parameter, std::nullopt, std::nullopt};
-    if (axis.label) name.words = words_of(axis);
+    if (axis.label) name.words = run::words_of(axis);
     for (const diagram::DiagramParameter& parameter : job.plan.diagram.parameters) {
       if (parameter.name != axis.parameter) continue;
       name.dimension = parameter.dimension;
       if (!std::holds_alternative<double>(parameter.value.content))
-        for (const std::string& word : words_of(axis)) name.words.push_back(unquoted(word));
+        for (const std::string& word : run::words_of(axis)) name.words.push_back(unquoted(word));
     }
     names.columns.push_back(std::move(name));
   }

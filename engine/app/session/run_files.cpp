@@ -43,7 +43,7 @@ Json sweep_json(const run::Job& job) {
   Json axes = Json::list();
   for (const diagram::Sweep::Axis& axis : job.plan.diagram.sweep->axes) {
     Json values = Json::list();
-    const auto listed = run::has_words(axis) ? words_of(axis) : axis.values;
+    const auto listed = run::has_words(axis) ? run::words_of(axis) : axis.values;
     if (listed.size() <= max_listed)
       for (const std::string& value : listed) values.push(unquoted(value));
     axes.push(Json::object()

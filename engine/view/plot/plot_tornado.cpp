@@ -76,7 +76,7 @@ geometry::Extent reach(const Swing& swing, double base) {
 std::vector<Swing> swings_of(const std::vector<Mean>& means, double base) {
   std::vector<Swing> swings;
   for (const Mean& mean : means) {
-    if (mean.of == nothing_differs) continue;
+    if (mean.of == diagram::nothing_differs) continue;
     if (swings.empty() || swings.back().name != mean.of) swings.push_back({mean.of, {}});
     swings.back().settings.push_back({mean.to, mean.value()});
   }
@@ -140,7 +140,7 @@ void draw_swings(const std::vector<Swing>& swings, double base, PlotBuilder& plo
 void draw_tornado(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
   plot.label("x", *panel.find("x"));
   const std::vector<Mean> means = means_of(panel, recording_of(panel, recordings));
-  const auto base = std::ranges::find(means, std::string(nothing_differs), &Mean::of);
+  const auto base = std::ranges::find(means, std::string(diagram::nothing_differs), &Mean::of);
   if (base == means.end()) return;
   const std::vector<Swing> swings = swings_of(means, base->value());
   geometry::Extent extent{base->value(), base->value()};
@@ -161,8 +161,8 @@ PlotKind tornado_plot() {
       "the file's value, by `sweep: {one_at_a_time: ..}`. An outcome is the last row of a run, of several "
       "experiments their mean",
       {{"x", "the outcome", true},
-       {"by", "which parameter differs", false, false, differs_label},
-       {"to", "its value", false, false, differs_to_label}},
+       {"by", "which parameter differs", false, false, diagram::differs_label},
+       {"to", "its value", false, false, diagram::differs_to_label}},
       {{"names", "what the parameters are called: {half_width: width of the corridor}",
         yaml::form::names(yaml::form::text(), 1),
         [](Panel& panel, const yaml::Node& node, const query::NamesReading& read) {

@@ -65,7 +65,7 @@ std::vector<const query::Formula*> formulas_of(const TableRows& table) {
 
 std::string cell_text(const query::Series& cell, double value) {
   const bool bare = cell.unit_text.empty() || cell.unit_text == "1";
-  return short_number(cell.unit.from_si(value)) + (bare ? "" : " " + cell.unit_text);
+  return query::short_number(cell.unit.from_si(value)) + (bare ? "" : " " + cell.unit_text);
 }
 
 }  // namespace
