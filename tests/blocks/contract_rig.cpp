@@ -236,7 +236,7 @@ bool same_numbers(const plan::Plan& plan, const double* a, const double* b) {
   const auto same = [&](std::size_t first, std::size_t end) {
     return std::memcmp(a + first, b + first, (end - first) * sizeof(double)) == 0;
   };
-  return same(layout.signals, layout.dots) &&
+  return same(layout.signals, layout.derivatives) &&
          same(layout.discrete, layout.discrete + layout.discrete_count) &&
          same(layout.diagnostics, layout.diagnostics + layout.diagnostic_count);
 }

@@ -52,7 +52,7 @@ Loaded load(const run::Job& job, const codegen::Compiler& compiler, const std::s
 std::vector<bool> compared(const plan::Plan& plan) {
   const plan::Layout& layout = plan.layout;
   std::vector<bool> all(layout.size, true);
-  std::fill_n(all.begin() + static_cast<std::ptrdiff_t>(layout.dots), layout.state_count, false);
+  std::fill_n(all.begin() + static_cast<std::ptrdiff_t>(layout.derivatives), layout.state_count, false);
   for (const plan::PlannedBlock& block : plan.blocks)
     for (const plan::SignalSlot& slot : block.outputs)
       std::fill_n(all.begin() + static_cast<std::ptrdiff_t>(slot.offset), slot.size, true);

@@ -149,7 +149,7 @@ record: [damper.z]
 
 TEST_CASE("The stiffest damper that a fit may try stays within its limit at 300 mm/s and 1 kHz") {
   // beta + |gamma| = 200 per mm: an explicit solver would need steps of some 10 us.
-  const auto [n, gamma] = GENERATE(table<double, double>(
+  const auto [n, gamma] = GENERATE(Catch::Generators::table<double, double>(
       {{1.0, 90.0}, {1.0, -90.0}, {1.0, -100.0}, {1.5, 90.0}, {1.5, -90.0}, {2.0, 99.0}, {2.0, -99.0}}));
   CAPTURE(n, gamma);
   // For n other than 1 beta is a bare SI number; at the limit of z it acts as a rate of 200 per mm too.

@@ -22,7 +22,7 @@ const std::string two =
 
 std::vector<std::string> words_of(const record::Recording& recording, const std::string& name) {
   std::vector<std::string> texts;
-  for (const Words& words : recording.categories)
+  for (const record::Categories& words : recording.categories)
     if (words.column == name)
       for (const double number : column(recording.table, name))
         texts.push_back(words.texts.at(static_cast<std::size_t>(number)));
