@@ -6,36 +6,14 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/analyse/study/comparison_columns.hpp"
+#include "engine/analyse/study/outcome_columns.hpp"
+#include "engine/analyse/study/sequence_columns.hpp"
 #include "engine/simulate/record/recorder.hpp"
 #include "engine/simulate/run/pooling.hpp"
 
 namespace stepwire::study {
 
 namespace {
-
-const std::vector<std::pair<const char*, bool FeedbackCondition::*>> factors{
-    {"haptic", &FeedbackCondition::haptic},
-    {"visual", &FeedbackCondition::visual},
-    {"guiding path", &FeedbackCondition::guiding_path}};
-
-/// "p.guiding_path" of "guiding path".
-std::string column_of(const std::string& start, std::string factor) {
-  std::replace(factor.begin(), factor.end(), ' ', '_');
-  return start + factor;
-}
-
-/// The feedbacks in which the conditions differ.
-std::vector<std::string> factors_of(const StudyRequest& request) {
-  std::vector<std::string> result;
-  for (const auto& [name, member] : factors) {
-    const auto& all = request.conditions;
-    const auto on = std::count_if(all.begin(), all.end(),
-                                  [&, m = member](const StudyCondition& one) { return one.feedback.*m; });
-    if (on > 0 && on < static_cast<std::ptrdiff_t>(all.size())) result.emplace_back(name);
-  }
-  return result;
-}
 
 double nan() {
   return std::numeric_limits<double>::quiet_NaN();
@@ -100,17 +78,6 @@ record::Recording pooled(const Experiment& experiment, const StudyRequest& reque
   return all;
 }
 
-/// One for each element of a parameter: "memory", or "memory.1", "memory.2".
-void add_carried_columns(const std::string& name, const diagram::Diagram& diagram,
-                         std::vector<table::Column>& columns) {
-  const auto& parameter = *std::ranges::find(diagram.parameters, name, &diagram::DiagramParameter::name);
-  const std::string unit = parameter.dimension ? unit::si_name(*parameter.dimension) : "";
-  const auto* list = std::get_if<Eigen::VectorXd>(&parameter.value.content);
-  if (!list) columns.push_back({name, unit, {}});
-  for (Eigen::Index i = 1; list && i <= list->size(); ++i)
-    columns.push_back({fmt::format("{}.{}", name, i), unit, {}});
-}
-
 /// The errors, with the words of the request; each trial is a run of one row, whose mean is no mean over
 /// time.
 record::Recording errors_of(const Experiment& experiment, const StudyRequest& request,
@@ -122,18 +89,6 @@ record::Recording errors_of(const Experiment& experiment, const StudyRequest& re
   recording.starts.clear();
   for (std::size_t row = 0; row < experiment.errors.rows.size(); ++row) recording.starts.push_back(row);
   return recording;
-}
-
-/// Means over the trials of each condition, by names such as "deviation.HV".
-std::vector<NamedValue> mean_deviations(const Experiment& experiment, const StudyRequest& request) {
-  std::vector<NamedValue> values;
-  for (const std::string& condition : request.condition_names()) {
-    double sum = 0.0, count = 0.0;
-    for (const PathError& row : experiment.errors.rows)
-      if (row.condition == condition) sum += row.deviation, ++count;
-    values.push_back({"deviation." + condition, count > 0.0 ? sum / count : nan()});
-  }
-  return values;
 }
 
 std::vector<NamedValue> published_means(const StudyRequest& request) {
@@ -230,18 +185,6 @@ class StudyNames {
 
 }  // namespace
 
-std::vector<OutcomeColumn> outcome_columns(const StudyRequest& request) {
-  std::vector<OutcomeColumn> columns;
-  const std::string deviation = request.task == "1" ? "m" : "rad";
-  for (const std::string& condition : request.condition_names()) columns.push_back({"mean." + condition});
-  for (const char* start : {"p.", "p_subject.", "effect."})
-    for (const std::string& factor : factors_of(request)) columns.push_back({column_of(start, factor)});
-  for (const std::string& condition : request.condition_names())
-    columns.push_back({"deviation." + condition, deviation});
-  for (const std::string& column : comparison_columns(request)) columns.push_back({column});
-  return columns;
-}
-
 void add_study_names(const StudyRequest& request, const diagram::Diagram& diagram,
                      query::SymbolTable& names) {
   StudyNames study(request, names);
@@ -249,45 +192,6 @@ void add_study_names(const StudyRequest& request, const diagram::Diagram& diagra
   study.add_errors();
   study.add_sequence(diagram);
   study.add_outcome();
-}
-
-std::vector<NamedValue> outcome(const Experiment& experiment, const StudyRequest& request) {
-  std::vector<NamedValue> values;
-  for (const OutcomeColumn& column : outcome_columns(request)) values.push_back({column.name, nan()});
-  const auto set = [&](const std::string& name, double value) {
-    for (NamedValue& one : values)
-      if (one.name == name) one.value = value;
-  };
-  for (const NamedValue& mean : mean_deviations(experiment, request)) set(mean.name, mean.value);
-  if (!experiment.analysis) return values;
-  const TaskAnalysis& analysis = *experiment.analysis;
-  for (const NamedValue& mean : analysis.means) set("mean." + mean.name, mean.value);
-  for (const NamedValue& effect : analysis.effects) set(column_of("effect.", effect.name), effect.value);
-  for (const auto& [start, anova] :
-       {std::pair{"p.", &analysis.additive}, std::pair{"p_subject.", &analysis.with_subject}})
-    for (const statistics::AnovaRow& row : anova->terms) set(column_of(start, row.name), row.p);
-  for (const NamedValue& value : comparison_values(experiment, request)) set(value.name, value.value);
-  return values;
-}
-
-std::vector<ExperimentOutcome> outcomes(const Experiment& experiment, const StudyRequest& request) {
-  std::vector<ExperimentOutcome> all{{experiment.seed, outcome(experiment, request)}};
-  all.insert(all.end(), experiment.others.begin(), experiment.others.end());
-  return all;
-}
-
-std::vector<table::Column> sequence_columns(const Experiment& experiment, const StudyRequest& request,
-                                            const diagram::Diagram& diagram) {
-  std::vector<table::Column> columns{{"order", "", {}}};
-  for (const CarriedValue& carried : request.carry) add_carried_columns(carried.parameter, diagram, columns);
-  for (const TrialRun& run : experiment.runs) {
-    std::vector<double> numbers{static_cast<double>(run.order)};
-    for (const std::vector<double>& values : run.begun)
-      numbers.insert(numbers.end(), values.begin(), values.end());
-    for (std::size_t i = 0; i < columns.size(); ++i) columns[i].values.push_back(numbers[i]);
-  }
-  for (table::Column& column : columns) column.values.resize(experiment.trials.size(), nan());
-  return columns;
 }
 
 std::vector<record::Recording> study_recordings(const Experiments& experiments, const StudyRequest& request,

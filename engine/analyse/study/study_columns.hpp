@@ -19,25 +19,6 @@ namespace stepwire::study {
 /// Throws Error where a recorded signal has one of these names.
 void add_study_names(const StudyRequest& request, const diagram::Diagram& diagram, query::SymbolTable& names);
 
-/// A column of what comes out of an experiment.
-struct OutcomeColumn {
-  std::string name;
-  std::string unit{};
-};
-
-/// mean.CONDITION, p.FACTOR, p_subject.FACTOR, effect.FACTOR and deviation.CONDITION.
-std::vector<OutcomeColumn> outcome_columns(const StudyRequest& request);
-
-/// What came out of an experiment, by the names of these columns.
-std::vector<NamedValue> outcome(const Experiment& experiment, const StudyRequest& request);
-/// That of an experiment and of those with other people behind it.
-std::vector<ExperimentOutcome> outcomes(const Experiment& experiment, const StudyRequest& request);
-
-/// Of each trial which of its person's it was, and the values that it began with of what is carried; nan
-/// where trials were recorded.
-std::vector<table::Column> sequence_columns(const Experiment& experiment, const StudyRequest& request,
-                                            const diagram::Diagram& diagram);
-
 /// The recordings of a job's experiments, in the order of the names: the file's, pooled over the trials; the
 /// errors; the outcomes, of which each experiment is one row. Trials are those of the first experiment. With
 /// a sweep each has the swept parameters.
