@@ -1,3 +1,4 @@
+// More than 300 lines with its header: a record is read, prepared and kept by one key.
 #include "blocks/sources/read_samples.hpp"
 
 #include <fmt/format.h>

@@ -32,11 +32,16 @@ bool has_placeholder(const std::string& command) {
 }
 
 bool takes_minutes(const std::vector<std::string>& words) {
-  return has(words, "test") || has(words, "install") || (has(words, "thesis") && !has(words, "--only"));
+  const bool whole_study = has(words, "study") && std::ranges::any_of(words, [](const std::string& word) {
+                             return word.starts_with("diagrams/thesis/");
+                           });
+  return has(words, "test") || has(words, "install") || (has(words, "thesis") && !has(words, "--only")) ||
+         whole_study;
 }
 
 std::string fault_of_own(const std::vector<std::string>& words, const std::string& command) {
-  if (words.size() < 2 || words[1] == "test" || words[1] == "install" || has_placeholder(words[1]) || words[1].starts_with("--"))
+  if (words.size() < 2 || words[1] == "test" || words[1] == "install" || has_placeholder(words[1]) ||
+      words[1].starts_with("--"))
     return "";
   if (std::find(verbs().begin(), verbs().end(), words[1]) == verbs().end()) return "no verb " + words[1];
   const std::set<std::string> known = options_in(help_of(words[1]));

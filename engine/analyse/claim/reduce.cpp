@@ -118,9 +118,8 @@ double reduce(Reduction reduction, const Rows& rows) {
     case Reduction::spread:
       return extreme(values, true) - extreme(values, false);
     case Reduction::mean:
-      return time_mean(rows, false);
     case Reduction::rms:
-      return std::sqrt(time_mean(rows, true));
+      return reduction == Reduction::rms ? std::sqrt(time_mean(rows, true)) : time_mean(rows, false);
     case Reduction::fraction:
       return fraction(values);
     case Reduction::count:

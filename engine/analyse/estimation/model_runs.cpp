@@ -1,5 +1,4 @@
-// More than 300 lines with its header: whole runs, parts played back and runs planned anew are one service
-// to a search.
+// More than 300 lines with its header: all ways to run a model are one service to a search.
 #include "engine/analyse/estimation/model_runs.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,4 @@
-// More than 300 lines with its header: one grammar for figures and claims: names, words in quotes,
-// parameters, and places of faults in it.
+// More than 300 lines with its header: one grammar for figures and claims, and places of faults in it.
 #include "engine/analyse/query/formula.hpp"
 
 #include <fmt/format.h>

@@ -32,7 +32,8 @@ std::vector<table::Column> sequence_columns(const Experiment& experiment, const 
       numbers.insert(numbers.end(), values.begin(), values.end());
     for (std::size_t i = 0; i < columns.size(); ++i) columns[i].values.push_back(numbers[i]);
   }
-  for (table::Column& column : columns) column.values.resize(experiment.trials.size(), std::numeric_limits<double>::quiet_NaN());
+  for (table::Column& column : columns)
+    column.values.resize(experiment.trials.size(), std::numeric_limits<double>::quiet_NaN());
   return columns;
 }
 

@@ -29,6 +29,12 @@ struct StudyReading : yaml::SectionReading {
 
 using StudyRow = yaml::KeyRow<StudyRequest, StudyReading>;
 
+/// 1 to count.
+std::vector<std::size_t> first_numbers(std::size_t count);
+
+/// The key that says who takes part.
+StudyRow subjects_row();
+
 /// The keys about how often trials are made, and how those of a person follow each other. They are read
 /// behind the conditions, the circle and the parameters that the study sets.
 std::vector<StudyRow> sequence_rows();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <numeric>
 
 #include "engine/analyse/study/published_reading.hpp"
 #include "engine/analyse/study/section_keys.hpp"
@@ -16,43 +15,6 @@ using yaml::form;
 namespace {
 
 using Texts = std::vector<std::string>;
-
-constexpr std::size_t max_subjects = 1000;
-
-/// 1 to count.
-std::vector<std::size_t> first_numbers(std::size_t count) {
-  std::vector<std::size_t> numbers(count);
-  std::iota(numbers.begin(), numbers.end(), 1);
-  return numbers;
-}
-
-yaml::Key subjects_form() {
-  return form::either({yaml::key("", "how many people", form::whole(1, max_subjects)),
-                       yaml::key("", "which people", form::list(form::whole(1, max_subjects), 1))});
-}
-
-void read_subjects(StudyRequest& request, const yaml::Node& node, const StudyReading& read) {
-  const yaml::Key number = form::whole(1, max_subjects);
-  if (!node.is_list()) {
-    std::size_t count = 0;
-    read.take(node, number, count);
-    request.subjects = first_numbers(count);
-    return;
-  }
-  if (node.items.empty()) read.fault(node.mark, "the list is empty");
-  auto& all = request.subjects;
-  for (const yaml::Node& item : node.items) {
-    const auto subject = read.whole(item, number);
-    if (!subject) continue;
-    const auto one = static_cast<std::size_t>(*subject);
-    if (std::ranges::find(all, one) != all.end())
-      read.fault(item.mark,
-                 fmt::format("'{}' stands here twice; subjects are how many, or a list of different "
-                             "numbers",
-                             item.text));
-    all.push_back(one);
-  }
-}
 
 /// The name of a parameter that is one number.
 std::string parameter_name(const yaml::Mark& mark, const std::string& name, const StudyReading& read) {
@@ -214,13 +176,20 @@ void read_way_back(StudyRequest& request, const yaml::Node& node, const StudyRea
       WayBackSignals{from ? from->signal : way.position, to->signal, {read.file, direction->mark}};
 }
 
+void read_published_numbers(StudyRequest& request, const yaml::Node& node, const StudyReading& read) {
+  read_published(request.published, request.condition_names(), node, read);
+}
+
+void read_trials(StudyRequest& request, const yaml::Node& node, const StudyReading& read) {
+  request.trials = (std::filesystem::path(read.file).parent_path() / node.text).lexically_normal();
+}
+
 std::vector<StudyRow> make_study_rows() {
   std::vector<StudyRow> rows{
       {"like", "file whose section 'study' is taken for what is not given here", form::string()},
       {"task", "what people do", form::words({{"1", "drawing a circle"}, {"2", "returning to the region"}}),
        &StudyRequest::task},
-      {"subjects", "how many people, or a list of which",
-       yaml::like("10, or a list such as [3, 7]", subjects_form()), read_subjects},
+      subjects_row(),
       {"seed", "who the people are, and all that is random", form::whole(0, 1'000'000'000),
        &StudyRequest::seed},
       sets_row(),
@@ -234,14 +203,9 @@ std::vector<StudyRow> make_study_rows() {
        read_position},
       {"way_back", "task 2: recorded signal, the direction of the way back", way_back_form(), read_way_back},
       {"published", "what a source prints of such a study: tables have it beside the study's own numbers",
-       published_form(),
-       [](StudyRequest& request, const yaml::Node& node,
-          const StudyReading&
-              read) { read_published(request.published, request.condition_names(), node, read); }},
+       published_form(), read_published_numbers},
       {"trials", "CSV file of recorded trials in place of runs: subject, task, condition, time, x, y",
-       form::string(), [](StudyRequest& request, const yaml::Node& node, const StudyReading& read) {
-         request.trials = (std::filesystem::path(read.file).parent_path() / node.text).lexically_normal();
-       }}};
+       form::string(), read_trials}};
   std::ranges::move(sequence_rows(), std::back_inserter(rows));
   return rows;
 }

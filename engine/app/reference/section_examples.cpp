@@ -110,6 +110,8 @@ const std::map<std::string, std::string>& examples() {
        figure("field, x: body.position, y: body.velocity, u: body.velocity, v: spring, cells: 20")},
       {"figure.3d", figure("3d, x: time, y: body.position in mm, z: body.velocity in mm/s, style: points")},
       {"figure.box", figure("box, y: body.position in mm, whiskers: tukey")},
+      {"figure.tornado", std::string("sweep: {one_at_a_time: {mass: [1 kg, 3 kg]}}\n") +
+                             figure("tornado, x: body.position in mm, names: {mass: mass of the body}")},
       {"figure.histogram", figure("histogram, x: body.position in mm, bins: 20, lines: 0 mm")},
       {"figure.diagram", figure("diagram, names: {body: load}, units: true")},
       {"figure.rig",

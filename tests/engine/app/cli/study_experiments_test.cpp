@@ -72,7 +72,7 @@ TEST_CASE("experiments of a file go on where they were interrupted") {
   const Scratch folder;
   const std::string slow =
       replaced(replaced(with_experiments(300), "stop: 4 s", "stop: 400 s"), "slope: 2.5", "slope: 0.1");
-  folder.file("a.yaml", slow);
+  folder.file("a.yaml", slow.substr(0, slow.find("claims:")));  // other people may break them
   Call call;
   call.arguments = {"study", "a.yaml", "--subjects", "2", "--out", "out"};
   call.interrupt_after = 1.5;
