@@ -169,7 +169,10 @@ void refuse_idle_tolerance(const yaml::Document& document, const std::vector<dia
                                   "only rosenbrock and sdirk have one; take it out, or name one of these",
                                   {}});
   };
-  if (const auto set = setting("tolerance"); set != settings.end()) refuse(set->written, set->mark);
+  const bool own_parameter = std::ranges::find(diagram.parameters, "tolerance",
+                                               &diagram::DiagramParameter::name) != diagram.parameters.end();
+  if (const auto set = setting("tolerance"); set != settings.end() && !own_parameter)
+    refuse(set->written, set->mark);
   const bool sweeps =
       diagram.sweep && std::ranges::find(diagram.sweep->axes, "solver", &diagram::Sweep::Axis::parameter) !=
                            diagram.sweep->axes.end();
