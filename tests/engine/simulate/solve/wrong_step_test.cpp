@@ -127,7 +127,9 @@ TEST_CASE("a tolerance beside a solver that has none is refused, unless another 
   CHECK_NOTHROW(run::make_job(loader, folder.path("swept.yaml")));
   CHECK_THROWS_WITH(run::make_job(loader, folder.path("a.yaml"), {{"solver", "heun"}, {"tolerance", "2 %"}}),
                     Contains("--set tolerance=2 %") && Contains(cure));
-  folder.write("own.yaml", "stepwire: 1\n" + robertson("rk4", "1 ms", "parameters: {tolerance: 0.1}\n"));
+  folder.write("own.yaml",
+               "stepwire: 1\nstep: 1 ms\nstop: 1 s\nsolver: rk4\nparameters: {tolerance: 0.1}\n"
+               "blocks:\n  x: {block: Integrator, u: $tolerance}\nrecord: [x]\n");
   CHECK_NOTHROW(run::make_job(loader, folder.path("own.yaml"), {{"tolerance", "0.2"}}));
 }
 
