@@ -6,8 +6,7 @@
 #include <cmath>
 
 #include "blocks/haptics/layer_activator.hpp"
-#include "engine/base/expression/expression.hpp"
-#include "engine/base/unit/unit.hpp"
+#include "blocks/haptics/region/shape_reader.hpp"
 
 namespace stepwire {
 
@@ -17,19 +16,6 @@ const std::string switch_example = "{from: 1, to: 2, when: {pass: [0 mm, 220 mm]
 const std::string event_examples =
     "{pass: [0 mm, 220 mm], within: 3 mm}, {cross: [[0 mm, 200 mm], [0 mm, 240 mm]], toward: left}, "
     "{enter: 1}, {leave: 1} (of the regions) or {after: 2 s}";
-
-/// A number with a unit of this kind or none, or a formula of numbers; not finite where it is neither.
-double quantity_in(const std::string& text, const std::string& unit) {
-  if (const auto quantity = unit::parse_quantity(text)) {
-    const bool fits = !quantity->dimension || *quantity->dimension == unit::parse_unit(unit)->dimension;
-    return fits ? quantity->value : std::nan("");
-  }
-  try {
-    return expression::Expression(text, [](std::string_view) { return false; })({});
-  } catch (const expression::ExpressionError&) {
-    return std::nan("");
-  }
-}
 
 }  // namespace
 

@@ -1,16 +1,12 @@
 #include "blocks/operators/drift_estimator.hpp"
 
-#include <fmt/core.h>
-
+#include "blocks/operators/precision_count.hpp"
 #include "engine/model/block/declare.hpp"
 
 namespace stepwire {
 
 void DriftEstimator::configure(Configure& is) {
-  const Index channels = is.count<&DriftEstimator::measured>(), told = is.count<&DriftEstimator::precision>();
-  if (channels != told)
-    is.refuse<&DriftEstimator::precision>(
-        fmt::format("it has {} numbers for {} channels; each channel has its own", told, channels));
+  require_precision_of_each<&DriftEstimator::measured, &DriftEstimator::precision>(is, "channel");
 }
 
 void DriftEstimator::declare(Declare<DriftEstimator>& is) {

@@ -1,17 +1,12 @@
 #include "blocks/operators/heading_posterior.hpp"
 
-#include <fmt/core.h>
-
+#include "blocks/operators/precision_count.hpp"
 #include "engine/model/block/declare.hpp"
 
 namespace stepwire {
 
 void HeadingPosterior::configure(Configure& is) {
-  const Index cues = is.count<&HeadingPosterior::direction>(),
-              told = is.count<&HeadingPosterior::precision>();
-  if (cues != told)
-    is.refuse<&HeadingPosterior::precision>(
-        fmt::format("it has {} numbers for {} directions; each direction has its own", told, cues));
+  require_precision_of_each<&HeadingPosterior::direction, &HeadingPosterior::precision>(is, "direction");
 }
 
 void HeadingPosterior::declare(Declare<HeadingPosterior>& is) {

@@ -1,17 +1,12 @@
 #include "blocks/operators/position_estimate.hpp"
 
-#include <fmt/core.h>
-
+#include "blocks/operators/precision_count.hpp"
 #include "engine/model/block/declare.hpp"
 
 namespace stepwire {
 
 void PositionEstimate::configure(Configure& is) {
-  const Index channels = is.count<&PositionEstimate::measured>(),
-              told = is.count<&PositionEstimate::precision>();
-  if (channels != told)
-    is.refuse<&PositionEstimate::precision>(
-        fmt::format("it has {} numbers for {} channels; each channel has its own", told, channels));
+  require_precision_of_each<&PositionEstimate::measured, &PositionEstimate::precision>(is, "channel");
 }
 
 void PositionEstimate::declare(Declare<PositionEstimate>& is) {

@@ -8,12 +8,9 @@
 
 namespace stepwire {
 
-namespace {
-
-/// A number, with a unit of length or none, or a formula of numbers.
-double length_in(const std::string& text) {
+double quantity_in(const std::string& text, const std::string& unit) {
   if (const auto quantity = unit::parse_quantity(text)) {
-    const bool fits = !quantity->dimension || *quantity->dimension == unit::parse_unit("m")->dimension;
+    const bool fits = !quantity->dimension || *quantity->dimension == unit::parse_unit(unit)->dimension;
     return fits ? quantity->value : std::nan("");
   }
   try {
@@ -22,8 +19,6 @@ double length_in(const std::string& text) {
     return std::nan("");
   }
 }
-
-}  // namespace
 
 void ShapeReader::refuse(const std::string& message, const Value& where) const {
   refuse_(message, where);
@@ -36,7 +31,7 @@ const Value& ShapeReader::need(const Value& tree, const std::string& key, const 
 }
 
 double ShapeReader::read_length(const Value& tree, const std::string& what) const {
-  const double number = tree.text() ? length_in(*tree.text()) : std::nan("");
+  const double number = tree.text() ? quantity_in(*tree.text(), "m") : std::nan("");
   if (!std::isfinite(number))
     refuse(fmt::format("{}: {} is no length; write it as 8 mm", what,
                        tree.text() ? "'" + *tree.text() + "'" : "what stands here"),

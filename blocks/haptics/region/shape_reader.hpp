@@ -47,4 +47,7 @@ class ShapeReader {
   Refuse refuse_;
 };
 
+/// A number with a unit of this kind or none, or a formula of numbers, in SI; not finite where it is neither.
+double quantity_in(const std::string& text, const std::string& unit);
+
 }  // namespace stepwire
