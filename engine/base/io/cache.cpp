@@ -165,6 +165,11 @@ void Cache::keep(const std::string& name, const std::string& content) const {
   write(folder.number(), name, content + seal_of(name, content));
 }
 
+void Cache::drop(const std::string& name) const {
+  const Descriptor folder = open_folder(folder_);
+  if (folder.open()) ::unlinkat(folder.number(), name.c_str(), 0);
+}
+
 void Cache::write(int folder, const std::string& name, const std::string& content) const {
   const std::string temporary = temporary_beside(name);
   const Leftover leftover(fs::absolute(folder_ + "/" + temporary).string());

@@ -23,6 +23,8 @@ class Cache {
   std::optional<std::string> find(const std::string& name) const;
   /// Keeps a result, in the place of what has the name.
   void keep(const std::string& name, const std::string& content) const;
+  /// Forgets what has the name.
+  void drop(const std::string& name) const;
 
  private:
   void write(int folder, const std::string& name, const std::string& content) const;

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/app/studio/fault.hpp"
+
+namespace stepwire::studio {
+
+/// The arguments of a call. Each function throws Fault where the page has sent anything else.
+class Arguments {
+ public:
+  explicit Arguments(const json::Json& message) : message_(message) {}
+
+  /// From 0 to 2^31 - 1.
+  int whole(const std::string& name) const;
+  std::string text(const std::string& name) const;
+  bool flag(const std::string& name) const;
+  std::vector<std::string> texts(const std::string& name) const;
+  /// The items of a list.
+  std::span<const json::Json> items(const std::string& name) const;
+  const json::Json& any(const std::string& name) const;
+
+ private:
+  [[noreturn]] static void refuse(const std::string& name, const std::string& kind);
+
+  const json::Json& message_;
+};
+
+}  // namespace stepwire::studio

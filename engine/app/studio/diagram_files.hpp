@@ -1,0 +1,50 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "engine/app/studio/edited_texts.hpp"
+#include "engine/base/yaml/document.hpp"
+#include "engine/model/diagram/load.hpp"
+
+namespace stepwire::studio {
+
+/// A file that a page may open.
+struct ListedFile {
+  int number = 0;
+  std::string name;  ///< as it is seen from the folder of FILE
+  bool writable = false;
+  bool is_part = false;  ///< of FILE
+};
+
+/// The diagram that the studio was started with, its parts, and the diagrams beside it, by number. One thread
+/// at a time.
+class DiagramFiles {
+ public:
+  /// Throws EnvironmentError where there is no such file.
+  DiagramFiles(const std::string& file, DraftStore store = DraftStore());
+
+  EditedTexts& texts() { return texts_; }
+  const Beneath& beneath() const { return beneath_; }
+  /// Looks again at what there is. Numbers never change: 0 is FILE.
+  std::vector<ListedFile> list();
+  /// Throws Fault for a number that list() has not given.
+  const std::string& path(int number) const;
+  /// Of a path that is known, or is known from now on.
+  int number(const std::string& path);
+
+  /// The documents of a diagram and of all its parts, as they are edited. Throws yaml::Error for what is no
+  /// YAML, and for parts that do not lie beneath the folders.
+  std::vector<yaml::Document> documents(const std::string& path);
+
+ private:
+  std::string text(const std::string& path);
+
+  std::vector<std::string> paths_;
+  std::map<std::string, int> numbers_;
+  Beneath beneath_;
+  EditedTexts texts_;
+};
+
+}  // namespace stepwire::studio

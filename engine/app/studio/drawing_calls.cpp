@@ -1,0 +1,48 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/app/reference/block_json.hpp"
+#include "engine/app/studio/calls.hpp"
+#include "engine/base/text/characters.hpp"
+#include "engine/view/drawing/draw.hpp"
+
+namespace stepwire::studio {
+
+using json::Json;
+
+namespace {
+
+/// The file at a place of the diagram: "" is the diagram itself, "rig.mount" a part of its part.
+int scope_of(const drawing::DiagramView& whole, const std::string& name) {
+  const auto& scopes = whole.diagram().scopes;
+  const auto found = std::ranges::find(scopes, name + ".", &diagram::ScopeInfo::prefix);
+  if (found == scopes.end()) throw Fault(fmt::format("the diagram has no part '{}'", text::visible(name)));
+  return static_cast<int>(found - scopes.begin());
+}
+
+Json graph(Desk& desk, const Arguments& arguments) {
+  const std::string path = desk.files.path(arguments.whole("file"));
+  diagram::Loader loader(desk.registry);
+  for (yaml::Document& document : desk.files.documents(path)) loader.add(std::move(document));
+  const drawing::DrawnFile file(loader, path);
+  drawing::GraphOptions options;
+  options.open = arguments.texts("open");
+  options.units = arguments.flag("units");
+  const std::string scope = arguments.text("scope");
+  const drawing::DiagramView part =
+      scope.empty() ? file.view()
+                    : drawing::DiagramView(file.view().diagram(), loader, scope_of(file.view(), scope));
+  return Json::object().set("graph", part.graph(options)).set("ranges", Json::object());
+}
+
+}  // namespace
+
+void add_drawing_calls(Calls& calls, Desk& desk) {
+  calls["graph"] = [&desk](int, const Arguments& arguments) { return graph(desk, arguments); };
+  calls["blocks"] = [&desk](int, const Arguments&) {
+    return Json::object().set("blocks", reference::blocks_json(desk.registry));
+  };
+}
+
+}  // namespace stepwire::studio

@@ -1,0 +1,131 @@
+#include "engine/app/studio/edited_texts.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "engine/app/studio/fault.hpp"
+#include "engine/base/hash/hash.hpp"
+#include "engine/base/text/characters.hpp"
+
+namespace stepwire::studio {
+
+namespace {
+
+constexpr std::size_t most_bytes = 8u << 20u;  // as much as is read of a diagram
+
+std::filesystem::file_time_type time_of(const std::string& path) {
+  std::error_code none;
+  return std::filesystem::last_write_time(path, none);
+}
+
+std::string with_crlf(std::string text) {
+  text::replace_all(text, "\n", "\r\n");
+  return text;
+}
+
+}  // namespace
+
+EditedText EditedTexts::read(const std::string& path) const {
+  EditedText read;
+  read.time = time_of(path);
+  read.saved = beneath_.read(path).text;
+  if (!is_utf8(read.saved)) throw Fault(fmt::format("{}: is no text in UTF-8", text::visible(path)));
+  read.hash = hash::hash_of(read.saved);
+  read.has_crlf = read.saved.find("\r\n") != std::string::npos;
+  text::replace_all(read.saved, "\r\n", "\n");
+  read.text = read.saved;
+  return read;
+}
+
+const EditedText& EditedTexts::open(const std::string& path) {
+  if (const auto found = texts_.find(path); found != texts_.end()) return found->second;
+  EditedText opened = read(path);
+  const auto draft = store_.find(path);
+  if (draft && draft->text != opened.saved) {
+    opened.text = draft->text;
+    opened.hash = draft->hash;
+  }
+  return texts_[path] = std::move(opened);
+}
+
+EditedText& EditedTexts::known(const std::string& path) {
+  open(path);
+  return texts_.at(path);
+}
+
+const EditedText* EditedTexts::find(const std::string& path) const {
+  const auto found = texts_.find(path);
+  return found == texts_.end() ? nullptr : &found->second;
+}
+
+const EditedText& EditedTexts::edit(const std::string& path, int version, std::vector<TextChange> changes) {
+  EditedText& text = known(path);
+  if (version != text.version)
+    throw Fault("the text was changed elsewhere meanwhile",
+                json::Json::object().set("text_now", text.text).set("version", text.version));
+  std::string next = changed(text.text, std::move(changes));
+  if (next.size() > most_bytes) throw Fault("a diagram has 8 MB at most");
+  text.text = std::move(next);
+  ++text.version;
+  text.is_kept = false;
+  return text;
+}
+
+const EditedText& EditedTexts::discard(const std::string& path) {
+  EditedText& text = known(path);
+  const int version = text.version + 1;
+  text = read(path);
+  text.version = version;
+  store_.drop(path);
+  return text;
+}
+
+std::optional<EditedText> EditedTexts::save(const std::string& path, const std::string& hash) {
+  EditedText& text = known(path);
+  EditedText now = read(path);
+  if (now.hash != hash) return now;
+  const std::string bytes = now.has_crlf ? with_crlf(text.text) : text.text;
+  beneath_.replace(path, bytes);
+  text.saved = text.text;
+  text.hash = hash::hash_of(bytes);
+  text.time = time_of(path);
+  text.is_kept = true;
+  store_.drop(path);
+  return std::nullopt;
+}
+
+void EditedTexts::keep_drafts() {
+  for (auto& [path, text] : texts_) {
+    if (std::exchange(text.is_kept, true)) continue;
+    if (text.is_draft())
+      store_.keep(path, {text.hash, text.text});
+    else
+      store_.drop(path);
+  }
+}
+
+void EditedTexts::look_for_changes(
+    const std::function<void(const std::string& path, const EditedText&)>& changed) {
+  for (auto& [path, text] : texts_) {
+    const auto time = time_of(path);
+    if (time == text.time) continue;
+    try {
+      EditedText now = read(path);
+      const bool is_other = now.saved != text.saved;
+      text.time = now.time;
+      if (!is_other) continue;
+      if (!text.is_draft()) {
+        now.version = text.version + 1;
+        text = now;
+      }
+      text.saved = now.saved;
+      now.version = text.version;
+      changed(path, now);
+    } catch (const Fault&) {
+      text.time = time;  // it is gone, or no text any more; saving will say so
+    }
+  }
+}
+
+}  // namespace stepwire::studio

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/app/studio/beneath.hpp"
+#include "engine/app/studio/draft_store.hpp"
+#include "engine/app/studio/text_changes.hpp"
+
+namespace stepwire::studio {
+
+/// A file as the pages see it. Ends of lines are "\n" in texts.
+struct EditedText {
+  std::string saved;                       ///< the text on the disk when it was read last
+  std::string hash;                        ///< of the bytes on the disk with which `text` began
+  std::string text;                        ///< with what was edited
+  int version = 0;                         ///< counts the changes of `text`
+  bool has_crlf = false;                   ///< on the disk
+  bool is_kept = true;                     ///< is the draft on the disk as it is here?
+  std::filesystem::file_time_type time{};  ///< of the file, when it was read last
+
+  bool is_draft() const { return text != saved; }
+};
+
+/// The texts that pages edit, by the paths of their files. One thread at a time.
+class EditedTexts {
+ public:
+  EditedTexts(const Beneath& beneath, DraftStore store) : beneath_(beneath), store_(std::move(store)) {}
+
+  /// Reads a file, and the draft that was left of it. Throws Fault.
+  const EditedText& open(const std::string& path);
+  /// Changes the version of which the places are. Throws Fault with the text and version there are where that
+  /// is another one.
+  const EditedText& edit(const std::string& path, int version, std::vector<TextChange> changes);
+  const EditedText& discard(const std::string& path);
+  /// Writes the file where its hash is still this one; what it holds otherwise is returned.
+  std::optional<EditedText> save(const std::string& path, const std::string& hash);
+
+  /// The text of a file as it is edited; nothing where it is not.
+  const EditedText* find(const std::string& path) const;
+  /// Puts drafts on the disk that are not there.
+  void keep_drafts();
+  /// Reads again what others have changed on the disk, and calls back for each. A text without draft follows.
+  void look_for_changes(const std::function<void(const std::string& path, const EditedText&)>& changed);
+
+ private:
+  EditedText& known(const std::string& path);
+  EditedText read(const std::string& path) const;
+
+  const Beneath& beneath_;
+  DraftStore store_;
+  std::map<std::string, EditedText> texts_;
+};
+
+}  // namespace stepwire::studio

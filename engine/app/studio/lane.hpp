@@ -1,0 +1,42 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+namespace stepwire::studio {
+
+/// A thread that does what it is given in order, and something more again and again.
+class Lane {
+ public:
+  using Work = std::function<void()>;
+
+  /// `tick` is done at least once in a period, also when the lane ends; nothing where it is empty. Neither it
+  /// nor any work may throw.
+  explicit Lane(Work tick = {}, std::chrono::milliseconds period = std::chrono::milliseconds(250));
+  ~Lane() { stop(); }
+  Lane(const Lane&) = delete;
+  Lane& operator=(const Lane&) = delete;
+
+  /// From any thread; nothing once it was stopped.
+  void post(Work work);
+  /// What is going on comes to its end, what waits is dropped.
+  void stop();
+
+ private:
+  void run();
+  Work next();
+
+  Work tick_;
+  std::chrono::milliseconds period_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<Work> waiting_;
+  bool ends_ = false;
+  std::thread thread_;  // begins when all else is there
+};
+
+}  // namespace stepwire::studio
