@@ -18,6 +18,8 @@ const std::vector<Home> homes{
     {"boost/lockfree/", "engine/simulate/realtime"},
     {"boost/geometry", "blocks/haptics/region"},
     {"boost/polygon/", "engine/view/geometry"},
+    {"boost/beast/", "engine/app/studio/http"},
+    {"boost/asio/", "engine/app/studio/http"},
     {"boost/", "engine/model/plan"},
     {"yaml-cpp/", "engine/base/yaml"},
     {"udunits2", "engine/base/unit"},

@@ -17,7 +17,7 @@ struct PageFile {
 std::span<const PageFile> page_table();
 
 /// What stands in the page where the nonce of an answer goes.
-inline constexpr std::string_view nonce_mark = "STEPWIRE_NONCE";
+inline constexpr std::string_view nonce_mark = "STUDIO_NONCE";
 
 /// "text/javascript; charset=utf-8" of a path's ending.
 std::string content_type(std::string_view path);
