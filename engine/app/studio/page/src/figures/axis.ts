@@ -59,7 +59,7 @@ function decadeTicks(low: number, high: number, more: readonly number[]): { tick
   const minor: number[] = [];
   for (let power = Math.floor(from); power <= Math.ceil(to); ++power)
     for (const digit of step === 1 ? [2, 3, 4, 5, 6, 7, 8, 9] : [1, 2, 5]) minor.push(digit * 10 ** power);
-  return {ticks: labelled([...powers, ...more].filter(inside)), minor: minor.filter(inside)};
+  return {ticks: labelled([...powers, ...more].filter(inside).sort((a, b) => a - b)), minor: minor.filter(inside)};
 }
 
 /** The range that an axis without one has: as far as its values, widened to ticks. */

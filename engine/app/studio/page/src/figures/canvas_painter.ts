@@ -9,7 +9,7 @@ function setStroke(pen: Pen, {color, width, dash, opacity}: Stroke): void {
   pen.strokeStyle = color;
   pen.lineWidth = width;
   pen.lineJoin = "round";
-  pen.lineCap = dash ? "butt" : "round";
+  pen.lineCap = "round";
   pen.setLineDash(dash ? [...dash] : []);
   pen.globalAlpha = opacity ?? 1;
 }

@@ -15,6 +15,8 @@ export interface Drawing {
   frame: Frame;
   /** The place of a row [px]; nan where it has none. */
   place(rows: Rows, row: number): Point;
+  /** In space: how far away a row is. */
+  depth?(rows: Rows, row: number): number;
 }
 
 /** Places in the plane. */
@@ -63,5 +65,7 @@ export function coloredLines(rows: Rows, line: Line | undefined, drawing: Drawin
     } else open = [];
     [step, last] = [next, at];
   }
-  return pieces;
+  // In space what is near covers what is far; a curve is drawn as a whole from its end that is farther.
+  const count = lengthOf(rows), isNear = drawing.depth && count > 1 && drawing.depth(rows, 0) < drawing.depth(rows, count - 1);
+  return isNear ? pieces.reverse() : pieces;
 }

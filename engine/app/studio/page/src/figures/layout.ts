@@ -62,7 +62,7 @@ function rightMargin(plot: Plot, width: number, left: number, room: Room): numbe
 export function marginsOf(plot: Plot, width: number, x: Scale, y: Scale, room: Room): Margins {
   const yTicks = y.ticks.length === 0 ? 0 : gaps.tickLabel + letter.width * widest(y);
   const yLabel = y.label === "" ? 0 : 33.15;
-  const left = room.aligned ? 10 * letter.width : Math.max(yTicks + yLabel, 2 * letter.width);
+  const left = room.aligned ? 10 * letter.width : Math.max(yTicks + (yLabel || 8), 2 * letter.width);
   const below = (x.ticks.length === 0 ? 0 : 25.6 + depthOfTicks(x) - letter.height) + (x.label === "" ? 0 : 29.25);
   const bottom = Math.max(13 + below + (x.label === "" ? 13 : 0.2), 13);
   return {left, right: rightMargin(plot, width, left, room), top: 19.5 + 40.5 * titleRows(plot.title ?? "") + rowHeight * room.legendRows, bottom};

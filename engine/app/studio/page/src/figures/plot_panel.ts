@@ -5,7 +5,7 @@ import {type Scale, scaleOf} from "./axis";
 import {Palette, textColor, type Theme} from "./colors";
 import {type Drawing, placeIn} from "./drawing";
 import {extentOf} from "./extent";
-import {type Frame, frameOf, gaps} from "./layout";
+import {type Frame, frameOf, gaps, titleRows} from "./layout";
 import {entriesOf, type LegendMark, legendPieces, legendRows} from "./legend";
 import {linePieces, markPieces, pointPieces, spanPieces} from "./marks";
 import type {Piece} from "./pieces";
@@ -41,11 +41,11 @@ function colorsOf(plot: Plot): Colors {
 }
 
 /** The title of a panel above its axes, smaller or in two lines where it is long. */
-function titlePieces(plot: Plot, box: Box, frame: { left: number; right: number; top: number }, theme: Theme, raised: number): Piece[] {
+function titlePieces(plot: Plot, box: Box, frame: {left: number; right: number; top: number}, theme: Theme): Piece[] {
   const title = plot.title ?? "", room = box[2] - 70;
   if (title === "") return [];
   const lines = textWidth(title, 11) > room ? wrapped(title, 13, room) : [title], usual = lines.length > 1 ? 13 : 14;
-  const x = 0.5 * (frame.left + frame.right), base = frame.top - gaps.title - raised - 16 * (lines.length - 1);
+  const x = 0.5 * (frame.left + frame.right), base = frame.top - gaps.title - 16 * (lines.length - 1);
   return lines.map((text, i) => (
     {piece: "text", x, y: base + 16 * i, text, size: fittedSize(text, usual, room), color: theme.ink, anchor: "middle"}));
 }
@@ -90,7 +90,7 @@ function planePanel(plot: Plot, box: Box, sheet: Sheet): Layers {
     marks: inFrame(frame, marks.flatMap((mark) => markPieces(mark, drawing, place))),
     front: [
       ...axisPieces(axes), ...(colors.scale ? colorBar(colors.scale, colors.palette, barBeside(frame, sheet.aligned), theme) : []),
-      ...legendPieces(plot, rows, drawing, frame.top - 16.2 - 20.7 * (above - 1)), ...titlePieces(plot, box, frame, theme, 20.7 * above),
+      ...legendPieces(plot, rows, drawing, frame.top - 16.2 - 40.5 * titleRows(plot.title ?? "") - 20.7 * (above - 1)), ...titlePieces(plot, box, frame, theme),
       ...textPieces(plot.texts ?? [], drawing, place),
     ],
   };
@@ -105,14 +105,15 @@ function markInSpace(mark: Mark, drawing: Drawing, space: ReturnType<typeof spac
 function spacePanel(plot: Plot, box: Box, sheet: Sheet): Layers {
   const space = spaceOf(plot, box), colors = colorsOf(plot), {theme} = sheet;
   const frame = {left: box[0], top: box[1], right: box[0] + box[2], bottom: box[1] + box[3]};
-  const drawing: Drawing = {theme, palette: colors.palette, figureWidth: sheet.width, frame, place: (row, i) => space.project(sharesOf(space, row, i))};
+  const drawing: Drawing = {theme, palette: colors.palette, figureWidth: sheet.width, frame, place: (row, i) => space.project(sharesOf(space, row, i)),
+    depth: (row, i) => space.depth(sharesOf(space, row, i))};
   const rows = legendOf(plot, box);
   return {
     back: boxPieces(space, theme),
     marks: (plot.marks ?? []).flatMap((mark) => markInSpace(mark, drawing, space)),
     front: [
       ...spaceTexts(space, theme), ...(colors.scale ? colorBar(colors.scale, colors.palette, barInSpace(box), theme) : []),
-      ...legendPieces(plot, rows, drawing, box[1] + 24), ...titlePieces(plot, box, {...frame, top: box[1] + 50}, theme, 0),
+      ...legendPieces(plot, rows, drawing, box[1] + 24), ...titlePieces(plot, box, {...frame, top: box[1] + 50}, theme),
       ...textPieces(plot.texts ?? [], drawing, (x, y) => space.project(sharesOf(space, {x: [x], y: [y], z: [space.scales[2].low]}, 0))),
     ],
   };

@@ -19,7 +19,7 @@ function element(name: string, attributes: Record<string, string | number | unde
 }
 
 const strokeAttributes = (stroke: Stroke | undefined) => stroke && {
-  stroke: stroke.color, "stroke-width": number(stroke.width), "stroke-linecap": stroke.dash ? "butt" : "round", "stroke-linejoin": "round",
+  stroke: stroke.color, "stroke-width": number(stroke.width), "stroke-linecap": "round", "stroke-linejoin": "round",
   "stroke-dasharray": stroke.dash?.map(number).join(" "), "stroke-opacity": stroke.opacity === undefined ? undefined : number(stroke.opacity),
 };
 

@@ -5,10 +5,11 @@ import type {VectorsMark} from "./spec";
 
 const back = (70 * Math.PI) / 180; // between the back of a head and its stroke
 
-/** A filled head whose tip is at the end of a stroke, no longer than the stroke unless it is fixed. */
-function headOf([x0, y0]: Point, [x1, y1]: Point, length: number, angle: number): number[] {
+/** A filled head with its tip at the end of a stroke; one that is not fixed takes half of a short stroke at the most, and is wider then. */
+function headOf([x0, y0]: Point, [x1, y1]: Point, size: number, angle: number, isFixed: boolean): number[] {
   const far = Math.hypot(x1 - x0, y1 - y0) || 1e-9, [ux, uy] = [(x1 - x0) / far, (y1 - y0) / far];
-  const [along, aside] = [length * Math.cos(angle), length * Math.sin(angle)], notch = along + aside / Math.tan(back);
+  const length = isFixed ? size : Math.min(size, 0.5 * far), slope = (Math.tan(angle) * size) / length;
+  const along = length / Math.hypot(1, slope), aside = slope * along, notch = along - (aside * length) / (size * Math.tan(back));
   const at = (u: number, v: number) => [x1 - u * ux - v * uy, y1 - u * uy + v * ux];
   return [x1, y1, ...at(along, aside), ...at(notch, 0), ...at(along, -aside)];
 }
@@ -24,10 +25,10 @@ export function vectorPieces(mark: VectorsMark, drawing: Drawing, place: (x: num
     const [from, to] = [place(x - pivot * dx, y - pivot * dy), place(x + (1 - pivot) * dx, y + (1 - pivot) * dy)];
     const group = byColor.get(color) ?? {strokes: [], heads: []}, length = Math.hypot(to[0] - from[0], to[1] - from[1]);
     group.strokes.push([...from, ...to]);
-    if (size > 0 && length > 0) group.heads.push(headOf(from, to, mark.fixed_heads ? size : Math.min(size, length), angle));
+    if (size > 0 && length > 0) group.heads.push(headOf(from, to, size, angle, mark.fixed_heads === true));
     byColor.set(color, group);
   }
   const stroke = strokeOf(mark.line, drawing);
   return [...byColor].flatMap(([color, {strokes, heads}]): Piece[] => [
-    { piece: "path", lines: strokes, stroke: {...stroke, color} }, {piece: "path", lines: heads, closed: true, fill: color}]);
+    { piece: "path", lines: strokes, stroke: {...stroke, color} }, {piece: "path", lines: heads, closed: true, fill: color, stroke: {...stroke, color}}]);
 }
