@@ -29,6 +29,8 @@ export interface WorkbenchEvents {
   root: number;
   /** A text changed, by whomever. */
   changed: Document;
+  /** Where places of a text are after a change. */
+  moved: {file: number; at: (position: number, side: number) => number};
   /** The server has all changes of a file. */
   synced: Document;
   /** The list of files, or what of them is saved. */
@@ -151,9 +153,9 @@ export class Workbench {
     document.state = transactions[transactions.length - 1].state;
     const changed = transactions.filter((one) => one.docChanged);
     for (const one of changed) if (!one.annotation(Transaction.remote)) document.add(one.changes);
+    if (changed.length > 0) this.moveRanges(document, changed);
     if (transactions.some((one) => one.selection) || changed.length > 0) this.emitSelection(document);
     if (changed.length === 0) return;
-    this.moveMarks(document, changed);
     this.emit("changed", document);
     void this.send(document);
   }
@@ -202,9 +204,10 @@ export class Workbench {
     return this.marks.get(file) ?? [];
   }
 
-  private moveMarks(document: Document, transactions: readonly Transaction[]): void {
-    const moved = (position: number, side: number) => transactions.reduce((at, one) => one.changes.mapPos(at, side), position);
-    this.marks.set(document.file, this.marksOf(document.file).map((mark) => ({...mark, from: moved(mark.from, 1), to: moved(mark.to, -1)})));
+  private moveRanges(document: Document, transactions: readonly Transaction[]): void {
+    const {file} = document, at = (position: number, side: number) => transactions.reduce((place, one) => one.changes.mapPos(Math.min(place, one.changes.length), side), position);
+    this.marks.set(file, this.marksOf(file).map((mark) => ({...mark, from: at(mark.from, 1), to: at(mark.to, -1)})));
+    this.emit("moved", {file, at});
   }
 
   // --- what the server has ---
