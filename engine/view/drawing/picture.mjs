@@ -30,7 +30,7 @@ function openEnds(nodes) {
 /** The picture of what is in a part; parts that differ in their own name only are laid out once. */
 async function pictureOf(node, elk, known, room) {
   const own = `"${node.id}.`, any = '"\u0001', general = (drawn) => JSON.stringify(drawn).replaceAll(own, any);
-  const text = general(node.graph), keyOf = (frame) => `${frame} ${text}`, drawn = (key) => JSON.parse(known.get(key).replaceAll(any, own));
+  const text = general(node.graph), keyOf = (frame) => `${room.like ? "like " : ""}${frame} ${text}`, drawn = (key) => JSON.parse(known.get(key).replaceAll(any, own));
   if (known.has(keyOf(Infinity))) {
     const picture = drawn(keyOf(Infinity));
     if (picture.width <= room.frame) return picture;  // and so is every frame in it
@@ -109,13 +109,14 @@ async function sizedNodes(graph, isRoot, elk, known, room) {
 }
 
 /** The picture of what has its sizes, in one row. */
-async function inOneRow({nodes, wires}, elk) {
-  const laid = await searchLayout(nodes, wires, elk);
+async function inOneRow({nodes, wires}, elk, like) {
+  const laid = await searchLayout(nodes, wires, elk, like);
   const blocks = nodes.map((node) => Object.assign(node, laid.places.get(node.id)));
   for (const node of nodes)
     for (const port of node.outputs) port.noteAt = laid.notes.get(outputId({node: node.id, port: port.port}));
   const ends = openEnds(nodes), right = Math.max(...ends.map(({points}) => points[1][0] + 8));
-  const picture = {width: Math.max(laid.width, right), height: laid.height, blocks, wires: [...laid.wires, ...ends]};
+  const {style, flips, cost} = laid;
+  const picture = {width: Math.max(laid.width, right), height: laid.height, blocks, wires: [...laid.wires, ...ends], style, flips, cost: cost.total};
   for (const block of [...blocks]) if (block.inner) embed(block, picture);
   return picture;
 }
@@ -137,6 +138,7 @@ const isTooWide = ({width, height}, room) => width > room || (width > band.width
  * Frames that become wider than `room.frame` are drawn in two rows, and so is the whole beyond `room.whole`.
  */
 async function arrangeIn(graph, elk, isRoot, known, room) {
+  if (room.like) return inOneRow(await sizedNodes(graph, isRoot, elk, known, room), elk, isRoot ? room.like : {});
   const whole = grouped(graph), sized = () => sizedNodes(whole, isRoot, elk, known, room);
   const limit = isRoot ? Math.min(room.whole, band.width) : room.frame, task = await sized();
   if (widthAtMost(task.nodes) > limit) {
@@ -161,3 +163,9 @@ export async function arrange(graph, elk, known = new Map()) {
   }
   return best;
 }
+
+/**
+ * A picture without a search, soon enough for who edits: in the way of an earlier picture of nearly the same graph, of which
+ * only {style, flips} is needed, or of none ({}).
+ */
+export const arrangeLike = (like, graph, elk, known = new Map()) => arrangeIn(graph, elk, true, known, {whole: Infinity, frame: Infinity, like});

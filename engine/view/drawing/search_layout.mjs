@@ -20,6 +20,8 @@ const styles = [
   {...free, ...aligned("LEFTDOWN")}, {...free, ...aligned("LEFTUP")}, {...shuffled, ...aligned("LEFTUP")},
   {...asInFile, ...compact, straightChain: true}, {...free, ...compact},
 ];
+/** What makes a layout faster than a good one may be. */
+const sketched = {"elk.layered.thoroughness": "4"};
 /** So many layouts that follow each other may find nothing better before the search ends. */
 const patience = 2;
 /** Ways back that are led below seldom help where the first such layout costs so many times the best one. */
@@ -111,12 +113,23 @@ export async function sizeOfLayout(nodes, wires, elk) {
   return {width, height};
 }
 
-/** Lays out with ways back from right to left; where these find no good place, also without, and takes the better. */
-export async function searchLayout(nodes, wires, elk) {
+/** One layout in the style that was best for a picture like this one, or in the first one. */
+async function layOutQuickly(nodes, wires, elk, {style = styles[0], flips = true}) {
+  const task = {nodes, wires, ...feedbackEdges(nodes, wires, flips)};
+  await settlePorts(task, elk);
+  return {...await judged(task, elk, {...style, ...sketched}, new Set()), style, flips};
+}
+
+/**
+ * Lays out with ways back from right to left; where these find no good place, also without, and takes the better. With
+ * `like`, the {style, flips} of an earlier layout or {}, there is no search.
+ */
+export async function searchLayout(nodes, wires, elk, like) {
+  if (like) return layOutQuickly(nodes, wires, elk, like);
   const attempt = async (flip) => {
     const task = {nodes, wires, ...feedbackEdges(nodes, wires, flip)};
     await settlePorts(task, elk);
-    return {flipped: task.flipped, laid: await reenterSums(task, elk, await bestLayout(task, elk))};
+    return {flipped: task.flipped, laid: {...await reenterSums(task, elk, await bestLayout(task, elk)), flips: flip}};
   };
   const {flipped, laid: first} = await attempt(true);
   if (first.cost.faults === 0 || flipped.size === 0) return first;

@@ -154,11 +154,31 @@ function drawWire(corners) {
   return polyline(points) + head;
 }
 
+const line = `stroke="${ink}" stroke-width="1.2" stroke-linejoin="round"`;
+const isFrame = ({inner}) => inner !== undefined;
+const textsOf = (block) => lines(block) + portTexts(block) + notes(block) + name(block);
+
+/**
+ * The same picture in pieces for who moves or marks them one by one: {frames, wires, forks, blocks}, where a frame or block is
+ * {block, svg}, a wire {wire, svg} and forks the text of their dots.
+ */
+export function piecesOf(picture) {
+  const frame = (block) => group(`fill="#fafafa" stroke="${faint}"`, [frameRect(block)]) + group(`fill="${ink}"`, [frameName(block), notes(block)]);
+  const whole = (block) => group(`fill="#fff" ${line}`, [shapes[block.outline](block)]) + group(`fill="none" ${line}`, [inside(block)]) +
+    group(`fill="${ink}"`, [textsOf(block)]);
+  const nets = drawNets(picture.wires);
+  return {
+    frames: picture.blocks.filter(isFrame).map((block) => ({block, svg: frame(block)})),
+    wires: picture.wires.map((wire, i) => ({wire, svg: group(`fill="none" ${line}`, [nets[i]])})),
+    forks: group(`fill="none" ${line}`, forks(picture.wires).map(dot)),
+    blocks: picture.blocks.filter((block) => !isFrame(block)).map((block) => ({block, svg: whole(block)})),
+  };
+}
+
 /** The picture as the text of an SVG file. */
 export function svgOf(picture, title = "") {
-  const frames = picture.blocks.filter((block) => block.inner);
-  const blocks = picture.blocks.filter((block) => !block.inner);
-  const line = `stroke="${ink}" stroke-width="1.2" stroke-linejoin="round"`;
+  const frames = picture.blocks.filter(isFrame);
+  const blocks = picture.blocks.filter((block) => !isFrame(block));
   return page(picture, title, [
     group(`fill="#fafafa" stroke="${faint}"`, frames.map(frameRect)),
     group(`fill="none" ${line}`, [...drawNets(picture.wires), ...forks(picture.wires).map(dot)]),
@@ -167,7 +187,7 @@ export function svgOf(picture, title = "") {
     group(`fill="${ink}"`, [
       ...frames.map(frameName),
       ...frames.map(notes),
-      ...blocks.map((block) => lines(block) + portTexts(block) + notes(block) + name(block)),
+      ...blocks.map(textsOf),
     ]),
   ]);
 }

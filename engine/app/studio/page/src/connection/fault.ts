@@ -1,0 +1,28 @@
+/** One fault of a diagram as `check --json` writes it; `from` and `to` where the server knows the range [UTF-16 offsets]. */
+export interface DiagramFault {
+  file?: string | number;
+  line?: number;
+  column?: number;
+  subject?: string;
+  message: string;
+  cure?: string;
+  from?: number;
+  to?: number;
+}
+
+/** Why a call failed, for the person at the page: what is wrong, and what would be right. */
+export class Fault extends Error {
+  constructor(readonly text: string, readonly cure?: string, readonly faults: DiagramFault[] = [], readonly detail: Record<string, unknown> = {}) {
+    super(cure ? `${text}; ${cure}` : text);
+    this.name = "Fault";
+  }
+
+  /** The fault of an answer, or of anything else that was thrown. */
+  static from(thrown: unknown): Fault {
+    if (thrown instanceof Fault) return thrown;
+    if (typeof thrown !== "object" || thrown === null) return new Fault(String(thrown));
+    const {text, message, cure, faults, ...detail} = thrown as Record<string, unknown>;
+    return new Fault(String(text ?? message ?? "the call failed"), cure === undefined ? undefined : String(cure),
+      Array.isArray(faults) ? (faults as DiagramFault[]) : [], detail);
+  }
+}

@@ -1,0 +1,155 @@
+// A wire is drawn from an output to an input by dragging, or by keys from a list; only inputs whose unit fits are offered.
+
+import {Fault} from "../connection/connection";
+import type {Context} from "../shell/context";
+import {listen, svg} from "../shell/dom";
+import {openMenu} from "../shell/menu";
+import type {Placed, Shapes} from "./shapes";
+import type {End, Shape, TextRange} from "./types";
+import type {Viewport} from "./viewport";
+
+interface Source {
+  shape: Shape;
+  port: string;
+  file: number;
+  /** As wires of the text have it. */
+  name: string;
+}
+
+interface Target {
+  placed: Placed;
+  port: string;
+  x: number;
+  y: number;
+}
+
+const near = 28;  // pixels of the picture
+
+export class Connecting {
+  private source: Source | undefined;
+  private targets: Target[] = [];
+  private target: Target | undefined;
+  private readonly ends: (() => void)[];
+
+  constructor(private readonly canvas: HTMLElement, private readonly shapes: Shapes, private readonly viewport: Viewport, private readonly context: Context,
+              private readonly placeOf: (id: string) => {file: number; name: string; range: TextRange} | undefined) {
+    this.ends = [
+      listen(canvas, "pointerdown", (event: PointerEvent) => this.grab(event), {capture: true}),
+      listen(document, "keydown", (event: KeyboardEvent) => { if (event.key === "Escape" && this.source) this.stop(); }),
+    ];
+  }
+
+  dispose(): void {
+    for (const end of this.ends) end();
+  }
+
+  /** Offers the inputs for the first output of a block in a list. */
+  async byKeys({shape}: Placed): Promise<void> {
+    const [port] = shape.outputs;
+    if (!port) return this.context.announce(`${shape.name} has no output`);
+    const source = this.sourceOf(shape, port.port);
+    if (!source) return;
+    const targets = await this.fitting(source), box = this.canvas.getBoundingClientRect();
+    if (targets.length === 0) return this.context.notify(`no input here takes ${source.name}: its unit fits nowhere`);
+    openMenu({x: box.left + 20, y: box.top + 20}, targets.map((target): [string, () => void] => [`${source.name} → ${this.labelOf(target)}`, () => void this.connect(source, target)]), "Connect to");
+  }
+
+  private labelOf({placed: {shape}, port}: Target): string {
+    return `${shape.name || shape.id.replace(/^:\w+:/, "")}.${port}`;
+  }
+
+  private sourceOf(shape: Shape, port: string): Source | undefined {
+    if (shape.own === "input") return {shape, port, file: this.context.workbench.root, name: port};
+    const place = this.placeOf(shape.id);
+    return place ? {shape, port, file: place.file, name: shape.outputs.length === 1 && !shape.isPart ? place.name : `${place.name}.${port}`} : undefined;
+  }
+
+  /** Inputs in the same file that take an output. */
+  private async fitting(source: Source): Promise<Target[]> {
+    const {workbench, connection} = this.context, document = await workbench.open(source.file);
+    const here = [...this.shapes.placed.values()].filter(({shape}) => shape.within.join() === source.shape.within.join() && shape.own !== "input" && shape !== source.shape || shape === source.shape);
+    const all = here.flatMap((placed) => placed.shape.inputs.map(({port, x, y}) => ({placed, port, x: placed.shape.x + x, y: placed.shape.y + y})));
+    try {
+      const {inputs} = await connection.call<{inputs: {node: string; input: string}[]}>("fits", {file: source.file, version: document.version, from: source.name});
+      const fits = new Set(inputs.map(({node, input}) => `${node} ${input}`));
+      return all.filter(({placed: {shape}, port}) => fits.has(`${this.placeOf(shape.id)?.name ?? ""} ${port}`));
+    } catch {
+      return all;  // then the splice refuses what does not fit
+    }
+  }
+
+  private grab(event: PointerEvent): void {
+    const port = event.target instanceof Element ? event.target.closest<SVGElement>(".port-output") : null;
+    const placed = port ? this.shapes.of(port) : undefined, source = placed && port ? this.sourceOf(placed.shape, port.dataset.port!) : undefined;
+    if (!source || event.button !== 0) return;
+    event.stopPropagation();
+    event.preventDefault();
+    this.source = source;
+    this.canvas.setPointerCapture(event.pointerId);
+    void this.offer(source);
+    const begin: End = {node: source.shape.id, port: source.port}, ends = [
+      listen(this.canvas, "pointermove", (moved: PointerEvent) => this.follow(moved, begin)),
+      listen(this.canvas, "pointerup", () => this.drop()),
+      listen(this.canvas, "lostpointercapture", () => { ends.forEach((end) => end()); this.stop(); }),
+    ];
+  }
+
+  private async offer(source: Source): Promise<void> {
+    const targets = await this.fitting(source);
+    if (this.source !== source) return;
+    this.targets = targets;
+    this.canvas.classList.add("connecting");
+    for (const {placed, port} of targets) {
+      placed.element.classList.add("fits");
+      this.dotOf(placed, port)?.classList.add("fits");
+    }
+  }
+
+  private dotOf(placed: Placed, port: string): SVGElement | undefined {
+    return [...placed.element.querySelectorAll<SVGElement>(".port-input")].find((dot) => dot.dataset.port === port);
+  }
+
+  private follow(event: PointerEvent, {port}: End): void {
+    if (!this.source) return;
+    const {shape} = this.source, out = shape.outputs.find((one) => one.port === port)!, [x, y] = this.viewport.at(event);
+    const distance = (target: Target) => Math.hypot(target.x - x, target.y - y), nearest = [...this.targets].sort((a, b) => distance(a) - distance(b))[0];
+    const inside = ({placed: {shape: {x: left, y: top, width, height}}}: Target) => x >= left && x <= left + width && y >= top && y <= top + height;
+    this.point(nearest && (distance(nearest) < near || inside(nearest)) ? nearest : undefined);
+    const end = this.target ? [this.target.x, this.target.y] : [x, y], start = [shape.x + out.x, shape.y + out.y], bend = Math.max(30, Math.abs(end[0] - start[0]) / 2);
+    this.shapes.overlay(svg("path", {class: "loose", d: `M${start.join(" ")}C${start[0] + bend} ${start[1]} ${end[0] - bend} ${end[1]} ${end.join(" ")}`}));
+  }
+
+  private point(target: Target | undefined): void {
+    if (this.target) this.dotOf(this.target.placed, this.target.port)?.classList.remove("target");
+    this.target = target;
+    if (target) this.dotOf(target.placed, target.port)?.classList.add("target");
+  }
+
+  private drop(): void {
+    const {source, target} = this;
+    this.stop();
+    if (source && target) void this.connect(source, target);
+  }
+
+  private stop(): void {
+    this.point(undefined);
+    for (const {placed, port} of this.targets) {
+      placed.element.classList.remove("fits");
+      this.dotOf(placed, port)?.classList.remove("fits");
+    }
+    this.targets = [];
+    this.source = undefined;
+    this.canvas.classList.remove("connecting");
+    this.shapes.overlay();
+  }
+
+  private async connect(source: Source, target: Target): Promise<void> {
+    const {shape} = target.placed, to = this.placeOf(shape.id)?.name ?? "";
+    try {
+      await this.context.workbench.splice(source.file, {kind: "connect", from: source.name, to, input: target.port});
+      this.context.announce(`${source.name} is connected to ${this.labelOf(target)}`);
+    } catch (thrown) {
+      this.context.notify(Fault.from(thrown).message, "fault");
+    }
+  }
+}

@@ -1,0 +1,95 @@
+import type {Answer, Graph, Order, Picture} from "./types";
+
+/** How long an older layout may go on beside a newer order before its worker is ended [ms]. */
+const patience = 400;
+
+type Wish = {graph: Graph} & ({want: "picture"; like: Picture["like"] | null} | {want: "text"});
+
+/** Orders layouts of a worker, one after the other: a newer order ends an older one, whose promise gives null. */
+export class Layouter {
+  private worker: Worker | undefined;
+  private nextId = 1;
+  private readonly waiting = new Map<number, {order: Order; resolve: (answer: Answer | null) => void}>();
+  private timer: number | undefined;
+
+  /** A picture soon, in the way of an earlier one ({} for none); null where a newer order came. Throws where there is none. */
+  async sketch(graph: Graph, like: Picture["like"]): Promise<Picture | null> {
+    return (await this.order({graph, want: "picture", like}))?.picture ?? null;
+  }
+
+  /** The best picture that is found, which may take seconds. */
+  async search(graph: Graph): Promise<Picture | null> {
+    return (await this.order({graph, want: "picture", like: null}))?.picture ?? null;
+  }
+
+  /** The text of an SVG file. */
+  async text(graph: Graph): Promise<string> {
+    return (await this.order({graph, want: "text"}))?.text ?? "";
+  }
+
+  get isBusy(): boolean {
+    return this.waiting.size > 0;
+  }
+
+  dispose(): void {
+    clearTimeout(this.timer);
+    this.worker?.terminate();
+    for (const {resolve} of this.waiting.values()) resolve(null);
+    this.waiting.clear();
+  }
+
+  private async order(wish: Wish): Promise<Answer | null> {
+    const order = {id: this.nextId++, ...wish} as Order, hasOlder = this.waiting.size > 0;
+    const answer = await new Promise<Answer | null>((resolve) => {
+      this.waiting.set(order.id, {order, resolve});
+      this.started().postMessage(order);
+      if (hasOlder) this.watch();
+    });
+    if (answer?.fault) throw new Error(answer.fault);
+    return answer?.stopped ? null : answer;
+  }
+
+  private started(): Worker {
+    if (this.worker) return this.worker;
+    this.worker = new Worker(new URL("./layout_worker.ts", import.meta.url), {type: "module", name: "layout"});
+    this.worker.onmessage = ({data}: MessageEvent<Answer>) => this.take(data);
+    return this.worker;
+  }
+
+  private take(answer: Answer): void {
+    const waiting = this.waiting.get(answer.id);
+    this.waiting.delete(answer.id);
+    waiting?.resolve(answer);
+    if (this.waiting.size < 2) {
+      clearTimeout(this.timer);
+      this.timer = undefined;
+    }
+  }
+
+  private watch(): void {
+    this.timer ??= window.setTimeout(() => this.restart(), patience);
+  }
+
+  /** Ends the worker with all that it does, and gives the newest order to another one. */
+  private restart(): void {
+    this.timer = undefined;
+    this.worker?.terminate();
+    this.worker = undefined;
+    const all = [...this.waiting.entries()], newest = all.pop();
+    for (const [id, {resolve}] of all) {
+      this.waiting.delete(id);
+      resolve(null);
+    }
+    if (newest) this.started().postMessage(newest[1].order);
+  }
+}
+
+/** The drawing of a graph as the text of an SVG file, by a worker of its own that ends with it. */
+export async function drawGraph(graph: unknown): Promise<string> {
+  const layouter = new Layouter();
+  try {
+    return await layouter.text(graph as Graph);
+  } finally {
+    layouter.dispose();
+  }
+}

@@ -1,0 +1,113 @@
+// Zoom and pan of the drawing: wheel, drag, pinch, keys.
+
+import {listen} from "../shell/dom";
+import type {Box} from "./types";
+
+const least = 0.1, most = 4, margin = 12;
+
+export class Viewport {
+  /** Pixels of the screen for one of the picture, and what of the picture is at the left and top. */
+  private scale = 1;
+  private x = 0;
+  private y = 0;
+  private picture = {width: 1, height: 1};
+  /** Does the picture fill the pane, until somebody zooms? */
+  private isFitted = true;
+  private readonly pointers = new Map<number, {x: number; y: number}>();
+  private readonly observer: ResizeObserver;
+
+  constructor(private readonly host: HTMLElement, private readonly root: SVGSVGElement) {
+    this.observer = new ResizeObserver(() => (this.isFitted ? this.fit() : this.apply()));
+    this.observer.observe(host);
+    listen(host, "wheel", (event: WheelEvent) => this.wheel(event), {passive: false});
+    listen(host, "pointerdown", (event: PointerEvent) => this.press(event));
+    listen(host, "pointermove", (event: PointerEvent) => this.move(event));
+    for (const name of ["pointerup", "pointercancel"]) listen(host, name, (event: PointerEvent) => this.pointers.delete(event.pointerId));
+  }
+
+  dispose(): void {
+    this.observer.disconnect();
+  }
+
+  resize(width: number, height: number): void {
+    this.picture = {width, height};
+    if (this.isFitted) this.fit();
+    else this.apply();
+  }
+
+  /** The whole picture, not larger than it is; readable rather than whole where it is very wide. */
+  fit(): void {
+    const {clientWidth, clientHeight} = this.host;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.isFitted = true;
+    const whole = Math.min((clientWidth - 2 * margin) / this.picture.width, (clientHeight - 2 * margin) / this.picture.height);
+    this.scale = Math.min(1.25, Math.max(least, whole));
+    this.x = (this.picture.width - clientWidth / this.scale) / 2;
+    this.y = (this.picture.height - clientHeight / this.scale) / 2;
+    this.apply();
+  }
+
+  zoom(factor: number, clientX?: number, clientY?: number): void {
+    const {left, top, width, height} = this.host.getBoundingClientRect();
+    const u = clientX === undefined ? width / 2 : clientX - left, v = clientY === undefined ? height / 2 : clientY - top;
+    const next = Math.min(most, Math.max(least, this.scale * factor));
+    this.x += u / this.scale - u / next;
+    this.y += v / this.scale - v / next;
+    this.scale = next;
+    this.isFitted = false;
+    this.apply();
+  }
+
+  /** Moves by pixels of the screen. */
+  pan(dx: number, dy: number): void {
+    this.x += dx / this.scale;
+    this.y += dy / this.scale;
+    this.isFitted = false;
+    this.apply();
+  }
+
+  /** Brings a box into view if it is out of it. */
+  reveal({x, y, width, height}: Box): void {
+    const seen = {width: this.host.clientWidth / this.scale, height: this.host.clientHeight / this.scale}, by = 20 / this.scale;
+    const shift = (from: number, size: number, at: number, room: number) =>
+      from < at ? from - by - at : from + size > at + room ? Math.min(from - by, from + size + by - room) - at : 0;
+    const dx = shift(x, width, this.x, seen.width), dy = shift(y, height, this.y, seen.height);
+    if (dx !== 0 || dy !== 0) this.pan(dx * this.scale, dy * this.scale);
+  }
+
+  /** Where a point of the window lies in the picture. */
+  at(event: {clientX: number; clientY: number}): [number, number] {
+    const {left, top} = this.host.getBoundingClientRect();
+    return [this.x + (event.clientX - left) / this.scale, this.y + (event.clientY - top) / this.scale];
+  }
+
+  private apply(): void {
+    const {clientWidth, clientHeight} = this.host;
+    if (clientWidth > 0 && clientHeight > 0)
+      this.root.setAttribute("viewBox", `${this.x} ${this.y} ${clientWidth / this.scale} ${clientHeight / this.scale}`);
+  }
+
+  private wheel(event: WheelEvent): void {
+    event.preventDefault();
+    if (event.shiftKey) return this.pan(event.deltaY || event.deltaX, 0);
+    const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 20 : 1;
+    this.zoom(Math.exp((-event.deltaY * lines) / (event.ctrlKey ? 100 : 400)), event.clientX, event.clientY);
+  }
+
+  private press(event: PointerEvent): void {
+    if (event.button !== 0 && event.button !== 1) return;
+    this.pointers.set(event.pointerId, {x: event.clientX, y: event.clientY});
+  }
+
+  private move(event: PointerEvent): void {
+    const before = this.pointers.get(event.pointerId);
+    if (!before || event.buttons === 0) return void this.pointers.delete(event.pointerId);
+    const other = [...this.pointers].find(([id]) => id !== event.pointerId)?.[1], now = {x: event.clientX, y: event.clientY};
+    this.pointers.set(event.pointerId, now);
+    const share = other ? 0.5 : 1;
+    this.pan(share * (before.x - now.x), share * (before.y - now.y));
+    if (!other) return;
+    const far = (one: {x: number; y: number}) => Math.hypot(one.x - other.x, one.y - other.y);
+    this.zoom(far(now) / Math.max(1, far(before)), (now.x + other.x) / 2, (now.y + other.y) / 2);
+  }
+}

@@ -1,0 +1,74 @@
+import {connect, Fault} from "./connection/connection";
+import {DrawingView} from "./drawing/drawing_view";
+import {RunModel} from "./run/run_model";
+import {Bar} from "./shell/bar";
+import type {Context, View, ViewType} from "./shell/context";
+import {Layout, type Pane} from "./shell/layout";
+import {Notices} from "./shell/notices";
+import {Settings} from "./shell/settings";
+import {Shortcuts} from "./shell/shortcuts";
+import {type Choice, Theme} from "./shell/theme";
+import {TextView} from "./text/text_view";
+import {Workbench} from "./text/workbench";
+import "./shell/tokens.css";
+import "./shell/shell.css";
+
+const modules = import.meta.glob(["./run/run_bar.ts", "./scopes/scope_board.ts", "./tuning/tuning_list.ts", "./scene/*_view.ts", "./figures/figures_view.ts"]);
+
+/** A view of a module that is loaded when it is seen first. */
+async function made(path: string, name: string, host: HTMLElement, context: Context): Promise<View> {
+  const load = modules[path];
+  if (!load) throw new Error("it is not built yet");
+  const types = (await load()) as Record<string, ViewType>;
+  return new types[name](host, context);
+}
+
+const connection = connect(), notices = new Notices(), settings = new Settings(connection);
+const notify = (text: string, kind?: "note" | "fault") => notices.notify(text, kind);
+const context: Context = {
+  connection, settings, notify, run: new RunModel(connection), shortcuts: new Shortcuts(), theme: new Theme(), workbench: new Workbench(connection, notify),
+  announce: (text) => notices.announce(text), show: (pane) => layout.show(pane, true),
+};
+const panes: Pane[] = [
+  {id: "text", title: "Text", make: async (host) => new TextView(host, context)},
+  {id: "drawing", title: "Drawing", make: async (host) => new DrawingView(host, context)},
+  {id: "scopes", title: "Scopes", make: (host) => made("./scopes/scope_board.ts", "ScopeBoard", host, context)},
+  {id: "scene", title: "Scene", make: (host) => made("./scene/scene_view.ts", "SceneView", host, context)},
+  {id: "mechanism", title: "3-D", make: (host) => made("./scene/mechanism_view.ts", "MechanismView", host, context)},
+  {id: "figures", title: "Figures", make: (host) => made("./figures/figures_view.ts", "FiguresView", host, context)},
+  {id: "tuning", title: "Tuning", make: (host) => made("./tuning/tuning_list.ts", "TuningList", host, context)},
+];
+const bar = new Bar(context), layout = new Layout(panes, settings);
+document.body.append(bar.element, layout.element, notices.element);
+made("./run/run_bar.ts", "RunBar", bar.run, context).catch((thrown) => bar.run.append(String(thrown.message)));
+
+panes.forEach(({id, title}, i) => context.shortcuts.add({key: String(i + 1), text: title.toLowerCase(), group: "Panes", action: () => layout.show(id, true)}));
+context.shortcuts.add({key: "F6", text: "next pane", group: "Panes", action: () => layout.cycle(1)});
+context.shortcuts.add({key: "Shift+F6", text: "pane before", group: "Panes", action: () => layout.cycle(-1)});
+settings.on((key) => { if (key === "theme") context.theme.choose(settings.get<Choice>("theme", "system")); });
+
+/** Loads the diagram for a run; one with faults is loaded when it is started. */
+async function load(file: number): Promise<void> {
+  try {
+    await context.run.load(file);
+  } catch {
+    context.run.file = file;
+    context.run.markStale();
+  }
+}
+
+context.workbench.on("root", (file) => void load(file));
+context.workbench.on("changed", () => context.run.markStale());
+
+let isStarted = false;
+connection.on("connection", async ({state, hello, fault}) => {
+  if (fault) notify(`the studio refuses the page: ${fault.message}`, "fault");
+  if (state !== "open" || isStarted) return;
+  isStarted = true;
+  try {
+    await settings.load();
+    await context.workbench.start(hello.file);
+  } catch (thrown) {
+    notify(Fault.from(thrown).message, "fault");
+  }
+});

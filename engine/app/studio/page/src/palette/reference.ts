@@ -1,0 +1,40 @@
+import type {Connection} from "../connection/connection";
+
+export interface PortReference {
+  name: string;
+  unit: string;
+  doc: string;
+  optional?: boolean;
+  list?: boolean;
+}
+
+export interface ParameterReference {
+  name: string;
+  kind: string;
+  unit: string;
+  doc: string;
+  required: boolean;
+  default?: unknown;
+}
+
+/** A type of block, as `blocks NAME --json` has it. */
+export interface BlockType {
+  name: string;
+  folder: string;
+  doc: string;
+  source?: string;
+  inputs: PortReference[];
+  outputs: PortReference[];
+  parameters: ParameterReference[];
+  example?: string;
+  keys?: string[];
+}
+
+let types: Promise<BlockType[]> | undefined;
+
+/** The types of blocks of the program; read once. */
+export function blockTypes(connection: Connection): Promise<BlockType[]> {
+  types ??= connection.call<{blocks: BlockType[]}>("blocks").then(({blocks}) => blocks);
+  types.catch(() => { types = undefined; });
+  return types;
+}

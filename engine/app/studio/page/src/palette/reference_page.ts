@@ -1,0 +1,23 @@
+import {h} from "../shell/dom";
+import type {BlockType, ParameterReference, PortReference} from "./reference";
+
+const valueOf = (value: unknown) => (value === undefined || value === null ? "" : typeof value === "object" ? JSON.stringify(value) : String(value));
+
+function ports(title: string, all: PortReference[]): (HTMLElement | null)[] {
+  if (all.length === 0) return [];
+  return [h("h4", {}, title), h("dl", {}, ...all.flatMap(({name, unit, doc, optional, list}) =>
+    [h("dt", {}, name, unit ? ` [${unit}]` : "", list ? ", several" : "", optional ? ", optional" : ""), h("dd", {}, doc)]))];
+}
+
+function parameters(all: ParameterReference[]): (HTMLElement | null)[] {
+  if (all.length === 0) return [];
+  return [h("h4", {}, "Parameters"), h("dl", {}, ...all.flatMap(({name, kind, unit, doc, required, default: other}) =>
+    [h("dt", {}, name, unit ? ` [${unit}]` : "", required ? ", required" : valueOf(other) ? ` = ${valueOf(other)}` : ""), h("dd", {}, `${doc} (${kind})`)]))];
+}
+
+/** The reference of a type of block. */
+export function referencePage({name, doc, source, inputs, outputs, parameters: own, example}: BlockType): Node[] {
+  const parts = [h("h3", {}, name), h("p", {}, doc), example ? h("pre", {}, example) : null, ...ports("Inputs", inputs), ...ports("Outputs", outputs), ...parameters(own),
+    source ? h("p", {class: "palette-source"}, `Source: ${source}`) : null];
+  return parts.filter((part): part is HTMLElement => part !== null);
+}

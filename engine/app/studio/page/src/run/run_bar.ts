@@ -1,0 +1,87 @@
+import "./run.css";
+import type {Context, View} from "../shell/context";
+import {h, listen} from "../shell/dom";
+import {measuredText, nextRate, rates, rateText} from "./rates";
+import {Scrub} from "./scrub";
+import {Verdicts} from "./verdicts";
+
+const seconds = (time: number, step: number) => time.toFixed(Math.min(6, Math.max(3, Math.ceil(-Math.log10(step) - 1e-9))));
+
+/** Play, pause, one tick, from the start, the pace, where the run stands, and how well it keeps time. */
+export class RunBar implements View {
+  private readonly play = h("button", {type: "button", class: "main play"});
+  private readonly tick = h("button", {type: "button", title: "One tick (.)", "aria-label": "One tick"}, "⏵|");
+  private readonly restart = h("button", {type: "button", title: "From the start (R)", "aria-label": "From the start"}, "↺");
+  private readonly rate = h("select", {"aria-label": "Pace: seconds of the run in one of the clock", title: "Pace ([ slower, ] faster)"});
+  private readonly time = h("output", {class: "run-time", "aria-label": "Time of the run"});
+  private readonly facts = h("span", {class: "run-facts"});
+  private readonly fault = h("span", {class: "run-fault", role: "alert", hidden: true});
+  private readonly stale = h("span", {class: "run-stale", hidden: true, title: "Play and restart load the text as it is now"}, "text changed");
+  private readonly scrub: Scrub;
+  private readonly verdicts: Verdicts;
+  private readonly ends: (() => void)[];
+
+  constructor(host: HTMLElement, private readonly context: Context) {
+    const {run} = context;
+    this.scrub = new Scrub(run);
+    this.verdicts = new Verdicts((text) => context.announce(text));
+    host.classList.add("run-bar");
+    host.append(h("div", {class: "run-buttons", role: "group", "aria-label": "Run"}, this.play, this.tick, this.restart, this.rate),
+      h("div", {class: "run-line"}, this.scrub.element, this.time), this.facts, this.stale, this.fault, this.verdicts.element);
+    this.rate.replaceChildren(...rates.map((rate) => h("option", {value: rate, selected: rate === 1}, rateText(rate))));
+    listen(this.play, "click", () => void run.toggle());
+    listen(this.tick, "click", () => void run.tick());
+    listen(this.restart, "click", () => void run.restart());
+    listen(this.rate, "change", () => void run.setRate(Number(this.rate.value)));
+    this.ends = [
+      run.on("loaded", (loaded) => { this.verdicts.load(loaded); this.scrub.reset(); }), run.on("claims", (verdicts) => this.verdicts.judge(verdicts)),
+      run.on("state", () => this.show()), run.on("stale", (isStale) => { this.stale.hidden = !isStale; }), ...this.keys(),
+    ];
+    if (run.loaded) this.verdicts.load(run.loaded);
+    this.stale.hidden = !run.stale;
+    this.show();
+  }
+
+  dispose(): void {
+    for (const end of this.ends) end();
+  }
+
+  private keys(): (() => void)[] {
+    const {shortcuts, run} = this.context, group = "Run";
+    const pace = (by: 1 | -1) => () => void run.setRate(nextRate(run.rate, by));
+    return [
+      shortcuts.add({key: "Space", text: "play, pause", group, action: () => void run.toggle()}),
+      shortcuts.add({key: ".", text: "one tick", group, action: () => void run.tick()}),
+      shortcuts.add({key: "R", text: "from the start", group, action: () => void run.restart()}),
+      shortcuts.add({key: "[", text: "slower", group, action: pace(-1)}),
+      shortcuts.add({key: "]", text: "faster", group, action: pace(1)}),
+      shortcuts.add({key: "Left", text: "back in time; in a scope: cursor A (Shift: B, Alt: by a tick)", group, action: () => this.scrub.step(-1)}),
+      shortcuts.add({key: "Right", text: "forward to where the run was", group, action: () => this.scrub.step(1)}),
+    ];
+  }
+
+  private show(): void {
+    const {news, rate, loaded, latency} = this.context.run, isPlaying = news.state === "playing";
+    this.play.textContent = isPlaying ? "⏸" : "⏵";
+    this.play.setAttribute("aria-label", isPlaying ? "Pause" : "Play");
+    this.play.title = `${isPlaying ? "Pause" : "Play"} (Space)`;
+    this.rate.value = String(rate);
+    this.time.textContent = `${seconds(news.time, loaded?.step ?? 0.001)} s`;
+    this.time.title = `tick ${news.tick}${loaded?.stop == null ? "" : ` of ${Math.round(loaded.stop / loaded.step)}`}, ${news.state}`;
+    this.showFacts(measuredText(news.rate, isPlaying), news.missed, latency.median);
+    this.fault.hidden = !news.fault;
+    this.fault.textContent = news.fault ?? "";
+    this.scrub.show();
+  }
+
+  private showFacts(measured: string, missed: number, latency: number | undefined): void {
+    const facts = [["pace", measured, "Seconds of the run in one second of the clock, measured"], ["missed", String(missed), "Deadlines missed"],
+      ["input", latency === undefined ? "–" : `${latency.toFixed(0)} ms`, "From an input to the first picture that shows it, median"]];
+    if (this.facts.childElementCount !== facts.length)
+      this.facts.replaceChildren(...facts.map(([name, , title]) => h("span", {class: "fact", title}, `${name} `, h("b", {}))));
+    facts.forEach(([, value], i) => {
+      const place = this.facts.children[i].querySelector("b")!;
+      if (place.textContent !== value) place.textContent = value;
+    });
+  }
+}

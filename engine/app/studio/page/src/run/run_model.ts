@@ -1,0 +1,174 @@
+import {type Connection, Fault} from "../connection/connection";
+import {Latency} from "./latency";
+import {Listeners} from "./listeners";
+import {RunClock} from "./run_clock";
+import type {Fan, Loaded, RunNews, SetEcho, Verdict} from "./run_types";
+
+export interface RunEvents {
+  /** A diagram was loaded; its run stands at 0. */
+  loaded: Loaded;
+  state: RunNews;
+  set: SetEcho;
+  claims: Verdict[];
+  fan: Fan;
+  /** A call of the run failed. */
+  fault: Fault;
+  /** The text is another than the one that runs, or no longer. */
+  stale: boolean;
+}
+
+const rest: RunNews = {run: 0, state: "paused", time: 0, tick: 0, rate: 0, wanted: 1, missed: 0, compiled: false, fault: null};
+const seconds = () => performance.now() / 1000;
+
+/** The run of the page: what was loaded, where it stands, and what may be done with it. All views share one. */
+export class RunModel {
+  private readonly listeners = new Listeners<RunEvents>();
+  private readonly ends: (() => void)[];
+  readonly clock = new RunClock();
+  readonly latency = new Latency();
+  /** Columns in which a fan is of interest: those of the scopes. */
+  fanColumns: () => number[] = () => [];
+  loaded: Loaded | null = null;
+  file: number | null = null;
+  news: RunNews = rest;
+  /** What `play` uses; 0 is as fast as it goes. */
+  rate = 1;
+  stale = false;
+
+  constructor(private readonly connection: Connection) {
+    this.ends = [
+      connection.on("run", (news: RunNews) => this.take(news)),
+      connection.on("set", (echo: SetEcho) => this.takeSet(echo)),
+      connection.on("connection", ({state}) => { if (state === "open" && this.loaded) this.markStale(); }),
+      connection.on("claims", (news: {claims: Verdict[]}) => this.listeners.emit("claims", news.claims)),
+    ];
+  }
+
+  on<Name extends keyof RunEvents>(name: Name, listener: (event: RunEvents[Name]) => void): () => void {
+    return this.listeners.on(name, listener);
+  }
+
+  dispose(): void {
+    for (const end of this.ends) end();
+  }
+
+  /** Time of the run now [s]. */
+  get time(): number {
+    return this.clock.read(seconds());
+  }
+
+  /** Loads a file; rejects with the faults of its text. */
+  async load(file: number): Promise<Loaded> {
+    const loaded = await this.connection.call<Loaded>("run.load", {file});
+    this.file = file;
+    this.loaded = loaded;
+    this.news = {...rest, run: loaded.run, wanted: this.rate};
+    this.latency.forget();
+    this.clock.observe(0, 0, seconds());
+    this.clock.restart(0, seconds());
+    this.markStale(false);
+    this.listeners.emit("loaded", loaded);
+    this.listeners.emit("state", this.news);
+    return loaded;
+  }
+
+  /** The text differs from what runs: the next start takes it. */
+  markStale(stale = true): void {
+    if (stale === this.stale) return;
+    this.stale = stale;
+    this.listeners.emit("stale", stale);
+  }
+
+  async play(rate = this.rate): Promise<void> {
+    this.rate = rate;
+    if ((await this.prepare()) !== "failed") await this.call("run.play", {rate});
+  }
+
+  async pause(): Promise<void> {
+    await this.call("run.pause");
+  }
+
+  async toggle(): Promise<void> {
+    await (this.news.state === "playing" ? this.pause() : this.play());
+  }
+
+  async tick(): Promise<void> {
+    if ((await this.prepare()) !== "failed") await this.call("run.tick");
+  }
+
+  /** From the start again, with the text as it is now. */
+  async restart(): Promise<void> {
+    if ((await this.prepare()) === "as it was") await this.call("run.restart");
+  }
+
+  /** To a time that was [s]; play goes on from there. */
+  async seek(time: number): Promise<void> {
+    await this.call("run.seek", {time: Math.max(0, time)});
+  }
+
+  /** Another rate, at once where it plays; 0 is as fast as it goes. */
+  async setRate(rate: number): Promise<void> {
+    this.rate = rate;
+    if (this.news.state === "playing") await this.call("run.play", {rate});
+    else this.listeners.emit("state", this.news);
+  }
+
+  /** Sets a parameter while it runs: a text with its unit, or a number [SI]. Rejects with why it was refused. */
+  async set(name: string, value: string | number): Promise<SetEcho> {
+    const acts = this.latency.sent(performance.now());
+    const echo = await this.connection.call<SetEcho>("run.set", {name, value});
+    acts((echo.tick + 1) * (this.loaded?.step ?? 0));
+    this.takeSet(echo);
+    return echo;
+  }
+
+  /** Runs the diagram at `count` values between `low` and `high` [SI] in the background. */
+  async fan(name: string, low: number, high: number, count: number): Promise<Fan> {
+    const columns = this.fanColumns(), unit = this.loaded?.parameters.find((one) => one.name === name)?.unit ?? "";
+    const {points} = await this.connection.call<Pick<Fan, "points">>("fan", {name, low, high, count, columns});
+    const fan = {name, unit, columns, points};
+    this.listeners.emit("fan", fan);
+    return fan;
+  }
+
+  clearFan(): void {
+    this.listeners.emit("fan", {name: "", unit: "", columns: [], points: []});
+  }
+
+  /** Loads the text again where it is another than the one that runs. */
+  private async prepare(): Promise<"as it was" | "loaded" | "failed"> {
+    if (!this.stale || this.file === null) return "as it was";
+    try {
+      await this.load(this.file);
+      return "loaded";
+    } catch (thrown) {
+      this.listeners.emit("fault", Fault.from(thrown));
+      return "failed";
+    }
+  }
+
+  private async call(name: string, args: object = {}): Promise<void> {
+    try {
+      await this.connection.call(name, args);
+    } catch (thrown) {
+      this.listeners.emit("fault", Fault.from(thrown));
+    }
+  }
+
+  private take(news: RunNews): void {
+    const now = seconds(), another = news.run !== this.news.run;
+    this.news = news;
+    this.clock.observe(news.time, news.state === "playing" ? news.rate : 0, now);
+    if (another) {
+      this.clock.restart(news.time, now);
+      this.latency.forget();
+    }
+    this.listeners.emit("state", news);
+  }
+
+  private takeSet(echo: SetEcho): void {
+    const parameter = this.loaded?.parameters.find((one) => one.name === echo.name);
+    if (parameter) Object.assign(parameter, {value: echo.value, text: echo.text});
+    this.listeners.emit("set", echo);
+  }
+}

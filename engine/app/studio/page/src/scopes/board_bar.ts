@@ -1,0 +1,63 @@
+import {h, listen} from "../shell/dom";
+import {openMenu} from "../shell/menu";
+import {fixedText, quantityText} from "./numbers";
+import type {ScopeBoard} from "./scope_board";
+
+/** Stretches of time that may be followed [s]. */
+const widths = [0.1, 0.5, 1, 2, 5, 10, 30, 60, 300];
+
+/** The line above the scopes: which of the three states they are in, how much time is seen, pinned runs. */
+export class BoardBar {
+  readonly element = h("div", {class: "scope-bar", role: "toolbar", "aria-label": "Scopes"});
+  private readonly state = h("span", {class: "chip", role: "status"});
+  private readonly follow = h("button", {type: "button", class: "plain small", title: "Follow the newest (F)"}, "Follow");
+  private readonly width = h("select", {class: "small", "aria-label": "How much time is seen", title: "How much time is seen"});
+  private readonly signals = h("button", {type: "button", class: "plain small", "aria-pressed": "false", title: "Signals of the run (A)"}, "Signals");
+  private readonly pins = h("ul", {class: "pins", "aria-label": "Kept runs"});
+
+  constructor(private readonly board: ScopeBoard) {
+    const more = h("button", {type: "button", class: "plain small", "aria-label": "More about scopes", "aria-haspopup": "menu"}, "⋯");
+    const pin = h("button", {type: "button", class: "plain small", title: "Keep this run to compare later ones with it (P)", onclick: () => void board.pin()}, "Keep run");
+    const open = h("button", {type: "button", class: "plain small", title: "New scope (N)", onclick: () => { board.open().element.focus(); board.shared.keep(); }}, "+ Scope");
+    this.element.append(this.state, this.follow, this.width, h("span", {class: "gap"}), this.pins, pin, open, this.signals, more);
+    listen(this.follow, "click", () => board.follow());
+    listen(this.width, "change", () => board.follow(Number(this.width.value)));
+    listen(this.signals, "click", () => this.showSignals(board.signals.element.hidden));
+    listen(more, "click", () => openMenu(more, [
+      ["Copy the address of this view", () => board.copyAddress()], ["The scopes of the file again", () => board.reset()],
+      ...(board.shared.fan ? [["Take the fan away", () => board.shared.context.run.clearFan()] as [string, () => void]] : []),
+    ], "Scopes"));
+    board.signals.element.hidden = true;
+  }
+
+  showSignals(isShown: boolean): void {
+    this.board.signals.element.hidden = !isShown;
+    this.signals.setAttribute("aria-pressed", String(isShown));
+    if (isShown) this.board.signals.focus();
+  }
+
+  update(): void {
+    const {window, pins} = this.board.shared, {state} = this.board.shared.context.run.news;
+    this.state.textContent = this.stateText();
+    this.state.dataset.state = window.isFollowing ? state : "back";
+    this.follow.hidden = window.isFollowing;
+    this.listWidths(window.width);
+    this.pins.replaceChildren(...pins.all.map((pin) => h("li", {class: "chip"}, pin.label,
+      h("button", {type: "button", class: "plain small", "aria-label": `Drop ${pin.label}`, onclick: () => pins.drop(pin)}, "×"))));
+  }
+
+  /** Following, looking back, paused: data go on in the first two. */
+  private stateText(): string {
+    const {window, now, context} = this.board.shared, {state} = context.run.news, {low, high} = window.at(now);
+    const paused = state === "playing" ? "" : state === "ended" ? "ended" : "paused";
+    if (!window.isFollowing) return `looking back ${fixedText(low, 3)} to ${fixedText(high, 3)} s${paused && `, model ${paused}`}`;
+    return paused ? `model ${paused}` : "following";
+  }
+
+  private listWidths(now: number): void {
+    const all = [...new Set([...widths, now])].sort((a, b) => a - b);
+    if (this.width.options.length !== all.length || Number(this.width.value) !== now)
+      this.width.replaceChildren(...all.map((width) => h("option", {value: width, selected: width === now}, quantityText(width, "s"))));
+    this.width.value = String(now);
+  }
+}

@@ -1,0 +1,63 @@
+import type {DisplayUnit} from "./display_unit";
+import {numberText, quantityText} from "./numbers";
+import {rowFrom, type Samples} from "./samples";
+
+/** How far a run is from a pinned one; SI, times in s. */
+export interface Difference {
+  samples: Samples;
+  /** The largest magnitude, and when it was. */
+  worst: number;
+  at: number;
+  /** Share of the time in which it is beyond the tolerance, and when it is first; undefined where never. */
+  share: number;
+  first: number | undefined;
+}
+
+/** Linear between rows; NaN outside of them. */
+function valueBetween(time: Float64Array, values: Float64Array, at: number): number {
+  const row = rowFrom(time, at);
+  if (row === time.length) return NaN;
+  if (time[row] === at) return values[row];
+  if (row === 0) return NaN;
+  const share = (at - time[row - 1]) / (time[row] - time[row - 1]);
+  return values[row - 1] + share * (values[row] - values[row - 1]);
+}
+
+/** `now` minus `before` at the times of `now`; lows with lows and highs with highs, so that equal runs differ nowhere. */
+export function difference(now: Samples, before: Samples, tolerance: number): Difference {
+  const rows = now.time.length, low = new Float64Array(rows), high = new Float64Array(rows);
+  const result: Difference = {samples: {time: now.time, low, high}, worst: 0, at: NaN, share: 0, first: undefined};
+  let known = 0, beyond = 0;
+  for (let row = 0; row < rows; ++row) {
+    const a = now.low[row] - valueBetween(before.time, before.low, now.time[row]);
+    const b = now.high[row] - valueBetween(before.time, before.high, now.time[row]);
+    low[row] = Math.min(a, b);
+    high[row] = Math.max(a, b);
+    const size = Math.max(Math.abs(a), Math.abs(b));
+    if (Number.isNaN(size)) continue;
+    ++known;
+    if (size > result.worst || Number.isNaN(result.at)) Object.assign(result, {worst: size, at: now.time[row]});
+    if (!(size > tolerance)) continue;
+    ++beyond;
+    result.first ??= now.time[row];
+  }
+  result.share = known > 0 ? beyond / known : 0;
+  return result;
+}
+
+/** "0.1" and "0.1 mm" in the shown unit, "1 %" of `span` [SI]: a bound in SI; undefined where it cannot be read. */
+export function readTolerance(text: string, unit: DisplayUnit, span: number): number | undefined {
+  const match = /^\s*([\d.]+(?:e[-+]?\d+)?)\s*(.*?)\s*$/i.exec(text), value = Number(match?.[1]);
+  if (!match || !(value >= 0)) return undefined;
+  if (match[2] === "%") return (value / 100) * span;
+  return match[2] === "" || match[2] === unit.text ? value / unit.scale : undefined;
+}
+
+/** "largest difference 0.31 mm at 1.234 s; beyond 0.1 mm in 12 % of the time, first at 1.2 s". */
+export function differenceText({worst, at, share, first}: Difference, tolerance: number, unit: DisplayUnit): string {
+  if (Number.isNaN(at)) return "no time that both runs have";
+  const largest = `largest difference ${quantityText(worst * unit.scale, unit.text)} at ${quantityText(at, "s")}`;
+  const bound = quantityText(tolerance * unit.scale, unit.text);
+  if (first === undefined) return `${largest}; within ${bound}`;
+  return `${largest}; beyond ${bound} in ${numberText(100 * share, 2)} % of the time, first at ${quantityText(first, "s")}`;
+}

@@ -1,0 +1,68 @@
+import type {Connection, Frame, Wanted} from "../connection/connection";
+import {type Samples, samplesOf} from "./samples";
+
+/** View numbers of scopes; a number is used anew only after all others. */
+const views = 9999;
+let lastView = 0;
+
+/** The least time between two wishes [ms]: while somebody zooms there would be one for each event. */
+const between = 30;
+
+/** What one scope gets from the server: the newest frame of its columns. */
+export class Feed {
+  private view = 0;
+  private columns: number[] = [];
+  private endListening = () => {};
+  private wish = "";
+  private due: Wanted | null = null;
+  private timer: number | undefined;
+  /** By column, SI. What was there stays until a frame with other columns comes. */
+  samples = new Map<number, Samples>();
+  frame: Frame | undefined;
+
+  constructor(private readonly connection: Connection, private readonly arrived: () => void) {}
+
+  /** Asks for a stretch of columns; null for nothing. */
+  want(wanted: Wanted | null): void {
+    const wish = JSON.stringify(wanted);
+    if (wish === this.wish) return;
+    this.wish = wish;
+    this.due = wanted;
+    if (!wanted || wanted.columns.join() !== this.columns.join()) this.send();
+    else this.timer ??= window.setTimeout(() => this.send(), between);
+  }
+
+  stop(): void {
+    this.want(null);
+  }
+
+  private send(): void {
+    clearTimeout(this.timer);
+    this.timer = undefined;
+    if (!this.due) return this.leave();
+    if (this.due.columns.join() !== this.columns.join()) this.enter(this.due.columns);
+    this.connection.want(this.view, this.due);
+  }
+
+  /** Other columns come under another number, so that a frame that is under way is not taken for them. */
+  private enter(columns: number[]): void {
+    this.leave();
+    this.columns = columns;
+    this.view = (lastView = (lastView % views) + 1);
+    this.endListening = this.connection.frames(this.view, (frame) => this.take(frame));
+  }
+
+  private leave(): void {
+    if (this.view !== 0) this.connection.want(this.view, null);
+    this.endListening();
+    this.view = 0;
+    this.columns = [];
+  }
+
+  private take(frame: Frame): void {
+    this.frame = frame;
+    const all = samplesOf(frame);
+    this.samples = new Map(this.columns.map((column, i) => [column, all[i]]));
+    this.arrived();
+  }
+}

@@ -1,0 +1,17 @@
+import type {Context} from "../shell/context";
+
+/** Puts a text on the clipboard; where the browser refuses, it is shown to be copied by hand. */
+export async function copyText(context: Context, text: string, what: string): Promise<void> {
+  try {
+    await navigator.clipboard.writeText(text);
+    context.notify(`copied: ${what}`);
+  } catch {
+    context.notify(text);
+  }
+}
+
+/** Offers a line of a section to the text by the event `studio:insert`; copies it where nobody takes the event. */
+export function insertText(from: HTMLElement, context: Context, section: "claims" | "figure", text: string): void {
+  const isOpen = from.dispatchEvent(new CustomEvent("studio:insert", {bubbles: true, cancelable: true, detail: {section, text}}));
+  if (isOpen) void copyText(context, text, section === "claims" ? "a line for claims" : "figure");
+}

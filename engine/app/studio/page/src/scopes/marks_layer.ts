@@ -1,0 +1,55 @@
+import {h} from "../shell/dom";
+import type {Cursors} from "./cursors";
+import type {Range} from "./y_range";
+
+/** The cursors, the pointer's line and the rectangle of a zoom over the plot of one scope: elements that move, nothing is drawn anew. */
+export class MarksLayer {
+  private readonly a = h("div", {class: "mark mark-a", "aria-hidden": "true"}, h("span", {}, "A"));
+  private readonly b = h("div", {class: "mark mark-b", "aria-hidden": "true"}, h("span", {}, "B"));
+  private readonly hair = h("div", {class: "mark hair", "aria-hidden": "true"});
+  private readonly chosen = h("div", {class: "chosen", hidden: true, "aria-hidden": "true"});
+  private window: Range = {low: 0, high: 1};
+
+  constructor(private readonly over: HTMLElement) {
+    over.append(this.chosen, this.hair, this.a, this.b);
+  }
+
+  get width(): number {
+    return this.over.clientWidth || 1;
+  }
+
+  timeAt(x: number): number {
+    return this.window.low + (x / this.width) * (this.window.high - this.window.low);
+  }
+
+  xOf(time: number): number {
+    return ((time - this.window.low) / (this.window.high - this.window.low)) * this.width;
+  }
+
+  /** The cursor that stands within reach of a place [px]. */
+  markAt(x: number, cursors: Cursors): "a" | "b" | undefined {
+    const near = (time: number | undefined) => time !== undefined && Math.abs(this.xOf(time) - x) < 6;
+    return near(cursors.b) ? "b" : near(cursors.a) ? "a" : undefined;
+  }
+
+  place(window: Range, {a, b}: Cursors, hover: number | undefined): void {
+    this.window = window;
+    this.put(this.a, a);
+    this.put(this.b, b);
+    this.put(this.hair, hover);
+  }
+
+  /** The rectangle between two places [px]; none without. */
+  choose(from?: number, to?: number): void {
+    this.chosen.hidden = from === undefined || to === undefined;
+    if (from === undefined || to === undefined) return;
+    this.chosen.style.setProperty("left", `${Math.min(from, to)}px`);
+    this.chosen.style.setProperty("width", `${Math.abs(to - from)}px`);
+  }
+
+  private put(mark: HTMLElement, time: number | undefined): void {
+    const x = time === undefined ? -1 : this.xOf(time), isSeen = x >= 0 && x <= this.width;
+    if (mark.hidden === isSeen) mark.hidden = !isSeen;
+    if (isSeen) mark.style.setProperty("transform", `translateX(${x.toFixed(1)}px)`);
+  }
+}

@@ -1,0 +1,64 @@
+import type {Frame} from "../connection/frame";
+import {joined, type Range} from "./y_range";
+
+/** Values of one signal in SI: each sample, where `low` and `high` are one array, or what each stretch of time reached. */
+export interface Samples {
+  time: Float64Array;
+  low: Float64Array;
+  high: Float64Array;
+}
+
+/** The signals of a frame, in the order in which they were wanted. */
+export function samplesOf({kind, time, columns}: Pick<Frame, "kind" | "time" | "columns">): Samples[] {
+  if (kind === "samples") return columns.map((values) => ({time, low: values, high: values}));
+  return Array.from({length: columns.length >> 1}, (_, i) => ({time, low: columns[2 * i], high: columns[2 * i + 1]}));
+}
+
+export const isEvery = (samples: Samples): boolean => samples.low === samples.high;
+
+/** The first row that is not before `at`; the number of rows where all are. */
+export function rowFrom(time: Float64Array, at: number): number {
+  let low = 0, high = time.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (time[middle] < at) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
+
+/** The row nearest to a time; -1 without rows. */
+export function nearestRow(time: Float64Array, at: number): number {
+  const row = rowFrom(time, at);
+  if (row === 0) return time.length > 0 ? 0 : -1;
+  return row === time.length || at - time[row - 1] <= time[row] - at ? row - 1 : row;
+}
+
+/** Rows that a window touches: those inside of it and one on either side. `to` is exclusive. */
+export function rowsWithin(time: Float64Array, {low, high}: Range): {from: number; to: number} {
+  return {from: Math.max(0, rowFrom(time, low) - 1), to: Math.min(time.length, rowFrom(time, high) + 1)};
+}
+
+/** The least and the greatest value in a window; undefined where there is none. NaN is no value. */
+export function extent(samples: Samples, window: Range): Range | undefined {
+  const {from, to} = rowsWithin(samples.time, window);
+  let low = Infinity, high = -Infinity;
+  for (let row = from; row < to; ++row) {
+    if (samples.low[row] < low) low = samples.low[row];
+    if (samples.high[row] > high) high = samples.high[row];
+  }
+  return low <= high && Number.isFinite(high - low) ? {low, high} : undefined;
+}
+
+export function extentOfAll(all: Samples[], window: Range): Range | undefined {
+  return all.reduce<Range | undefined>((known, samples) => {
+    const own = extent(samples, window);
+    return own ? joined(known, own) : known;
+  }, undefined);
+}
+
+/** What a signal was at a time: one value, or the two that its stretch reached. */
+export function valueAt(samples: Samples, at: number): Range | undefined {
+  const row = nearestRow(samples.time, at);
+  return row < 0 ? undefined : {low: samples.low[row], high: samples.high[row]};
+}

@@ -1,0 +1,238 @@
+import {h, listen} from "../shell/dom";
+import {openMenu} from "../shell/menu";
+import {type AxisGroup, zoomAxis} from "./axis_group";
+import {Against, type Content, DifferenceTo, OverTime, type Subject} from "./content";
+import {Feed} from "./feed";
+import {Gestures, type Gestured} from "./gestures";
+import {Legend} from "./legend";
+import {MarksLayer} from "./marks_layer";
+import {freeNumber, mostTraces} from "./palette";
+import type {Pin} from "./pins";
+import {Plot} from "./plot";
+import {valueAt} from "./samples";
+import {pressed} from "./scope_keys";
+import {entriesOf} from "./scope_menu";
+import type {Shared} from "./shared";
+import {TimeWindow} from "./time_window";
+import type {Trace} from "./trace";
+import type {Range} from "./y_range";
+
+/** What a scope asks of the board that has it. */
+export interface ScopeHost {
+  /** A name or an expression was dropped or chosen. */
+  add(scope: Scope, source: string): void;
+  remove(scope: Scope): void;
+}
+
+/** Values in the legend change so often [s]. */
+const legendPause = 0.1;
+/** Wishes are for widths in steps of this many pixels, so that moving a splitter does not ask for each. */
+const pixelStep = 50;
+
+/** One plot of signals: which, over which stretch of time, and the marks over it. */
+export class Scope implements Subject, Gestured {
+  readonly element = h("section", {class: "scope", tabindex: 0, role: "group"});
+  readonly feed: Feed;
+  groups: AxisGroup[] = [];
+  traces: Trace[] = [];
+  own: TimeWindow | undefined;
+  private content: Content = new OverTime(this);
+  private readonly plot: Plot;
+  private marks: MarksLayer | undefined;
+  private readonly legend = new Legend((trace) => this.removeTrace(trace));
+  private readonly title = h("span", {class: "scope-title"});
+  private readonly chip = h("span", {class: "chip", hidden: true});
+  private readonly note = h("p", {class: "scope-note", hidden: true});
+  readonly tolerance = h("input", {type: "text", class: "tolerance", value: "1 %", "aria-label": "Tolerance", title: "Tolerance: a value in the unit shown, or % of the pinned run's range"});
+  private readonly area = h("div", {class: "scope-plot"});
+  private readonly sizes = new ResizeObserver(() => this.measure());
+  private legendAt = 0;
+  private width = 320;
+  isSeen = true;
+
+  constructor(readonly name: string, readonly shared: Shared, readonly host: ScopeHost) {
+    this.feed = new Feed(shared.context.connection, () => shared.redraw());
+    this.plot = new Plot(this.area, shared.look, (plot) => this.content.paint(plot, this.window.at(shared.now)), (over) => this.overlay(over));
+    this.title.textContent = name;
+    this.tolerance.hidden = true;
+    const more = h("button", {type: "button", class: "plain small", "aria-label": "What may be done with this scope", title: "More", "aria-haspopup": "menu"}, "⋯");
+    listen(more, "click", () => openMenu(more, entriesOf(this), `Scope ${name}`));
+    this.element.append(h("header", {class: "scope-head"}, this.title, this.legend.element, this.tolerance, this.chip, more), this.area, this.note);
+    listen(this.tolerance, "input", () => shared.redraw());
+    listen(this.element, "keydown", (event: KeyboardEvent) => { if (event.target === this.element) pressed(event, this); });
+    this.takeDrops();
+    this.sizes.observe(this.area);
+    this.list();
+  }
+
+  get window(): TimeWindow {
+    return this.own ?? this.shared.window;
+  }
+
+  get isAgainst(): boolean {
+    return this.content instanceof Against;
+  }
+
+  get comparedTo(): Pin | undefined {
+    return this.content instanceof DifferenceTo ? this.content.pin : undefined;
+  }
+
+  /** Adds a trace; false where there is no room. */
+  add(trace: Trace): boolean {
+    const style = freeNumber(this.traces.map((one) => one.style));
+    if (style === undefined) {
+      this.shared.context.notify(`a scope has at most ${mostTraces} signals; take one out or use another scope`);
+      return false;
+    }
+    const beside = this.traces.find(({si, unit}) => unit && si === trace.si);
+    this.traces.push({...trace, style, unit: trace.unit ?? beside?.unit});
+    this.list();
+    return true;
+  }
+
+  removeTrace(trace: Trace): void {
+    this.traces = this.traces.filter((one) => one !== trace);
+    this.list();
+    this.shared.keep();
+  }
+
+  /** The same traces with the columns of another load. */
+  replaceTraces(traces: Trace[]): void {
+    this.traces = traces;
+    this.list();
+  }
+
+  /** Fills the plot with curves over time, one signal against another, or the difference to a pinned run. */
+  fill(what: "time" | "against" | Pin): void {
+    this.content = what === "time" ? new OverTime(this) : what === "against" ? new Against(this) : new DifferenceTo(this, what, () => this.tolerance.value);
+    this.tolerance.hidden = !(this.content instanceof DifferenceTo);
+    this.shared.redraw();
+    this.shared.keep();
+  }
+
+  /** Takes time of its own, or that of the board again. */
+  setOwn(own: TimeWindow | undefined): void {
+    this.own = own;
+    this.shared.redraw();
+    this.shared.keep();
+  }
+
+  /** Asks for what is to be seen; nothing while it is out of view. */
+  want(isShown: boolean): void {
+    const columns = [...new Set(this.traces.map(({column}) => column).filter((column) => column >= 0))].sort((a, b) => a - b);
+    if (!isShown || !this.isSeen || columns.length === 0) return this.feed.stop();
+    const pixels = Math.max(pixelStep, Math.ceil((this.width * devicePixelRatio) / pixelStep) * pixelStep);
+    this.feed.want({columns, ...this.content.wanted(this.window.at(this.shared.now), this.window.isFollowing, pixels)});
+  }
+
+  /** Draws for the time of the run in `shared`, at `at` [s of the page's clock]. */
+  draw(at: number): void {
+    const window = this.window.at(this.shared.now), {x, unitOfX, ys} = this.content.axes(window, at);
+    this.plot.draw(x, ys, unitOfX);
+    this.place();
+    if (at - this.legendAt < legendPause) return;
+    this.legendAt = at;
+    this.tell(window);
+  }
+
+  place(): void {
+    if (!this.isAgainst) this.marks?.place(this.window.at(this.shared.now), this.shared.cursors, this.shared.hover);
+  }
+
+  /** What a trace was at a time [s]; the newest value without one. */
+  valueOf(trace: Trace, time?: number): Range | undefined {
+    const samples = this.feed.samples.get(trace.column);
+    return samples && valueAt(samples, time ?? Infinity);
+  }
+
+  relook(): void {
+    this.plot.relook(this.shared.look);
+  }
+
+  dispose(): void {
+    this.feed.stop();
+    this.sizes.disconnect();
+    this.plot.dispose();
+    this.element.remove();
+  }
+
+  // What mouse and fingers do.
+  zoom(factor: number, x: number): void {
+    if (this.marks && !this.isAgainst) this.window.zoom(factor, this.marks.timeAt(x), this.shared.now);
+  }
+  zoomUp(factor: number, share: number): void {
+    for (const group of this.groups) zoomAxis(group, factor, share);
+    this.shared.redraw();
+  }
+  pan(distance: number): void {
+    if (this.marks && !this.isAgainst) this.window.pan(distance / this.marks.width, this.shared.now);
+  }
+  hover(x: number | undefined): void {
+    this.shared.hover = x === undefined || this.isAgainst ? undefined : this.marks?.timeAt(x);
+    this.shared.redraw();
+  }
+  click(x: number, isSecond: boolean): void {
+    this.element.focus({preventScroll: true});
+    this.drag(isSecond ? "b" : "a", x);
+  }
+  choosing(from?: number, to?: number): void {
+    if (!this.isAgainst) this.marks?.choose(from, to);
+  }
+  chose(from: number, to: number): void {
+    if (this.marks && !this.isAgainst) this.window.look({low: this.marks.timeAt(Math.min(from, to)), high: this.marks.timeAt(Math.max(from, to))});
+  }
+  grab(x: number): "a" | "b" | undefined {
+    return this.marks?.markAt(x, this.shared.cursors);
+  }
+  drag(mark: "a" | "b", x: number): void {
+    if (this.marks && !this.isAgainst) this.shared.cursors.put(mark, this.marks.timeAt(x), this.shared.context.run.loaded?.step ?? 0);
+  }
+  reset(): void {
+    for (const {range} of this.groups) range.fit();
+    this.window.follow();
+  }
+
+  private list(): void {
+    this.legend.list(this.traces);
+    this.element.setAttribute("aria-label", `Scope ${this.name}: ${this.traces.map(({label}) => label).join(", ") || "empty"}`);
+    this.shared.redraw();
+  }
+
+  private overlay(over: HTMLElement): void {
+    this.marks = new MarksLayer(over);
+    new Gestures(over, this);
+  }
+
+  /** Text that follows what is drawn. */
+  private tell(window: Range): void {
+    const {hover, cursors} = this.shared, time = hover ?? cursors.a, note = this.content.note();
+    this.legend.show(this.groups, (trace) => this.valueOf(trace, time));
+    if (this.note.textContent !== note) this.note.textContent = note;
+    this.note.hidden = note === "";
+    this.chip.hidden = !this.own;
+    if (this.own) this.chip.textContent = this.own.isFollowing ? `own time, following ${this.own.width} s` : `own time, ${window.low.toFixed(3)} to ${window.high.toFixed(3)} s`;
+  }
+
+  private measure(): void {
+    this.width = this.area.clientWidth;
+    if (this.width > 0) this.plot.resize(this.width, Math.max(60, this.area.clientHeight));
+    this.shared.redraw();
+  }
+
+  private takeDrops(): void {
+    const over = (event: DragEvent) => {
+      if (!event.dataTransfer?.types.includes("text/plain")) return;
+      event.preventDefault();
+      this.element.classList.add("dropping");
+    };
+    listen(this.element, "dragover", over);
+    listen(this.element, "dragleave", () => this.element.classList.remove("dropping"));
+    listen(this.element, "drop", (event: DragEvent) => {
+      event.preventDefault();
+      event.stopPropagation();
+      this.element.classList.remove("dropping");
+      const source = event.dataTransfer?.getData("text/plain").trim();
+      if (source) this.host.add(this, source);
+    });
+  }
+}

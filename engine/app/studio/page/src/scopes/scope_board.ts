@@ -1,0 +1,267 @@
+import "./scopes.css";
+import {Fault} from "../connection/connection";
+import type {Loaded} from "../run/run_types";
+import type {Context, View} from "../shell/context";
+import {h, listen} from "../shell/dom";
+import {BoardBar} from "./board_bar";
+import {Cursors} from "./cursors";
+import {addressOf, type KeptLayout, keptTraces, layoutOfAddress, readLayout, tracesOf} from "./kept_layout";
+import {valueText} from "./legend";
+import {copyText} from "./hand_over";
+import {marksText} from "./statistics";
+import {traceColors} from "./palette";
+import {Pins} from "./pins";
+import {resolve, resolveAgain} from "./resolve";
+import {Scope, type ScopeHost} from "./scope";
+import type {Shared} from "./shared";
+import {SignalList} from "./signal_list";
+import {StatisticsTable} from "./statistics_table";
+import {Ticker} from "./ticker";
+import {TimeWindow} from "./time_window";
+import {traceOf} from "./trace";
+
+const usualWidth = 10, key = "scopes", spoken = 250;
+
+/** All scopes of the page, with what they share: the stretch of time, cursors, pinned runs, a fan. */
+export class ScopeBoard implements View, ScopeHost {
+  readonly shared: Shared;
+  scopes: Scope[] = [];
+  readonly signals = new SignalList((source, inNew) => this.addSource(inNew ? undefined : this.target, source));
+  private readonly grid = h("div", {class: "scope-grid"});
+  private readonly statistics: StatisticsTable;
+  private readonly bar: BoardBar;
+  private readonly ticker: Ticker;
+  private readonly ends: (() => void)[];
+  private readonly sight = new IntersectionObserver((entries) => this.see(entries));
+  private isShown = true;
+  private target: Scope | undefined;
+  private speaking: number | undefined;
+
+  constructor(private readonly host: HTMLElement, private readonly context: Context) {
+    const {run} = context, redraw = () => this.ticker.request();
+    this.shared = {
+      context, redraw, fan: undefined, colors: [], look: {ink: "", line: "", font: ""}, now: 0, hover: undefined, keep: () => this.keep(),
+      cursors: new Cursors(() => this.moved()), window: new TimeWindow(usualWidth, () => { redraw(); this.keep(); }),
+      pins: new Pins(context.connection, () => { this.bar.update(); redraw(); }),
+    };
+    this.ticker = new Ticker(() => run.clock.moves, (at) => this.draw(at), () => context.theme.isStill);
+    this.statistics = new StatisticsTable(this.shared, () => this.scopes);
+    this.bar = new BoardBar(this);
+    host.classList.add("scopes");
+    host.append(this.bar.element, h("div", {class: "scope-body"}, this.grid, this.signals.element), this.statistics.element);
+    run.fanColumns = () => [...new Set(this.scopes.flatMap(({traces}) => traces.map(({column}) => column).filter((column) => column >= 0)))];
+    this.ends = [
+      run.on("loaded", (loaded) => void this.load(loaded)), run.on("state", () => { this.bar.update(); redraw(); }),
+      run.on("fan", (fan) => { this.shared.fan = fan.points.length > 0 ? fan : undefined; redraw(); }),
+      context.theme.on(() => this.relook()), ...this.keys(), ...this.drops(),
+    ];
+    this.relook();
+    if (run.loaded) void this.load(run.loaded);
+  }
+
+  shown(isShown: boolean): void {
+    this.isShown = isShown;
+    this.ticker.request();
+    if (!isShown) for (const scope of this.scopes) scope.want(false);
+  }
+
+  dispose(): void {
+    for (const end of this.ends) end();
+    for (const scope of this.scopes) scope.dispose();
+    this.sight.disconnect();
+    this.ticker.stop();
+  }
+
+  // What a scope asks for.
+  add(scope: Scope, source: string): void {
+    void this.addSource(scope, source).then((fault) => { if (fault) this.context.notify(`${source}: ${fault}`, "fault"); });
+  }
+
+  remove(scope: Scope): void {
+    this.scopes = this.scopes.filter((one) => one !== scope);
+    if (this.target === scope) this.target = undefined;
+    scope.dispose();
+    this.keep();
+    this.moved();
+  }
+
+
+  /** An empty scope, in which what is chosen next comes. */
+  open(title = `Scope ${this.scopes.length + 1}`): Scope {
+    const scope = new Scope(title, this.shared, this);
+    listen(scope.element, "focusin", () => { this.target = scope; });
+    this.scopes.push(scope);
+    this.grid.append(scope.element);
+    this.sight.observe(scope.element);
+    return scope;
+  }
+
+  /** Adds a signal or an expression to a scope, or to a new one. Resolves to why it could not. */
+  async addSource(scope: Scope | undefined, source: string): Promise<string | undefined> {
+    try {
+      const trace = await resolve(source, this.context.run.loaded?.columns ?? [], this.context.connection, 0);
+      (scope ?? this.open(trace.label)).add(trace);
+      this.context.announce(`${trace.label} is in ${scope ? scope.name : "a new scope"}`);
+      this.keep();
+      this.moved();
+      return undefined;
+    } catch (thrown) {
+      return Fault.from(thrown).message;
+    }
+  }
+
+  /** Back to the newest, as wide as before, with fitting values. */
+  follow(width?: number): void {
+    for (const scope of this.scopes) {
+      scope.own?.follow();
+      for (const {range} of scope.groups) range.fit();
+    }
+    this.shared.window.follow(width);
+    this.bar.update();
+  }
+
+  /** Keeps this run to compare later ones with it. */
+  async pin(): Promise<void> {
+    const {news, loaded} = this.context.run, note = loaded?.parameters.filter(({block}) => !block).slice(0, 2).map(({name, text}) => `${name} ${text}`).join(", ");
+    if (news.time === 0) return this.context.notify("there is nothing to keep before the run has begun");
+    const pin = await this.shared.pins.take(this.scopes.flatMap(({traces}) => traces), news.time, note ?? "");
+    this.context.announce(`kept ${pin.label}`);
+  }
+
+  /** The scopes of the file, as if nothing had been changed. */
+  reset(): void {
+    this.context.settings.set(key, null);
+    if (this.context.run.loaded) this.takeFile(this.context.run.loaded);
+  }
+
+  copyAddress(): void {
+    void copyText(this.context, addressOf(this.layout, location.href), "the address of this view");
+  }
+
+  private get layout(): KeptLayout {
+    const {window, cursors} = this.shared;
+    const scopes = this.scopes.map((scope) => ({title: scope.name, traces: keptTraces(scope.traces), against: scope.isAgainst || undefined, own: scope.own?.kept}));
+    return {version: 1, scopes, window: window.kept, cursors: {a: cursors.a, b: cursors.b}};
+  }
+
+  private keep(): void {
+    this.bar.update();
+    if (!this.isFilling) this.context.settings.set(key, this.layout);
+  }
+  private isFilling = false;
+
+  /** Another load: the same scopes where there are some, or the kept ones, or those of the file. */
+  private async load(loaded: Loaded): Promise<void> {
+    this.signals.fill(loaded.columns);
+    this.shared.fan = undefined;
+    const kept = layoutOfAddress(location.hash) ?? readLayout(this.context.settings.get<unknown>(key, null));
+    if (this.scopes.length === 0 && !kept) this.takeFile(loaded);
+    else {
+      if (this.scopes.length === 0) this.restore(kept!);
+      await Promise.all(this.scopes.map(async (scope) =>
+        scope.replaceTraces(await Promise.all(scope.traces.map((trace) => resolveAgain(trace, loaded.columns, this.context.connection))))));
+    }
+    this.moved();
+    this.bar.update();
+  }
+
+  private takeFile({scopes, columns, stop}: Loaded): void {
+    this.isFilling = true;
+    for (const scope of [...this.scopes]) this.remove(scope);
+    this.shared.window.follow(stop !== null && stop <= 2 * usualWidth ? stop : usualWidth);
+    for (const {title, traces} of scopes) {
+      const scope = this.open(title || traces[0]?.label);
+      traces.forEach((spec, i) => scope.add(traceOf(spec, columns, i)));
+    }
+    this.isFilling = false;
+  }
+
+  private restore({scopes, window, cursors}: KeptLayout): void {
+    this.isFilling = true;
+    const width = ({width, from, to}: KeptLayout["window"], own: TimeWindow) => (from === null || to === null ? own.follow(width) : own.look({low: from, high: to}));
+    width(window, this.shared.window);
+    for (const kept of scopes) {
+      const scope = this.open(kept.title);
+      scope.replaceTraces(tracesOf(kept));
+      if (kept.against) scope.fill("against");
+      if (kept.own) {
+        scope.setOwn(new TimeWindow(kept.own.width, () => { this.shared.redraw(); this.keep(); }));
+        width(kept.own, scope.own!);
+      }
+    }
+    Object.assign(this.shared.cursors, cursors);
+    this.isFilling = false;
+  }
+
+  private draw(at: number): void {
+    if (!this.isShown) return;
+    const {run} = this.context;
+    this.shared.now = run.time;
+    let newest = -Infinity;
+    for (const scope of this.scopes) {
+      scope.want(true);
+      if (!scope.isSeen) continue;
+      scope.draw(at);
+      newest = Math.max(newest, scope.feed.frame?.newest ?? -Infinity);
+    }
+    run.latency.drawn(newest, performance.now());
+  }
+
+  private relook(): void {
+    const {theme} = this.context;
+    this.shared.colors = traceColors((name) => theme.token(name));
+    this.shared.look = {ink: theme.token("--ink-soft"), line: theme.token("--line"), font: `12px ${theme.token("--font") || "sans-serif"}`};
+    for (const scope of this.scopes) scope.relook();
+    this.ticker.request();
+  }
+
+  private see(entries: IntersectionObserverEntry[]): void {
+    for (const {target, isIntersecting} of entries) {
+      const scope = this.scopes.find(({element}) => element === target);
+      if (scope) scope.isSeen = isIntersecting;
+    }
+    this.ticker.request();
+  }
+
+  /** The cursors moved, or what they stand over changed. */
+  private moved(): void {
+    this.statistics.update();
+    this.ticker.request();
+    clearTimeout(this.speaking);
+    if (this.shared.cursors.a !== undefined) this.speaking = window.setTimeout(() => this.speak(), spoken);
+  }
+
+  private speak(): void {
+    const {a, b} = this.shared.cursors, scope = this.target ?? this.scopes[0];
+    const values = (scope?.groups ?? []).flatMap(({traces, unit}) => traces.map((trace) => {
+      const value = scope.valueOf(trace, b ?? a);
+      return value ? `${trace.label} ${valueText(value, unit)}` : "";
+    }));
+    this.context.announce([marksText(a, b), ...values].filter(Boolean).join("; "));
+  }
+
+  private keys(): (() => void)[] {
+    const {shortcuts, run} = this.context, group = "Scopes", within = () => this.isShown;
+    const only = {key: "", text: "", action: () => {}, group};
+    return [
+      shortcuts.add({...only, key: "F", text: "follow the newest again", within, action: () => this.follow()}),
+      shortcuts.add({...only, key: "N", text: "new scope", within, action: () => { this.open().element.focus(); this.keep(); }}),
+      shortcuts.add({...only, key: "A", text: "add a signal", within, action: () => this.bar.showSignals(true)}),
+      shortcuts.add({...only, key: "P", text: "keep this run to compare with", within, action: () => void this.pin()}),
+      shortcuts.add({...only, key: "Esc", text: "take the cursors away", within: () => this.isShown && this.shared.cursors.a !== undefined, action: () => this.shared.cursors.clear()}),
+      run.on("fault", (fault) => this.context.notify(fault.message, "fault")),
+    ];
+  }
+
+  /** What is dropped beside the scopes opens a new one. */
+  private drops(): (() => void)[] {
+    return [
+      listen(this.host, "dragover", (event: DragEvent) => { if (event.dataTransfer?.types.includes("text/plain")) event.preventDefault(); }),
+      listen(this.host, "drop", (event: DragEvent) => {
+        event.preventDefault();
+        const source = event.dataTransfer?.getData("text/plain").trim();
+        if (source) void this.addSource(undefined, source).then((fault) => { if (fault) this.context.notify(`${source}: ${fault}`, "fault"); });
+      }),
+    ];
+  }
+}

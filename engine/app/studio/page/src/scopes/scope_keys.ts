@@ -1,0 +1,42 @@
+import type {Scope} from "./scope";
+
+/** Keys while a scope has the focus. Arrows move cursor A, with Shift cursor B, with Alt by one tick. */
+export function pressed(event: KeyboardEvent, scope: Scope): void {
+  if (event.ctrlKey || event.metaKey) return;
+  const action = actionOf(event, scope);
+  if (!action) return;
+  event.preventDefault();
+  action();
+}
+
+function actionOf(event: KeyboardEvent, scope: Scope): (() => void) | undefined {
+  const {window, shared} = scope, newest = shared.now;
+  switch (event.key) {
+    case "ArrowLeft": return () => move(scope, event, -1);
+    case "ArrowRight": return () => move(scope, event, 1);
+    case "ArrowUp": case "+": return () => window.zoom(0.7, center(scope), newest);
+    case "ArrowDown": case "-": return () => window.zoom(1 / 0.7, center(scope), newest);
+    case "PageUp": return () => window.pan(-0.5, newest);
+    case "PageDown": return () => window.pan(0.5, newest);
+    case "Home": return () => shared.cursors.put(markOf(event), window.at(newest).low, stepOf(scope));
+    case "End": return () => shared.cursors.put(markOf(event), Math.min(newest, window.at(newest).high), stepOf(scope));
+    case "Escape": return () => shared.cursors.clear();
+    default: return undefined;
+  }
+}
+
+const stepOf = ({shared}: Scope) => shared.context.run.loaded?.step ?? 0;
+const markOf = ({shiftKey}: KeyboardEvent) => (shiftKey ? "b" : "a");
+
+/** Zoom keeps cursor A where it is, if it is in view. */
+function center({window, shared}: Scope): number {
+  const {low, high} = window.at(shared.now), {a} = shared.cursors;
+  return a !== undefined && a >= low && a <= high ? a : (low + high) / 2;
+}
+
+/** By a hundredth of the window, or by a tick. */
+function move(scope: Scope, event: KeyboardEvent, sign: number): void {
+  const {window, shared} = scope, {low, high} = window.at(shared.now), step = stepOf(scope);
+  const by = event.altKey ? step : Math.max(step, (high - low) / 100);
+  shared.cursors.move(markOf(event), sign * by, step, Math.min(shared.now, (low + high) / 2));
+}

@@ -1,0 +1,56 @@
+import {copyText, insertText} from "./hand_over";
+import {figureText, figureTextXy} from "./figure_text";
+import {saveFile} from "./save_file";
+import type {Scope} from "./scope";
+import {scopeSvg} from "./scope_svg";
+import {showTable} from "./scope_table";
+import {TimeWindow} from "./time_window";
+
+type Entry = [string, () => void];
+
+/** What may be done with one scope. */
+export function entriesOf(scope: Scope): Entry[] {
+  return [...kinds(scope), ...times(scope), ...files(scope), ["Table of values", () => showTable(scope)], ["Take this scope out", () => scope.host.remove(scope)]];
+}
+
+function kinds(scope: Scope): Entry[] {
+  const back: Entry[] = scope.isAgainst || scope.comparedTo ? [["Show over time", () => scope.fill("time")]] : [];
+  const against: Entry[] = scope.isAgainst ? [] : [["Show against the first signal (XY)", () => scope.fill("against")]];
+  const pins = scope.shared.pins.all.filter((pin) => pin !== scope.comparedTo);
+  return [...back, ...against, ...pins.map((pin): Entry => [`Show the difference to ${pin.label}`, () => scope.fill(pin)])];
+}
+
+function times(scope: Scope): Entry[] {
+  const range = scope.groups.some((group) => group.range.isChosen);
+  const fit: Entry[] = range ? [["Fit the values again", () => { scope.groups.forEach((group) => group.range.fit()); scope.shared.redraw(); }]] : [];
+  const own: Entry = scope.own ? ["Same time as the other scopes", () => scope.setOwn(undefined)]
+    : ["Time of its own", () => scope.setOwn(new TimeWindow(scope.shared.window.width, () => { scope.shared.redraw(); scope.shared.keep(); }))];
+  return [...fit, own];
+}
+
+function files(scope: Scope): Entry[] {
+  return [
+    ["Save the range as CSV", () => void saveCsv(scope)],
+    ["Save the picture as SVG", () => saveFile(`${scope.name || "scope"}.svg`, "image/svg+xml", scopeSvg(scope))],
+    ["Copy as figure:", () => void copyText(scope.shared.context, figureOf(scope), "figure")],
+    ["Insert as figure: into the text", () => insertText(scope.element, scope.shared.context, "figure", figureOf(scope))],
+  ];
+}
+
+function figureOf(scope: Scope): string {
+  const [first, ...others] = scope.traces, {isFollowing} = scope.window;
+  if (scope.isAgainst && first) return figureTextXy(scope.name, first, others);
+  return figureText(scope.name, scope.groups.map(({traces}) => traces), isFollowing ? undefined : scope.window.at(scope.shared.now));
+}
+
+/** All samples of the stretch between the cursors, or else of what is seen. */
+async function saveCsv(scope: Scope): Promise<void> {
+  const {context, cursors, now} = scope.shared, seen = scope.window.at(now), range = cursors.b === undefined ? seen : cursors.stretch!;
+  const columns = scope.traces.map(({column}) => column).filter((column) => column >= 0);
+  try {
+    const {csv} = await context.connection.call<{csv: string}>("data.export", {columns, from: Math.max(0, range.low), to: range.high});
+    saveFile(`${scope.name || "scope"}.csv`, "text/csv", csv);
+  } catch (thrown) {
+    context.notify(`no CSV: ${(thrown as Error).message}`, "fault");
+  }
+}

@@ -1,0 +1,77 @@
+import {Fault} from "../connection/connection";
+import {h} from "../shell/dom";
+import {claimText, mayClaim} from "./claim_text";
+import {insertText} from "./hand_over";
+import {swatch} from "./legend";
+import type {Scope} from "./scope";
+import type {Shared} from "./shared";
+import {marksText, reducedText, type Reduction, reductions, type Statistics} from "./statistics";
+import type {Trace} from "./trace";
+
+/** How long the cursors must rest before the server is asked [ms]. */
+const quiet = 60;
+
+/** What lies between the cursors, for all traces of all scopes, from all samples; a click on a number makes a line of `claims` of it. */
+export class StatisticsTable {
+  readonly element = h("section", {class: "statistics", "aria-label": "Between the cursors", hidden: true});
+  private readonly head = h("p", {class: "statistics-head"});
+  private readonly table = h("table", {class: "values"});
+  private timer: number | undefined;
+  private asked = "";
+  private known = new Map<number, Statistics>();
+
+  constructor(private readonly shared: Shared, private readonly scopes: () => Scope[]) {
+    const clear = h("button", {type: "button", class: "plain small", onclick: () => shared.cursors.clear()}, "Clear");
+    this.element.append(h("header", {}, this.head, clear), h("div", {class: "scrolled"}, this.table));
+  }
+
+  /** The cursors moved, signals came or went, or the run goes on. */
+  update(): void {
+    const {a, b} = this.shared.cursors;
+    this.element.hidden = a === undefined;
+    if (a === undefined) return;
+    this.head.textContent = marksText(a, b);
+    clearTimeout(this.timer);
+    this.timer = window.setTimeout(() => void this.ask(), quiet);
+  }
+
+  private get traces(): [Scope, Trace][] {
+    return this.scopes().flatMap((scope) => scope.traces.filter(({column}) => column >= 0).map((trace): [Scope, Trace] => [scope, trace]));
+  }
+
+  private async ask(): Promise<void> {
+    const {stretch} = this.shared.cursors, columns = [...new Set(this.traces.map(([, {column}]) => column))];
+    if (!stretch || columns.length === 0) return this.table.replaceChildren();
+    const wanted = JSON.stringify([stretch, columns]);
+    this.asked = wanted;
+    try {
+      const result = await this.shared.context.connection.call<{columns: Statistics[]} | Statistics[]>("data.statistics", {columns, from: stretch.low, to: stretch.high});
+      if (this.asked !== wanted) return;
+      this.known = new Map((Array.isArray(result) ? result : result.columns).map((one) => [one.column, one]));
+      this.show();
+    } catch (thrown) {
+      this.head.textContent = `no statistics: ${Fault.from(thrown).message}`;
+    }
+  }
+
+  private show(): void {
+    const hasBoth = this.shared.cursors.b !== undefined, shown = reductions.filter(({needsBoth}) => hasBoth || !needsBoth);
+    const head = h("tr", {}, h("th", {scope: "col"}, "signal"), ...shown.map(({title}) => h("th", {scope: "col"}, title)));
+    this.table.replaceChildren(h("thead", {}, head), h("tbody", {}, ...this.traces.map(([scope, trace]) => this.row(scope, trace, shown.map(({name}) => name)))));
+  }
+
+  private row(scope: Scope, trace: Trace, shown: Reduction[]): HTMLElement {
+    const name = h("th", {scope: "row", title: trace.source}, swatch(trace.style), trace.label);
+    return h("tr", {}, name, ...shown.map((reduction) => h("td", {}, this.cell(scope, trace, reduction))));
+  }
+
+  private cell(scope: Scope, trace: Trace, reduction: Reduction): HTMLElement | string {
+    const statistics = this.known.get(trace.column), unit = scope.groups.find(({traces}) => traces.includes(trace))?.unit;
+    const {a, b} = this.shared.cursors;
+    if (!statistics || !unit || a === undefined) return "–";
+    const text = reducedText(statistics, reduction, unit, b !== undefined && b < a);
+    if (!mayClaim(reduction)) return text;
+    const claim = () => insertText(this.element, this.shared.context, "claims", claimText({...trace, statistics, unit, a, b}, reduction)!);
+    return h("button", {type: "button", class: "plain small", title: "Make a line of claims of it", onclick: claim}, text);
+  }
+}

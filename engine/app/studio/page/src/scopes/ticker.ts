@@ -1,0 +1,36 @@
+/** Pictures a second where nothing shall move by itself, and how long after the last change one more is drawn [s]. */
+const stillRate = 4, afterglow = 2.2;
+
+/** Draws with the pictures of the screen: all of them while something moves, else when it is asked for, and once more when axes may have shrunk. */
+export class Ticker {
+  private frame = 0;
+  private timer: number | undefined;
+  private last = 0;
+
+  constructor(private readonly moves: () => boolean, private readonly draw: (at: number) => void, private readonly isStill: () => boolean) {}
+
+  request(): void {
+    if (this.frame === 0) this.frame = requestAnimationFrame((ms) => this.run(ms / 1000));
+  }
+
+  stop(): void {
+    cancelAnimationFrame(this.frame);
+    clearTimeout(this.timer);
+    this.frame = 0;
+  }
+
+  private run(at: number): void {
+    this.frame = 0;
+    if (this.isStill() && this.moves() && at - this.last < 1 / stillRate) return this.request();
+    this.last = at;
+    this.draw(at);
+    clearTimeout(this.timer);
+    if (this.moves()) this.request();
+    else this.timer = window.setTimeout(() => this.settle(), afterglow * 1000);
+  }
+
+  /** One more picture, which is followed by none. */
+  private settle(): void {
+    requestAnimationFrame((ms) => this.draw(ms / 1000));
+  }
+}

@@ -1,0 +1,61 @@
+import type {Context} from "./context";
+import {h, listen} from "./dom";
+import {openMenu} from "./menu";
+import {showShortcuts} from "./shortcut_list";
+import type {Choice} from "./theme";
+
+/** The bar on top: which diagram, the run, and what belongs to the whole page. */
+export class Bar {
+  readonly element = h("header", {class: "bar"});
+  /** The bar of the run is put in here. */
+  readonly run = h("div", {class: "bar-run"});
+  private readonly files = h("select", {"aria-label": "Diagram"});
+  private readonly save = h("button", {type: "button", class: "plain", title: "Save (Ctrl+S)"}, "Save");
+  private readonly lost = h("span", {class: "connection", role: "status", hidden: true}, "no connection, trying again");
+  private readonly more = h("button", {type: "button", class: "plain", "aria-label": "More", title: "More", "aria-haspopup": "menu"}, "☰");
+  /** What the menu has beside the page's own entries. */
+  readonly entries: [string, () => void][] = [];
+
+  constructor(private readonly context: Context) {
+    const keys = h("button", {type: "button", class: "plain", title: "Keys (?)", "aria-label": "Keys", onclick: () => showShortcuts(context.shortcuts)}, "?");
+    this.element.append(
+      h("div", {class: "bar-file"}, h("span", {class: "brand"}, "Stepwire"), this.files, this.save), this.run,
+      h("div", {class: "bar-end"}, this.lost, keys, this.more));
+    listen(this.files, "change", () => this.choose());
+    listen(this.save, "click", () => void context.workbench.save().catch((fault) => context.notify(fault.message, "fault")));
+    listen(this.more, "click", () => this.open());
+    context.workbench.on("files", () => this.list());
+    context.workbench.on("root", () => this.list());
+    context.workbench.on("changed", () => this.mark());
+    context.connection.on("connection", ({state}) => { this.lost.hidden = state === "open"; });
+    context.shortcuts.add({key: "?", text: "this list", action: () => showShortcuts(context.shortcuts)});
+    this.mark();
+  }
+
+  private list(): void {
+    const {files, root, changedFiles} = this.context.workbench, changed = new Set(changedFiles.map(({file}) => file));
+    this.files.replaceChildren(...files.map(({file, name, part}) =>
+      h("option", {value: file, selected: file === root}, (part ? "part " : "") + name + (changed.has(file) ? " •" : ""))));
+    this.files.value = String(root);
+    this.mark();
+  }
+
+  private mark(): void {
+    const changed = this.context.workbench.changedFiles;
+    this.save.disabled = changed.length === 0;
+    this.save.title = changed.length === 0 ? "Everything is saved" : `Save ${changed.map(({name}) => name).join(", ")} (Ctrl+S)`;
+    const name = this.context.workbench.main >= 0 ? this.context.workbench.nameOf(this.context.workbench.root) : "";
+    document.title = `${changed.length > 0 ? "• " : ""}${name ? `${name} - ` : ""}Stepwire studio`;
+  }
+
+  private choose(): void {
+    this.context.workbench.setRoot(Number(this.files.value)).catch((fault) => this.context.notify(fault.message, "fault"));
+  }
+
+  private open(): void {
+    const {theme, settings} = this.context, own = theme.choice;
+    const color = (choice: Choice, text: string): [string, () => void] =>
+      [`${own === choice ? "● " : ""}${text}`, () => { theme.choose(choice); settings.set("theme", choice); }];
+    openMenu(this.more, [...this.entries, color("system", "Colours of the system"), color("light", "Light"), color("dark", "Dark")]);
+  }
+}

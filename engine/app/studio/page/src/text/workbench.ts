@@ -1,0 +1,333 @@
+// The files that are open, their edits, and which of them is seen. Drawing, tuning and palette edit through it, so that all share one undo history.
+
+import {isolateHistory} from "@codemirror/commands";
+import {type ChangeSet, EditorState, type Extension, Transaction, type TransactionSpec} from "@codemirror/state";
+import type {EditorView} from "@codemirror/view";
+import {type Connection, type DiagramFault, Fault} from "../connection/connection";
+import {type Change, listed, setOf} from "./differences";
+import {Document, type Opened, textOf} from "./document";
+
+export interface FileEntry {
+  file: number;
+  name: string;
+  writable: boolean;
+  part: boolean;
+}
+
+/** A fault with its range in the text of a file [UTF-16 offsets]. */
+export interface Mark {
+  from: number;
+  to: number;
+  message: string;
+  severity: "error" | "warning" | "info";
+}
+
+export interface WorkbenchEvents {
+  /** Another file is in the editor. */
+  active: Document;
+  /** Another diagram is drawn and run. */
+  root: number;
+  /** A text changed, by whomever. */
+  changed: Document;
+  /** Where places of a text are after a change. */
+  moved: {file: number; at: (position: number, side: number) => number};
+  /** The server has all changes of a file. */
+  synced: Document;
+  /** The list of files, or what of them is saved. */
+  files: FileEntry[];
+  selected: {file: number; from: number; to: number};
+  marks: {file: number; marks: Mark[]};
+  conflict: {document: Document; text: string; hash: string};
+}
+
+export class Workbench {
+  private readonly documents = new Map<number, Document>();
+  private readonly listeners = new Map<keyof WorkbenchEvents, Set<(event: any) => void>>();
+  private readonly marks = new Map<number, Mark[]>();
+  private view: EditorView | undefined;
+  private extensions: (document: Document) => Extension = () => [];
+  files: FileEntry[] = [];
+  /** The file that the studio was started with. */
+  main = -1;
+  /** The diagram that is drawn and run. */
+  root = -1;
+  active: Document | undefined;
+
+  constructor(private readonly connection: Connection, private readonly notify: (text: string, kind?: "note" | "fault") => void) {
+    connection.on("edited", (news) => this.takeEdit(news));
+    connection.on("changed", (news) => this.takeChanged(news));
+    connection.on("connection", ({state}) => { if (state === "open" && this.main >= 0) void this.reopen(); });
+  }
+
+  on<Name extends keyof WorkbenchEvents>(name: Name, listener: (event: WorkbenchEvents[Name]) => void): () => void {
+    const own = this.listeners.get(name) ?? new Set();
+    this.listeners.set(name, own.add(listener));
+    return () => own.delete(listener);
+  }
+
+  private emit<Name extends keyof WorkbenchEvents>(name: Name, event: WorkbenchEvents[Name]): void {
+    for (const listener of [...(this.listeners.get(name) ?? [])]) listener(event);
+  }
+
+  /** Opens the file that the studio was started with. */
+  async start(main: number): Promise<void> {
+    this.main = main;
+    await this.listFiles();
+    await this.setRoot(main);
+  }
+
+  async listFiles(): Promise<void> {
+    this.files = (await this.connection.call<{files: FileEntry[]}>("files")).files;
+    this.emit("files", this.files);
+  }
+
+  nameOf(file: number): string {
+    return this.documents.get(file)?.name ?? this.files.find((one) => one.file === file)?.name ?? `file ${file}`;
+  }
+
+  /** The editor shows the active document from now on. `extensions` makes what an editor of a document has. */
+  attach(view: EditorView, extensions: (document: Document) => Extension): void {
+    this.view = view;
+    this.extensions = extensions;
+    for (const document of this.documents.values()) document.state = this.stateOf(document, document.state.doc.toString());
+    if (this.active) view.setState(this.active.state);
+  }
+
+  /** Draws and runs another diagram, and shows its text. */
+  async setRoot(file: number): Promise<void> {
+    await this.activate(file);
+    if (file === this.root) return;
+    this.root = file;
+    this.emit("root", file);
+  }
+
+  /** Shows the text of a file. */
+  async activate(file: number): Promise<Document> {
+    const document = await this.open(file);
+    if (document === this.active) return document;
+    this.active = document;
+    this.view?.setState(document.state);
+    this.emit("active", document);
+    return document;
+  }
+
+  /** A file with its text; its draft where there is one. */
+  async open(file: number): Promise<Document> {
+    const known = this.documents.get(file);
+    if (known) return known;
+    const opened = await this.connection.call<Opened>("open", {file});
+    const again = this.documents.get(file);
+    if (again) return again;
+    const entry = this.files.find((one) => one.file === file);
+    const document = new Document(file, opened.name ?? entry?.name ?? String(file), {...opened, writable: opened.writable ?? entry?.writable});
+    document.state = this.stateOf(document, opened.draft ?? opened.text);
+    this.documents.set(file, document);
+    if (opened.draft !== null && opened.draft !== opened.text) this.notify(`${document.name}: your draft that was not saved yet is shown`);
+    return document;
+  }
+
+  document(file: number): Document | undefined {
+    return this.documents.get(file);
+  }
+
+  editor(file: number): EditorView | undefined {
+    return this.active?.file === file ? this.view : undefined;
+  }
+
+  get changedFiles(): Document[] {
+    return [...this.documents.values()].filter((document) => document.isChanged);
+  }
+
+  private stateOf(document: Document, text: string): EditorState {
+    return EditorState.create({doc: textOf(text), extensions: [EditorState.lineSeparator.of("\n"), this.extensions(document)]});
+  }
+
+  /** Edits a document, whether it is seen or not. */
+  dispatch(document: Document, spec: TransactionSpec): void {
+    if (document === this.active && this.view) return this.view.dispatch(spec);
+    this.took(document, [document.state.update(spec)]);
+  }
+
+  /** What the editor did. */
+  took(document: Document, transactions: readonly Transaction[]): void {
+    document.state = transactions[transactions.length - 1].state;
+    const changed = transactions.filter((one) => one.docChanged);
+    for (const one of changed) if (!one.annotation(Transaction.remote)) document.add(one.changes);
+    if (changed.length > 0) this.moveRanges(document, changed);
+    if (transactions.some((one) => one.selection) || changed.length > 0) this.emitSelection(document);
+    if (changed.length === 0) return;
+    this.emit("changed", document);
+    void this.send(document);
+  }
+
+  private emitSelection(document: Document): void {
+    const {from, to} = document.state.selection.main;
+    if (document === this.active) this.emit("selected", {file: document.file, from, to});
+  }
+
+  /** Applies what the server proposes, as one step of the undo history of each file; `version` is that to which it refers. */
+  private async applyListed(changes: (Change & {file?: number})[], file: number, at: Map<number, Document["base"]>): Promise<void> {
+    const files = new Set(changes.map((one) => one.file ?? file));
+    for (const one of files) {
+      const document = await this.open(one), base = at.get(one) ?? document.base;
+      const set = setOf(changes.filter((change) => (change.file ?? file) === one), base.length);
+      if (!document.state.doc.eq(base)) throw new Fault(`${document.name} was changed meanwhile`, "try it again");
+      const first = changes.find((change) => (change.file ?? file) === one);
+      this.dispatch(document, {changes: set, annotations: isolateHistory.of("full"), userEvent: "input.splice",
+        selection: first ? {anchor: set.mapPos(first.from, 1)} : undefined, scrollIntoView: true});
+    }
+  }
+
+  /** A small edit of a diagram by the server: it answers with changes of the text, and refuses what would change more. */
+  async splice(file: number, edit: {kind: string; [key: string]: unknown}): Promise<{name?: string}> {
+    const document = await this.open(file);
+    await this.synced(document);
+    const base = document.base;
+    const result = await this.connection.call<{changes: (Change & {file?: number})[]; name?: string}>("splice", {file, version: document.version, edit});
+    await this.applyListed(result.changes, file, new Map([[file, base]]));
+    return result;
+  }
+
+  /** Selects a range and brings it into view; the focus stays where it is. */
+  async reveal(file: number, from: number, to: number, focus = false): Promise<void> {
+    const document = await this.activate(file), most = document.state.doc.length;
+    this.dispatch(document, {selection: {anchor: Math.min(from, most), head: Math.min(to, most)}, scrollIntoView: true, userEvent: "select.reveal"});
+    if (focus) this.view?.focus();
+  }
+
+  setMarks(file: number, marks: Mark[]): void {
+    this.marks.set(file, marks);
+    this.emit("marks", {file, marks});
+  }
+
+  marksOf(file: number): readonly Mark[] {
+    return this.marks.get(file) ?? [];
+  }
+
+  private moveRanges(document: Document, transactions: readonly Transaction[]): void {
+    const {file} = document, at = (position: number, side: number) => transactions.reduce((place, one) => one.changes.mapPos(Math.min(place, one.changes.length), side), position);
+    this.marks.set(file, this.marksOf(file).map((mark) => ({...mark, from: at(mark.from, 1), to: at(mark.to, -1)})));
+    this.emit("moved", {file, at});
+  }
+
+  // --- what the server has ---
+
+  private async send(document: Document): Promise<void> {
+    if (document.isSending || document.isSynced || this.connection.state !== "open") return;
+    const changes = document.take();
+    try {
+      const {version} = await this.connection.call<{version: number}>("edit", {file: document.file, version: document.version, changes: listed(changes)});
+      document.confirm(version);
+    } catch (thrown) {
+      document.refuse();
+      if (!this.recover(document, Fault.from(thrown))) return;
+    }
+    if (document.isSynced) this.emit("synced", document);
+    else void this.send(document);
+  }
+
+  /** Takes the server's text where a stale version was the fault. Returns whether sending again may help. */
+  private recover(document: Document, {text, detail}: Fault): boolean {
+    if (this.connection.state !== "open") return false;
+    const {text: current, version} = (detail.current ?? detail) as {text?: string; version?: number};
+    if (typeof version !== "number" || typeof current !== "string") {
+      this.notify(`${document.name}: the change could not be kept: ${text}`, "fault");
+      return false;
+    }
+    this.applyRemote(document, document.rebaseText(current, version));
+    return true;
+  }
+
+  private applyRemote(document: Document, changes: ChangeSet): void {
+    if (!changes.empty) this.dispatch(document, {changes, annotations: [Transaction.remote.of(true), Transaction.addToHistory.of(false)]});
+  }
+
+  /** Resolves when the server has the text as it is. */
+  private synced(document: Document): Promise<void> {
+    if (document.isSynced) return Promise.resolve();
+    return new Promise((resolve, reject) => {
+      const ends = [
+        this.on("synced", (one) => { if (one === document) { ends.forEach((end) => end()); resolve(); } }),
+        this.connection.on("connection", () => { ends.forEach((end) => end()); reject(new Fault("there is no connection to the studio")); }),
+      ];
+      void this.send(document);
+    });
+  }
+
+  private takeEdit({file, version, changes}: {file: number; version: number; changes: Change[]}): void {
+    const document = this.documents.get(file);
+    if (!document || version <= document.version) return;
+    const remote = document.rebaseListed(changes, version);
+    if (remote) this.applyRemote(document, remote);
+    if (document.isSynced) this.emit("synced", document);
+  }
+
+  /** A file was changed by another program: taken at once where there is no draft, else both texts are shown. */
+  private takeChanged({file, text, hash}: {file: number; text: string; hash: string}): void {
+    const document = this.documents.get(file);
+    if (!document || document.hash === hash) return;
+    if (document.isChanged) return this.emit("conflict", {document, text, hash});
+    this.takeText(document, text, hash);
+    this.notify(`${document.name} was changed by another program; the new text is shown`);
+  }
+
+  /** The text of the file instead of the own one; undo brings that back. */
+  takeText(document: Document, text: string, hash: string): void {
+    document.saved = textOf(text);
+    document.hash = hash;
+    this.dispatch(document, {changes: {from: 0, to: document.state.doc.length, insert: document.saved}, annotations: isolateHistory.of("full")});
+    this.emit("files", this.files);
+  }
+
+  private async reopen(): Promise<void> {
+    for (const document of this.documents.values()) {
+      const {text, hash, draft, version} = await this.connection.call<Opened>("open", {file: document.file});
+      document.refuse();
+      this.applyRemote(document, document.rebaseText(draft ?? text, version));
+      document.hash = hash;
+      document.saved = textOf(text);
+      void this.send(document);
+      this.emit("synced", document);
+    }
+  }
+
+  // --- the files themselves ---
+
+  /** Writes all changed texts to their files; where one was changed elsewhere, both texts are shown. */
+  async save(): Promise<void> {
+    const names: string[] = [];
+    for (const document of this.changedFiles) if (await this.saveOne(document)) names.push(document.name);
+    if (names.length > 0) this.notify(`${names.join(", ")} ${names.length === 1 ? "is" : "are"} saved`);
+  }
+
+  private async saveOne(document: Document): Promise<boolean> {
+    await this.synced(document);
+    return this.write(document, document.hash);
+  }
+
+  /** Writes one text over what has the hash. Returns whether it was written. */
+  async write(document: Document, hash: string): Promise<boolean> {
+    const text = document.base;
+    const result = await this.connection.call<{hash?: string; conflict?: {text: string; hash: string}}>("save", {file: document.file, hash});
+    if (result.conflict) {
+      this.emit("conflict", {document, ...result.conflict});
+      return false;
+    }
+    document.hash = result.hash ?? hash;
+    document.saved = text;
+    this.emit("files", this.files);
+    return true;
+  }
+
+  /** Drops the draft of a file. */
+  async discard(document: Document): Promise<void> {
+    const {text, hash, version} = await this.connection.call<{text: string; hash: string; version: number}>("discard", {file: document.file});
+    this.applyRemote(document, document.rebaseText(text, version));
+    document.saved = textOf(text);
+    document.hash = hash;
+    this.emit("files", this.files);
+    this.emit("synced", document);
+  }
+}
+
+export type {DiagramFault};

@@ -1,0 +1,19 @@
+/** Sends values one after the other; of those that come while one is under way only the last is sent. */
+export class SetQueue<Value> {
+  private isBusy = false;
+  private due: {value: Value} | undefined;
+
+  constructor(private readonly send: (value: Value) => Promise<void>) {}
+
+  async put(value: Value): Promise<void> {
+    this.due = {value};
+    if (this.isBusy) return;
+    this.isBusy = true;
+    while (this.due) {
+      const {value: next}: {value: Value} = this.due;
+      this.due = undefined;
+      await this.send(next);
+    }
+    this.isBusy = false;
+  }
+}

@@ -1,0 +1,121 @@
+import {Fault} from "../connection/connection";
+import type {Parameter, SetEcho} from "../run/run_types";
+import type {Context} from "../shell/context";
+import {h, listen} from "../shell/dom";
+import {type OwnUnit, ownUnit, placeOf, places, sliderRange, valueAt, valueText} from "./parameter_range";
+import {SetQueue} from "./set_queue";
+
+/** How many runs a fan has. */
+const fanRuns = 9;
+
+/** One parameter: a slider, a field, and what the run made of it. */
+export class TuningRow {
+  readonly element = h("li", {class: "tuned"});
+  private readonly slider = h("input", {type: "range", class: "tuned-slider", min: 0, max: places, step: 1});
+  private readonly field = h("input", {type: "text", class: "tuned-field", spellcheck: "false", autocomplete: "off"});
+  private readonly echo = h("span", {class: "tuned-echo"});
+  private readonly fault = h("p", {class: "tuned-fault", role: "alert", hidden: true});
+  private readonly pinned = h("button", {type: "button", class: "plain small", title: "Keep on top"}, "⌃");
+  private readonly back: HTMLButtonElement;
+  private readonly write: HTMLButtonElement;
+  private readonly queue = new SetQueue<string | number>((value) => this.send(value));
+  private readonly unit: OwnUnit;
+  private range: {low: number; high: number};
+  private readonly inText: {text: string; value: number};
+
+  constructor(private readonly parameter: Parameter, private readonly context: Context, isPinned: boolean, pin: () => void) {
+    const {name, doc} = parameter;
+    this.unit = ownUnit(parameter);
+    this.range = sliderRange(parameter);
+    this.inText = {text: parameter.text, value: parameter.value};
+    this.back = this.button("↺", `Back to ${parameter.text}, as the text has it`, () => void this.queue.put(this.inText.text));
+    this.write = this.button("To text", "Write this value to the text, as one edit that may be undone", () => this.writeToText());
+    this.pinned.setAttribute("aria-label", `Keep on top: ${name}`);
+    this.setPinned(isPinned);
+    listen(this.pinned, "click", pin);
+    for (const control of [this.slider, this.field]) control.setAttribute("aria-label", `${name}${doc ? `, ${doc}` : ""}`);
+    this.element.append(
+      h("div", {class: "tuned-head"}, h("span", {class: "tuned-name", title: name}, name), h("span", {class: "tuned-doc", title: doc}, doc), this.pinned),
+      h("div", {class: "tuned-line"}, this.slider, this.field),
+      h("div", {class: "tuned-foot"}, this.echo, this.back, this.write, this.button("Fan", `Run it at ${fanRuns} values between the ends, drawn behind the scopes`, () => void this.fan())), this.fault);
+    listen(this.slider, "input", () => void this.queue.put(valueAt(Number(this.slider.value), this.range)));
+    listen(this.field, "keydown", (event: KeyboardEvent) => this.press(event));
+    listen(this.field, "change", () => this.enter());
+    this.show();
+  }
+
+  /** The run took a value over, of this page or of another one. */
+  took({value, text, tick}: SetEcho): void {
+    this.parameter.value = value;
+    this.parameter.text = text;
+    this.range = {low: Math.min(this.range.low, value), high: Math.max(this.range.high, value)};
+    this.refuse(undefined);
+    this.show();
+    this.echo.textContent = `${text} from tick ${tick}`;
+    this.echo.title = `${value} in SI`;
+  }
+
+  setPinned(isPinned: boolean): void {
+    this.pinned.setAttribute("aria-pressed", String(isPinned));
+  }
+
+  private button(text: string, title: string, action: () => void): HTMLButtonElement {
+    return h("button", {type: "button", class: "plain small", title, "aria-label": `${title}: ${this.parameter.name}`, onclick: action}, text);
+  }
+
+  private show(): void {
+    const {value} = this.parameter, text = valueText(value, this.unit);
+    if (document.activeElement !== this.slider) this.slider.value = String(placeOf(value, this.range));
+    if (document.activeElement !== this.field) this.field.value = text;
+    this.slider.setAttribute("aria-valuetext", text);
+    this.slider.title = `${valueText(this.range.low, this.unit)} to ${valueText(this.range.high, this.unit)}`;
+    this.back.hidden = this.write.hidden = value === this.inText.value;
+  }
+
+  private press(event: KeyboardEvent): void {
+    if (event.key === "Enter") this.enter();
+    if (event.key !== "Escape") return;
+    this.field.value = valueText(this.parameter.value, this.unit);
+    this.refuse(undefined);
+  }
+
+  /** A number without a unit has that of the field. */
+  private enter(): void {
+    const text = this.field.value.trim();
+    if (text === "" || text === valueText(this.parameter.value, this.unit)) return;
+    const isBare = /^[-+]?[\d.]+(e[-+]?\d+)?$/i.test(text);
+    void this.queue.put(isBare && this.unit.text ? `${text} ${this.unit.text}` : text);
+  }
+
+  private async send(value: string | number): Promise<void> {
+    try {
+      await this.context.run.set(this.parameter.name, value);
+    } catch (thrown) {
+      this.refuse(Fault.from(thrown).message);
+    }
+  }
+
+  private refuse(why: string | undefined): void {
+    this.fault.hidden = why === undefined;
+    this.fault.textContent = why ?? "";
+    this.field.setAttribute("aria-invalid", String(why !== undefined));
+  }
+
+  /** The shell makes one edit of it, which may be undone. */
+  private writeToText(): void {
+    const detail = {name: this.parameter.name, text: valueText(this.parameter.value, this.unit)};
+    this.element.dispatchEvent(new CustomEvent("studio:write", {bubbles: true, cancelable: true, detail}));
+  }
+
+  private async fan(): Promise<void> {
+    this.echo.textContent = `running ${fanRuns} values …`;
+    try {
+      const {points} = await this.context.run.fan(this.parameter.name, this.range.low, this.range.high, fanRuns);
+      this.echo.textContent = `${points.length} runs are behind the scopes`;
+      this.context.show("scopes");
+    } catch (thrown) {
+      this.echo.textContent = "";
+      this.refuse(Fault.from(thrown).message);
+    }
+  }
+}

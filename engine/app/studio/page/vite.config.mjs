@@ -1,0 +1,26 @@
+// Builds the page into dist/: one page, one style sheet, and scripts with fixed names, so that the program can hold them as a table.
+
+import {fileURLToPath} from "node:url";
+import {defineConfig} from "vite";
+
+const named = "assets/[name][extname]";
+
+export default defineConfig({
+  root: fileURLToPath(new URL(".", import.meta.url)),
+  base: "/",
+  // The drawing's own modules lie beside the page in the engine; elkjs is resolved from the page.
+  server: {fs: {allow: [fileURLToPath(new URL("../../../..", import.meta.url))]}},
+  build: {
+    target: "es2022",
+    outDir: "dist",
+    emptyOutDir: true,
+    assetsInlineLimit: 0,  // data: addresses of styles and scripts are refused by the page's security policy
+    cssCodeSplit: false,
+    modulePreload: {polyfill: false},
+    chunkSizeWarningLimit: 2000,
+    rollupOptions: {
+      output: {entryFileNames: "assets/[name].js", chunkFileNames: "assets/[name].js", assetFileNames: named},
+    },
+  },
+  worker: {format: "es", rollupOptions: {output: {entryFileNames: "assets/[name].js", assetFileNames: named}}},
+});
