@@ -71,15 +71,18 @@ export class DrawingView implements View {
     const {workbench} = this.context;
     this.scope = scope;
     this.picture = undefined;
+    this.canvas.classList.add("old");
+    this.busy.hidden = false;
     this.card.close();
     this.crumbs.show(workbench.nameOf(workbench.root), scope);
     this.source.show({file: workbench.root, scope: scope.join("."), open: [...this.opened], units: true});
   }
 
   private take(ranges: Record<string, TextRange>): void {
+    this.context.workbench.setFaults(this.context.workbench.root, []);
     this.ranges.take(ranges);
     this.fault.hidden = true;
-    this.canvas.classList.remove("old");
+    this.canvas.classList.toggle("old", !this.picture);
     const [file] = this.ranges.files();
     if (!this.picture && this.scope.length > 0 && file !== undefined) void this.context.workbench.activate(file);
     this.mark();
@@ -88,6 +91,7 @@ export class DrawingView implements View {
   private show(picture: Picture): void {
     const isFirst = this.picture === undefined;
     this.picture = picture;
+    this.canvas.classList.remove("old");
     this.shapes.show(picture, (shape) => this.describe(shape, picture), isFirst || this.context.theme.isStill);
     this.viewport.resize(picture.width, picture.height);
     if (isFirst) this.viewport.fit();
@@ -108,17 +112,18 @@ export class DrawingView implements View {
 
   private complain(fault: Fault): void {
     this.canvas.classList.toggle("old", this.picture !== undefined);
-    const first = fault.faults[0] as DiagramFault | undefined;
-    this.fault.replaceChildren(h("span", {"aria-hidden": true}, "!"), h("span", {class: "why"}, fault.message), this.toFault(first) ?? "");
+    this.context.workbench.setFaults(this.context.workbench.root, fault.faults);
+    const [first] = fault.faults;
+    this.fault.replaceChildren(h("span", {"aria-hidden": true}, "!"), h("span", {class: "why"}, first ? `${first.subject ? `${first.subject}: ` : ""}${first.text}${first.cure ? `; ${first.cure}` : ""}` : fault.message),
+      fault.faults.length > 1 ? h("span", {}, `and ${fault.faults.length - 1} more`) : "", first ? h("button", {type: "button", onclick: () => this.toFault(first)}, "Show") : "");
     this.fault.hidden = false;
+    this.busy.hidden = true;
   }
 
-  private toFault(fault: DiagramFault | undefined): HTMLElement | undefined {
-    const {active} = this.context.workbench;
-    if (!fault || !active) return undefined;
-    const file = typeof fault.file === "number" ? fault.file : active.file, {from, to} = fault;
-    if (from === undefined) return undefined;
-    return h("button", {type: "button", onclick: () => void this.context.workbench.reveal(file, from, to ?? from, true)}, "Show");
+  /** The place of a fault in the text. */
+  private toFault({file, line, column}: DiagramFault): void {
+    const {workbench} = this.context, entry = workbench.files.find(({name}) => file.endsWith(name));
+    void workbench.revealLine(entry?.file ?? workbench.root, line, column);
   }
 
   /** Marks shapes that have a fault in their text. */
