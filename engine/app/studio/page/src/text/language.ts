@@ -47,10 +47,10 @@ export class Language {
       },
     });
     connection.on("language", ({message}) => { for (const receive of [...this.receivers]) receive(typeof message === "string" ? message : JSON.stringify(message)); });
-    connection.on("connection", ({state}) => (state === "open" ? this.connect() : this.client.connected && this.client.disconnect()));
+    connection.on("connection", ({state}) => (state === "open" ? void this.connect() : this.leave()));
     connection.on("faults", ({file, faults}) => this.showFaults(file, faults));
     workbench.on("changed", () => { if (this.isThere) this.client.sync(); });
-    if (connection.state === "open") this.connect();
+    if (connection.state === "open") void this.connect();
   }
 
   /** What the editor of a document has of it. */
@@ -72,13 +72,24 @@ export class Language {
     }));
   }
 
-  private connect(): void {
+  /** A message that a server may ignore shows whether there is one. */
+  private async connect(): Promise<void> {
+    try {
+      await this.connection.call("language", {message: {jsonrpc: "2.0", method: "$/hello"}});
+    } catch {
+      return;
+    }
     this.client.connect({
       send: (message) => void this.connection.call("language", {message: JSON.parse(message)}).catch((thrown) => this.refused(Fault.from(thrown))),
       subscribe: (receive) => { this.receivers.add(receive); },
       unsubscribe: (receive) => { this.receivers.delete(receive); },
     });
     this.client.initializing.then(() => { this.isThere = true; }, () => {});
+  }
+
+  private leave(): void {
+    this.isThere = false;
+    if (this.client.connected) this.client.disconnect();
   }
 
   private refused(fault: Fault): void {
