@@ -1,17 +1,21 @@
 import "./run.css";
 import type {Context, View} from "../shell/context";
 import {h, listen} from "../shell/dom";
+import {icon} from "./icons";
 import {measuredText, nextRate, rates, rateText} from "./rates";
 import {Scrub} from "./scrub";
 import {Verdicts} from "./verdicts";
+
+/** Between two readings of numbers that change by themselves [ms]. */
+const pause = 90;
 
 const seconds = (time: number, step: number) => time.toFixed(Math.min(6, Math.max(3, Math.ceil(-Math.log10(step) - 1e-9))));
 
 /** Play, pause, one tick, from the start, the pace, where the run stands, and how well it keeps time. */
 export class RunBar implements View {
   private readonly play = h("button", {type: "button", class: "main play"});
-  private readonly tick = h("button", {type: "button", title: "One tick (.)", "aria-label": "One tick"}, "⏵|");
-  private readonly restart = h("button", {type: "button", title: "From the start (R)", "aria-label": "From the start"}, "↺");
+  private readonly tick = h("button", {type: "button", title: "One tick (.)", "aria-label": "One tick"}, icon("tick"));
+  private readonly restart = h("button", {type: "button", title: "From the start (R)", "aria-label": "From the start"}, icon("restart"));
   private readonly rate = h("select", {"aria-label": "Pace: seconds of the run in one of the clock", title: "Pace ([ slower, ] faster)"});
   private readonly time = h("output", {class: "run-time", "aria-label": "Time of the run"});
   private readonly facts = h("span", {class: "run-facts"});
@@ -60,12 +64,24 @@ export class RunBar implements View {
     ];
   }
 
+  /** What changes with every picture, ten times a second; what was done, at once. */
   private show(): void {
+    const {state} = this.context.run.news, now = performance.now();
+    if (state === "playing" && state === this.shownState && now - this.shownAt < pause) return;
+    this.shownState = state;
+    this.shownAt = now;
+    this.showNow();
+  }
+  private shownState = "";
+  private shownAt = 0;
+
+  private showNow(): void {
     const {news, rate, loaded, latency} = this.context.run, isPlaying = news.state === "playing";
-    this.play.textContent = isPlaying ? "⏸" : "⏵";
+    if (this.play.dataset.shows !== news.state) this.play.replaceChildren(icon(isPlaying ? "pause" : "play"));
+    this.play.dataset.shows = news.state;
     this.play.setAttribute("aria-label", isPlaying ? "Pause" : "Play");
     this.play.title = `${isPlaying ? "Pause" : "Play"} (Space)`;
-    this.rate.value = String(rate);
+    if (this.rate.value !== String(rate)) this.rate.value = String(rate);
     this.time.textContent = `${seconds(news.time, loaded?.step ?? 0.001)} s`;
     this.time.title = `tick ${news.tick}${loaded?.stop == null ? "" : ` of ${Math.round(loaded.stop / loaded.step)}`}, ${news.state}`;
     this.showFacts(measuredText(news.rate, isPlaying), news.missed, latency.median);

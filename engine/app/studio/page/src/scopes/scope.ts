@@ -24,6 +24,8 @@ export interface ScopeHost {
   remove(scope: Scope): void;
 }
 
+/** Curves are drawn anew when they move by this many pixels of the screen, or have waited with new values for so long [s]. */
+const leastMove = 0.5, newPause = 0.05;
 /** Values in the legend change so often [s]. */
 const legendPause = 0.1;
 /** Wishes are for widths in steps of this many pixels, so that moving a splitter does not ask for each. */
@@ -47,11 +49,15 @@ export class Scope implements Subject, Gestured {
   private readonly area = h("div", {class: "scope-plot"});
   private readonly sizes = new ResizeObserver(() => this.measure());
   private legendAt = 0;
+  private drawn: Range = {low: 0, high: 0};
+  private drawnAt = 0;
+  private isTouched = true;
+  private hasNew = false;
   private width = 320;
   isSeen = true;
 
   constructor(readonly name: string, readonly shared: Shared, readonly host: ScopeHost) {
-    this.feed = new Feed(shared.context.connection, () => shared.redraw());
+    this.feed = new Feed(shared.context.connection, () => this.arrived());
     this.plot = new Plot(this.area, shared.look, (plot) => this.content.paint(plot, this.window.at(shared.now)), (over) => this.overlay(over));
     this.title.textContent = name;
     this.tolerance.hidden = true;
@@ -125,24 +131,51 @@ export class Scope implements Subject, Gestured {
     this.feed.want({columns, ...this.content.wanted(this.window.at(this.shared.now), this.window.isFollowing, pixels)});
   }
 
-  /** Draws for the time of the run in `shared`, at `at` [s of the page's clock]. */
+  /** Draws for the time of the run in `shared`, at `at` [s of the page's clock]; the curves only where they would be seen to move. */
   draw(at: number): void {
-    const window = this.window.at(this.shared.now), {x, unitOfX, ys} = this.content.axes(window, at);
-    this.plot.draw(x, ys, unitOfX);
-    this.place();
+    const window = this.window.at(this.shared.now);
+    if (this.isDue(window, at)) this.drawCurves(window, at);
+    if (!this.isAgainst) this.marks?.place(window, this.plot.box.width / this.plot.ratio, this.shared.cursors, this.shared.hover);
     if (at - this.legendAt < legendPause) return;
     this.legendAt = at;
     this.tell(window);
   }
 
-  place(): void {
-    if (!this.isAgainst) this.marks?.place(this.window.at(this.shared.now), this.shared.cursors, this.shared.hover);
+  /** Something else than time changed. */
+  touch(): void {
+    this.isTouched = true;
+  }
+
+  private isDue({low, high}: Range, at: number): boolean {
+    const moved = (Math.abs(low - this.drawn.low) / (high - low)) * this.plot.box.width;
+    return this.isTouched || moved >= leastMove || (this.hasNew && at - this.drawnAt >= newPause) || high - low !== this.drawn.high - this.drawn.low;
+  }
+
+  private drawCurves(window: Range, at: number): void {
+    const {x, unitOfX, ys} = this.content.axes(window, at);
+    this.plot.draw(x, ys, unitOfX, this.shared.sides);
+    this.drawn = window;
+    this.drawnAt = at;
+    this.isTouched = this.hasNew = false;
+  }
+
+  /** While time moves, new values wait for the next move. */
+  private arrived(): void {
+    this.hasNew = true;
+    if (!this.window.isFollowing || !this.shared.context.run.clock.moves || this.isAgainst) this.isTouched = true;
+    this.shared.tick();
   }
 
   /** What a trace was at a time [s]; the newest value without one. */
   valueOf(trace: Trace, time?: number): Range | undefined {
     const samples = this.feed.samples.get(trace.column);
     return samples && valueAt(samples, time ?? Infinity);
+  }
+
+  /** The last value; of a stretch its middle. */
+  private newest(trace: Trace): Range | undefined {
+    const value = this.valueOf(trace), middle = value && (value.low + value.high) / 2;
+    return middle === undefined ? undefined : {low: middle, high: middle};
   }
 
   relook(): void {
@@ -169,7 +202,7 @@ export class Scope implements Subject, Gestured {
   }
   hover(x: number | undefined): void {
     this.shared.hover = x === undefined || this.isAgainst ? undefined : this.marks?.timeAt(x);
-    this.shared.redraw();
+    this.shared.tick();
   }
   click(x: number, isSecond: boolean): void {
     this.element.focus({preventScroll: true});
@@ -206,7 +239,7 @@ export class Scope implements Subject, Gestured {
   /** Text that follows what is drawn. */
   private tell(window: Range): void {
     const {hover, cursors} = this.shared, time = hover ?? cursors.a, note = this.content.note();
-    this.legend.show(this.groups, (trace) => this.valueOf(trace, time));
+    this.legend.show(this.groups, (trace) => (time === undefined ? this.newest(trace) : this.valueOf(trace, time)));
     if (this.note.textContent !== note) this.note.textContent = note;
     this.note.hidden = note === "";
     this.chip.hidden = !this.own;

@@ -38,20 +38,24 @@ export class ScopeBoard implements View, ScopeHost {
   private speaking: number | undefined;
 
   constructor(private readonly host: HTMLElement, private readonly context: Context) {
-    const {run} = context, redraw = () => this.ticker.request();
+    const {run} = context, tick = () => this.ticker.request();
+    const redraw = () => {
+      for (const scope of this.scopes) scope.touch();
+      tick();
+    };
     this.shared = {
-      context, redraw, fan: undefined, colors: [], look: {ink: "", line: "", font: ""}, now: 0, hover: undefined, keep: () => this.keep(),
+      context, redraw, tick, fan: undefined, colors: [], look: {ink: "", line: "", font: ""}, sides: 1, now: 0, hover: undefined, keep: () => this.keep(),
       cursors: new Cursors(() => this.moved()), window: new TimeWindow(usualWidth, () => { redraw(); this.keep(); }),
       pins: new Pins(context.connection, () => { this.bar.update(); redraw(); }),
     };
-    this.ticker = new Ticker(() => run.clock.moves, (at) => this.draw(at), () => context.theme.isStill);
+    this.ticker = new Ticker(() => run.clock.moves, (at, isLast) => this.draw(at, isLast), () => context.theme.isStill);
     this.statistics = new StatisticsTable(this.shared, () => this.scopes);
     this.bar = new BoardBar(this);
     host.classList.add("scopes");
     host.append(this.bar.element, h("div", {class: "scope-body"}, this.grid, this.signals.element), this.statistics.element);
     run.fanColumns = () => [...new Set(this.scopes.flatMap(({traces}) => traces.map(({column}) => column).filter((column) => column >= 0)))];
     this.ends = [
-      run.on("loaded", (loaded) => void this.load(loaded)), run.on("state", () => { this.bar.update(); redraw(); }),
+      run.on("loaded", (loaded) => void this.load(loaded)), run.on("state", () => { this.bar.update(); tick(); }),
       run.on("fan", (fan) => { this.shared.fan = fan.points.length > 0 ? fan : undefined; redraw(); }),
       context.theme.on(() => this.relook()), ...this.keys(), ...this.drops(),
     ];
@@ -193,10 +197,12 @@ export class ScopeBoard implements View, ScopeHost {
     this.isFilling = false;
   }
 
-  private draw(at: number): void {
+  private draw(at: number, isLast: boolean): void {
     if (!this.isShown) return;
+    if (isLast) for (const scope of this.scopes) scope.touch();
     const {run} = this.context;
     this.shared.now = run.time;
+    this.shared.sides = Math.min(2, Math.max(1, ...this.scopes.map(({groups}) => groups.length)));
     let newest = -Infinity;
     for (const scope of this.scopes) {
       scope.want(true);
