@@ -102,7 +102,7 @@ export function axisPieces(axes: Axes): Piece[] {
 export function colorBar(color: Scale, palette: Palette, bar: Frame, theme: Theme): Piece[] {
   const height = (bar.bottom - bar.top) / palette.all.length, pieces: Piece[] = [];
   palette.all.forEach((fill, i) => {
-    const low = bar.bottom - i * height, high = low - height - (i + 1 < palette.all.length ? 0.6 : 0);
+    const low = bar.bottom - i * height, high = Math.max(bar.top, low - height - 0.6);
     pieces.push({piece: "path", lines: [[bar.left, low, bar.right, low, bar.right, high, bar.left, high]], closed: true, fill});
   });
   const lines = color.ticks.map(({at}) => [bar.right, yAt(color, bar, at), bar.right + gaps.tick, yAt(color, bar, at)]);
