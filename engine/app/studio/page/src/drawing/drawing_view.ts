@@ -47,7 +47,7 @@ export class DrawingView implements View {
     host.append(h("div", {class: "drawing"}, head, this.canvas, this.busy, this.fault));
     this.viewport = new Viewport(this.canvas, this.shapes.root);
     this.card = new BlockCard(this.canvas, context, () => this.canvas.focus());
-    this.connecting = new Connecting(this.canvas, this.shapes, this.viewport, context, (id) => this.place(id));
+    this.connecting = new Connecting(this.canvas, this.shapes, this.viewport, context, (id) => this.place(id), () => this.file);
     this.ends = [
       workbench.on("root", () => this.enter([])), workbench.on("synced", () => void this.source.refresh()),
       workbench.on("moved", ({file, at}) => this.ranges.move(file, at)),
@@ -83,8 +83,6 @@ export class DrawingView implements View {
     this.ranges.take(ranges);
     this.fault.hidden = true;
     this.canvas.classList.toggle("old", !this.picture);
-    const [file] = this.ranges.files();
-    if (!this.picture && this.scope.length > 0 && file !== undefined) void this.context.workbench.activate(file);
     this.mark();
   }
 
@@ -95,6 +93,7 @@ export class DrawingView implements View {
     this.shapes.show(picture, (shape) => this.describe(shape, picture), isFirst || this.context.theme.isStill);
     this.viewport.resize(picture.width, picture.height);
     if (isFirst) this.viewport.fit();
+    if (isFirst && this.scope.length > 0) void this.context.workbench.activate(this.file);
     this.canvas.setAttribute("aria-label", `Drawing of ${[this.context.workbench.nameOf(this.context.workbench.root), ...this.scope].join(", ")}: ${picture.shapes.filter(({own, id}) => !own && !id.startsWith(":")).length} blocks`);
     this.mark();
     this.select(this.selected, false);
@@ -129,10 +128,10 @@ export class DrawingView implements View {
   /** Marks shapes that have a fault in their text. */
   private mark(): void {
     const {workbench} = this.context, faulty = new Map<string, string>();
-    for (const file of this.ranges.files())
+    for (const {file} of workbench.files)
       for (const {from, to, message, severity} of workbench.marksOf(file)) {
-        const id = severity === "error" ? this.ranges.around(file, from, Math.min(to, Math.max(from, to))) ?? this.ranges.around(file, from, from) : undefined;
-        if (id) faulty.set(this.blockOf(id), message);
+        const id = severity === "error" ? this.around(file, from, to) || this.around(file, from, from) : "";
+        if (id) faulty.set(id, message);
       }
     for (const {shape, element} of this.shapes.placed.values()) {
       const message = faulty.get(shape.id);
@@ -142,9 +141,24 @@ export class DrawingView implements View {
     }
   }
 
-  /** The block that a range is for, which may be that of a port. */
-  private blockOf(id: string): string {
-    return this.shapes.find(id) ? id : id.slice(0, Math.max(0, id.lastIndexOf("."))) || id;
+  private around(file: number, from: number, to: number): string {
+    return this.ranges.around(file, from, to, (id) => this.drawn(id));
+  }
+
+  /** The drawn block of a shape or port of the text, or "". */
+  private drawn(id: string): string {
+    const whole = this.scope.join("."), own = whole && id.startsWith(`${whole}.`) ? id.slice(whole.length + 1) : id;
+    for (const name of [own, own.slice(0, Math.max(0, own.indexOf(".", 1))), own.slice(0, Math.max(0, own.lastIndexOf("."))), id, id.slice(0, Math.max(0, id.lastIndexOf(".")))])
+      if (name && this.shapes.find(name)) return name;
+    return "";
+  }
+
+  /** The file of what is drawn. */
+  private get file(): number {
+    const {root} = this.context.workbench;
+    if (this.scope.length === 0) return root;
+    const [first] = [...this.shapes.placed.values()].flatMap(({shape}) => (shape.within.length === 0 ? this.range(shape.id) ?? [] : []));
+    return first?.file ?? root;
   }
 
   // --- selection ---
@@ -165,15 +179,19 @@ export class DrawingView implements View {
     if (current && announce) this.context.announce(current.element.getAttribute("aria-label") ?? "");
   }
 
+  private range(id: string): TextRange | undefined {
+    return this.ranges.of([...this.scope, id].join(".")) ?? this.ranges.of(id);
+  }
+
   /** Where the text of a shape is edited: its file, and its name there. */
   private place(id: string): {file: number; name: string; range: TextRange} | undefined {
-    const range = this.ranges.of(id);
+    const range = this.range(id);
     return range ? {file: range.file, name: id.slice(id.lastIndexOf(".") + 1), range} : undefined;
   }
 
   /** The place in the text becomes the shape in the drawing. */
   private follow(file: number, from: number, to: number): void {
-    const id = this.ranges.around(file, from, to), found = id ? this.shapes.find(this.blockOf(id)) : undefined;
+    const found = this.shapes.find(this.around(file, from, to));
     if (!found || keyOf(found.shape) === this.selected) return;
     this.select(keyOf(found.shape), false);
     this.viewport.reveal(found.shape);
@@ -230,8 +248,8 @@ export class DrawingView implements View {
   }
 
   private async disconnect({to}: Wire): Promise<void> {
-    const place = this.place(to!.node), file = place?.file ?? this.ranges.files()[0] ?? this.context.workbench.root;
-    await this.attempt(() => this.context.workbench.splice(file, {kind: "disconnect", to: place?.name ?? "", input: to!.port}), "the wire is removed");
+    const place = this.place(to!.node);
+    await this.attempt(() => this.context.workbench.splice(place?.file ?? this.file, {kind: "disconnect", to: place?.name ?? "", input: to!.port}), "the wire is removed");
     this.selectWire(undefined);
   }
 
@@ -246,8 +264,16 @@ export class DrawingView implements View {
 
   private async insert(): Promise<void> {
     const {openPalette} = await import("../palette/palette");
-    const file = this.scope.length > 0 ? this.ranges.files()[0] ?? this.context.workbench.root : this.context.workbench.root;
-    openPalette(this.context, file);
+    openPalette(this.context, {file: this.file, signals: this.signals(), preferred: this.current ? this.signals([this.current])[0] ?? "" : ""});
+  }
+
+  /** How the text names the signals of what is drawn. */
+  private signals(placed: Iterable<Placed> = this.shapes.placed.values()): string[] {
+    return [...placed].flatMap(({shape: {id, own, within, isPart, outputs}}) => {
+      if (within.length > 0 || own === "output" || id.startsWith(":constant:")) return [];
+      if (own === "input") return [id.slice(":input:".length)];
+      return outputs.map(({port}) => (outputs.length === 1 && !isPart ? id : `${id}.${port}`));
+    });
   }
 
   private press(event: KeyboardEvent): void {

@@ -56,7 +56,7 @@ export class Language {
   /** What the editor of a document has of it. */
   extensions(document: Document): Extension {
     return [
-      this.client.plugin(addressOf(document.file), "yaml"), serverCompletion({override: true}), hoverTooltip((view, at) => this.hover(view, at)),
+      this.client.plugin(addressOf(document.file), "yaml"), serverCompletion({override: true}), hoverTooltip((view, at) => this.hover(view, at), {hideOnChange: true}),
       keymap.of([...jumpToDefinitionKeymap, ...findReferencesKeymap, {key: "F2", run: this.rename, preventDefault: true}, {key: "Ctrl-.", mac: "Cmd-.", run: this.mend, preventDefault: true}]),
     ];
   }
