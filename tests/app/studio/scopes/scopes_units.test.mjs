@@ -274,6 +274,14 @@ test("equal runs differ nowhere, and a difference beyond the tolerance is found 
   assert.equal(m.differenceText(found, 0.2, {text: "m", scale: 1, offset: 0}), "largest difference 0.4 m at 2 s; beyond 0.2 m in 20 % of the time, first at 2 s");
 });
 
+test("extremes over the same stretches differ by their ends; over other ones only by what lies outside of both", () => {
+  const band = (time, low, high) => ({time: Float64Array.from(time), low: Float64Array.from(low), high: Float64Array.from(high)});
+  const before = band([0.5, 1.5], [0, 0], [1, 1]);
+  assert.equal(m.difference(band([0.5, 1.5], [0, 0], [1, 3]), before, 0).worst, 2);
+  assert.equal(m.difference(samples([0.4, 1.4], [0.5, 1]), before, 0).worst, 0);
+  near(m.difference(samples([0.4, 1.4], [0.5, 1.25]), before, 0).worst, 0.25);
+});
+
 test("times that only one run has are not compared", () => {
   const found = m.difference(samples([5, 6], [1, 2]), samples([0, 1], [0, 0]), 0);
   assert.match(m.differenceText(found, 0, millimetres), /no time/);
