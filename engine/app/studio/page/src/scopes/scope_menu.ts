@@ -32,7 +32,7 @@ function files(scope: Scope): Entry[] {
   return [
     ["Save the range as CSV", () => void saveCsv(scope)],
     ["Save the picture as SVG", () => saveFile(`${scope.name || "scope"}.svg`, "image/svg+xml", scopeSvg(scope))],
-    ["Copy as figure:", () => void copyText(scope.shared.context, figureOf(scope), "figure")],
+    ["Copy as figure:", () => void copyText(scope.shared.context, `figure: ${figureOf(scope)}\n`, "figure")],
     ["Insert as figure: into the text", () => insertText(scope.element, scope.shared.context, "figure", figureOf(scope))],
   ];
 }
