@@ -1,7 +1,7 @@
 // What a figure shows, in words for who does not see it.
 
 import {labelOf, numberText} from "./axis";
-import type {Axis, Figure, Mark, Panel, Plot} from "./spec";
+import type {Axis, Figure, Mark, Named, Panel, Plot} from "./spec";
 
 const names: Record<Mark["mark"], [one: string, several: string]> = {
   line: ["line", "lines"], band: ["band", "bands"], span: ["shaded range", "shaded ranges"], area: ["area", "areas"], points: ["set of points", "sets of points"],
@@ -28,6 +28,11 @@ function plotText(plot: Plot): string {
   return [plot.title, axes, ...more].filter(Boolean).join("; ");
 }
 
+const namesIn = (parts: Named[] | undefined) => {
+  const list = (parts ?? []).flatMap(({name, kind}) => name || kind?.replaceAll("_", " ") || []);
+  return list.length > 0 ? `of ${list.join(", ")}` : "";
+};
+
 function panelText(panel: Panel): string {
   switch (panel.panel) {
     case "plot":
@@ -37,9 +42,9 @@ function panelText(panel: Panel): string {
     case "scene":
       return `scene at ${panel.instants.length} instants: ${panel.instants.map(({words}) => words).filter(Boolean).join("; ")}`;
     case "diagram":
-      return `block diagram ${panel.graph.title ?? ""}`;
+      return ["block diagram", panel.graph.title, namesIn(panel.graph.nodes)].filter(Boolean).join(" ");
     case "rig":
-      return `mechanism ${panel.graph.title ?? ""}`;
+      return ["mechanism", panel.graph.title, namesIn(panel.graph.elements)].filter(Boolean).join(" ");
   }
 }
 

@@ -159,10 +159,15 @@ export interface Table {
   rows: string[][];
   notes: string[];
 }
+/** A block of a diagram, or an element of a mechanism. */
+export interface Named {
+  name?: string;
+  kind?: string;
+}
 export interface Graph {
   panel: "diagram" | "rig";
   box?: Box;
-  graph: {title?: string};
+  graph: {title?: string; nodes?: Named[]; elements?: Named[]};
 }
 /** A shape of a scene in metres; `points` of walls are the lines of their boundary. */
 export interface Shape {
