@@ -106,7 +106,7 @@ export class FakeRun {
       case "run.seek": this.seek(args.time); return this.news;
       case "run.set": return this.set(args);
       case "scope.signal": return this.derived(args.expression);
-      case "data.statistics": return {columns: args.columns.map((column: number) => this.statistics(column, args.from, args.to))};
+      case "data.statistics": return {statistics: args.columns.map((column: number) => this.statistics(column, args.from, args.to))};
       case "data.export": return {csv: "time [s]\r\n0\r\n"};
       case "fan": return this.fan(args);
       default: throw {text: `there is no call '${name}'`};
@@ -154,7 +154,7 @@ export class FakeRun {
     if (!Number.isFinite(number)) throw {text: `${name}: '${value}' is no quantity`, cure: `write a number with a unit, as ${parameter.text}`};
     if (parameter.high !== null && number > parameter.high) throw {text: `${name}: ${number} is above ${parameter.high}`};
     if (name === "gain") this.gain = number;
-    return {name, value: number, text: `${number} ${parameter.unit === "1" ? "" : parameter.unit}`.trim(), tick: this.tick};
+    return {name, value: number, text: String(value), tick: this.tick};
   }
 
   private derived(expression: string): unknown {

@@ -39,7 +39,8 @@ export class RunBar implements View {
     listen(this.rate, "change", () => void run.setRate(Number(this.rate.value)));
     this.ends = [
       run.on("loaded", (loaded) => { this.verdicts.load(loaded); this.scrub.reset(); }), run.on("claims", (verdicts) => this.verdicts.judge(verdicts)),
-      run.on("state", () => this.show()), run.on("stale", (isStale) => { this.stale.hidden = !isStale; }), ...this.keys(),
+      run.on("state", () => this.show()), run.on("fault", (fault) => context.notify(fault.message, "fault")),
+      run.on("stale", (isStale) => { this.stale.hidden = !isStale; }), ...this.keys(),
     ];
     if (run.loaded) this.verdicts.load(run.loaded);
     this.stale.hidden = !run.stale;
@@ -83,7 +84,7 @@ export class RunBar implements View {
     this.play.title = `${isPlaying ? "Pause" : "Play"} (Space)`;
     if (this.rate.value !== String(rate)) this.rate.value = String(rate);
     this.time.textContent = `${seconds(news.time, loaded?.step ?? 0.001)} s`;
-    this.time.title = `tick ${news.tick}${loaded?.stop == null ? "" : ` of ${Math.round(loaded.stop / loaded.step)}`}, ${news.state}`;
+    this.time.title = `tick ${news.tick}${loaded?.stop == null ? "" : ` of ${Math.round(loaded.stop / loaded.step)}`}, ${news.state}, ${news.compiled ? "generated code" : "interpreted"}`;
     this.showFacts(measuredText(news.rate, isPlaying), news.missed, latency.median);
     this.fault.hidden = !news.fault;
     this.fault.textContent = news.fault ?? "";

@@ -247,7 +247,7 @@ export class ScopeBoard implements View, ScopeHost {
   }
 
   private keys(): (() => void)[] {
-    const {shortcuts, run} = this.context, group = "Scopes", within = () => this.isShown;
+    const {shortcuts} = this.context, group = "Scopes", within = () => this.isShown;
     const only = {key: "", text: "", action: () => {}, group};
     return [
       shortcuts.add({...only, key: "F", text: "follow the newest again", within, action: () => this.follow()}),
@@ -255,7 +255,6 @@ export class ScopeBoard implements View, ScopeHost {
       shortcuts.add({...only, key: "A", text: "add a signal", within, action: () => this.bar.showSignals(true)}),
       shortcuts.add({...only, key: "P", text: "keep this run to compare with", within, action: () => void this.pin()}),
       shortcuts.add({...only, key: "Esc", text: "take the cursors away", within: () => this.isShown && this.shared.cursors.a !== undefined, action: () => this.shared.cursors.clear()}),
-      run.on("fault", (fault) => this.context.notify(fault.message, "fault")),
     ];
   }
 

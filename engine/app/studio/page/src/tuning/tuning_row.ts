@@ -47,12 +47,12 @@ export class TuningRow {
 
   /** The run took a value over, of this page or of another one. */
   took({value, text, tick}: SetEcho): void {
+    if (value === null) return void (this.echo.textContent = `${text} from tick ${tick}`);
     this.parameter.value = value;
-    this.parameter.text = text;
     this.range = {low: Math.min(this.range.low, value), high: Math.max(this.range.high, value)};
     this.refuse(undefined);
     this.show();
-    this.echo.textContent = `${text} from tick ${tick}`;
+    this.echo.textContent = `${valueText(value, this.unit)} from tick ${tick}`;
     this.echo.title = `${value} in SI`;
   }
 
