@@ -1,15 +1,20 @@
 import {h, listen} from "../shell/dom";
 import {openMenu} from "../shell/menu";
-import {type AxisGroup, zoomAxis} from "./axis_group";
-import {Against, type Content, DifferenceTo, OverTime, type Subject} from "./content";
+import {Against} from "./against";
+import type {AxisGroup} from "./axis_group";
+import type {Content, Subject} from "./content";
+import {DifferenceTo} from "./difference_to";
+import {takeDrops} from "./drops";
 import {Feed} from "./feed";
-import {Gestures, type Gestured} from "./gestures";
+import {Gestures} from "./gestures";
 import {Legend} from "./legend";
 import {MarksLayer} from "./marks_layer";
+import {OverTime} from "./over_time";
 import {freeNumber, mostTraces} from "./palette";
 import type {Pin} from "./pins";
 import {Plot} from "./plot";
 import {valueAt} from "./samples";
+import {ScopeGestures} from "./scope_gestures";
 import {pressed} from "./scope_keys";
 import {entriesOf} from "./scope_menu";
 import type {Shared} from "./shared";
@@ -32,7 +37,7 @@ const legendPause = 0.1;
 const pixelStep = 50;
 
 /** One plot of signals: which, over which stretch of time, and the marks over it. */
-export class Scope implements Subject, Gestured {
+export class Scope implements Subject {
   readonly element = h("section", {class: "scope", tabindex: 0, role: "group"});
   readonly feed: Feed;
   groups: AxisGroup[] = [];
@@ -45,7 +50,9 @@ export class Scope implements Subject, Gestured {
   private readonly title = h("span", {class: "scope-title"});
   private readonly chip = h("span", {class: "chip", hidden: true});
   private readonly note = h("p", {class: "scope-note", hidden: true});
-  readonly tolerance = h("input", {type: "text", class: "tolerance", value: "1 %", "aria-label": "Tolerance", title: "Tolerance: a value in the unit shown, or % of the pinned run's range"});
+  private readonly tolerance = h("input", {
+    type: "text", class: "tolerance", value: "1 %", "aria-label": "Tolerance", title: "Tolerance: a value in the unit shown, or % of the pinned run's range",
+  });
   private readonly area = h("div", {class: "scope-plot"});
   private readonly sizes = new ResizeObserver(() => this.measure());
   private legendAt = 0;
@@ -66,7 +73,7 @@ export class Scope implements Subject, Gestured {
     this.element.append(h("header", {class: "scope-head"}, this.title, this.legend.element, this.tolerance, this.chip, more), this.area, this.note);
     listen(this.tolerance, "input", () => shared.redraw());
     listen(this.element, "keydown", (event: KeyboardEvent) => { if (event.target === this.element) pressed(event, this); });
-    this.takeDrops();
+    takeDrops(this.element, (source) => host.add(this, source));
     this.sizes.observe(this.area);
     this.list();
   }
@@ -112,13 +119,23 @@ export class Scope implements Subject, Gestured {
   fill(what: "time" | "against" | Pin): void {
     this.content = what === "time" ? new OverTime(this) : what === "against" ? new Against(this) : new DifferenceTo(this, what, () => this.tolerance.value);
     this.tolerance.hidden = !(this.content instanceof DifferenceTo);
-    this.shared.redraw();
-    this.shared.keep();
+    this.changed();
   }
 
-  /** Takes time of its own, or that of the board again. */
-  setOwn(own: TimeWindow | undefined): void {
-    this.own = own;
+  /** Shows a stretch of time of its own from now on. */
+  takeOwnTime(): TimeWindow {
+    this.own = new TimeWindow(this.shared.window.width, () => this.changed());
+    this.changed();
+    return this.own;
+  }
+
+  /** Shows the stretch of time of the board again. */
+  shareTime(): void {
+    this.own = undefined;
+    this.changed();
+  }
+
+  private changed(): void {
     this.shared.redraw();
     this.shared.keep();
   }
@@ -189,42 +206,6 @@ export class Scope implements Subject, Gestured {
     this.element.remove();
   }
 
-  // What mouse and fingers do.
-  zoom(factor: number, x: number): void {
-    if (this.marks && !this.isAgainst) this.window.zoom(factor, this.marks.timeAt(x), this.shared.now);
-  }
-  zoomUp(factor: number, share: number): void {
-    for (const group of this.groups) zoomAxis(group, factor, share);
-    this.shared.redraw();
-  }
-  pan(distance: number): void {
-    if (this.marks && !this.isAgainst) this.window.pan(distance / this.marks.width, this.shared.now);
-  }
-  hover(x: number | undefined): void {
-    this.shared.hover = x === undefined || this.isAgainst ? undefined : this.marks?.timeAt(x);
-    this.shared.tick();
-  }
-  click(x: number, isSecond: boolean): void {
-    this.element.focus({preventScroll: true});
-    this.drag(isSecond ? "b" : "a", x);
-  }
-  choosing(from?: number, to?: number): void {
-    if (!this.isAgainst) this.marks?.choose(from, to);
-  }
-  chose(from: number, to: number): void {
-    if (this.marks && !this.isAgainst) this.window.look({low: this.marks.timeAt(Math.min(from, to)), high: this.marks.timeAt(Math.max(from, to))});
-  }
-  grab(x: number): "a" | "b" | undefined {
-    return this.marks?.markAt(x, this.shared.cursors);
-  }
-  drag(mark: "a" | "b", x: number): void {
-    if (this.marks && !this.isAgainst) this.shared.cursors.put(mark, this.marks.timeAt(x), this.shared.context.run.loaded?.step ?? 0);
-  }
-  reset(): void {
-    for (const {range} of this.groups) range.fit();
-    this.window.follow();
-  }
-
   private list(): void {
     this.legend.list(this.traces);
     this.element.setAttribute("aria-label", `Scope ${this.name}: ${this.traces.map(({label}) => label).join(", ") || "empty"}`);
@@ -233,7 +214,7 @@ export class Scope implements Subject, Gestured {
 
   private overlay(over: HTMLElement): void {
     this.marks = new MarksLayer(over);
-    new Gestures(over, this);
+    new Gestures(over, new ScopeGestures(this, this.marks));
   }
 
   /** Text that follows what is drawn. */
@@ -250,22 +231,5 @@ export class Scope implements Subject, Gestured {
     this.width = this.area.clientWidth;
     if (this.width > 0) this.plot.resize(this.width, Math.max(60, this.area.clientHeight));
     this.shared.redraw();
-  }
-
-  private takeDrops(): void {
-    const over = (event: DragEvent) => {
-      if (!event.dataTransfer?.types.includes("text/plain")) return;
-      event.preventDefault();
-      this.element.classList.add("dropping");
-    };
-    listen(this.element, "dragover", over);
-    listen(this.element, "dragleave", () => this.element.classList.remove("dropping"));
-    listen(this.element, "drop", (event: DragEvent) => {
-      event.preventDefault();
-      event.stopPropagation();
-      this.element.classList.remove("dropping");
-      const source = event.dataTransfer?.getData("text/plain").trim();
-      if (source) this.host.add(this, source);
-    });
   }
 }
