@@ -25,7 +25,7 @@ export interface SceneInfo {
   background: string;
   title?: string;
   objects: SceneObject[];
-  pointer: PointerInfo | null;
+  pointer?: PointerInfo | null;
 }
 
 /** A shape at one instant; `object` and `wall` count the scene's objects and their walls. */

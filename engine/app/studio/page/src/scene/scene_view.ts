@@ -103,7 +103,7 @@ export class SceneView implements View {
     canvas.fit();
     this.words.textContent = info.pointer ? `${info.pointer.text || "Press and move: you are the hand that pulls."} ${seen}` : "The hand of this diagram is its own: the scene shows only.";
     this.stay.hidden = !info.pointer;
-    canvas.element.classList.toggle("scene-playable", info.pointer !== null);
+    canvas.element.classList.toggle("scene-playable", Boolean(info.pointer));
     canvas.element.setAttribute("aria-label", `Scene${info.title ? ` of ${info.title}` : ""}${info.pointer ? "; arrows move the hand, Esc lets go" : ""}; D says what it shows`);
     if (info.pointer) this.attach(canvas, info);
     this.watch();
