@@ -111,7 +111,7 @@ export interface Axis {
   log?: boolean;
   step?: number;
   more_ticks?: number[];
-  named_ticks?: { at?: number; label?: string }[];
+  named_ticks?: {at?: number; label?: string}[];
   label_angle?: number;
   line?: boolean;
   tick_marks?: boolean;
@@ -142,8 +142,8 @@ export interface Plot {
   y?: Axis;
   z?: Axis;
   color?: Axis;
-  palette?: { at?: number; color: string }[];
-  view?: { elevation?: number; azimuth?: number };
+  palette?: {at?: number; color: string}[];
+  view?: {elevation?: number; azimuth?: number};
   equal?: boolean;
   closed_frame?: boolean;
   legend?: "none" | "above" | "beside";
@@ -187,7 +187,7 @@ export interface SceneStill {
   x: [number, number];
   y: [number, number];
   background: string;
-  instants: { words: string; shapes: Shape[] }[];
+  instants: {words: string; shapes: Shape[]}[];
 }
 export type Panel = Plot | Table | Graph | SceneStill;
 
