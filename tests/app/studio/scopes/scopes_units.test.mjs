@@ -176,11 +176,12 @@ test("a peak of one sample among a million is painted to its full height", () =>
   values[654_321] = 1;
   const context = canvas(), plane = {left: 0, top: 0, width: 300, height: 100, x: {low: 0, high: 1000}, y: {low: 0, high: 1}};
   m.paintOverTime(context, {time, low: values, high: values}, plane, stroke);
-  const [x, y, , height] = context.bars.find(([, top]) => top < 50);
+  const [[x, y, , height], ...others] = context.bars;
   assert.equal(x, Math.floor(0.654321 * 300));
   near(y, 0, 0.51);
   near(y + height, 100, 0.51);
-  assert.equal(context.bars.length, 300);
+  assert.deepEqual(others, []);
+  assert.ok(context.points.every(([, at]) => at === 100));
 });
 
 test("a peak of one sample in sparse extremes is painted, too", () => {
@@ -189,15 +190,33 @@ test("a peak of one sample in sparse extremes is painted, too", () => {
   assert.ok(context.points.some(([x, y]) => x === 90 && y === 0));
 });
 
-test("bars of pixels beside each other touch, however steep the curve is", () => {
-  const rows = 3000, time = Float64Array.from({length: rows}, (_, i) => i), values = Float64Array.from({length: rows}, (_, i) => (i < 1500 ? 0 : 1));
-  const context = canvas(), plane = {left: 0, top: 0, width: 300, height: 100, x: {low: 0, high: 3000}, y: {low: 0, high: 1}};
+test("bars of pixels beside each other touch, however rough the curve is", () => {
+  const rows = 900, time = Float64Array.from({length: rows}, (_, i) => i), values = Float64Array.from({length: rows}, (_, i) => ((i * 7919) % 101) / 101);
+  const context = canvas(), plane = {left: 0, top: 0, width: 300, height: 100, x: {low: 0, high: 900}, y: {low: 0, high: 1}};
   m.paintOverTime(context, {time, low: values, high: values}, plane, stroke);
+  assert.equal(context.bars.length, 300);
   context.bars.slice(1).forEach(([x, y, , height], i) => {
     const [beforeX, beforeY, beforeWidth, beforeHeight] = context.bars[i];
     assert.equal(x, beforeX + beforeWidth);
     assert.ok(y <= beforeY + beforeHeight && beforeY <= y + height);
   });
+});
+
+test("a smooth curve of many rows is one line, which reaches within a pixel of all of them", () => {
+  const rows = 30_000, time = Float64Array.from({length: rows}, (_, i) => i), values = time.map((at) => Math.sin(at / 3000));
+  const context = canvas(), plane = {left: 0, top: 0, width: 300, height: 100, x: {low: 0, high: rows}, y: {low: -1, high: 1}};
+  m.paintOverTime(context, {time, low: values, high: values}, plane, stroke);
+  assert.ok(context.bars.length <= 2, "but for its ends");
+  for (const [x, y] of context.points) near(y, 50 - 50 * Math.sin((x * 100) / 3000), 1.5);
+});
+
+test("a step of many rows is covered over its whole height", () => {
+  const rows = 3000, time = Float64Array.from({length: rows}, (_, i) => i), values = time.map((at) => (at < 1503 ? 0 : 1));
+  const context = canvas(), plane = {left: 0, top: 0, width: 300, height: 100, x: {low: 0, high: 3000}, y: {low: 0, high: 1}};
+  m.paintOverTime(context, {time, low: values, high: values}, plane, stroke);
+  const ys = [...context.points.map(([, y]) => y), ...context.bars.flatMap(([, y, , height]) => [y, y + height])];
+  assert.ok(Math.min(...ys) <= 0.5 && Math.max(...ys) >= 99.5);
+  assert.ok(context.points.filter(([x]) => x < 150).every(([, y]) => y === 100), "the line stays level up to the step");
 });
 
 test("cursors stand on ticks; what is between them begins at the earlier one", () => {

@@ -1,5 +1,6 @@
 // Curves on a canvas. Values are SI; a plane says which stretch of them lies where.
 
+import {paintPixels} from "./paint_pixels";
 import {isEvery, rowsWithin, type Samples} from "./samples";
 import type {Range} from "./y_range";
 
@@ -26,7 +27,7 @@ export const yOf = ({top, height, y}: Plane, value: number): number => top + hei
 
 type Context = CanvasRenderingContext2D;
 
-/** So many rows in a pixel are painted pixel by pixel, which costs a fifth of a stroked path. */
+/** So many rows in a pixel are painted pixel by pixel. */
 const dense = 0.6;
 
 /** A curve over time. Where there is more than one row in a pixel, all that the pixel's rows reached is covered, so no peak is lost. */
@@ -34,7 +35,7 @@ export function paintOverTime(context: Context, samples: Samples, plane: Plane, 
   const {from, to} = rowsWithin(samples.time, plane.x), isDense = !isEvery(samples) || to - from > plane.width;
   if (to <= from) return;
   prepare(context, stroke, isDense);
-  if (isDense && rowsInPixel(samples, plane, from, to) > dense) return coverPixels(context, samples, plane, from, to);
+  if (isDense && rowsInPixel(samples, plane, from, to) > dense) return paintPixels(context, samples, plane, from, to, stroke.ratio);
   context.beginPath();
   if (isDense) coverRows(context, samples, plane, from, to);
   else joinRows(context, samples, plane, from, to);
@@ -63,30 +64,6 @@ function joinRows(context: Context, {time, high}: Samples, plane: Plane, from: n
     else if (isDown) context.lineTo(xOf(plane, time[row]), y);
     else context.moveTo(xOf(plane, time[row]), y);
     isDown = !Number.isNaN(y);
-  }
-}
-
-/** A bar for each pixel over all that its rows reached, and on to where the pixel before ended, so that the curve has no gaps. */
-function coverPixels(context: Context, {time, low, high}: Samples, plane: Plane, from: number, to: number): void {
-  const across = plane.width / (plane.x.high - plane.x.low), up = plane.height / (plane.y.high - plane.y.low);
-  const left = plane.left - plane.x.low * across, bottom = plane.top + plane.height + plane.y.low * up, half = context.lineWidth / 2;
-  let lastLeast = NaN, lastMost = NaN, lastPixel = NaN;
-  for (let row = from; row < to;) {
-    const pixel = Math.floor(left + time[row] * across);
-    let least = Infinity, most = -Infinity;
-    for (; row < to && left + time[row] * across < pixel + 1; ++row) {
-      if (low[row] < least) least = low[row];
-      if (high[row] > most) most = high[row];
-    }
-    if (!(least <= most)) {
-      lastLeast = lastMost = lastPixel = NaN;
-      continue;
-    }
-    const top = lastLeast > most ? lastLeast : most, end = lastMost < least ? lastMost : least, x = Number.isNaN(lastPixel) ? pixel : lastPixel + 1;
-    context.fillRect(x, bottom - top * up - half, pixel + 1 - x, (top - end) * up + 2 * half);
-    lastLeast = least;
-    lastMost = most;
-    lastPixel = pixel;
   }
 }
 
