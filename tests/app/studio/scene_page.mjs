@@ -69,7 +69,7 @@ export async function openPage(folder, answers = {}, {width = 1400, height = 900
         if (!all[call]) throw new Error(`there is no call '${call}'`);
         Promise.resolve(all[call](rest)).then((result) => opened.send(JSON.stringify({id, result})));
       } catch (thrown) {
-        opened.send(JSON.stringify({id, fault: {text: thrown.message}}));
+        opened.send(JSON.stringify({id, fault: {text: thrown.message, ...thrown}}));
       }
     });
   });

@@ -18,8 +18,8 @@ export function insertedItem(state: EditorState, section: string, text: string):
   if (!pair) return {from: state.doc.length, insert: `${last.length > 0 ? "\n" : ""}${section}:\n  - ${text}\n`};
   const list = pair.getChild("BlockSequence"), one = pair.getChild("FlowMapping");
   if (list) {
-    const items = list.getChildren("Item"), indent = state.doc.lineAt(items[0].from), end = items[items.length - 1].to;
-    return {from: end, insert: `\n${" ".repeat(items[0].from - indent.from)}- ${text}`};
+    const indent = list.from - state.doc.lineAt(list.from).from;
+    return {from: list.to, insert: `\n${" ".repeat(indent)}- ${text}`};
   }
   if (one) return [{from: one.from, insert: "\n  - "}, {from: one.to, insert: `\n  - ${text}`}];
   throw new Error(`'${section}' is written in another way than as a list; the line would be: ${text}`);

@@ -1,6 +1,7 @@
 // The language server over the call `language`: faults with quick fixes, completion, hover, definition, references, rename.
 
-import {findReferencesKeymap, jumpToDefinitionKeymap, LSPClient, LSPPlugin, serverCompletion} from "@codemirror/lsp-client";
+import {autocompletion} from "@codemirror/autocomplete";
+import {findReferencesKeymap, jumpToDefinitionKeymap, LSPClient, LSPPlugin, serverCompletionSource} from "@codemirror/lsp-client";
 import {type Diagnostic, forEachDiagnostic, setDiagnostics} from "@codemirror/lint";
 import {isolateHistory} from "@codemirror/commands";
 import type {Extension, Text} from "@codemirror/state";
@@ -56,7 +57,7 @@ export class Language {
   /** What the editor of a document has of it. */
   extensions(document: Document): Extension {
     return [
-      this.client.plugin(addressOf(document.file), "yaml"), serverCompletion({override: true}), hoverTooltip((view, at) => this.hover(view, at), {hideOnChange: true}),
+      this.client.plugin(addressOf(document.file), "yaml"), autocompletion({override: [(at) => (this.isThere ? serverCompletionSource(at) : null)]}), hoverTooltip((view, at) => this.hover(view, at), {hideOnChange: true}),
       keymap.of([...jumpToDefinitionKeymap, ...findReferencesKeymap, {key: "F2", run: this.rename, preventDefault: true}, {key: "Ctrl-.", mac: "Cmd-.", run: this.mend, preventDefault: true}]),
     ];
   }
