@@ -6,10 +6,17 @@ using json::Json;
 
 namespace {
 
-Json put(const Desk& desk, const Arguments& arguments) {
+Json get(Desk& desk) {
+  const std::lock_guard lock(desk.mutex);
+  const std::string layout = desk.store.layout(desk.files.path(0));
+  return Json::object().set("state", layout.empty() ? Json() : Json::parse(layout));
+}
+
+Json put(Desk& desk, const Arguments& arguments) {
   constexpr std::size_t most = 256u << 10u;
   const std::string layout = arguments.any("state").text(-1);
   if (layout.size() > most) throw Fault("what is kept of a page has 256 kB at most");
+  const std::lock_guard lock(desk.mutex);
   desk.store.keep_layout(desk.files.path(0), layout);
   return Json::object();
 }
@@ -17,11 +24,8 @@ Json put(const Desk& desk, const Arguments& arguments) {
 }  // namespace
 
 void add_state_calls(Calls& calls, Desk& desk) {
-  calls["state.get"] = [&desk](int, const Arguments&) {
-    const std::string layout = desk.store.layout(desk.files.path(0));
-    return Json::object().set("state", layout.empty() ? Json() : Json::parse(layout));
-  };
-  calls["state.put"] = [&desk](int, const Arguments& arguments) { return put(desk, arguments); };
+  calls["state.get"] = {[&desk](int, const Arguments&) { return get(desk); }};
+  calls["state.put"] = {[&desk](int, const Arguments& arguments) { return put(desk, arguments); }};
 }
 
 }  // namespace stepwire::studio
