@@ -35,6 +35,7 @@ io::Descriptor walk_beneath(int folder, const fs::path& path, int flags) {
   io::Descriptor above(::dup(folder));
   for (auto part = path.begin(); part != path.end() && above.open(); ++part) {
     const bool is_last = std::next(part) == path.end();
+    if (*part == "..") errno = EXDEV;
     if (*part == "..") return io::Descriptor();
     const int how = is_last ? flags : O_PATH | O_DIRECTORY;
     above = io::Descriptor(::openat(above.number(), part->c_str(), how | O_NOFOLLOW | O_CLOEXEC));
