@@ -121,7 +121,7 @@ run::Flow RunThread::before_tick(const run::ObservedRun& run) {
 bool RunThread::wait_for_turn() {
   while (!quits_) {
     commands_.run_all();
-    if (back_to_) return false;
+    if (quits_ || back_to_) return false;
     if (next_tick() <= goal_) return true;
     if (!plays_)
       wait_until({});

@@ -58,10 +58,10 @@ class RunThread : private run::RunObserver {
   RunThread(const plan::Plan& plan, const SignalList& signals, Options options);
   ~RunThread() override;
 
-  /// From any thread; each returns once it has taken effect.
+  /// From any thread; each returns once it has taken effect, and one_tick() which one it will be.
   void play(double rate);
   void pause();
-  void one_tick();
+  std::int64_t one_tick();
   /// Begins anew with the values that are set now.
   void restart();
   /// Goes to a time as fast as it goes, back by a kept moment; returns the tick to which it goes.

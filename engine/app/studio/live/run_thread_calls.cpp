@@ -37,10 +37,12 @@ void RunThread::pause() {
   });
 }
 
-void RunThread::one_tick() {
-  act([&] {
+std::int64_t RunThread::one_tick() {
+  return commands_.ask([&] {
     plays_ = false;
-    goal_ = next_tick();
+    goal_ = ended_ ? shown_ : next_tick();
+    tell();
+    return goal_;
   });
 }
 
