@@ -5,8 +5,13 @@
 #include <mutex>
 #include <string>
 
+#include "engine/app/session/loaded_model.hpp"
 #include "engine/app/studio/arguments.hpp"
 #include "engine/app/studio/diagram_files.hpp"
+
+namespace stepwire::live {
+class LiveRun;
+}
 
 namespace stepwire::studio {
 
@@ -41,6 +46,11 @@ struct Desk {
 void add_file_calls(Calls& calls, Desk& desk);
 void add_drawing_calls(Calls& calls, Desk& desk);
 void add_state_calls(Calls& calls, Desk& desk);
+/// The calls of the run, which must outlive them.
+void add_live_calls(Calls& calls, live::LiveRun& run);
+
+/// The model of a file, as it and its parts are edited. Throws as load_model() does.
+session::LoadedModel edited_model(Desk& desk, int file);
 
 /// Gives a loader the documents of a file and of its parts, as they are edited; returns the file's path.
 std::string add_documents(Desk& desk, int file, diagram::Loader& loader);

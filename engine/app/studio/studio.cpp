@@ -8,6 +8,7 @@
 
 #include "engine/app/studio/calls.hpp"
 #include "engine/app/studio/dispatch.hpp"
+#include "engine/app/studio/live/live_run.hpp"
 #include "engine/app/studio/page_site.hpp"
 
 namespace stepwire::studio {
@@ -23,11 +24,14 @@ class Studio::Room : public http::Site {
               DiagramFiles(call.file),
               DraftStore(),
               [this](const Json& news, int but) { tell(news, but); }},
-        calls_(calls_of(desk_)),
         server_(http::listen(*this, call.port, call.limits)),
+        live_([this](int file) { return edited_model(desk_, file); },
+              {[this](const Json& news) { tell(news, 0); },
+               [this](int page, std::string bytes) { server_->send_bytes(page, std::move(bytes)); }}),
+        calls_(calls_of(desk_, live_)),
         dispatch_(
             calls_, [this](int page, std::string text) { server_->send_text(page, std::move(text)); },
-            [](int, std::uint32_t) {}),
+            [this](int page, std::uint32_t sequence) { live_.acknowledge(page, sequence); }),
         watch_([this] { look_after(); }) {
     server_->start();
   }
@@ -48,19 +52,23 @@ class Studio::Room : public http::Site {
     pages_.insert(page);
   }
   void left(int page) override {
-    const std::lock_guard lock(mutex_);
-    pages_.erase(page);
+    {
+      const std::lock_guard lock(mutex_);
+      pages_.erase(page);
+    }
+    live_.left(page);
   }
   void said(int page, std::string message, http::Ticket ticket) override {
     dispatch_.take(page, message, ticket);
   }
 
  private:
-  static Calls calls_of(Desk& desk) {
+  static Calls calls_of(Desk& desk, live::LiveRun& run) {
     Calls calls;
     add_file_calls(calls, desk);
     add_drawing_calls(calls, desk);
     add_state_calls(calls, desk);
+    add_live_calls(calls, run);
     return calls;
   }
 
@@ -80,10 +88,11 @@ class Studio::Room : public http::Site {
   }
 
   Desk desk_;
-  Calls calls_;
   std::mutex mutex_;
   std::set<int> pages_;
   std::unique_ptr<http::HttpServer> server_;
+  live::LiveRun live_;
+  Calls calls_;
   Dispatch dispatch_;
   Lane watch_;  ///< of drafts, and of what others change on the disk
 };

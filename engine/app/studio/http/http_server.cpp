@@ -96,9 +96,7 @@ class Server::Page : public std::enable_shared_from_this<Page> {
     stream_.auto_fragment(false);
   }
   ~Page() {
-    if (number_ == 0) return;
-    server_.pages_.erase(number_);
-    server_.site_.left(number_);
+    if (server_.pages_.erase(number_) > 0) server_.site_.left(number_);
   }
 
   void accept(std::shared_ptr<Parser> parser) {
@@ -271,6 +269,8 @@ void Server::start() {
 void Server::stop() {
   context_.stop();
   if (thread_.joinable()) thread_.join();
+  // Their sockets are closed later, when the site may be gone.
+  for (const auto& [page, socket] : std::exchange(pages_, {})) site_.left(page);
 }
 
 void Server::send(int page, bool text, std::string message) {

@@ -31,7 +31,7 @@ class HttpServer {
   virtual const Key& key() const = 0;
   /// Begins to serve.
   virtual void start() = 0;
-  /// Returns when the thread has ended. Sockets are closed when the server goes.
+  /// Returns when the thread has ended and all pages have left. Sockets are closed when the server goes.
   virtual void stop() = 0;
 
   /// From any thread; nothing where the page has left.
