@@ -163,7 +163,11 @@ void Beneath::replace(const std::string& path, std::string_view text) const {
 }
 
 void Beneath::create(const std::string& path, std::string_view text) const {
-  const fs::path file(path);
+  const fs::path file(path), above = file.parent_path();
+  if (!holds(above.string() + "/")) {
+    const io::Descriptor folder = open(above.parent_path().string() + "/", O_RDONLY | O_DIRECTORY);
+    if (::mkdirat(folder.number(), above.filename().c_str(), 0755) != 0) refuse(path, errno);
+  }
   const io::Descriptor folder = open(file.parent_path().string() + "/", O_RDONLY | O_DIRECTORY);
   const FileBeside beside(folder.number(), io::temporary_beside(file.filename().string()));
   beside.write(text, 0644, path);

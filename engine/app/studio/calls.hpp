@@ -46,6 +46,7 @@ struct Desk {
 void add_file_calls(Calls& calls, Desk& desk);
 void add_drawing_calls(Calls& calls, Desk& desk);
 void add_state_calls(Calls& calls, Desk& desk);
+void add_gallery_calls(Calls& calls, Desk& desk);
 /// The calls of the run, which must outlive them.
 void add_live_calls(Calls& calls, live::LiveRun& run);
 

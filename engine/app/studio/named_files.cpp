@@ -49,7 +49,7 @@ class Search {
     if (!is_file(written) && (text.find("..") == text.npos || !is_file(path))) return;
     std::error_code none;
     const bool is_plain = fs::weakly_canonical(written, none) == fs::weakly_canonical(path, none);
-    found.push_back({path.string(), node.mark, is_part, is_plain});
+    found.push_back({path.string(), text, node.mark, is_part, is_plain});
   }
 
   fs::path folder_;

@@ -10,6 +10,7 @@ namespace stepwire::studio {
 /// Something on the disk that a value of a diagram may name.
 struct NamedFile {
   std::string path;  ///< absolute where the diagram's is, without "." and ".."
+  std::string word;  ///< as the diagram names it
   yaml::Mark mark;
   bool is_part = false;  ///< a diagram that the blocks of this one use
   bool is_plain = true;  ///< false where ".." behind a link leads elsewhere than the path says

@@ -68,6 +68,7 @@ class Studio::Room : public http::Site {
     add_file_calls(calls, desk);
     add_drawing_calls(calls, desk);
     add_state_calls(calls, desk);
+    add_gallery_calls(calls, desk);
     add_live_calls(calls, run);
     return calls;
   }

@@ -1,4 +1,4 @@
-// The only source that includes Beast and Asio: they take long to compile.
+// More than 300 lines with its header: the only source that includes Beast and Asio, which take long to compile.
 #include "engine/app/studio/http/http_server.hpp"
 
 #include <boost/asio/io_context.hpp>

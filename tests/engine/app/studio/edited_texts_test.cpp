@@ -51,8 +51,9 @@ TEST_CASE("an edit changes the version that it was made of, and no other") {
     texts.edit(opened.path, 0, {{0, 3, "three"}});
     FAIL("an old version was edited");
   } catch (const Fault& fault) {
-    CHECK(*fault.more().find("text_now")->as_text() == "two\n");
-    CHECK(fault.more().find("version")->as_number() == 1);
+    const json::Json& current = *fault.more().find("current");
+    CHECK(*current.find("text")->as_text() == "two\n");
+    CHECK(current.find("version")->as_number() == 1);
   }
   CHECK_THROWS_AS(texts.edit(opened.path, 1, {{7, 9, ""}}), Fault);
   CHECK(texts.open(opened.path).version == 1);

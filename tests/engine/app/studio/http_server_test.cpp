@@ -6,14 +6,9 @@
 #include <sys/socket.h>
 
 #include <catch2/catch.hpp>
-#include <condition_variable>
-#include <memory>
-#include <mutex>
-#include <set>
 
 #include "engine/app/studio/http/loopback.hpp"
-#include "engine/base/io/environment_error.hpp"
-#include "tests/engine/app/studio/raw_client.hpp"
+#include "tests/engine/app/studio/echo_site.hpp"
 
 namespace stepwire::http {
 
@@ -21,70 +16,6 @@ namespace {
 
 using Catch::Contains;
 using std::chrono::milliseconds;
-
-/// Serves "/" and "/a.js", and a socket that gives every message back.
-class EchoSite : public Site {
- public:
-  Answer answer(const Request&, const std::string& path) override {
-    if (path == "/") return {200, {{"Content-Type", "text/html"}}, "the page"};
-    if (path == "/a.js") return {200, {}, "", "fixed"};
-    return {404};
-  }
-  bool has_socket(const std::string& path) override { return path == "/socket"; }
-  void joined(int page) override {
-    change([&] { open.insert(page); });
-  }
-  void left(int page) override {
-    change([&] { open.erase(page); });
-  }
-  void said(int page, std::string message, Ticket ticket) override {
-    change([&] {
-      bytes += message.size();
-      if (keeps) tickets.push_back(std::move(ticket));
-    });
-    if (!keeps) server->send_text(page, std::move(message));
-  }
-  template <class Condition>
-  bool wait_until(Condition condition) {
-    std::unique_lock lock(mutex);
-    return changed.wait_for(lock, std::chrono::seconds(5), condition);
-  }
-
-  HttpServer* server = nullptr;
-  bool keeps = false;  ///< tickets; then nothing is given back
-  std::mutex mutex;
-  std::condition_variable changed;
-  std::set<int> open;
-  std::size_t bytes = 0;
-  std::vector<Ticket> tickets;
-
- private:
-  template <class Action>
-  void change(Action action) {
-    const std::lock_guard lock(mutex);
-    action();
-    changed.notify_all();
-  }
-};
-
-/// A server that is gone after the test.
-struct Served {
-  explicit Served(Limits limits = {}) : server(listen(site, 0, limits)) {
-    site.server = server.get();
-    server->start();
-  }
-  ~Served() {
-    server->stop();
-    site.tickets.clear();
-  }
-  const Key& key() const { return server->key(); }
-  Head head(const std::string& target, const std::string& more = {}) const {
-    return {"GET", target, host_of(key()), cookie_line(key()) + more};
-  }
-
-  EchoSite site;
-  std::unique_ptr<HttpServer> server;
-};
 
 const std::vector<std::string> routes{"/", "/a.js", "/socket", "/index.html", "/nothing", "/../a.js"};
 
@@ -120,7 +51,9 @@ TEST_CASE("the server listens at the loopback addresses alone, at one port") {
 }
 
 TEST_CASE("every route refuses who has no token, another Host or another Origin, in the same words") {
-  const Served served;
+  Limits limits;
+  limits.handshake = milliseconds(200);  // a body that never comes is not awaited for longer
+  const Served served(limits);
   const Key& key = served.key();
   const std::string ours = "http://" + host_of(key);
   for (const std::string& route : routes) {
@@ -195,131 +128,6 @@ TEST_CASE("what is no HTTP gets nothing") {
     const std::string answer = client.receive_all();
     CHECK((answer.empty() || is_refused(answer)));
   }
-}
-
-TEST_CASE("a page's socket gives messages in both directions, and the site sees it come and go") {
-  Served served;
-  {
-    PageClient page(served.key());
-    REQUIRE(page.is_open());
-    for (const std::size_t size : {0u, 5u, 125u, 126u, 65535u, 65536u, 1000000u}) {
-      page.send(std::string(size, 'x'));
-      CHECK(page.receive() == std::string(size, 'x'));
-    }
-    served.server->send_bytes(1, std::string("\0\xff", 2));
-    CHECK(page.receive() == std::string("\0\xff", 2));
-    served.server->send_text(2, "nobody");
-    CHECK(served.site.open == std::set<int>{1});
-  }
-  CHECK(served.site.wait_until([&] { return served.site.open.empty(); }));
-}
-
-TEST_CASE(
-    "a message beyond a megabyte, bytes where text belongs, or text that is no UTF-8 closes the socket") {
-  const Served served;
-  for (const auto& [message, kind] : {std::pair{std::string((1 << 20) + 1, 'x'), 1},
-                                      {std::string("x"), 2},
-                                      {std::string("\xff\xfe"), 1},
-                                      {std::string("x"), 3},
-                                      {std::string("x"), 11}}) {
-    PageClient page(served.key());
-    REQUIRE(page.is_open());
-    page.send(message, kind);
-    CHECK_FALSE(page.receive());
-  }
-}
-
-TEST_CASE("frames that break the rules of RFC 6455 close the socket") {
-  const Served served;
-  const std::string no_mask("\x81\x01x", 3), reserved("\xf1\x80\0\0\0\0", 6),
-      long_ping("\x89\xfe\0\xff\0\0\0\0", 8), huge("\x81\xff\xff\xff\xff\xff\xff\xff\xff\xff\0\0\0\0", 14),
-      rest("\x80\x81\0\0\0\0x", 7);
-  for (const std::string& bytes : {no_mask, reserved, long_ping, huge, rest}) {
-    PageClient page(served.key());
-    REQUIRE(page.is_open());
-    page.raw().send(bytes);
-    CHECK(page.raw().is_closed_within(milliseconds(5000)));
-  }
-}
-
-TEST_CASE("sixteen pages at a time, and a place is free when one goes") {
-  Served served;
-  std::vector<std::unique_ptr<PageClient>> pages;
-  for (int i = 0; i < 16; ++i) {
-    pages.push_back(std::make_unique<PageClient>(served.key()));
-    CHECK(pages.back()->is_open());
-  }
-  CHECK_FALSE(PageClient(served.key()).is_open());
-  pages.pop_back();
-  CHECK(served.site.wait_until([&] { return served.site.open.size() == 15; }));
-  CHECK(PageClient(served.key()).is_open());
-}
-
-TEST_CASE("connections that say nothing leave room for those that are left after them") {
-  Limits limits;
-  limits.connections = 4;
-  limits.handshake = milliseconds(200);
-  const Served served(limits);
-  std::vector<std::unique_ptr<RawClient>> silent;
-  for (int i = 0; i < 8; ++i) silent.push_back(std::make_unique<RawClient>(served.key().port));
-  for (const auto& one : silent) CHECK(one->is_closed_within(milliseconds(5000)));
-  CHECK_THAT(answer_to(served.key(), served.head("/")), Contains("the page"));
-}
-
-TEST_CASE("a page that answers no ping is closed, one that does is not") {
-  Limits limits;
-  limits.ping = milliseconds(100);
-  Served served(limits);
-  PageClient deaf(served.key()), living(served.key());
-  REQUIRE(deaf.is_open());
-  REQUIRE(living.is_open());
-  std::thread hears([&] { living.receive(); });
-  CHECK(deaf.raw().is_closed_within(milliseconds(5000)));
-  CHECK(served.site.wait_until([&] { return !served.site.open.contains(1); }));
-  {
-    const std::lock_guard lock(served.site.mutex);
-    CHECK(served.site.open == std::set<int>{2});
-  }
-  served.server->send_text(2, "still there");
-  hears.join();
-}
-
-TEST_CASE("a page that floods is not read on until its messages are done") {
-  Limits limits;
-  limits.waiting = 100'000;
-  Served served(limits);
-  served.site.keeps = true;
-  PageClient page(served.key());
-  REQUIRE(page.is_open());
-  std::thread flood([&] {
-    for (int i = 0; i < 400; ++i) page.send(std::string(50'000, 'x'));
-  });
-  REQUIRE(served.site.wait_until([&] { return served.site.bytes >= 100'000; }));
-  std::this_thread::sleep_for(milliseconds(100));
-  {
-    const std::lock_guard lock(served.site.mutex);
-    CHECK(served.site.bytes <= 150'000);
-  }
-  for (std::size_t all = 0; all < 400 * 50'000;) {
-    std::vector<Ticket> done;
-    REQUIRE(served.site.wait_until([&] { return !served.site.tickets.empty(); }));
-    const std::lock_guard lock(served.site.mutex);
-    done.swap(served.site.tickets);
-    all = served.site.bytes;
-  }
-  flood.join();
-}
-
-TEST_CASE("a page that reads nothing is closed, and what waits for it is bounded") {
-  Limits limits;
-  limits.unsent = 1'000'000;
-  Served served(limits);
-  PageClient stalled(served.key()), other(served.key());
-  REQUIRE(stalled.is_open());
-  for (int i = 0; i < 400; ++i) served.server->send_bytes(1, std::string(100'000, 'x'));
-  CHECK(served.site.wait_until([&] { return !served.site.open.contains(1); }));
-  other.send("alive");
-  CHECK(other.receive() == "alive");
 }
 
 }  // namespace stepwire::http

@@ -28,7 +28,8 @@ blocks:
   rig: {diagram: parts/rig.yaml, u: two}
 record: [rig.y]
 )";
-const std::string rig_yaml = R"(inputs: {u: {}}
+const std::string rig_yaml = R"(stepwire: 1
+inputs: {u: {}}
 outputs: {y: half}
 blocks:
   half: {block: Gain, u: u, gain: 0.5}
