@@ -20,6 +20,7 @@ class Arguments {
   /// The items of a list.
   std::span<const json::Json> items(const std::string& name) const;
   const json::Json& any(const std::string& name) const;
+  const json::Json& all() const { return message_; }
 
  private:
   [[noreturn]] static void refuse(const std::string& name, const std::string& kind);

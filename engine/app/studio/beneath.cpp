@@ -35,6 +35,7 @@ io::Descriptor walk_beneath(int folder, const fs::path& path, int flags) {
   io::Descriptor above(::dup(folder));
   for (auto part = path.begin(); part != path.end() && above.open(); ++part) {
     const bool is_last = std::next(part) == path.end();
+    if (*part == "..") errno = EXDEV;
     if (*part == "..") return io::Descriptor();
     const int how = is_last ? flags : O_PATH | O_DIRECTORY;
     above = io::Descriptor(::openat(above.number(), part->c_str(), how | O_NOFOLLOW | O_CLOEXEC));
@@ -162,7 +163,11 @@ void Beneath::replace(const std::string& path, std::string_view text) const {
 }
 
 void Beneath::create(const std::string& path, std::string_view text) const {
-  const fs::path file(path);
+  const fs::path file(path), above = file.parent_path();
+  if (!holds(above.string() + "/")) {
+    const io::Descriptor folder = open(above.parent_path().string() + "/", O_RDONLY | O_DIRECTORY);
+    if (::mkdirat(folder.number(), above.filename().c_str(), 0755) != 0) refuse(path, errno);
+  }
   const io::Descriptor folder = open(file.parent_path().string() + "/", O_RDONLY | O_DIRECTORY);
   const FileBeside beside(folder.number(), io::temporary_beside(file.filename().string()));
   beside.write(text, 0644, path);

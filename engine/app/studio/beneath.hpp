@@ -31,7 +31,7 @@ class Beneath {
   void replace(const std::string& path, std::string_view text) const;
   /// Does a path lead to something beneath the folders?
   bool holds(const std::string& path) const;
-  /// A new file; throws Fault where there is one already.
+  /// A new file, in a folder that is made where there is none; throws Fault where there is one already.
   void create(const std::string& path, std::string_view text) const;
 
  private:

@@ -2,20 +2,40 @@
 
 #include <functional>
 #include <map>
+#include <mutex>
 #include <string>
 
+#include "engine/app/session/loaded_model.hpp"
 #include "engine/app/studio/arguments.hpp"
 #include "engine/app/studio/diagram_files.hpp"
 
+namespace stepwire::live {
+class LiveRun;
+}
+
 namespace stepwire::studio {
 
-/// What a page may call, by its name. A call returns its result, or throws; `page` is who calls.
-using Call = std::function<json::Json(int page, const Arguments& arguments)>;
-using Calls = std::map<std::string, Call>;
+/// Something that a page may call.
+struct CallRow {
+  /// Calls of one lane are done in order, and hold up no other lane.
+  enum class Where {
+    texts,  ///< what edits and reads texts
+    run,    ///< what must act on the run at once
+    slow,   ///< what takes long and changes nothing
+  };
+
+  /// Returns the result, or throws; `page` is who calls.
+  std::function<json::Json(int page, const Arguments& arguments)> act;
+  Where where = Where::texts;
+};
+
+/// By their names.
+using Calls = std::map<std::string, CallRow>;
 
 /// What calls work on.
 struct Desk {
   const Registry& registry;
+  std::mutex mutex;  ///< of all that follows but `tell`, which may be called from any thread
   DiagramFiles files;
   DraftStore store;
   /// To all pages but one; 0 leaves none out.
@@ -26,6 +46,15 @@ struct Desk {
 void add_file_calls(Calls& calls, Desk& desk);
 void add_drawing_calls(Calls& calls, Desk& desk);
 void add_state_calls(Calls& calls, Desk& desk);
+void add_gallery_calls(Calls& calls, Desk& desk);
+/// The calls of the run, which must outlive them.
+void add_live_calls(Calls& calls, live::LiveRun& run);
+
+/// The model of a file, as it and its parts are edited. Throws as load_model() does.
+session::LoadedModel edited_model(Desk& desk, int file);
+
+/// Gives a loader the documents of a file and of its parts, as they are edited; returns the file's path.
+std::string add_documents(Desk& desk, int file, diagram::Loader& loader);
 
 /// News that a file is another on the disk; `draft` where a page has a text of its own.
 json::Json change_news(int file, const EditedText& text);

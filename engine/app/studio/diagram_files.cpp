@@ -6,6 +6,7 @@
 #include <set>
 
 #include "engine/app/studio/fault.hpp"
+#include "engine/app/studio/named_files.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/base/io/temporary.hpp"
 
@@ -15,35 +16,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* outside =
+    "this file does not lie beneath the folders of the diagram and its parts as they were when the studio "
+    "was started";
+
 std::string folder_of(const std::string& path) {
   return fs::path(path).parent_path().string();
-}
-
-/// A part of a diagram: the path that stands there, from the folder of the diagram.
-struct PartName {
-  std::string path;
-  yaml::Mark mark;
-};
-
-void find_parts(const yaml::Node& node, const std::string& file, std::vector<PartName>& found) {
-  for (const yaml::Entry& entry : node.entries) {
-    if (entry.key == "diagram" && entry.value.is_scalar() && !entry.value.text.empty())
-      found.push_back(
-          {(fs::path(file).parent_path() / entry.value.text).lexically_normal().string(), entry.value.mark});
-    find_parts(entry.value, file, found);
-  }
-  for (const yaml::Node& item : node.items) find_parts(item, file, found);
-}
-
-std::vector<PartName> parts_of(const yaml::Document& document) {
-  std::vector<PartName> found;
-  find_parts(document.root, document.file, found);
-  return found;
-}
-
-bool exists(const std::string& path) {
-  std::error_code none;
-  return fs::exists(path, none);
 }
 
 bool is_diagram(const fs::directory_entry& entry) {
@@ -60,18 +38,22 @@ DiagramFiles::DiagramFiles(const std::string& file, DraftStore store) : texts_(b
   if (error) io::refuse_file(file, error.value());
   io::read_file(path.string());
   number(path.string());
-  beneath_.add(folder_of(path.string()));
-  // As the files are now, before any page has changed them, their parts may lie where they do.
-  std::set<std::string> seen;
-  const std::function<void(const std::string&)> trust = [&](const std::string& one) {
-    if (!seen.insert(one).second || !exists(one)) return;
-    beneath_.add(folder_of(one));
-    try {
-      for (const PartName& part : parts_of(yaml::read_document(one))) trust(part.path);
-    } catch (const yaml::Error&) {  // is shown when it is opened
-    }
-  };
+  if (const std::string data = data_folder(); !data.empty()) beneath_.add(data);
   trust(path.string());
+}
+
+/// As the files are now, before any page has changed them, they may name files wherever these lie.
+void DiagramFiles::trust(const std::string& file) {
+  if (!trusted_.insert(file).second) return;
+  beneath_.add(folder_of(file));
+  try {
+    for (const NamedFile& named : named_files(yaml::read_document(file)))
+      if (named.is_part)
+        trust(named.path);
+      else
+        beneath_.add(folder_of(named.path));
+  } catch (const yaml::Error&) {  // is shown when it is opened
+  }
 }
 
 int DiagramFiles::number(const std::string& path) {
@@ -94,22 +76,18 @@ std::string DiagramFiles::text(const std::string& path) {
 std::vector<yaml::Document> DiagramFiles::documents(const std::string& path) {
   std::vector<yaml::Document> all;
   std::set<std::string> seen;
+  yaml::Faults faults;
   const std::function<void(const std::string&)> read = [&](const std::string& one) {
     if (!seen.insert(one).second) return;
     all.push_back(yaml::parse_document(text(one), one));
-    const std::vector<PartName> parts = parts_of(all.back());
-    for (const PartName& part : parts) {
-      if (!exists(part.path)) continue;  // the loader says so
-      if (!beneath_.holds(part.path))
-        throw yaml::Error({{one, part.mark},
-                           "",
-                           "this file does not lie beneath the folders of the diagram and its parts as "
-                           "they were when the studio was started",
-                           {}});
-      read(part.path);
-    }
+    for (const NamedFile& named : named_files(all.back()))
+      if (!named.is_plain || !beneath_.holds(named.path))
+        faults.add({{one, named.mark}, "", outside, {}});
+      else if (named.is_part)
+        read(named.path);
   };
   read(path);
+  faults.throw_if_any();
   return all;
 }
 

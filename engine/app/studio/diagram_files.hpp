@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -39,10 +40,12 @@ class DiagramFiles {
   std::vector<yaml::Document> documents(const std::string& path);
 
  private:
+  void trust(const std::string& file);
   std::string text(const std::string& path);
 
   std::vector<std::string> paths_;
   std::map<std::string, int> numbers_;
+  std::set<std::string> trusted_;
   Beneath beneath_;
   EditedTexts texts_;
 };

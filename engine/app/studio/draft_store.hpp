@@ -27,7 +27,7 @@ class DraftStore {
   void keep(const std::string& path, const Draft& draft) const;
   void drop(const std::string& path) const;
 
-  /// JSON of the page of a file; empty where none was kept.
+  /// JSON of the page of a file, or with an empty path of all pages of the user; empty where none was kept.
   std::string layout(const std::string& path) const;
   void keep_layout(const std::string& path, const std::string& layout) const;
 

@@ -22,9 +22,8 @@ int scope_of(const drawing::DiagramView& whole, const std::string& name) {
 }
 
 Json graph(Desk& desk, const Arguments& arguments) {
-  const std::string path = desk.files.path(arguments.whole("file"));
   diagram::Loader loader(desk.registry);
-  for (yaml::Document& document : desk.files.documents(path)) loader.add(std::move(document));
+  const std::string path = add_documents(desk, arguments.whole("file"), loader);
   const drawing::DrawnFile file(loader, path);
   drawing::GraphOptions options;
   options.open = arguments.texts("open");
@@ -38,11 +37,18 @@ Json graph(Desk& desk, const Arguments& arguments) {
 
 }  // namespace
 
+std::string add_documents(Desk& desk, int file, diagram::Loader& loader) {
+  const std::lock_guard lock(desk.mutex);
+  const std::string& path = desk.files.path(file);
+  for (yaml::Document& document : desk.files.documents(path)) loader.add(std::move(document));
+  return path;
+}
+
 void add_drawing_calls(Calls& calls, Desk& desk) {
-  calls["graph"] = [&desk](int, const Arguments& arguments) { return graph(desk, arguments); };
-  calls["blocks"] = [&desk](int, const Arguments&) {
+  calls["graph"] = {[&desk](int, const Arguments& arguments) { return graph(desk, arguments); }};
+  calls["blocks"] = {[&desk](int, const Arguments&) {
     return Json::object().set("blocks", reference::blocks_json(desk.registry));
-  };
+  }};
 }
 
 }  // namespace stepwire::studio

@@ -10,6 +10,8 @@
 
 namespace stepwire::studio {
 
+using json::Json;
+
 namespace {
 
 constexpr std::size_t most_bytes = 8u << 20u;  // as much as is read of a diagram
@@ -62,8 +64,9 @@ const EditedText* EditedTexts::find(const std::string& path) const {
 const EditedText& EditedTexts::edit(const std::string& path, int version, std::vector<TextChange> changes) {
   EditedText& text = known(path);
   if (version != text.version)
-    throw Fault("the text was changed elsewhere meanwhile",
-                json::Json::object().set("text_now", text.text).set("version", text.version));
+    throw Fault(
+        "the text was changed elsewhere meanwhile",
+        Json::object().set("current", Json::object().set("text", text.text).set("version", text.version)));
   std::string next = changed(text.text, std::move(changes));
   if (next.size() > most_bytes) throw Fault("a diagram has 8 MB at most");
   text.text = std::move(next);

@@ -15,6 +15,7 @@ Json hello(const Arguments& arguments) {
 }
 
 Json files(Desk& desk) {
+  const std::lock_guard lock(desk.mutex);
   Json list = Json::list();
   for (const ListedFile& file : desk.files.list())
     list.push(Json::object()
@@ -30,6 +31,7 @@ const std::string& path(Desk& desk, const Arguments& arguments) {
 }
 
 Json open(Desk& desk, const Arguments& arguments) {
+  const std::lock_guard lock(desk.mutex);
   const std::string& file = path(desk, arguments);
   const EditedText& text = desk.files.texts().open(file);
   return Json::object()
@@ -51,6 +53,7 @@ std::vector<TextChange> changes_of(const Arguments& arguments) {
 }
 
 Json edit(Desk& desk, int page, const Arguments& arguments) {
+  const std::lock_guard lock(desk.mutex);
   const EditedText& text =
       desk.files.texts().edit(path(desk, arguments), arguments.whole("version"), changes_of(arguments));
   desk.tell(Json::object()
@@ -63,6 +66,7 @@ Json edit(Desk& desk, int page, const Arguments& arguments) {
 }
 
 Json discard(Desk& desk, int page, const Arguments& arguments) {
+  const std::lock_guard lock(desk.mutex);
   const std::size_t length = utf16_length(desk.files.texts().open(path(desk, arguments)).text);
   const EditedText& text = desk.files.texts().discard(path(desk, arguments));
   const Json all = Json::object().set("from", 0).set("to", length).set("text", text.text);
@@ -76,6 +80,7 @@ Json discard(Desk& desk, int page, const Arguments& arguments) {
 }
 
 Json save(Desk& desk, int page, const Arguments& arguments) {
+  const std::lock_guard lock(desk.mutex);
   const std::string& file = path(desk, arguments);
   if (const auto other = desk.files.texts().save(file, arguments.text("hash"))) {
     const Json conflict = Json::object().set("text", other->saved).set("hash", other->hash);
@@ -98,12 +103,13 @@ Json change_news(int file, const EditedText& text) {
 }
 
 void add_file_calls(Calls& calls, Desk& desk) {
-  calls["hello"] = [](int, const Arguments& arguments) { return hello(arguments); };
-  calls["files"] = [&desk](int, const Arguments&) { return files(desk); };
-  calls["open"] = [&desk](int, const Arguments& arguments) { return open(desk, arguments); };
-  calls["edit"] = [&desk](int page, const Arguments& arguments) { return edit(desk, page, arguments); };
-  calls["discard"] = [&desk](int page, const Arguments& arguments) { return discard(desk, page, arguments); };
-  calls["save"] = [&desk](int page, const Arguments& arguments) { return save(desk, page, arguments); };
+  calls["hello"] = {[](int, const Arguments& arguments) { return hello(arguments); }};
+  calls["files"] = {[&desk](int, const Arguments&) { return files(desk); }};
+  calls["open"] = {[&desk](int, const Arguments& arguments) { return open(desk, arguments); }};
+  calls["edit"] = {[&desk](int page, const Arguments& arguments) { return edit(desk, page, arguments); }};
+  calls["discard"] = {
+      [&desk](int page, const Arguments& arguments) { return discard(desk, page, arguments); }};
+  calls["save"] = {[&desk](int page, const Arguments& arguments) { return save(desk, page, arguments); }};
 }
 
 }  // namespace stepwire::studio

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "engine/app/studio/calls.hpp"
 
 namespace stepwire::studio {
@@ -6,22 +8,30 @@ using json::Json;
 
 namespace {
 
-Json put(const Desk& desk, const Arguments& arguments) {
-  constexpr std::size_t most = 256u << 10u;
+Json get(Desk& desk, const std::string& path) {
+  const std::lock_guard lock(desk.mutex);
+  const std::string layout = desk.store.layout(path);
+  return Json::object().set("state", layout.empty() ? Json() : Json::parse(layout));
+}
+
+Json put(Desk& desk, const std::string& path, std::size_t most, const Arguments& arguments) {
   const std::string layout = arguments.any("state").text(-1);
-  if (layout.size() > most) throw Fault("what is kept of a page has 256 kB at most");
-  desk.store.keep_layout(desk.files.path(0), layout);
+  if (layout.size() > most) throw Fault(fmt::format("what is kept here has {} kB at most", most >> 10u));
+  const std::lock_guard lock(desk.mutex);
+  desk.store.keep_layout(path, layout);
   return Json::object();
 }
 
 }  // namespace
 
 void add_state_calls(Calls& calls, Desk& desk) {
-  calls["state.get"] = [&desk](int, const Arguments&) {
-    const std::string layout = desk.store.layout(desk.files.path(0));
-    return Json::object().set("state", layout.empty() ? Json() : Json::parse(layout));
-  };
-  calls["state.put"] = [&desk](int, const Arguments& arguments) { return put(desk, arguments); };
+  constexpr std::size_t most_of_file = 256u << 10u, most_of_user = 16u << 10u;
+  const std::string file = desk.files.path(0), user;
+  calls["state.get"] = {[&desk, file](int, const Arguments&) { return get(desk, file); }};
+  calls["user.get"] = {[&desk, user](int, const Arguments&) { return get(desk, user); }};
+  calls["state.put"] = {
+      [&desk, file](int, const Arguments& it) { return put(desk, file, most_of_file, it); }};
+  calls["user.put"] = {[&desk, user](int, const Arguments& it) { return put(desk, user, most_of_user, it); }};
 }
 
 }  // namespace stepwire::studio

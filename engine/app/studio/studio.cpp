@@ -7,7 +7,8 @@
 #include <utility>
 
 #include "engine/app/studio/calls.hpp"
-#include "engine/app/studio/lane.hpp"
+#include "engine/app/studio/dispatch.hpp"
+#include "engine/app/studio/live/live_run.hpp"
 #include "engine/app/studio/page_site.hpp"
 
 namespace stepwire::studio {
@@ -18,21 +19,29 @@ using json::Json;
 class Studio::Room : public http::Site {
  public:
   Room(const StudioCall& call, const Registry& registry)
-      : desk_{registry, DiagramFiles(call.file), DraftStore(),
+      : desk_{registry,
+              {},
+              DiagramFiles(call.file),
+              DraftStore(),
               [this](const Json& news, int but) { tell(news, but); }},
-        server_(*this, call.port, call.limits),
-        lane_([this] { tick(); }) {
-    add_file_calls(calls_, desk_);
-    add_drawing_calls(calls_, desk_);
-    add_state_calls(calls_, desk_);
-    server_.start();
+        server_(http::listen(*this, call.port, call.limits)),
+        live_([this](int file) { return edited_model(desk_, file); },
+              {[this](const Json& news) { tell(news, 0); },
+               [this](int page, std::string bytes) { server_->send_bytes(page, std::move(bytes)); }}),
+        calls_(calls_of(desk_, live_)),
+        dispatch_(
+            calls_, [this](int page, std::string text) { server_->send_text(page, std::move(text)); },
+            [this](int page, std::uint32_t sequence) { live_.acknowledge(page, sequence); }),
+        watch_([this] { look_after(); }) {
+    server_->start();
   }
   ~Room() override {
-    server_.stop();
-    lane_.stop();
+    server_->stop();
+    dispatch_.stop();
+    watch_.stop();
   }
 
-  const http::Key& key() const { return server_.key(); }
+  const http::Key& key() const { return server_->key(); }
 
   http::Answer answer(const http::Request& request, const std::string& path) override {
     return page_answer(page_table(), request, path);
@@ -43,44 +52,36 @@ class Studio::Room : public http::Site {
     pages_.insert(page);
   }
   void left(int page) override {
-    const std::lock_guard lock(mutex_);
-    pages_.erase(page);
+    {
+      const std::lock_guard lock(mutex_);
+      pages_.erase(page);
+    }
+    live_.left(page);
   }
   void said(int page, std::string message, http::Ticket ticket) override {
-    lane_.post([this, page, message = std::move(message), ticket = std::move(ticket)] {
-      const std::string answer = answer_to(page, message);
-      if (!answer.empty()) server_.send_text(page, answer);
-    });
+    dispatch_.take(page, message, ticket);
   }
 
  private:
-  std::string answer_to(int page, const std::string& message) {
-    Json answer = Json::object();
-    try {
-      const Json request = Json::parse(message);
-      if (const Json* id = request.find("id"); id && id->as_number()) answer.set("id", *id);
-      answer.set("result", result_of(page, request));
-    } catch (...) {
-      answer.set("fault", fault_in_flight());
-    }
-    return answer.text(-1);
-  }
-
-  Json result_of(int page, const Json& request) {
-    const std::string name = Arguments(request).text("call");
-    const auto call = calls_.find(name);
-    if (call == calls_.end()) throw Fault(fmt::format("there is no call '{}'", name));
-    return call->second(page, Arguments(request));
+  static Calls calls_of(Desk& desk, live::LiveRun& run) {
+    Calls calls;
+    add_file_calls(calls, desk);
+    add_drawing_calls(calls, desk);
+    add_state_calls(calls, desk);
+    add_gallery_calls(calls, desk);
+    add_live_calls(calls, run);
+    return calls;
   }
 
   void tell(const Json& news, int but) {
     const std::string text = news.text(-1);
     const std::lock_guard lock(mutex_);
     for (const int page : pages_)
-      if (page != but) server_.send_text(page, text);
+      if (page != but) server_->send_text(page, text);
   }
 
-  void tick() {
+  void look_after() {
+    const std::lock_guard lock(desk_.mutex);
     desk_.files.texts().keep_drafts();
     desk_.files.texts().look_for_changes([this](const std::string& path, const EditedText& text) {
       tell(change_news(desk_.files.number(path), text), 0);
@@ -88,11 +89,13 @@ class Studio::Room : public http::Site {
   }
 
   Desk desk_;
-  Calls calls_;
   std::mutex mutex_;
   std::set<int> pages_;
-  http::HttpServer server_;
-  Lane lane_;
+  std::unique_ptr<http::HttpServer> server_;
+  live::LiveRun live_;
+  Calls calls_;
+  Dispatch dispatch_;
+  Lane watch_;  ///< of drafts, and of what others change on the disk
 };
 
 Studio::Studio(const StudioCall& call, const Registry& registry)

@@ -20,6 +20,8 @@ class Descriptor {
 
   int number() const { return number_; }
   bool open() const { return number_ >= 0; }
+  /// Whoever takes it closes it.
+  int release() { return std::exchange(number_, -1); }
   void close() {
     if (number_ >= 0) ::close(number_);
     number_ = -1;

@@ -1,12 +1,8 @@
-// The only source that includes Beast and Asio: they take long to compile.
+// More than 300 lines with its header: the only source that includes Beast and Asio, which take long to compile.
 #include "engine/app/studio/http/http_server.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
-#include <boost/asio/ip/v6_only.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
@@ -16,8 +12,8 @@
 #include <thread>
 #include <utility>
 
-#include "engine/app/studio/http/security_headers.hpp"
-#include "engine/base/io/environment_error.hpp"
+#include "engine/app/studio/http/loopback.hpp"
+#include "engine/app/studio/http/reply.hpp"
 
 namespace stepwire::http {
 
@@ -55,29 +51,29 @@ class Place {
   std::size_t& taken_;
 };
 
-}  // namespace
-
 /// All that lives in the server's thread.
-class HttpServer::Service {
+class Server : public HttpServer {
  public:
-  Service(Site& site, std::uint16_t port, Limits limits);
-  void start();
-  void stop();
-  void send(int page, bool text, std::string message);
+  Server(Site& site, std::uint16_t port, const Limits& limits);
+  ~Server() override { stop(); }
 
-  Key key;
+  const Key& key() const override { return key_; }
+  void start() override;
+  void stop() override;
+  void send_text(int page, std::string text) override { send(page, true, std::move(text)); }
+  void send_bytes(int page, std::string bytes) override { send(page, false, std::move(bytes)); }
 
  private:
   class Connection;
   class Page;
 
-  bool listen(std::uint16_t port);
-  tcp::acceptor& add_acceptor(const tcp::endpoint& endpoint);
   void accept(tcp::acceptor& acceptor);
   void take(tcp::socket socket);
+  void send(int page, bool text, std::string message);
 
   Site& site_;
   Limits limits_;
+  Key key_;
   std::size_t connections_ = 0, sockets_ = 0;
   int last_page_ = 0;
   std::map<int, std::weak_ptr<Page>> pages_;
@@ -87,22 +83,20 @@ class HttpServer::Service {
 };
 
 /// A page's socket.
-class HttpServer::Service::Page : public std::enable_shared_from_this<Page> {
+class Server::Page : public std::enable_shared_from_this<Page> {
  public:
-  Page(Service& service, beast::tcp_stream stream, std::shared_ptr<Place> connection)
-      : service_(service),
+  Page(Server& server, beast::tcp_stream stream, std::shared_ptr<Place> connection)
+      : server_(server),
         stream_(std::move(stream)),
         connection_(std::move(connection)),
-        place_(service.sockets_) {
-    const Limits& limits = service_.limits_;
+        place_(server.sockets_) {
+    const Limits& limits = server_.limits_;
     stream_.set_option(ws::stream_base::timeout{limits.handshake, 2 * limits.ping, true});
     stream_.read_message_max(limits.message);
     stream_.auto_fragment(false);
   }
   ~Page() {
-    if (number_ == 0) return;
-    service_.pages_.erase(number_);
-    service_.site_.left(number_);
+    if (server_.pages_.erase(number_) > 0) server_.site_.left(number_);
   }
 
   void accept(std::shared_ptr<Parser> parser) {
@@ -115,7 +109,7 @@ class HttpServer::Service::Page : public std::enable_shared_from_this<Page> {
 
   void send(bool text, std::string message) {
     unsent_ += message.size();
-    if (unsent_ > service_.limits_.unsent) return close();
+    if (unsent_ > server_.limits_.unsent) return close();
     queue_.push_back({text, std::move(message)});
     if (queue_.size() == 1) write();
   }
@@ -129,9 +123,9 @@ class HttpServer::Service::Page : public std::enable_shared_from_this<Page> {
   };
 
   void join() {
-    number_ = ++service_.last_page_;
-    service_.pages_[number_] = weak_from_this();
-    service_.site_.joined(number_);
+    number_ = ++server_.last_page_;
+    server_.pages_[number_] = weak_from_this();
+    server_.site_.joined(number_);
     read();
   }
 
@@ -146,24 +140,22 @@ class HttpServer::Service::Page : public std::enable_shared_from_this<Page> {
     buffer_.consume(buffer_.size());
     const std::size_t size = message.size() + 1024;  // a small one is work, too
     waiting_ += size;
-    service_.site_.said(number_, std::move(message), ticket(size));
-    reads_ = waiting_ <= service_.limits_.waiting;
+    server_.site_.said(number_, std::move(message), ticket(size));
+    reads_ = waiting_ <= server_.limits_.waiting;
     if (reads_) read();
   }
 
-  /// Whoever lets it go may be in any thread.
+  /// Whoever lets it go may be in any thread; the page itself goes in ours.
   Ticket ticket(std::size_t size) {
-    const auto release = [page = weak_from_this(), size, &context = service_.context_](void*) {
-      asio::post(context, [page, size] {
-        if (const auto self = page.lock()) self->done(size);
-      });
-    };
-    return {nullptr, release};
+    return {nullptr, [self = shared_from_this(), size](void*) mutable {
+              asio::io_context& context = self->server_.context_;
+              asio::post(context, [self = std::move(self), size] { self->done(size); });
+            }};
   }
 
   void done(std::size_t size) {
     waiting_ -= size;
-    if (reads_ || waiting_ > service_.limits_.waiting) return;
+    if (reads_ || waiting_ > server_.limits_.waiting) return;
     reads_ = true;
     read();
   }
@@ -179,7 +171,7 @@ class HttpServer::Service::Page : public std::enable_shared_from_this<Page> {
                         });
   }
 
-  Service& service_;
+  Server& server_;
   ws::stream<beast::tcp_stream> stream_;
   std::shared_ptr<Place> connection_;
   Place place_;
@@ -192,18 +184,16 @@ class HttpServer::Service::Page : public std::enable_shared_from_this<Page> {
 };
 
 /// A connection as long as it is none of a page.
-class HttpServer::Service::Connection : public std::enable_shared_from_this<Connection> {
+class Server::Connection : public std::enable_shared_from_this<Connection> {
  public:
-  Connection(Service& service, tcp::socket socket)
-      : service_(service),
-        stream_(std::move(socket)),
-        place_(std::make_shared<Place>(service.connections_)) {}
+  Connection(Server& server, tcp::socket socket)
+      : server_(server), stream_(std::move(socket)), place_(std::make_shared<Place>(server.connections_)) {}
 
   void read() {
     parser_ = std::make_shared<Parser>();
-    parser_->header_limit(service_.limits_.header);
+    parser_->header_limit(server_.limits_.header);
     parser_->body_limit(0);
-    stream_.expires_after(service_.limits_.handshake);
+    stream_.expires_after(server_.limits_.handshake);
     beast::http::async_read(stream_, buffer_, *parser_,
                             [self = shared_from_this()](error_code error, std::size_t) {
                               if (!error) self->decide();
@@ -213,38 +203,16 @@ class HttpServer::Service::Connection : public std::enable_shared_from_this<Conn
  private:
   void decide() {
     const Request request = request_of(*parser_);
-    const Decision decision = http::decide(request, service_.key);
-    switch (decision.kind) {
-      case Decision::Kind::refuse:
-        return send(empty(403), false);
-      case Decision::Kind::enter:
-        return send(entrance(), true);
-      case Decision::Kind::pass:
-        return send(answer(request, decision.path), parser_->keep_alive());
-      case Decision::Kind::upgrade:
-        return upgrade(decision.path);
-    }
-  }
-
-  static Answer empty(int status) { return {status, security_headers(random_token())}; }
-
-  Answer entrance() const {
-    Answer answer = empty(303);
-    answer.headers.push_back({"Location", "/"});
-    answer.headers.push_back({"Set-Cookie", fmt::format("{}={}; HttpOnly; SameSite=Strict; Path=/",
-                                                        cookie_name(service_.key), service_.key.token)});
-    return answer;
-  }
-
-  Answer answer(const Request& request, const std::string& path) const {
-    const bool reads = request.method == "GET" || request.method == "HEAD";
-    return reads ? service_.site_.answer(request, path) : empty(405);
+    const Decision decision = http::decide(request, server_.key_);
+    if (decision.kind == Decision::Kind::upgrade) return upgrade(decision.path);
+    const bool keeps = decision.kind != Decision::Kind::refuse && parser_->keep_alive();
+    send(reply(request, decision, server_.key_, server_.site_), keeps);
   }
 
   void upgrade(const std::string& path) {
-    if (!service_.site_.has_socket(path)) return send(empty(404), false);
-    if (service_.sockets_ >= service_.limits_.pages) return send(empty(503), false);
-    std::make_shared<Page>(service_, std::move(stream_), std::move(place_))->accept(std::move(parser_));
+    if (!server_.site_.has_socket(path)) return send(empty_answer(404), false);
+    if (server_.sockets_ >= server_.limits_.pages) return send(empty_answer(503), false);
+    std::make_shared<Page>(server_, std::move(stream_), std::move(place_))->accept(std::move(parser_));
   }
 
   void send(Answer answer, bool keep) {
@@ -256,14 +224,14 @@ class HttpServer::Service::Connection : public std::enable_shared_from_this<Conn
     response_.body() = {body.data(), body.size()};
     response_.content_length(body.size());
     if (parser_->get().method() == beast::http::verb::head) response_.body() = {};
-    stream_.expires_after(service_.limits_.handshake);
+    stream_.expires_after(server_.limits_.handshake);
     beast::http::async_write(stream_, response_,
                              [self = shared_from_this(), keep](error_code error, std::size_t) {
                                if (!error && keep) self->read();
                              });
   }
 
-  Service& service_;
+  Server& server_;
   beast::tcp_stream stream_;
   std::shared_ptr<Place> place_;
   beast::flat_buffer buffer_;
@@ -272,69 +240,40 @@ class HttpServer::Service::Connection : public std::enable_shared_from_this<Conn
   Response response_;
 };
 
-HttpServer::Service::Service(Site& site, std::uint16_t port, Limits limits) : site_(site), limits_(limits) {
-  key.token = random_token();
-  // Somebody else may have the port at the other address only: then another one is taken, if it may be any.
-  for (int attempt = 0; attempt < (port == 0 ? 16 : 1); ++attempt)
-    if (listen(port)) return;
-  throw io::EnvironmentError(
-      fmt::format("port {} is taken at one of the addresses of this machine; another one is "
-                  "given by --port N",
-                  key.port));
+Server::Server(Site& site, std::uint16_t port, const Limits& limits) : site_(site), limits_(limits) {
+  Loopback both = listen_on_loopback(port);
+  key_ = {both.port, random_token()};
+  acceptors_.emplace_back(context_, tcp::v4(), both.v4.release());
+  if (both.v6.open()) acceptors_.emplace_back(context_, tcp::v6(), both.v6.release());
 }
 
-tcp::acceptor& HttpServer::Service::add_acceptor(const tcp::endpoint& endpoint) {
-  tcp::acceptor& acceptor = acceptors_.emplace_back(context_, endpoint.protocol());
-  acceptor.set_option(tcp::acceptor::reuse_address(true));
-  if (endpoint.protocol() == tcp::v6()) acceptor.set_option(asio::ip::v6_only(true));
-  acceptor.bind(endpoint);
-  acceptor.listen();
-  return acceptor;
-}
-
-bool HttpServer::Service::listen(std::uint16_t port) {
-  acceptors_.clear();
-  key.port = port;
-  try {
-    key.port = add_acceptor({asio::ip::address_v4::loopback(), port}).local_endpoint().port();
-  } catch (const boost::system::system_error& error) {
-    if (error.code() == asio::error::address_in_use) return false;
-    throw io::EnvironmentError(fmt::format("port {}: {}", port, error.code().message()));
-  }
-  try {
-    add_acceptor({asio::ip::address_v6::loopback(), key.port});
-  } catch (const boost::system::system_error& error) {
-    if (error.code() == asio::error::address_in_use) return false;
-    if (acceptors_.size() > 1) acceptors_.pop_back();  // this machine has no IPv6
-  }
-  return true;
-}
-
-void HttpServer::Service::accept(tcp::acceptor& acceptor) {
+void Server::accept(tcp::acceptor& acceptor) {
   acceptor.async_accept([this, &acceptor](error_code error, tcp::socket socket) {
     if (!error) take(std::move(socket));
     if (error != asio::error::operation_aborted) accept(acceptor);
   });
 }
 
-void HttpServer::Service::take(tcp::socket socket) {
+void Server::take(tcp::socket socket) {
   if (connections_ >= limits_.connections) return;
   error_code ignored;
   socket.set_option(tcp::no_delay(true), ignored);
   std::make_shared<Connection>(*this, std::move(socket))->read();
 }
 
-void HttpServer::Service::start() {
+void Server::start() {
   for (tcp::acceptor& acceptor : acceptors_) accept(acceptor);
   thread_ = std::thread([this] { context_.run(); });
 }
 
-void HttpServer::Service::stop() {
+void Server::stop() {
   context_.stop();
   if (thread_.joinable()) thread_.join();
+  // Their sockets are closed later, when the site may be gone.
+  for (const auto& [page, socket] : std::exchange(pages_, {})) site_.left(page);
 }
 
-void HttpServer::Service::send(int page, bool text, std::string message) {
+void Server::send(int page, bool text, std::string message) {
   asio::post(context_, [this, page, text, message = std::move(message)]() mutable {
     const auto found = pages_.find(page);
     if (found == pages_.end()) return;
@@ -342,31 +281,10 @@ void HttpServer::Service::send(int page, bool text, std::string message) {
   });
 }
 
-HttpServer::HttpServer(Site& site, std::uint16_t port, Limits limits)
-    : service_(std::make_unique<Service>(site, port, limits)) {}
+}  // namespace
 
-HttpServer::~HttpServer() {
-  service_->stop();
-}
-
-const Key& HttpServer::key() const {
-  return service_->key;
-}
-
-void HttpServer::start() {
-  service_->start();
-}
-
-void HttpServer::stop() {
-  service_->stop();
-}
-
-void HttpServer::send_text(int page, std::string text) {
-  service_->send(page, true, std::move(text));
-}
-
-void HttpServer::send_bytes(int page, std::string bytes) {
-  service_->send(page, false, std::move(bytes));
+std::unique_ptr<HttpServer> listen(Site& site, std::uint16_t port, const Limits& limits) {
+  return std::make_unique<Server>(site, port, limits);
 }
 
 }  // namespace stepwire::http

@@ -7,25 +7,9 @@
 #include <string>
 
 #include "engine/app/studio/http/gate.hpp"
+#include "engine/app/studio/http/site.hpp"
 
 namespace stepwire::http {
-
-/// As long as a copy exists, the message that it came with counts against its page: a page is not read on
-/// while too much of what it sent waits.
-using Ticket = std::shared_ptr<void>;
-
-/// What is served. All calls come from the server's thread and should return at once.
-class Site {
- public:
-  virtual ~Site() = default;
-  /// The answer to a request that the gate has let pass.
-  virtual Answer answer(const Request& request, const std::string& path) = 0;
-  virtual bool has_socket(const std::string& path) = 0;
-  /// A page has opened a socket; pages count up from 1 and never come again.
-  virtual void joined(int page) = 0;
-  virtual void said(int page, std::string message, Ticket ticket) = 0;
-  virtual void left(int page) = 0;
-};
 
 /// What the server takes from anyone.
 struct Limits {
@@ -42,26 +26,21 @@ struct Limits {
 /// HTTP/1.1 and WebSocket on the loopback addresses, behind the gate. One thread of its own.
 class HttpServer {
  public:
-  /// Listens on 127.0.0.1 and, where there is one, on ::1, both at one port; 0 is any free one. Throws
-  /// EnvironmentError with the system's reason.
-  HttpServer(Site& site, std::uint16_t port, Limits limits = {});
-  ~HttpServer();
-  HttpServer(const HttpServer&) = delete;
-  HttpServer& operator=(const HttpServer&) = delete;
+  virtual ~HttpServer() = default;
 
-  const Key& key() const;
+  virtual const Key& key() const = 0;
   /// Begins to serve.
-  void start();
-  /// Closes all sockets, and returns when the thread has ended.
-  void stop();
+  virtual void start() = 0;
+  /// Returns when the thread has ended and all pages have left. Sockets are closed when the server goes.
+  virtual void stop() = 0;
 
   /// From any thread; nothing where the page has left.
-  void send_text(int page, std::string text);
-  void send_bytes(int page, std::string bytes);
-
- private:
-  class Service;
-  std::unique_ptr<Service> service_;
+  virtual void send_text(int page, std::string text) = 0;
+  virtual void send_bytes(int page, std::string bytes) = 0;
 };
+
+/// Listens on 127.0.0.1 and, where there is one, on ::1, both at one port; 0 is any free one. The site must
+/// outlive the server, and the server all tickets. Throws EnvironmentError with the system's reason.
+std::unique_ptr<HttpServer> listen(Site& site, std::uint16_t port, const Limits& limits = {});
 
 }  // namespace stepwire::http

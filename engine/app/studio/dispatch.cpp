@@ -1,0 +1,71 @@
+#include "engine/app/studio/dispatch.hpp"
+
+#include <fmt/format.h>
+
+#include <exception>
+#include <utility>
+
+#include "engine/base/text/characters.hpp"
+
+namespace stepwire::studio {
+
+using json::Json;
+
+namespace {
+
+const CallRow& row_of(const Calls& calls, const Json& request) {
+  const std::string name = Arguments(request).text("call");
+  const auto row = calls.find(name);
+  if (row == calls.end()) throw Fault(fmt::format("there is no call '{}'", text::visible(name)));
+  return row->second;
+}
+
+}  // namespace
+
+std::optional<std::string> answer_to(const Json& request, const std::function<Json()>& call) {
+  Json answer = Json::object();
+  const Json* id = request.find("id");
+  if (id && id->as_number()) answer.set("id", *id);
+  try {
+    answer.set("result", call());
+    if (!id) return std::nullopt;
+  } catch (...) {
+    answer.set("fault", fault_in_flight());
+  }
+  return answer.text(-1);
+}
+
+Dispatch::Dispatch(const Calls& calls, Send send, Acknowledge acknowledge)
+    : calls_(calls), send_(std::move(send)), acknowledge_(std::move(acknowledge)) {
+  for (const auto& [name, row] : calls) lanes_.try_emplace(row.where);
+}
+
+void Dispatch::take(int page, const std::string& message, const http::Ticket& ticket) {
+  auto request = std::make_shared<Json>();
+  try {
+    *request = Json::parse(message);
+    if (const Json* sequence = request->find("ack"); sequence && sequence->as_number())
+      return acknowledge_(page, static_cast<std::uint32_t>(Arguments(*request).whole("ack")));
+    const CallRow& row = row_of(calls_, *request);
+    lanes_.at(row.where).post([this, page, &row, request, ticket] { answer(page, row, *request); });
+  } catch (...) {
+    refuse(page, *request);
+  }
+}
+
+void Dispatch::answer(int page, const CallRow& row, const Json& request) const {
+  if (auto text = answer_to(request, [&] { return row.act(page, Arguments(request)); }))
+    send_(page, *std::move(text));
+}
+
+void Dispatch::refuse(int page, const Json& request) const {
+  const std::exception_ptr why = std::current_exception();
+  if (auto text = answer_to(request, [&]() -> Json { std::rethrow_exception(why); }))
+    send_(page, *std::move(text));
+}
+
+void Dispatch::stop() {
+  for (auto& [where, lane] : lanes_) lane.stop();
+}
+
+}  // namespace stepwire::studio

@@ -1,0 +1,112 @@
+#include "engine/app/studio/live/frame_views.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "engine/app/studio/live/arguments.hpp"
+#include "engine/app/studio/live/frame.hpp"
+
+namespace stepwire::live {
+
+namespace {
+
+constexpr double most_pixels = 16'384.0;
+constexpr double furthest = 1e9;  // [s]
+
+WantedView read_view(const Arguments& given) {
+  WantedView view;
+  view.columns = given.indices("columns");
+  view.follow = given.number_if_any("follow");
+  view.from = std::clamp(given.number_if_any("from").value_or(0.0), -furthest, furthest);
+  view.to = std::clamp(given.number_if_any("to").value_or(furthest), -furthest, furthest);
+  view.pixels = static_cast<std::size_t>(std::clamp(given.number("pixels"), 1.0, most_pixels));
+  return view;
+}
+
+/// The ticks of a view, of which some may not be there yet.
+SampleRange range_of(const LoadedRun& run, const WantedView& view, std::vector<std::size_t> stored,
+                     std::int64_t end) {
+  const double step = run.plan().diagram.step;
+  SampleRange range{std::move(stored), 0, end, view.pixels};
+  if (view.follow) {
+    range.from = end - static_cast<std::int64_t>(std::ceil(std::min(*view.follow, furthest) / step));
+    return range;
+  }
+  range.from = static_cast<std::int64_t>(std::ceil(view.from / step - 1e-6));
+  const auto last = static_cast<std::int64_t>(std::floor(view.to / step + 1e-6));
+  range.to = view.to >= furthest ? end : last + 1;
+  return range;
+}
+
+}  // namespace
+
+void FrameViews::want(int client, const json::Json& views) {
+  std::map<std::uint16_t, WantedView> wanted;
+  for (const json::Json& item : views.items()) {
+    const Arguments given(item);
+    const double number = given.number("view");
+    if (number < 0.0 || number > 65'535.0) throw std::runtime_error("a view has a number from 0 to 65535");
+    wanted[static_cast<std::uint16_t>(number)] = read_view(given);
+  }
+  const std::lock_guard lock(mutex_);
+  std::erase_if(views_, [&](const auto& entry) {
+    return entry.first.first == client && !wanted.contains(entry.first.second);
+  });
+  for (auto& [number, view] : wanted) {
+    View& known = views_[{client, number}];
+    known.wanted = std::move(view);
+    known.sent.reset();
+  }
+}
+
+void FrameViews::acknowledge(int client, std::uint32_t sequence) {
+  const std::lock_guard lock(mutex_);
+  for (auto& [key, view] : views_)
+    if (key.first == client) view.waiting.erase(sequence);
+}
+
+void FrameViews::left(int client) {
+  const std::lock_guard lock(mutex_);
+  std::erase_if(views_, [&](const auto& entry) { return entry.first.first == client; });
+}
+
+std::vector<std::pair<FrameViews::Key, FrameViews::View>> FrameViews::due(std::uint32_t run,
+                                                                          std::int64_t end) const {
+  const std::lock_guard lock(mutex_);
+  std::vector<std::pair<Key, View>> found;
+  for (const auto& [key, view] : views_)
+    if (view.waiting.size() < most_waiting && view.sent != std::pair(run, end)) found.emplace_back(key, view);
+  return found;
+}
+
+void FrameViews::send(LoadedRun& run) {
+  const std::uint32_t number = run.thread().status().run;
+  const std::int64_t end = run.store().end_tick();
+  for (const auto& [key, view] : due(number, end)) {
+    try {
+      send_view(run, key, view, end);
+    } catch (const std::runtime_error&) {  // a column that this run does not have: the page asks for others
+    }
+    const std::lock_guard lock(mutex_);
+    if (const auto known = views_.find(key); known != views_.end()) known->second.sent = {number, end};
+  }
+}
+
+void FrameViews::send_view(LoadedRun& run, const Key& key, const View& view, std::int64_t end) {
+  const SampleRange range = range_of(run, view.wanted, run.stored(view.wanted.columns), end);
+  const bool is_over = view.sent && view.sent->first == run.thread().status().run && !view.wanted.follow &&
+                       range.to <= view.sent->second && view.sent->second <= end;
+  if (is_over) return;
+  FrameHead head{key.second, 0, run.thread().status().run};
+  {
+    const std::lock_guard lock(mutex_);
+    const auto known = views_.find(key);
+    if (known == views_.end()) return;
+    head.sequence = ++sequence_;
+    known->second.waiting.insert(head.sequence);
+  }
+  send_(key.first, frame(head, run.store().look(range), run.store()));
+}
+
+}  // namespace stepwire::live

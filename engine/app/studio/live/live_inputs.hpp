@@ -1,0 +1,45 @@
+#pragma once
+
+#include <atomic>
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "engine/app/studio/live/event_log.hpp"
+
+namespace stepwire::live {
+
+/// Numbers for an input that a client has read at a time.
+struct InputSample {
+  int client = 0;
+  double time = 0.0;  ///< of seconds_now() [s]
+  std::string name;
+  std::vector<double> values;  ///< SI
+};
+
+/// Samples for the inputs of a diagram, which wait for the tick of their time.
+class LiveInputs {
+ public:
+  /// The plan must outlive it.
+  explicit LiveInputs(const plan::Plan& plan);
+
+  /// From any thread. Throws Error for an input that is not there, or takes another count of numbers.
+  void push(InputSample sample);
+  /// From any thread: what this client has written last is to be the default from now on.
+  void release(int client);
+  /// The events of all samples up to a time, in the order in which they came; `tick` is computed next.
+  std::vector<LiveEvent> take(double time, std::int64_t tick);
+
+ private:
+  std::size_t find(const std::string& name) const;
+
+  const plan::Plan& plan_;
+  std::vector<std::vector<double>> defaults_;  ///< of each input
+  std::mutex mutex_;
+  std::vector<InputSample> waiting_;
+  std::map<std::string, int> writers_;  ///< who has written an input last
+  std::atomic<bool> any_ = false;
+};
+
+}  // namespace stepwire::live

@@ -1,0 +1,276 @@
+// More than 300 lines with its header: the calls of one protocol, and what follows from them for all pages.
+#include "engine/app/studio/live/live_run.hpp"
+
+#include <chrono>
+#include <stdexcept>
+
+#include "engine/app/studio/live/arguments.hpp"
+#include "engine/app/studio/live/fan.hpp"
+#include "engine/app/studio/live/run_description.hpp"
+#include "engine/app/studio/live/run_results.hpp"
+
+namespace stepwire::live {
+
+namespace {
+
+using json::Json;
+
+constexpr double fastest = 10.0, slowest = 0.1;  // rates
+
+}  // namespace
+
+LiveRun::LiveRun(Load load, Sinks sinks)
+    : load_(std::move(load)), sinks_(std::move(sinks)), views_(sinks_.frame) {
+  publisher_ = std::thread([this] { publish(); });
+}
+
+LiveRun::~LiveRun() {
+  {
+    const std::lock_guard lock(wake_mutex_);
+    quits_ = true;
+  }
+  changed_.notify_one();
+  publisher_.join();
+  if (fan_interrupt_) *fan_interrupt_ = true;
+}
+
+const std::map<std::string, LiveRun::Call>& LiveRun::calls() {
+  static const std::map<std::string, Call> all{{"run.load", &LiveRun::load},
+                                               {"run.play", &LiveRun::play},
+                                               {"run.pause", &LiveRun::pause},
+                                               {"run.tick", &LiveRun::tick},
+                                               {"run.restart", &LiveRun::restart},
+                                               {"run.seek", &LiveRun::seek},
+                                               {"run.set", &LiveRun::set},
+                                               {"run.input", &LiveRun::input},
+                                               {"run.log", &LiveRun::log},
+                                               {"clock", &LiveRun::clock},
+                                               {"scope.signal", &LiveRun::signal},
+                                               {"data.want", &LiveRun::want},
+                                               {"data.export", &LiveRun::csv},
+                                               {"data.statistics", &LiveRun::statistics},
+                                               {"figures", &LiveRun::figures},
+                                               {"claims", &LiveRun::claims},
+                                               {"fan", &LiveRun::fan_of},
+                                               {"scene", &LiveRun::scene},
+                                               {"scene.watch", &LiveRun::watch_scene},
+                                               {"profile", &LiveRun::profile}};
+  return all;
+}
+
+std::vector<std::string> LiveRun::call_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, call] : calls()) names.push_back(name);
+  return names;
+}
+
+Json LiveRun::call(int page, const std::string& name, const Json& arguments) {
+  const auto found = calls().find(name);
+  if (found == calls().end()) throw std::runtime_error("there is no call '" + name + "'");
+  return (this->*found->second)(page, Arguments(arguments));
+}
+
+void LiveRun::acknowledge(int page, std::uint32_t sequence) {
+  views_.acknowledge(page, sequence);
+  wake();
+}
+
+void LiveRun::left(int page) {
+  views_.left(page);
+  const std::lock_guard lock(mutex_);
+  if (loaded_) loaded_->thread().release(page);
+  clocks_.erase(page);
+  scene_watchers_.erase(page);
+}
+
+LiveRun::Loaded LiveRun::loaded() const {
+  const std::lock_guard lock(mutex_);
+  if (!loaded_) throw std::runtime_error("no model is loaded; run.load comes first");
+  return loaded_;
+}
+
+void LiveRun::put(Loaded next) {
+  Loaded before;
+  {
+    const std::lock_guard lock(mutex_);
+    before = std::exchange(loaded_, std::move(next));
+    runs_ = loaded_->thread().status().run + 1;
+    if (fan_interrupt_) *fan_interrupt_ = true;
+  }
+  if (before) before->thread().pause();
+  wake();
+}
+
+Json LiveRun::load(int, const Arguments& arguments) {
+  session::LoadedModel model = load_(static_cast<int>(arguments.number("file")));
+  RunThread::Options options;
+  options.code = &code_;
+  options.changed = [this] { wake(); };
+  {
+    const std::lock_guard lock(mutex_);
+    if (loaded_) runs_ = std::max(runs_, loaded_->thread().status().run + 1);
+    options.run = runs_;
+  }
+  const auto run = std::make_shared<LoadedRun>(std::move(model), std::move(options));
+  Json description = run_description(*run);
+  put(run);
+  return description;
+}
+
+Json LiveRun::moment(LoadedRun& run) const {
+  const RunStatus status = run.thread().status();
+  return Json::object().set("tick", status.tick).set("time", status.time);
+}
+
+Json LiveRun::play(int, const Arguments& arguments) {
+  const double rate = arguments.number_if_any("rate").value_or(1.0);
+  if (rate != 0.0 && (rate < slowest || rate > fastest))
+    throw std::runtime_error("the rate is 0 (as fast as it goes) or from 0.1 to 10");
+  const Loaded run = loaded();
+  run->thread().play(rate);
+  return moment(*run);
+}
+
+Json LiveRun::pause(int, const Arguments&) {
+  const Loaded run = loaded();
+  run->thread().pause();
+  return moment(*run);
+}
+
+Json LiveRun::tick(int, const Arguments&) {
+  const Loaded run = loaded();
+  const std::int64_t tick = run->thread().one_tick();
+  return Json::object().set("tick", tick).set("time", run->plan().time_of(tick));
+}
+
+Json LiveRun::restart(int, const Arguments&) {
+  loaded()->thread().restart();
+  return Json::object().set("tick", 0).set("time", 0.0);
+}
+
+Json LiveRun::seek(int, const Arguments& arguments) {
+  const Loaded run = loaded();
+  const std::int64_t tick = run->thread().seek(arguments.number("time"));
+  return Json::object().set("tick", tick).set("time", run->plan().time_of(tick));
+}
+
+Json LiveRun::set(int, const Arguments& arguments) {
+  const std::string name = arguments.text("name");
+  const auto number = arguments.number_if_no_text("value");
+  const SetResult set =
+      loaded()->thread().set(name, number ? fmt::format("{}", *number) : arguments.text("value"));
+  Json echo = Json::object()
+                  .set("name", name)
+                  .set("value", set.value ? Json(*set.value) : Json())
+                  .set("text", set.text)
+                  .set("tick", set.tick);
+  sinks_.news(Json(echo).set("news", "set"));
+  return echo;
+}
+
+Json LiveRun::input(int page, const Arguments& arguments) {
+  const Loaded run = loaded();
+  const double now = seconds_now();
+  for (const Json& item : arguments.list("samples").items()) {
+    const Arguments sample(item);
+    double time = sample.number("time");
+    {
+      const std::lock_guard lock(mutex_);
+      PageClock& clock = clocks_[page];
+      clock.came(time, now);
+      time = clock.here(time);
+    }
+    run->thread().input({page, time, sample.text("name"), sample.numbers("values")});
+  }
+  return {};
+}
+
+Json LiveRun::log(int, const Arguments&) {
+  const Loaded run = loaded();
+  Json settings = Json::list();
+  for (const diagram::Setting& setting : run->model().options.settings)
+    settings.push(Json::object().set("name", setting.name).set("text", setting.value));
+  return Json::object()
+      .set("file", run->model().file)
+      .set("hash", run->model().hash)
+      .set("settings", std::move(settings))
+      .set("events", run->thread().log().json());
+}
+
+Json LiveRun::clock(int page, const Arguments& arguments) {
+  const double shown = arguments.number("page"), now = seconds_now();
+  const std::lock_guard lock(mutex_);
+  clocks_[page].came(shown, now);
+  return Json::object().set("page", shown).set("server", now);
+}
+
+Json LiveRun::signal(int, const Arguments& arguments) {
+  const Loaded run = loaded();
+  const std::size_t index = run->find(arguments.text("expression"));
+  const LiveColumn column = run->column(index);
+  run->stored(index);
+  return Json::object()
+      .set("column", index)
+      .set("name", column.name)
+      .set("unit", column.unit)
+      .set("scale", column.scale)
+      .set("offset", column.offset);
+}
+
+Json LiveRun::want(int page, const Arguments& arguments) {
+  views_.want(page, arguments.list("views"));
+  wake();
+  return Json::object();
+}
+
+Json LiveRun::statistics(int, const Arguments& arguments) {
+  return statistics_of(*loaded(), arguments.indices("columns"), arguments.number("from"),
+                       arguments.number("to"));
+}
+
+Json LiveRun::csv(int, const Arguments& arguments) {
+  return Json::object().set("csv", csv_of(*loaded(), arguments.indices("columns"), arguments.number("from"),
+                                          arguments.number("to")));
+}
+
+Json LiveRun::figures(int, const Arguments&) {
+  return figures_now(*loaded());
+}
+
+Json LiveRun::claims(int, const Arguments&) {
+  return claims_now(*loaded());
+}
+
+Json LiveRun::fan_of(int, const Arguments& arguments) {
+  const FanCall call{arguments.text("name"), arguments.number("low"), arguments.number("high"),
+                     static_cast<std::size_t>(std::max(0.0, arguments.number("count"))),
+                     arguments.indices("columns")};
+  const auto interrupt = std::make_shared<std::atomic<bool>>(false);
+  {
+    const std::lock_guard lock(mutex_);
+    if (fan_interrupt_) *fan_interrupt_ = true;
+    fan_interrupt_ = interrupt;
+  }
+  return fan(*loaded(), call, *interrupt);
+}
+
+Json LiveRun::scene(int, const Arguments&) {
+  const Loaded run = loaded();
+  return Json::object().set("scene", run->model().scene ? SceneNow(*run).description() : Json());
+}
+
+Json LiveRun::watch_scene(int page, const Arguments& arguments) {
+  const bool on = arguments.flag("on");
+  const std::lock_guard lock(mutex_);
+  if (on) scene_watchers_.insert(page);
+  if (!on) scene_watchers_.erase(page);
+  scene_asked_ = true;
+  return Json::object();
+}
+
+Json LiveRun::profile(int, const Arguments&) {
+  const std::atomic<bool> interrupt = false;
+  return profile_now(*loaded(), interrupt);
+}
+
+}  // namespace stepwire::live

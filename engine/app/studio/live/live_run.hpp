@@ -1,0 +1,109 @@
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "engine/app/studio/live/arguments.hpp"
+#include "engine/app/studio/live/frame_views.hpp"
+#include "engine/app/studio/live/page_clock.hpp"
+#include "engine/app/studio/live/scene_now.hpp"
+#include "engine/simulate/codegen/generated_code.hpp"
+
+namespace stepwire::live {
+
+/// Where what pages are to see goes. Called from any thread; must return soon.
+struct Sinks {
+  std::function<void(json::Json news)> news;               ///< to all pages
+  std::function<void(int page, std::string bytes)> frame;  ///< data of one view
+};
+
+/// Loads the model of a file by its number, with the texts that its page has; throws Error.
+using Load = std::function<session::LoadedModel(int file)>;
+
+/// What runs under the pages of a studio: one model and its run, and what the pages see of it. Calls may come
+/// from several threads; those that take long (run.load, figures, claims, fan, profile, data.export) hold up
+/// no others. They throw std::runtime_error, Error or EnvironmentError, and change nothing then.
+class LiveRun {
+ public:
+  LiveRun(Load load, Sinks sinks);
+  ~LiveRun();
+
+  /// The calls of the studio's protocol: run.*, data.*, clock, scope.signal, figures, claims, fan, scene,
+  /// scene.watch, profile.
+  json::Json call(int page, const std::string& name, const json::Json& arguments);
+  /// The names of all calls.
+  static std::vector<std::string> call_names();
+  void acknowledge(int page, std::uint32_t sequence);
+  /// A page has gone: its views end, and the inputs that it wrote last have their defaults.
+  void left(int page);
+
+ private:
+  using Loaded = std::shared_ptr<LoadedRun>;
+  using Call = json::Json (LiveRun::*)(int page, const Arguments& arguments);
+  static const std::map<std::string, Call>& calls();
+
+  json::Json load(int page, const Arguments& arguments);
+  json::Json play(int page, const Arguments& arguments);
+  json::Json pause(int page, const Arguments& arguments);
+  json::Json tick(int page, const Arguments& arguments);
+  json::Json restart(int page, const Arguments& arguments);
+  json::Json seek(int page, const Arguments& arguments);
+  json::Json set(int page, const Arguments& arguments);
+  json::Json input(int page, const Arguments& arguments);
+  json::Json log(int page, const Arguments& arguments);
+  json::Json clock(int page, const Arguments& arguments);
+  json::Json signal(int page, const Arguments& arguments);
+  json::Json want(int page, const Arguments& arguments);
+  json::Json statistics(int page, const Arguments& arguments);
+  json::Json csv(int page, const Arguments& arguments);
+  json::Json figures(int page, const Arguments& arguments);
+  json::Json claims(int page, const Arguments& arguments);
+  json::Json fan_of(int page, const Arguments& arguments);
+  json::Json scene(int page, const Arguments& arguments);
+  json::Json watch_scene(int page, const Arguments& arguments);
+  json::Json profile(int page, const Arguments& arguments);
+
+  /// Throws std::runtime_error where nothing is loaded.
+  Loaded loaded() const;
+  void put(Loaded next);
+  json::Json moment(LoadedRun& run) const;
+  void wake();
+  void publish();
+  void publish_now(const Loaded& run, double now);
+  void publish_run(const Loaded& run, double now);
+  void publish_scene(const Loaded& run, double now);
+
+  Load load_;
+  Sinks sinks_;
+  codegen::GeneratedCode code_;
+  FrameViews views_;
+  mutable std::mutex mutex_;
+  Loaded loaded_;
+  std::map<int, PageClock> clocks_;
+  std::set<int> scene_watchers_;
+  bool scene_asked_ = false;  ///< by a page that has not seen it
+  std::shared_ptr<std::atomic<bool>> fan_interrupt_;
+  std::uint32_t runs_ = 0;
+
+  // Of the thread that publishes.
+  std::condition_variable changed_;
+  std::mutex wake_mutex_;
+  bool is_woken_ = false, quits_ = false;
+  Loaded scene_of_;  ///< before what looks at it
+  std::optional<SceneNow> scene_;
+  std::jthread judge_;  ///< of claims
+  std::int64_t scene_tick_ = -1;
+  std::optional<RunStatus> told_;
+  double told_at_ = 0.0, scene_at_ = 0.0;
+  std::thread publisher_;  ///< last: it uses the others
+};
+
+}  // namespace stepwire::live

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "engine/app/session/loaded_model.hpp"
+#include "engine/app/studio/live/run_thread.hpp"
+
+namespace stepwire::live {
+
+/// A column as the page counts them: all signals, then the formulas that were asked for.
+struct LiveColumn {
+  std::string name;
+  std::optional<unit::Dimension> dimension;
+  std::string unit;    ///< in which it is shown
+  double scale = 1.0;  ///< shown = SI * scale + offset
+  double offset = 0.0;
+  std::optional<query::Formula> formula{};  ///< none: it is a signal
+};
+
+/// A model and its run, and the columns by which a page calls its signals. From any thread.
+class LoadedRun {
+ public:
+  LoadedRun(session::LoadedModel model, RunThread::Options options);
+
+  const session::LoadedModel& model() const { return model_; }
+  const plan::Plan& plan() const { return model_.job.plan; }
+  const SignalList& signals() const { return signals_; }
+  RunThread& thread() { return *thread_; }
+  const SampleStore& store() const { return thread_->store(); }
+
+  /// The column of a name or an expression, "cart.position in mm". Throws Error where there is something
+  /// wrong with it.
+  std::size_t find(const std::string& expression);
+  /// Throws std::runtime_error where there is none.
+  LiveColumn column(std::size_t index) const;
+  /// Where its samples are, which are stored from now on at the latest.
+  std::size_t stored(std::size_t index);
+  std::vector<std::size_t> stored(const std::vector<std::size_t>& columns);
+
+  /// The first tick at or behind a time, 0 to that behind the last sample.
+  std::int64_t tick_at(double time) const;
+
+ private:
+  session::LoadedModel model_;
+  SignalList signals_;
+  query::SymbolTable names_;
+  std::unique_ptr<RunThread> thread_;
+  mutable std::mutex mutex_;
+  std::vector<LiveColumn> formulas_;
+  std::map<std::string, std::size_t> known_;   ///< columns of expressions
+  std::map<std::size_t, std::size_t> stored_;  ///< columns of the store
+};
+
+}  // namespace stepwire::live

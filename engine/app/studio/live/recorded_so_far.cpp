@@ -1,0 +1,82 @@
+#include "engine/app/studio/live/recorded_so_far.hpp"
+
+#include <algorithm>
+
+#include "engine/simulate/run/pooling.hpp"
+
+namespace stepwire::live {
+
+namespace {
+
+/// The ticks at which an entry has rows.
+std::vector<std::int64_t> ticks_of(const plan::Plan& plan, const diagram::RecordRequest& request,
+                                   std::int64_t end, bool ended) {
+  const std::int64_t every = record::ticks_between_rows(plan, request);
+  std::vector<std::int64_t> ticks;
+  for (std::int64_t tick = 0; tick < end; tick += every) ticks.push_back(tick);
+  if (ended && end > 0 && (end - 1) % every != 0) ticks.push_back(end - 1);
+  return ticks;
+}
+
+/// Each of the ticks' numbers of a column of the store.
+std::vector<double> picked(const SampleStore& store, std::size_t column,
+                           const std::vector<std::int64_t>& ticks) {
+  std::vector<double> values, part;
+  values.reserve(ticks.size());
+  for (std::size_t i = 0; i < ticks.size();) {
+    const std::int64_t first = ticks[i];
+    part.resize(
+        static_cast<std::size_t>(std::min<std::int64_t>(SampleColumn::chunk, ticks.back() - first + 1)));
+    store.read(column, first, part);
+    for (; i < ticks.size() && ticks[i] - first < std::ssize(part); ++i)
+      values.push_back(part[static_cast<std::size_t>(ticks[i] - first)]);
+  }
+  return values;
+}
+
+/// The columns of what the file sweeps, with one value each: the present one.
+void add_swept(const diagram::Diagram& diagram, RunThread& run, record::Recording& recording) {
+  if (!diagram.sweep) return;
+  auto place = recording.table.columns.begin() + 1;
+  for (const diagram::Sweep::Axis& axis : diagram.sweep->axes) {
+    const auto parameter =
+        std::ranges::find(diagram.parameters, axis.parameter, &diagram::DiagramParameter::name);
+    const bool known = parameter != diagram.parameters.end();
+    double value = run.value(axis.parameter).value_or(0.0);
+    if (run::has_words(axis)) {
+      const std::vector<std::string> words = run::words_of(axis);
+      const auto word = std::ranges::find(words, known ? parameter->text : "");
+      value = word == words.end() ? 0.0 : static_cast<double>(word - words.begin());
+      recording.categories.push_back({axis.parameter, words});
+    }
+    const std::string unit =
+        known && parameter->dimension ? unit::si_name(*parameter->dimension) : std::string();
+    const std::size_t rows = recording.table.rows();
+    place =
+        recording.table.columns.insert(place, {axis.parameter, unit, std::vector<double>(rows, value)}) + 1;
+  }
+}
+
+}  // namespace
+
+std::vector<record::Recording> recorded_so_far(const session::LoadedModel& model, const SignalList& signals,
+                                               RunThread& run, bool ended) {
+  const plan::Plan& plan = model.job.plan;
+  const std::int64_t end = run.store().end_tick();
+  std::vector<record::Recording> recordings;
+  for (const diagram::RecordRequest& request : plan.diagram.records) {
+    record::Recording& recording = recordings.emplace_back();
+    recording.table.columns = record::empty_columns(plan, request);
+    const std::vector<std::int64_t> ticks = ticks_of(plan, request, end, ended);
+    for (const std::int64_t tick : ticks)
+      recording.table.columns.front().values.push_back(plan.time_of(tick));
+    for (std::size_t i = 1; i < recording.table.columns.size(); ++i) {
+      table::Column& column = recording.table.columns[i];
+      column.values = picked(run.store(), run.stored(*signals.find(column.name)), ticks);
+    }
+    add_swept(plan.diagram, run, recording);
+  }
+  return recordings;
+}
+
+}  // namespace stepwire::live

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "engine/app/session/loaded_model.hpp"
+#include "engine/app/studio/live/run_thread.hpp"
+
+namespace stepwire::live {
+
+/// What the file's entries of `record` have by now, the same bits as `run` writes at its end, with the
+/// present values of what the file sweeps. `ended`: the last tick makes a row, too, where the period skips
+/// it.
+std::vector<record::Recording> recorded_so_far(const session::LoadedModel& model, const SignalList& signals,
+                                               RunThread& run, bool ended);
+
+}  // namespace stepwire::live

@@ -1,0 +1,143 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "engine/app/studio/live/command_queue.hpp"
+#include "engine/app/studio/live/event_log.hpp"
+#include "engine/app/studio/live/live_code.hpp"
+#include "engine/app/studio/live/live_inputs.hpp"
+#include "engine/app/studio/live/moments.hpp"
+#include "engine/app/studio/live/pace.hpp"
+#include "engine/app/studio/live/row_gathering.hpp"
+#include "engine/simulate/run/drive.hpp"
+
+namespace stepwire::live {
+
+/// How a run stands.
+struct RunStatus {
+  enum class State { playing, paused, ended };
+  State state = State::paused;
+  std::uint32_t run = 0;    ///< counts up with restart and seek
+  std::int64_t tick = 0;    ///< that was computed last
+  double time = 0.0;        ///< of it [s]
+  double rate = 0.0;        ///< seconds of the run in one of the clock, lately
+  double wanted = 1.0;      ///< the same as it should be; 0: as fast as it goes
+  std::int64_t missed = 0;  ///< ticks that came more than 20 ms late
+  bool compiled = false;
+  std::string fault;  ///< that ended it; empty where none did
+};
+
+/// What set() came to.
+struct SetResult {
+  std::optional<double> value;  ///< SI; nothing where it is no number
+  std::string text;
+  std::int64_t tick = 0;  ///< from which on it holds
+};
+
+/// Computes a run on a thread of its own, as others have it go on: each call takes effect between two ticks.
+/// What is set and what is written to inputs is logged with its tick; a return to an earlier moment computes
+/// the same bits again and goes on with the values that are set now.
+class RunThread : private run::RunObserver {
+ public:
+  struct Options {
+    plan::CodeSource* code = nullptr;  ///< null: all is interpreted
+    StoreOptions store{};
+    std::uint32_t run = 0;          ///< number of the run
+    std::function<void()> changed;  ///< called by the run's thread; must return soon
+  };
+
+  /// Computes the tick of time 0, and is paused then. Plan and signals must outlive it.
+  RunThread(const plan::Plan& plan, const SignalList& signals, Options options);
+  ~RunThread() override;
+
+  /// From any thread; each returns once it has taken effect, and one_tick() which one it will be.
+  void play(double rate);
+  void pause();
+  std::int64_t one_tick();
+  /// Begins anew with the values that are set now.
+  void restart();
+  /// Goes to a time as fast as it goes, back by a kept moment; returns the tick to which it goes.
+  std::int64_t seek(double time);
+  /// Throws Error where the value is refused.
+  SetResult set(const std::string& name, const std::string& text);
+  /// Numbers for an input, at a time of seconds_now(); throws Error where their count is wrong. Returns at
+  /// once.
+  void input(const InputSample& sample);
+  /// Inputs that this client has written last have their defaults from the next tick on.
+  void release(int client);
+  /// The column of the store that has a signal of the list, which is stored from now on at the latest.
+  std::size_t stored(std::size_t signal);
+  /// The same for a formula.
+  std::size_t stored(const query::Formula& formula);
+
+  RunStatus status() const;
+  const SampleStore& store() const { return rows_.store(); }
+  EventLog log();
+  /// The present value of a parameter, SI; nothing where it is no number.
+  std::optional<double> value(const std::string& parameter);
+
+ private:
+  /// One run of the plan, from its start or from a moment on.
+  struct Life {
+    explicit Life(const plan::Plan& plan) : run(plan), drive(run, no_recorders) {}
+    run::Executor run;
+    std::vector<record::Recorder> no_recorders;
+    run::Drive drive;
+  };
+
+  run::Flow before_tick(const run::ObservedRun&) override;
+  void evaluated(const run::ObservedRun&) override;
+
+  template <class Act>
+  void act(const Act& act);
+  void go_to(std::int64_t tick);
+  void main();
+  void begin_life();
+  void live();
+  void rest();
+  bool wait_for_turn();
+  bool is_due();
+  void wait_until(std::optional<double> time);
+  void do_events(std::int64_t tick);
+  void add_event(LiveEvent event);
+  void start_anew();
+  void go_back(std::int64_t tick);
+  void carry_values(std::int64_t tick);
+  std::optional<double> value_of(const std::string& name, const std::string& text) const;
+  std::int64_t next_tick() const { return shown_ + 1; }
+  void tell();
+
+  const plan::Plan& plan_;
+  Options options_;
+  CommandQueue commands_;
+  LiveCode code_;
+  RowGathering rows_;
+  LiveInputs inputs_;
+  Moments moments_;
+  Pace pace_;
+  EventLog log_;
+  std::unique_ptr<Life> life_;
+  std::atomic<bool> quits_ = false;
+  bool plays_ = false, ended_ = false;
+  bool is_paced_ = false;                ///< does the pace know the next tick?
+  double flushed_ = 0.0;                 ///< when rows were handed to the store last
+  std::int64_t shown_ = -1;              ///< the tick that was computed last; -1: none
+  std::int64_t goal_ = 0;                ///< up to this tick it goes as fast as it goes
+  std::int64_t known_ = 0;               ///< ticks before this one are computed again, as the log has them
+  std::optional<std::int64_t> back_to_;  ///< the tick at which another life begins
+  std::uint32_t lives_;                  ///< number of this one
+  std::string fault_;
+  mutable std::mutex status_mutex_;
+  RunStatus status_;
+  std::thread thread_;  ///< last: it uses the others
+};
+
+}  // namespace stepwire::live

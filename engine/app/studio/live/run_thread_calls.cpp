@@ -1,0 +1,134 @@
+// What other threads have a run do.
+#include <algorithm>
+#include <cmath>
+
+#include "engine/app/studio/live/run_thread.hpp"
+#include "engine/model/diagram/variation.hpp"
+
+namespace stepwire::live {
+
+/// Has the run's thread do something, and shows how the run stands then.
+template <class Act>
+void RunThread::act(const Act& act) {
+  commands_.ask([&] {
+    act();
+    tell();
+  });
+}
+
+void RunThread::go_to(std::int64_t tick) {
+  back_to_ = tick;
+  ended_ = false;
+}
+
+void RunThread::play(double rate) {
+  act([&] {
+    if (ended_) go_to(before_start);
+    pace_.begin(rate, next_tick(), seconds_now());
+    is_paced_ = false;
+    plays_ = true;
+  });
+}
+
+void RunThread::pause() {
+  act([&] {
+    plays_ = false;
+    goal_ = std::min(goal_, shown_);
+  });
+}
+
+std::int64_t RunThread::one_tick() {
+  return commands_.ask([&] {
+    plays_ = false;
+    goal_ = ended_ ? shown_ : next_tick();
+    tell();
+    return goal_;
+  });
+}
+
+void RunThread::restart() {
+  act([&] { go_to(before_start); });
+}
+
+std::int64_t RunThread::seek(double time) {
+  const double ticks =
+      std::clamp(std::round(time / plan_.diagram.step), 0.0, static_cast<double>(plan_.steps));
+  const auto tick = static_cast<std::int64_t>(ticks);
+  act([&] {
+    if (tick <= shown_)
+      go_to(tick);
+    else
+      goal_ = tick;
+    is_paced_ = false;
+  });
+  return tick;
+}
+
+SetResult RunThread::set(const std::string& name, const std::string& text) {
+  return commands_.ask([&] {
+    add_event({next_tick(), name, text, {}, 0.0});
+    code_.was_set(name);
+    return SetResult{value_of(name, text), text, next_tick()};
+  });
+}
+
+std::optional<double> RunThread::value_of(const std::string& name, const std::string& text) const {
+  const auto& parameters = plan_.diagram.parameters;
+  const auto found = std::ranges::find(parameters, name, &diagram::DiagramParameter::name);
+  if (found != parameters.end()) {
+    const Value& value = life_->run.parameter(static_cast<std::size_t>(found - parameters.begin()));
+    const double* number = std::get_if<double>(&value.content);
+    return number ? std::optional(*number) : std::nullopt;
+  }
+  const auto quantity = unit::parse_quantity(text);
+  return quantity ? std::optional(quantity->value) : std::nullopt;
+}
+
+void RunThread::input(const InputSample& sample) {
+  inputs_.push(sample);
+}
+
+void RunThread::release(int client) {
+  inputs_.release(client);
+}
+
+std::size_t RunThread::stored(std::size_t signal) {
+  return commands_.ask([&] { return rows_.column(signal, next_tick()); });
+}
+
+std::size_t RunThread::stored(const query::Formula& formula) {
+  return commands_.ask([&] { return rows_.column(formula, next_tick()); });
+}
+
+EventLog RunThread::log() {
+  return commands_.ask([&] { return log_; });
+}
+
+std::optional<double> RunThread::value(const std::string& parameter) {
+  return commands_.ask([&] { return value_of(parameter, ""); });
+}
+
+RunStatus RunThread::status() const {
+  const std::lock_guard lock(status_mutex_);
+  return status_;
+}
+
+void RunThread::tell() {
+  {
+    const std::lock_guard lock(status_mutex_);
+    status_.state = ended_   ? RunStatus::State::ended
+                    : plays_ ? RunStatus::State::playing
+                             : RunStatus::State::paused;
+    status_.run = lives_;
+    status_.tick = std::max<std::int64_t>(shown_, 0);
+    status_.time = plan_.time_of(status_.tick);
+    status_.rate = plays_ ? pace_.measured() : 0.0;
+    status_.wanted = pace_.rate();
+    status_.missed = pace_.missed();
+    status_.compiled = life_ && life_->run.compiled();
+    status_.fault = fault_;
+  }
+  if (options_.changed) options_.changed();
+}
+
+}  // namespace stepwire::live

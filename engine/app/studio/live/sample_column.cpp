@@ -1,0 +1,148 @@
+#include "engine/app/studio/live/sample_column.hpp"
+
+#include <limits>
+
+namespace stepwire::live {
+
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr std::uint64_t none = UINT64_MAX;
+
+}  // namespace
+
+SampleColumn::SampleColumn(SpillFile& file, std::int64_t first_tick, std::size_t in_memory)
+    : file_(file), in_memory_(in_memory) {
+  start(first_tick);
+}
+
+/// Begins at a tick, with nothing before it: chunks of all columns begin at the same ticks.
+void SampleColumn::start(std::int64_t tick) {
+  first_tick_ = tick;
+  base_ = tick / chunk * chunk;
+  filled_ = static_cast<std::size_t>(tick - base_);
+  std::fill_n(tail_->begin(), filled_, nothing);
+}
+
+void SampleColumn::append(const double* values, std::size_t count, std::size_t stride) {
+  for (std::size_t done = 0; done < count;) {
+    if (filled_ == tail_->size()) seal();
+    const std::size_t fitting = std::min(count - done, tail_->size() - filled_);
+    double* to = tail_->data() + filled_;
+    for (std::size_t i = 0; i < fitting; ++i) to[i] = values[(done + i) * stride];
+    filled_ += fitting;
+    done += fitting;
+  }
+}
+
+void SampleColumn::seal() {
+  chunks_.push_back(file_.write(*tail_));
+  filled_ = 0;
+  if (levels_.empty()) levels_.emplace_back();
+  for (std::int64_t first = 0; first < chunk; first += block)
+    levels_.front().push_back(extremes_of({tail_->data() + first, static_cast<std::size_t>(block)}));
+  for (std::size_t level = 0; level < levels_.size(); ++level) raise(level);
+  std::unique_ptr<Chunk> unused;
+  recent_.push_back(std::move(tail_));
+  if (recent_.size() > in_memory_) {
+    unused = std::move(recent_.front());
+    recent_.pop_front();
+  }
+  tail_ = unused ? std::move(unused) : std::make_unique<Chunk>();
+}
+
+/// Makes the blocks of the level above that are complete now.
+void SampleColumn::raise(std::size_t level) {
+  if (levels_[level].size() < factor) return;
+  if (level + 1 == levels_.size()) levels_.emplace_back();
+  const std::vector<Extremes>& below = levels_[level];
+  std::vector<Extremes>& above = levels_[level + 1];
+  while ((above.size() + 1) * factor <= below.size()) {
+    Extremes all;
+    for (std::size_t i = 0; i < factor; ++i) all.take(below[above.size() * factor + i]);
+    above.push_back(all);
+  }
+}
+
+void SampleColumn::cut(std::int64_t tick) {
+  if (tick >= end_tick()) return;
+  const auto whole = static_cast<std::size_t>(std::max<std::int64_t>(0, tick - base_) / chunk);
+  if (whole < chunks_.size()) {
+    const auto left = static_cast<std::size_t>(std::max<std::int64_t>(0, tick - base_) % chunk);
+    const std::span<const double> kept = part(base_ + static_cast<std::int64_t>(whole) * chunk, left);
+    std::copy(kept.begin(), kept.end(), tail_->begin());
+    recent_.resize(recent_.size() - std::min(recent_.size(), chunks_.size() - whole));
+    for (std::size_t i = whole; i < chunks_.size(); ++i) file_.give_back(chunks_[i]);
+    chunks_.resize(whole);
+    read_index_ = none;
+  }
+  std::size_t blocks = whole * static_cast<std::size_t>(chunk / block);
+  for (std::vector<Extremes>& level : levels_) {
+    level.resize(std::min(level.size(), blocks));
+    blocks /= factor;
+  }
+  if (tick < first_tick_) return start(tick);
+  filled_ = static_cast<std::size_t>(tick - sealed_end());
+}
+
+std::span<const double> SampleColumn::part(std::int64_t begin, std::size_t count) const {
+  const auto index = static_cast<std::size_t>((begin - base_) / chunk);
+  const auto first = static_cast<std::size_t>((begin - base_) % chunk);
+  if (index == chunks_.size()) return {tail_->data() + first, count};
+  const std::size_t oldest = chunks_.size() - recent_.size();
+  if (index >= oldest) return {recent_[index - oldest]->data() + first, count};
+  if (!read_) read_ = std::make_unique<Chunk>();
+  if (read_index_ != index) {
+    read_index_ = none;
+    file_.read(chunks_[index], 0, *read_);
+    read_index_ = index;
+  }
+  return {read_->data() + first, count};
+}
+
+Extremes SampleColumn::of_samples(std::int64_t begin, std::int64_t end) const {
+  Extremes all;
+  each_part(begin, end, [&](std::int64_t, std::span<const double> values) { all.take(extremes_of(values)); });
+  return all;
+}
+
+/// Goes up as long as whole blocks of the next level lie between the ends.
+Extremes SampleColumn::of_blocks(std::size_t begin, std::size_t end) const {
+  Extremes all;
+  const auto take = [&](std::size_t level, std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i < to; ++i) all.take(levels_[level][i]);
+  };
+  for (std::size_t level = 0; begin < end; ++level) {
+    const std::size_t first = (begin + factor - 1) / factor, last = end / factor;
+    if (level + 1 == levels_.size() || first >= last) {
+      take(level, begin, end);
+      break;
+    }
+    take(level, begin, first * factor);
+    take(level, last * factor, end);
+    begin = first;
+    end = last;
+  }
+  return all;
+}
+
+Extremes SampleColumn::extremes(std::int64_t begin, std::int64_t end) const {
+  begin = std::max(begin, first_tick_);
+  const std::int64_t first = (begin - base_ + block - 1) / block;
+  const std::int64_t last = (std::min(end, sealed_end()) - base_) / block;
+  if (first >= last) return of_samples(begin, end);
+  Extremes all = of_blocks(static_cast<std::size_t>(first), static_cast<std::size_t>(last));
+  all.take(of_samples(begin, base_ + first * block));
+  all.take(of_samples(base_ + last * block, end));
+  return all;
+}
+
+void SampleColumn::read(std::int64_t begin, std::span<double> into) const {
+  std::fill(into.begin(), into.end(), nothing);
+  each_part(begin, begin + static_cast<std::int64_t>(into.size()),
+            [&](std::int64_t first, std::span<const double> values) {
+              std::copy(values.begin(), values.end(), into.begin() + (first - begin));
+            });
+}
+
+}  // namespace stepwire::live

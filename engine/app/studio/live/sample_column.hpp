@@ -1,0 +1,79 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "engine/app/studio/live/extremes.hpp"
+#include "engine/app/studio/live/spill_file.hpp"
+
+namespace stepwire::live {
+
+/// The samples of one signal, one for each tick from the first on: the newest in memory, all on disk, and the
+/// extremes of 64, 256, 1024, ... of them in memory (a 24th part of what the samples take). Where there is no
+/// sample it has none: nan.
+class SampleColumn {
+ public:
+  static constexpr std::int64_t chunk = 4096;  ///< ticks; each begins at a multiple
+  static constexpr std::int64_t block = 64;    ///< ticks of the lowest level of extremes
+  static constexpr std::size_t factor = 4;     ///< blocks of a level in one of the next
+
+  /// Keeps `in_memory` chunks beside the one that is filled. The file must outlive it.
+  SampleColumn(SpillFile& file, std::int64_t first_tick, std::size_t in_memory);
+
+  std::int64_t first_tick() const { return first_tick_; }
+  /// The tick behind the last sample.
+  std::int64_t end_tick() const { return sealed_end() + static_cast<std::int64_t>(filled_); }
+
+  /// Appends `count` samples, `stride` numbers apart. Throws EnvironmentError.
+  void append(const double* values, std::size_t count, std::size_t stride);
+  /// Forgets all from a tick on, which may lie before the first: then it begins there.
+  void cut(std::int64_t tick);
+
+  /// Of the ticks begin, begin + 1, ..., end - 1.
+  Extremes extremes(std::int64_t begin, std::int64_t end) const;
+  /// The samples from a tick on, as many as `into` has.
+  void read(std::int64_t begin, std::span<double> into) const;
+  /// Hands the samples of these ticks on that there are, in parts one behind the other, each with its first
+  /// tick.
+  template <class Take>
+  void each_part(std::int64_t begin, std::int64_t end, const Take& take) const {
+    begin = std::max(begin, first_tick_);
+    end = std::min(end, end_tick());
+    while (begin < end) {
+      const std::int64_t next = std::min(end, (begin / chunk + 1) * chunk);
+      take(begin, part(begin, static_cast<std::size_t>(next - begin)));
+      begin = next;
+    }
+  }
+
+ private:
+  using Chunk = std::array<double, static_cast<std::size_t>(chunk)>;
+
+  std::int64_t sealed_end() const { return base_ + static_cast<std::int64_t>(chunks_.size()) * chunk; }
+  void start(std::int64_t tick);
+  void seal();
+  void raise(std::size_t level);
+  /// Samples of one chunk; good until the next call.
+  std::span<const double> part(std::int64_t begin, std::size_t count) const;
+  Extremes of_samples(std::int64_t begin, std::int64_t end) const;
+  Extremes of_blocks(std::size_t begin, std::size_t end) const;
+
+  SpillFile& file_;
+  std::int64_t first_tick_ = 0, base_ = 0;  ///< of the first sample, and of its chunk
+  std::size_t in_memory_;
+  std::unique_ptr<Chunk> tail_ = std::make_unique<Chunk>();
+  std::size_t filled_ = 0;                     ///< of the tail
+  std::vector<std::uint64_t> chunks_;          ///< where the full ones lie in the file
+  std::deque<std::unique_ptr<Chunk>> recent_;  ///< the last of these
+  std::vector<std::vector<Extremes>> levels_;  ///< of full chunks
+  mutable std::unique_ptr<Chunk> read_;        ///< the chunk that was read last
+  mutable std::uint64_t read_index_ = UINT64_MAX;
+};
+
+}  // namespace stepwire::live

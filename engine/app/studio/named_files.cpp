@@ -1,0 +1,69 @@
+#include "engine/app/studio/named_files.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <string_view>
+
+namespace stepwire::studio {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// As a diagram names files.
+fs::path written_path(const std::string& text, const fs::path& folder) {
+  const fs::path path(text);
+  if (!path.is_absolute() && *path.begin() == "data" && !data_folder().empty())
+    return data_folder() / path.lexically_relative("data");
+  return folder / path;
+}
+
+/// Is there something that can be read? Folders cannot.
+bool is_file(const fs::path& path) {
+  std::error_code none;
+  const fs::file_status status = fs::status(path, none);
+  return fs::exists(status) && !fs::is_directory(status);
+}
+
+class Search {
+ public:
+  explicit Search(const yaml::Document& document) : folder_(fs::path(document.file).parent_path()) {
+    look(document.root, false);
+  }
+
+  std::vector<NamedFile> found;
+
+ private:
+  void look(const yaml::Node& node, bool is_part) {
+    if (node.is_scalar()) take(node, is_part);
+    for (const yaml::Entry& entry : node.entries) look(entry.value, entry.key == "diagram");
+    for (const yaml::Node& item : node.items) look(item, false);
+  }
+
+  void take(const yaml::Node& node, bool is_part) {
+    constexpr std::size_t longest = 4096;
+    const std::string& text = node.text;
+    if (text.empty() || text.size() > longest || text.find_first_of(std::string_view("\n\0", 2)) != text.npos)
+      return;
+    const fs::path written = written_path(text, folder_), path = written.lexically_normal();
+    if (!is_file(written) && (text.find("..") == text.npos || !is_file(path))) return;
+    std::error_code none;
+    const bool is_plain = fs::weakly_canonical(written, none) == fs::weakly_canonical(path, none);
+    found.push_back({path.string(), text, node.mark, is_part, is_plain});
+  }
+
+  fs::path folder_;
+};
+
+}  // namespace
+
+std::string data_folder() {
+  const char* named = std::getenv("STEPWIRE_DATA");
+  return named ? named : "";
+}
+
+std::vector<NamedFile> named_files(const yaml::Document& document) {
+  return Search(document).found;
+}
+
+}  // namespace stepwire::studio

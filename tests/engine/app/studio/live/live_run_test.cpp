@@ -1,0 +1,297 @@
+#include "engine/app/studio/live/live_run.hpp"
+
+#include <catch2/catch.hpp>
+#include <cstring>
+
+#include "engine/app/session/session.hpp"
+#include "engine/view/plot/figure_spec.hpp"
+#include "tests/engine/app/studio/live/waiting.hpp"
+
+namespace stepwire::live {
+
+namespace {
+
+using json::Json;
+
+const std::string swing = R"(stepwire: 1
+title: A swing
+step: 1 ms
+stop: 3 s
+solver: rk4
+parameters: {mass: {value: 2 kg, above: 0 kg, at_most: 9 kg, doc: of the slide}}
+inputs: {push: {unit: N, default: 1 N}}
+record: {every: 10 ms, signals: [slide.position, slide.velocity, both]}
+blocks:
+  spring: {block: Gain, u: slide.position, gain: -100 N/m}
+  net: {block: Sum, u: [push, spring]}
+  slide: {block: Mass, force: net, mass: $mass}
+  both: {block: Mux, u: [slide.position, 2 m]}
+figure:
+  - {plot: lines, x: time in s, y: slide.position in mm, y_label: way}
+  - {plot: path, x: slide.position in mm, y: slide.velocity in mm/s, color: time in s}
+scene:
+  view: {x: [-1 m, 1 m], y: [-1 m, 1 m]}
+  objects:
+    ball: {ball: [slide.position, 0 m], radius: 10 mm, color: {red: slide.position > 5 mm, else: blue}}
+claims:
+  - {that: it swings, spread: slide.position, at_least: 1 mm}
+  - {that: it stays, max: slide.position, at_most: 0 mm}
+  - {that: it is red at times, max: scene.ball.red, equals: 1, within: 0}
+)";
+
+/// What pages were sent.
+struct Received {
+  Sinks sinks() {
+    return {[this](Json one) {
+              const std::lock_guard lock(mutex);
+              news.push_back(std::move(one));
+            },
+            [this](int page, std::string bytes) {
+              const std::lock_guard lock(mutex);
+              frames.emplace_back(page, std::move(bytes));
+            }};
+  }
+  std::optional<Json> last(const std::string& kind) const {
+    const std::lock_guard lock(mutex);
+    for (auto one = news.rbegin(); one != news.rend(); ++one)
+      if (*one->find("news")->as_text() == kind) return *one;
+    return std::nullopt;
+  }
+  std::size_t frame_count() const {
+    const std::lock_guard lock(mutex);
+    return frames.size();
+  }
+
+  mutable std::mutex mutex;
+  std::vector<Json> news;
+  std::vector<std::pair<int, std::string>> frames;
+};
+
+struct Studio {
+  explicit Studio(const std::string& text) {
+    run.emplace(
+        [text](int) {
+          diagram::Loader loader(library());
+          loader.add(yaml::parse_document(text, "swing.yaml"));
+          return session::load_model(loader, "swing.yaml", {});
+        },
+        received.sinks());
+  }
+  Json call(const std::string& name, const std::string& arguments = "{}", int page = 1) {
+    return run->call(page, name, Json::parse(arguments));
+  }
+  void run_to_end() {
+    call("run.play", R"({"rate": 0})");
+    wait_until([&] {
+      const auto news = received.last("run");
+      return news && *news->find("state")->as_text() == "ended";
+    });
+  }
+
+  Received received;
+  std::optional<LiveRun> run;
+};
+
+template <class Number>
+Number number_at(const std::string& bytes, std::size_t place) {
+  Number number;
+  std::memcpy(&number, bytes.data() + place, sizeof(Number));
+  return number;
+}
+
+const Json& at(const Json& list, std::size_t index) {
+  return list.items()[index];
+}
+
+}  // namespace
+
+TEST_CASE("a model that is loaded says what there is to see and to set") {
+  Studio studio(swing);
+  CHECK_THROWS_WITH(studio.call("run.play"), Catch::Contains("run.load"));
+  const Json loaded = studio.call("run.load", R"({"file": 1})");
+  CHECK(*loaded.find("step")->as_number() == 1e-3);
+  CHECK(*loaded.find("figures")->as_number() == 2.0);
+  CHECK(*loaded.find("scene")->as_flag());
+  CHECK(*at(*loaded.find("columns"), 0).find("name")->as_text() == "slide.position");
+  CHECK(*at(*loaded.find("columns"), 2).find("name")->as_text() == "both.1");
+  const Json& mass = at(*loaded.find("parameters"), 0);
+  CHECK(*mass.find("text")->as_text() == "2 kg");
+  CHECK(*mass.find("low")->as_number() == 0.0);
+  CHECK(*mass.find("high")->as_number() == 9.0);
+  CHECK(loaded.find("parameters")->text().find("spring.gain") != std::string::npos);
+  const Json& scope = at(*loaded.find("scopes"), 0);
+  CHECK(loaded.find("scopes")->items().size() == 1);
+  CHECK(*at(*scope.find("traces"), 0).find("unit")->as_text() == "mm");
+  CHECK(*at(*scope.find("traces"), 0).find("scale")->as_number() == Approx(1000.0));
+  CHECK(*at(*loaded.find("inputs"), 0).find("unit")->as_text() == "N");
+}
+
+TEST_CASE("frames have the layout of the protocol and wait for their acknowledgement") {
+  Studio studio(swing);
+  studio.call("run.load", R"({"file": 1})");
+  studio.run_to_end();
+  studio.call("data.want",
+              R"({"views": [{"view": 7, "columns": [0, 1], "from": 0.1, "to": 0.2, "pixels": 100}]})");
+  wait_until([&] { return studio.received.frame_count() > 0; });
+  const auto [page, bytes] = studio.received.frames.back();
+  CHECK(page == 1);
+  CHECK(bytes.substr(0, 4) == "SWD1");
+  CHECK(number_at<std::uint8_t>(bytes, 4) == 1);
+  CHECK(number_at<std::uint8_t>(bytes, 5) == 0);
+  CHECK(number_at<std::uint16_t>(bytes, 6) == 7);
+  const auto rows = number_at<std::uint32_t>(bytes, 12);
+  REQUIRE(rows == 101);
+  CHECK(number_at<std::uint16_t>(bytes, 16) == 3);
+  CHECK(number_at<double>(bytes, 24) == 3.0);
+  REQUIRE(bytes.size() == 32 + 3 * 8 * rows);
+  CHECK(number_at<double>(bytes, 32) == 0.1);
+  CHECK(number_at<double>(bytes, 32 + 8 * (rows - 1)) == 0.2);
+}
+
+TEST_CASE("a page that acknowledges nothing gets two frames of a view and no more") {
+  Studio studio(swing);
+  studio.call("run.load", R"({"file": 1})");
+  studio.call("data.want", R"({"views": [{"view": 1, "columns": [0], "follow": 1, "pixels": 50}]})");
+  for (int i = 0; i < 6; ++i) {
+    studio.call("run.tick");
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  CHECK(studio.received.frame_count() == 2);
+  studio.run->acknowledge(1, number_at<std::uint32_t>(studio.received.frames[0].second, 8));
+  wait_until([&] { return studio.received.frame_count() == 3; });
+  studio.run->left(1);
+  studio.run->acknowledge(1, number_at<std::uint32_t>(studio.received.frames[1].second, 8));
+  studio.call("run.tick");
+  std::this_thread::sleep_for(std::chrono::milliseconds(30));
+  CHECK(studio.received.frame_count() == 3);
+}
+
+TEST_CASE("figures and claims at the end are those of a run") {
+  Studio studio(swing);
+  studio.call("run.load", R"({"file": 1})");
+  CHECK(*at(*studio.call("claims").find("claims"), 0).find("verdict")->as_text() == "open");
+  studio.run_to_end();
+  wait_until([&] { return studio.received.last("claims").has_value(); });
+  const Json claims = *studio.received.last("claims")->find("claims");
+  CHECK(*at(claims, 0).find("verdict")->as_text() == "ok");
+  CHECK(*at(claims, 1).find("verdict")->as_text() == "FAIL");
+  CHECK(*at(claims, 2).find("verdict")->as_text() == "ok");
+
+  diagram::Loader loader(library());
+  loader.add(yaml::parse_document(swing, "swing.yaml"));
+  const session::LoadedModel model = session::load_model(loader, "swing.yaml", {});
+  const session::Outcome outcome = session::run_model(model, {});
+  const Json figures = *studio.call("figures").find("figures");
+  REQUIRE(figures.items().size() == 2);
+  for (std::size_t i = 0; i < 2; ++i)
+    CHECK(figures.items()[i].text() ==
+          plot::figure_json(plot::figure_spec(model.figures[i], outcome.recordings())).text());
+}
+
+TEST_CASE("a figure grows while the run goes on") {
+  Studio studio(swing);
+  studio.call("run.load", R"({"file": 1})");
+  const std::string before = studio.call("figures").text();
+  studio.call("run.seek", R"({"time": 0.5})");
+  wait_until([&] { return studio.call("run.pause").find("tick")->as_number() == 500.0; });
+  CHECK(studio.call("figures").text().size() > before.size());
+}
+
+TEST_CASE("what is set is told to all pages with its value and tick") {
+  Studio studio(swing);
+  studio.call("run.load", R"({"file": 1})");
+  const Json echo = studio.call("run.set", R"({"name": "mass", "value": "3000 g"})");
+  CHECK(*echo.find("value")->as_number() == 3.0);
+  CHECK(*echo.find("tick")->as_number() == 1.0);
+  CHECK(*studio.received.last("set")->find("text")->as_text() == "3000 g");
+  CHECK(*studio.call("run.set", R"({"name": "mass", "value": 4})").find("value")->as_number() == 4.0);
+  CHECK_THROWS_WITH(studio.call("run.set", R"({"name": "mass", "value": "10 kg"})"), Catch::Contains("9 kg"));
+  CHECK_THROWS_WITH(studio.call("run.set", R"({"name": "mass"})"), Catch::Contains("'value'"));
+}
+
+TEST_CASE("an expression has a unit, is a column, and is read in it") {
+  Studio studio(swing);
+  studio.call("run.load", R"({"file": 1})");
+  const Json signal = studio.call("scope.signal", R"({"expression": "2*slide.position + 1 mm in mm"})");
+  CHECK(*signal.find("unit")->as_text() == "mm");
+  CHECK(*signal.find("scale")->as_number() == Approx(1000.0));
+  CHECK_THROWS_WITH(studio.call("scope.signal", R"({"expression": "slide.position + slide.velocity"})"),
+                    Catch::Contains("m/s"));
+  CHECK_THROWS_WITH(studio.call("scope.signal", R"({"expression": "slide.positio"})"),
+                    Catch::Contains("slide.position"));
+  studio.run_to_end();
+  const std::string column = std::to_string(static_cast<int>(*signal.find("column")->as_number()));
+  const Json seen = studio.call("data.statistics", R"({"from": 0, "to": 3, "columns": [0, )" + column + "]}");
+  const Json& plain = at(*seen.find("statistics"), 0);
+  const Json& formula = at(*seen.find("statistics"), 1);
+  CHECK(*formula.find("max")->as_number() == Approx(2.0 * *plain.find("max")->as_number() + 1e-3));
+  const std::string csv =
+      *studio.call("data.export", R"({"from": 0, "to": 0.001, "columns": [0, )" + column + "]}")
+           .find("csv")
+           ->as_text();
+  CHECK(csv.find("[mm]") != std::string::npos);
+  CHECK(std::ranges::count(csv, '\n') == 3);
+}
+
+TEST_CASE("a scene is shown as the newest tick has it, to pages that watch") {
+  Studio studio(swing);
+  studio.call("run.load", R"({"file": 1})");
+  const Json scene = *studio.call("scene").find("scene");
+  CHECK(*at(*scene.find("objects"), 0).find("kind")->as_text() == "ball");
+  studio.call("run.tick");
+  CHECK_FALSE(studio.received.last("scene"));
+  studio.call("scene.watch", R"({"on": true})");
+  studio.run_to_end();
+  wait_until([&] {
+    const auto news = studio.received.last("scene");
+    return news && news->find("time")->as_number() == 3.0;
+  });
+  const Json news = *studio.received.last("scene");
+  const Json& ball = at(*news.find("shapes"), 0);
+  const Json end = studio.call("data.statistics", R"({"from": 3, "to": 3, "columns": [0]})");
+  CHECK(at(at(*ball.find("points"), 0), 0).as_number() ==
+        at(*end.find("statistics"), 0).find("last")->as_number());
+}
+
+TEST_CASE("a fan has the run of each value, with what is set beside it") {
+  Studio studio(swing);
+  studio.call("run.load", R"({"file": 1})");
+  studio.call("run.set", R"({"name": "spring.gain", "value": "-50 N/m"})");
+  const Json fan = studio.call("fan", R"({"name": "mass", "low": 1, "high": 3, "count": 3, "columns": [0]})");
+  REQUIRE(fan.find("points")->items().size() == 3);
+  const Json& middle = at(*fan.find("points"), 1);
+  CHECK(*middle.find("value")->as_number() == 2.0);
+  studio.call("run.restart");
+  studio.run_to_end();
+  const Json& last = at(*middle.find("columns"), 0).items().back();
+  const Json end = studio.call("data.statistics", R"({"from": 3, "to": 3, "columns": [0]})");
+  CHECK(last.as_number() == at(*end.find("statistics"), 0).find("last")->as_number());
+  CHECK_THROWS(studio.call("fan", R"({"name": "mass", "low": -1, "high": 3, "count": 3, "columns": [0]})"));
+}
+
+TEST_CASE("inputs of a page that has gone have their defaults") {
+  Studio studio(swing);
+  studio.call("run.load", R"({"file": 1})");
+  studio.call("clock", R"({"page": 1000})");
+  studio.call("run.input", R"({"samples": [{"time": 1000.0, "name": "push", "values": [5]}]})");
+  studio.call("run.input", R"({"samples": [{"time": 1000.0, "name": "push", "values": [6]}]})", 2);
+  studio.call("run.tick");
+  studio.run->left(1);
+  studio.call("run.tick");
+  studio.run->left(2);
+  studio.call("run.tick");
+  wait_until([&] { return studio.call("run.log").find("events")->items().size() == 3; });
+  const Json events = *studio.call("run.log").find("events");
+  CHECK(*at(*at(events, 1).find("values"), 0).as_number() == 6.0);
+  CHECK(*at(*at(events, 2).find("values"), 0).as_number() == 1.0);
+  CHECK(*at(events, 2).find("tick")->as_number() == 3.0);
+}
+
+TEST_CASE("blocks of a model are profiled beside its run") {
+  Studio studio(swing);
+  studio.call("run.load", R"({"file": 1})");
+  const Json profile = studio.call("profile");
+  CHECK(profile.find("blocks")->items().size() >= 4);
+}
+
+}  // namespace stepwire::live

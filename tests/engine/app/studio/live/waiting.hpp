@@ -1,0 +1,36 @@
+#pragma once
+
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <thread>
+
+#include "blocks/register.hpp"
+#include "engine/app/studio/live/run_thread.hpp"
+
+namespace stepwire::live {
+
+inline const Registry& library() {
+  static const Registry registry = blocks();
+  return registry;
+}
+
+/// Waits until something has come true on another thread; a minute is a failure.
+template <class Condition>
+void wait_until(const Condition& holds) {
+  for (int i = 0; i < 60'000 && !holds(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  REQUIRE(holds());
+}
+
+inline void wait_for_end(const RunThread& run) {
+  wait_until([&] { return run.status().state == RunStatus::State::ended; });
+}
+
+/// Until a run stands still at a tick, all of which is stored.
+inline void wait_for_tick(const RunThread& run, std::int64_t tick) {
+  wait_until([&] {
+    return run.status().state != RunStatus::State::playing && run.status().tick == tick &&
+           run.store().end_tick() == tick + 1;
+  });
+}
+
+}  // namespace stepwire::live
