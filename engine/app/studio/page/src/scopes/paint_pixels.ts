@@ -46,7 +46,7 @@ function makeRoom(count: number): void {
 }
 
 const middle = (i: number): number => (pixels.top[i] + pixels.bottom[i]) / 2;
-const isNext = (i: number): boolean => i > 0 && pixels.x[i] - pixels.x[i - 1] <= bridged;
+const isNext = (i: number): boolean => i > 0 && i < pixels.count && pixels.x[i] - pixels.x[i - 1] <= bridged;
 
 /** Did the rows of a pixel reach what a line from middle to middle does not cover? */
 function sticksOut(i: number, ratio: number): boolean {
@@ -55,20 +55,29 @@ function sticksOut(i: number, ratio: number): boolean {
   return pixels.top[i] < Math.min(own, before, after) - slack || pixels.bottom[i] > Math.max(own, before, after) + slack;
 }
 
-/** A line through the middles; where a pixel reached farther, a bar, through which the line goes on at its height. */
+/** A line through the middles; where a pixel reached farther it goes over all of that, from the end that is nearer to the last pixel. */
 function paintLine(context: CanvasRenderingContext2D, ratio: number): void {
   context.lineWidth = 1.5 * ratio;
   context.beginPath();
-  let last = NaN;
-  for (let i = 0; i < pixels.count; ++i) {
-    const isBar = sticksOut(i, ratio), y = isBar && isNext(i) ? Math.min(pixels.bottom[i], Math.max(pixels.top[i], last)) : middle(i);
-    if (isNext(i)) context.lineTo(pixels.x[i] + 0.5, y);
-    else context.moveTo(pixels.x[i] + 0.5, y);
-    if (isBar) context.fillRect(pixels.x[i], pixels.top[i] - 0.5 * ratio, 1, pixels.bottom[i] - pixels.top[i] + ratio);
-    last = y;
+  for (let i = 0, last = NaN; i < pixels.count; ++i) {
+    const x = pixels.x[i] + 0.5, own = middle(i), [first, second] = sticksOut(i, ratio) ? endsFrom(i, last) : [own, own];
+    if (isNext(i)) context.lineTo(x, first);
+    else context.moveTo(x, first);
+    if (second !== first) context.lineTo(x, second);
+    last = second !== first && isNext(i + 1) ? towards(i, i + 1) : second;
+    if (last !== second) context.lineTo(x, last);
   }
   context.stroke();
 }
+
+/** Both ends of what a pixel reached, the one first that is nearer to `last`. */
+function endsFrom(i: number, last: number): [number, number] {
+  const {top, bottom} = pixels;
+  return Math.abs(last - bottom[i]) < Math.abs(last - top[i]) ? [bottom[i], top[i]] : [top[i], bottom[i]];
+}
+
+/** Where in pixel `i` the curve is nearest to the middle of another. */
+const towards = (i: number, other: number): number => Math.min(pixels.bottom[i], Math.max(pixels.top[i], middle(other)));
 
 /** A bar for each pixel, on to where the pixel before ended, so that the curve has no gaps. */
 function paintBars(context: CanvasRenderingContext2D): void {
