@@ -45,7 +45,7 @@ export const usual = {
   "state.get": () => ({state: {"tour.seen": true}}), "state.put": () => ({}), blocks: () => ({blocks: []}), language: () => ({}),
   graph: () => ({graph: {title: "", nodes: [], edges: []}, ranges: {}}), "data.want": () => ({}), clock: ({page}) => ({page, server: page}),
   "run.load": () => ({run: 1, step: 0.001, stop: 1, columns: [], parameters: [], scopes: [], inputs: [], scene: false, figures: 0, claims: []}),
-  gallery: () => ({entries: []}), mechanism: () => ({mechanisms: []}), scene: () => ({scene: null}), figures: () => ({figures: []}), claims: () => ({claims: []}),
+  gallery: () => ({entries: []}), mechanism: () => ({mechanisms: []}), "run.play": () => ({}), scene: () => ({scene: null}), figures: () => ({figures: []}), claims: () => ({claims: []}),
 };
 
 /**

@@ -80,6 +80,7 @@ test("a pointer is the hand: it takes hold, moves with the time of its events, a
   assert.ok(samples.filter(({name}) => name === "pointer").length >= 8);
   samples.slice(1).forEach(({time}, i) => assert.ok(time >= samples[i].time));
   assert.ok(calls.some(({call}) => call === "clock"), "the clocks are compared");
+  assert.equal(calls.filter(({call}) => call === "run.play").length, 1, "a paused run goes on when somebody takes hold");
   assert.match(await text(page, ".scene-words"), /resistance is seen, not felt/i);
 }));
 

@@ -10,7 +10,12 @@ import {describeScene, type SceneInfo, type SceneNews, shapesOf, startOf} from "
 import {Steering} from "./steering";
 import "./scene.css";
 
-const seen = "The resistance is seen, not felt.";
+/** What every scene with a hand says, whatever its diagram adds. */
+function wordsOf({pointer}: SceneInfo): string {
+  if (!pointer) return "The hand of this diagram is its own: the scene shows only.";
+  const {text} = pointer, seen = /seen.*not felt/i.test(text) ? "" : "The resistance is seen, not felt.";
+  return ["Press and move over the scene, or use arrow keys or a gamepad.", text, seen].filter(Boolean).join(" ");
+}
 
 /** The scene of the file while it runs; whoever moves a pointer, arrow keys or a gamepad over it is the hand. */
 export class SceneView implements View {
@@ -101,7 +106,7 @@ export class SceneView implements View {
     const canvas = (this.canvas = new SceneCanvas(this.stage, info));
     this.stage.append(canvas.element);
     canvas.fit();
-    this.words.textContent = info.pointer ? `${info.pointer.text || "Press and move: you are the hand that pulls."} ${seen}` : "The hand of this diagram is its own: the scene shows only.";
+    this.words.textContent = wordsOf(info);
     this.stay.hidden = !info.pointer;
     canvas.element.classList.toggle("scene-playable", Boolean(info.pointer));
     canvas.element.setAttribute("aria-label", `Scene${info.title ? ` of ${info.title}` : ""}${info.pointer ? "; arrows move the hand, Esc lets go" : ""}; D says what it shows`);
@@ -144,6 +149,8 @@ export class SceneView implements View {
     const samples = this.hand?.collect() ?? [];
     if (samples.length === 0) return;
     this.context.connection.tell("run.input", {samples});
+    // Who takes hold wants it to go.
+    if (this.hand?.held && this.context.run.news.state === "paused" && samples.some(({name}) => name === this.info?.pointer?.held)) void this.context.run.play();
     this.latency.sent(samples);
     this.showState();
     this.draw();
@@ -167,7 +174,7 @@ export class SceneView implements View {
   }
 
   private showState(): void {
-    const {news} = this.context.run, parts = [news.state === "playing" ? "" : news.state === "ended" ? "The run has ended." : "The run is paused."];
+    const {news} = this.context.run, parts = [news.state === "playing" ? "" : news.state === "ended" ? "The run has ended; restart it to go on." : "The run is paused."];
     if (this.hand) parts.push(this.hand.held ? "You hold." : "Nobody holds.");
     const lag = this.latency.median, text = parts.filter(Boolean).join(" ");
     if (this.state.textContent !== text) this.state.textContent = text;
