@@ -5,6 +5,9 @@ import {h, listen} from "../shell/dom";
 import {type Entry, found} from "./search";
 import "./gallery.css";
 
+/** What groups are called, which the server names by their folders. */
+const titles: Record<string, string> = {examples: "Examples, one idea each", thesis: "Figures and tables of the thesis", parts: "Parts"};
+
 /** Examples and figures of the thesis to start from: the chosen one is copied beside the file of the studio and opened. */
 export function openGallery(context: Context): void {
   new Gallery(context).open();
@@ -40,13 +43,12 @@ class Gallery {
   }
 
   private search(): void {
-    this.shown = found(this.entries, this.query.value);
-    const groups = new Map<string, HTMLElement[]>();
-    this.shown.forEach((entry, i) => {
-      if (!groups.has(entry.group)) groups.set(entry.group, []);
-      groups.get(entry.group)!.push(this.option(entry, i));
+    const all = found(this.entries, this.query.value), groups = [...new Set(all.map(({group}) => group))];
+    this.shown = groups.flatMap((group) => all.filter((entry) => entry.group === group));
+    const parts = groups.map((group) => {
+      const title = titles[group] ?? group, options = this.shown.flatMap((entry, i) => (entry.group === group ? [this.option(entry, i)] : []));
+      return h("div", {role: "group", "aria-label": title}, h("div", {class: "gallery-group", "aria-hidden": true}, title), ...options);
     });
-    const parts = [...groups].map(([group, options]) => h("div", {role: "group", "aria-label": group}, h("div", {class: "gallery-group", "aria-hidden": true}, group), ...options));
     this.list.replaceChildren(...parts, ...(this.shown.length === 0 ? [h("p", {class: "empty"}, "Nothing has these words.")] : []));
     this.choose(0);
   }
