@@ -63,6 +63,7 @@ async function load(file: number): Promise<void> {
 serveRequests(context);
 context.workbench.on("root", (file) => void load(file));
 context.workbench.on("changed", () => context.run.markStale());
+context.workbench.on("faults", ({faults}) => { if (faults.length === 0 && !context.run.loaded && context.run.file !== null) void load(context.workbench.root); });
 
 let isStarted = false;
 connection.on("connection", async ({state, hello, fault}) => {

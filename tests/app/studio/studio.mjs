@@ -1,0 +1,110 @@
+// The studio as a person starts it: the program on a copy of a diagram, and a browser with its page.
+
+import {execFileSync, spawn} from "node:child_process";
+import {existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
+import {tmpdir} from "node:os";
+import {join} from "node:path";
+
+const playwright = await import("playwright-core").then((all) => all.default ?? all, () => undefined);
+const executablePath = [process.env.STEPWIRE_CHROMIUM, "/usr/bin/chromium"].find((path) => path && existsSync(path));
+const program = process.env.STEPWIRE_PROGRAM;
+
+/** Why there is no page to be tested here; false where there is one. */
+export const missing = !program ? "STEPWIRE_PROGRAM names the program"
+  : !playwright ? "playwright-core is not installed: npm ci in tests/app/studio"
+  : !executablePath ? "chromium is not installed; on Debian it is the package chromium"
+  : false;
+
+/** Resolves with the address that the program prints. */
+function addressOf(server) {
+  return new Promise((resolve, reject) => {
+    let printed = "";
+    server.stdout.on("data", (piece) => {
+      printed += piece;
+      const address = /http:\/\/127\.0\.0\.1:\d+\/\?token=\w+/.exec(printed);
+      if (address) resolve(address[0]);
+    });
+    server.stderr.on("data", (piece) => { printed += piece; });
+    server.on("exit", (code) => reject(new Error(`the studio ended with ${code}: ${printed}`)));
+  });
+}
+
+/** A folder with one diagram file, the studio that serves it, and its page. */
+export class Studio {
+  errors = [];
+
+  /** `state` is a folder for what the studio keeps for its user, so that nothing of who runs the test is read. */
+  static async opened(text, {width = 1400, height = 900, colorScheme = "light", name = "diagram.yaml"} = {}) {
+    const studio = new Studio();
+    studio.folder = mkdtempSync(join(tmpdir(), "studio-"));
+    studio.path = join(studio.folder, name);
+    writeFileSync(studio.path, text);
+    await studio.start();
+    studio.browser = await playwright.chromium.launch({executablePath, args: ["--no-sandbox", "--disable-gpu"]});
+    const context = await studio.browser.newContext({viewport: {width, height}, colorScheme});
+    studio.page = await studio.visit(context);
+    return studio;
+  }
+
+  async start() {
+    const environment = {...process.env, XDG_STATE_HOME: join(this.folder, "state"), XDG_CACHE_HOME: join(this.folder, "cache")};
+    this.server = spawn(program, ["studio", "--no-open", this.path], {env: environment});
+    this.address = await addressOf(this.server);
+  }
+
+  /** Another page on the same file. */
+  async visit(context) {
+    const page = await context.newPage();
+    page.setDefaultTimeout(30000);
+    page.on("pageerror", (error) => this.errors.push(error.stack ?? String(error)));
+    page.on("console", (message) => { if (message.type() === "error") this.errors.push(message.text()); });
+    await page.goto(this.address);
+    await page.waitForSelector(".cm-content");
+    return page;
+  }
+
+  get file() {
+    return readFileSync(this.path, "utf8");
+  }
+
+  /** What the file gives by `run`: the rows of its signals as numbers, under their names. */
+  run() {
+    const out = join(this.folder, "out");
+    execFileSync(program, ["run", this.path, "--out", out], {stdio: "pipe"});
+    const [names, ...rows] = readFileSync(join(out, "signals.csv"), "utf8").trim().split("\n").filter((line) => !line.startsWith("#")).map((line) => line.split(","));
+    return Object.fromEntries(names.map((name, i) => [name.replace(/ *[[(].*/, ""), rows.map((row) => Number(row[i]))]));
+  }
+
+  async close() {
+    await this.browser?.close();
+    this.server?.removeAllListeners("exit");
+    this.server?.kill();
+    rmSync(this.folder, {recursive: true, force: true});
+  }
+}
+
+/** What the page has of columns of the run, by a second connection beside its own: exact numbers of every sample. */
+export function samplesOf(page, names) {
+  return page.evaluate(async (wanted) => {
+    const socket = new WebSocket(`ws://${location.host}/socket`);
+    socket.binaryType = "arraybuffer";
+    await new Promise((resolve) => { socket.onopen = resolve; });
+    const call = (id, request) => new Promise((resolve) => {
+      const listener = ({data}) => {
+        if (typeof data !== "string" || JSON.parse(data).id !== id) return;
+        socket.removeEventListener("message", listener);
+        resolve(JSON.parse(data).result);
+      };
+      socket.addEventListener("message", listener);
+      socket.send(JSON.stringify({id, ...request}));
+    });
+    await call(1, {call: "hello", protocol: 1});
+    const columns = [];
+    for (const [i, expression] of wanted.entries()) columns.push((await call(2 + i, {call: "scope.signal", expression})).column);
+    const frame = new Promise((resolve) => socket.addEventListener("message", ({data}) => { if (typeof data !== "string") resolve(data); }));
+    await call(100, {call: "data.want", views: [{view: 60000, columns, from: 0, to: 1e9, follow: null, pixels: 1000000}]});
+    const bytes = await frame, head = new DataView(bytes), rows = head.getUint32(12, true);
+    socket.close();
+    return {kind: head.getUint8(5), columns: ["time", ...wanted].map((name, i) => [name, [...new Float64Array(bytes, 32 + 8 * rows * i, rows)]])};
+  }, names);
+}
