@@ -8,6 +8,7 @@ import {Notices} from "./shell/notices";
 import {Settings} from "./shell/settings";
 import {Shortcuts} from "./shell/shortcuts";
 import {type Choice, Theme} from "./shell/theme";
+import {serveRequests} from "./text/requests";
 import {TextView} from "./text/text_view";
 import {Workbench} from "./text/workbench";
 import "./shell/tokens.css";
@@ -57,6 +58,7 @@ async function load(file: number): Promise<void> {
   }
 }
 
+serveRequests(context);
 context.workbench.on("root", (file) => void load(file));
 context.workbench.on("changed", () => context.run.markStale());
 

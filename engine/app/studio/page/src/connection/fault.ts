@@ -1,13 +1,12 @@
-/** One fault of a diagram as `check --json` writes it; `from` and `to` where the server knows the range [UTF-16 offsets]. */
+/** One fault of a diagram as `check --json` writes it; lines and columns count from 1, `end` is behind the last character. */
 export interface DiagramFault {
-  file?: string | number;
-  line?: number;
-  column?: number;
+  file: string;
+  line: number;
+  column: number;
+  end?: {line: number; column: number};
   subject?: string;
-  message: string;
+  text: string;
   cure?: string;
-  from?: number;
-  to?: number;
 }
 
 /** Why a call failed, for the person at the page: what is wrong, and what would be right. */

@@ -1,6 +1,6 @@
 import type {Context} from "../shell/context";
 import {h, listen} from "../shell/dom";
-import {type BlockType, blockTypes} from "../palette/reference";
+import {type BlockType, blockTypes, valueText} from "../palette/reference";
 import {type Field, fieldsOf} from "./fields";
 import type {Shape, TextRange} from "./types";
 
@@ -33,7 +33,9 @@ export class BlockCard {
     this.close();
     const inputs = new Set(type?.inputs.map(({name}) => name)), isOwn = (key: string) => key !== "block" && key !== "part" && !inputs.has(key);
     const rows = [this.row("name", place.name, "the name, with every use of it", (text) => this.rename(place, text))];
-    for (const field of fields.filter(({key}) => isOwn(key))) rows.push(this.field(field, place, type));
+    const given = fields.filter(({key}) => isOwn(key)), rest = (type?.parameters ?? []).filter(({name}) => !fields.some(({key}) => key === name));
+    for (const field of given) rows.push(this.field(field, place, type));
+    for (const {name, default: other} of rest) rows.push(this.field({key: name, text: "", isScalar: true, from: 0, to: 0}, place, type, valueText(other)));
     const form = h("form", {onsubmit: (event: Event) => event.preventDefault()}, ...rows.flat());
     this.element = h("div", {class: "card", role: "dialog", "aria-label": `${place.name}, ${shape.type}`},
       h("div", {class: "card-head"}, h("h3", {}, place.name), h("button", {type: "button", class: "plain", "aria-label": "Close", onclick: () => this.close()}, "×")),
@@ -49,15 +51,15 @@ export class BlockCard {
     focused?.select();
   }
 
-  private field({key, text, isScalar}: Field, place: Place, type: BlockType | undefined): HTMLElement[] {
+  private field({key, text, isScalar}: Field, place: Place, type: BlockType | undefined, placeholder = ""): HTMLElement[] {
     const reference = type?.parameters.find(({name}) => name === key), doc = reference ? `${reference.doc}${reference.unit ? ` [${reference.unit}]` : ""}` : "";
     if (!isScalar) return this.row(key, text, doc, undefined);
-    return this.row(key, text, doc, (value) => this.context.workbench.splice(place.file, {kind: "number", name: `${place.name}.${key}`, text: value}));
+    return this.row(key, text, doc, (value) => this.context.workbench.splice(place.file, {kind: "number", name: `${place.name}.${key}`, text: value}), placeholder);
   }
 
   /** A label and a field, which is written on Enter or when it is left; without `write` it is only shown. */
-  private row(key: string, text: string, doc: string, write: ((text: string) => Promise<unknown>) | undefined): HTMLElement[] {
-    const id = `card-${key}`, input = h("input", {type: "text", id, value: text, title: doc, readonly: write === undefined, spellcheck: "false", autocomplete: "off"});
+  private row(key: string, text: string, doc: string, write: ((text: string) => Promise<unknown>) | undefined, placeholder = ""): HTMLElement[] {
+    const id = `card-${key}`, input = h("input", {type: "text", id, value: text, title: doc, readonly: write === undefined, spellcheck: "false", autocomplete: "off", placeholder});
     const wrong = h("div", {class: "wrong", role: "alert", hidden: true});
     let written = text;
     const attempt = async () => {

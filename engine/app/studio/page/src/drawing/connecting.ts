@@ -16,9 +16,11 @@ interface Source {
   name: string;
 }
 
+/** An input that takes the signal; one that is not drawn, such as one more of a list, lies at the block's left. */
 interface Target {
   placed: Placed;
   port: string;
+  isDrawn: boolean;
   x: number;
   y: number;
 }
@@ -32,7 +34,8 @@ export class Connecting {
   private readonly ends: (() => void)[];
 
   constructor(private readonly canvas: HTMLElement, private readonly shapes: Shapes, private readonly viewport: Viewport, private readonly context: Context,
-              private readonly placeOf: (id: string) => {file: number; name: string; range: TextRange} | undefined) {
+              private readonly placeOf: (id: string) => {file: number; name: string; range: TextRange} | undefined,
+              private readonly fileOf: () => number) {
     this.ends = [
       listen(canvas, "pointerdown", (event: PointerEvent) => this.grab(event), {capture: true}),
       listen(document, "keydown", (event: KeyboardEvent) => { if (event.key === "Escape" && this.source) this.stop(); }),
@@ -59,23 +62,29 @@ export class Connecting {
   }
 
   private sourceOf(shape: Shape, port: string): Source | undefined {
-    if (shape.own === "input") return {shape, port, file: this.context.workbench.root, name: port};
+    if (shape.own === "input") return {shape, port, file: this.fileOf(), name: port};
     const place = this.placeOf(shape.id);
     return place ? {shape, port, file: place.file, name: shape.outputs.length === 1 && !shape.isPart ? place.name : `${place.name}.${port}`} : undefined;
   }
 
   /** Inputs in the same file that take an output. */
   private async fitting(source: Source): Promise<Target[]> {
-    const {workbench, connection} = this.context, document = await workbench.open(source.file);
-    const here = [...this.shapes.placed.values()].filter(({shape}) => shape.within.join() === source.shape.within.join() && shape.own !== "input" && shape !== source.shape || shape === source.shape);
-    const all = here.flatMap((placed) => placed.shape.inputs.map(({port, x, y}) => ({placed, port, x: placed.shape.x + x, y: placed.shape.y + y})));
+    const {workbench, connection} = this.context, document = await workbench.open(source.file), where = source.shape.within.join();
+    const here = [...this.shapes.placed.values()].filter(({shape}) => shape.within.join() === where && shape.own !== "input" && !shape.id.startsWith(":constant:"));
     try {
       const {inputs} = await connection.call<{inputs: {node: string; input: string}[]}>("fits", {file: source.file, version: document.version, from: source.name});
-      const fits = new Set(inputs.map(({node, input}) => `${node} ${input}`));
-      return all.filter(({placed: {shape}, port}) => fits.has(`${this.placeOf(shape.id)?.name ?? ""} ${port}`));
+      return inputs.flatMap(({node, input}) => {
+        const placed = here.find(({shape}) => (node === "" ? shape.id === `:output:${input}` : this.placeOf(shape.id)?.name === node));
+        return placed ? [this.targetAt(placed, input)] : [];
+      });
     } catch {
-      return all;  // then the splice refuses what does not fit
+      return here.flatMap((placed) => placed.shape.inputs.map(({port}) => this.targetAt(placed, port)));  // then the splice refuses what does not fit
     }
+  }
+
+  private targetAt(placed: Placed, port: string): Target {
+    const {x, y, height, inputs} = placed.shape, drawn = inputs.find((one) => one.port === port || (inputs.length === 1 && one.port === `${port}.1`));
+    return {placed, port, isDrawn: drawn !== undefined, x: x + (drawn?.x ?? 0), y: y + (drawn?.y ?? height / 2)};
   }
 
   private grab(event: PointerEvent): void {
@@ -89,7 +98,7 @@ export class Connecting {
     void this.offer(source);
     const begin: End = {node: source.shape.id, port: source.port}, ends = [
       listen(this.canvas, "pointermove", (moved: PointerEvent) => this.follow(moved, begin)),
-      listen(this.canvas, "pointerup", () => this.drop()),
+      listen(this.canvas, "pointerup", (released: PointerEvent) => this.drop(released)),
       listen(this.canvas, "lostpointercapture", () => { ends.forEach((end) => end()); this.stop(); }),
     ];
   }
@@ -112,11 +121,16 @@ export class Connecting {
   private follow(event: PointerEvent, {port}: End): void {
     if (!this.source) return;
     const {shape} = this.source, out = shape.outputs.find((one) => one.port === port)!, [x, y] = this.viewport.at(event);
-    const distance = (target: Target) => Math.hypot(target.x - x, target.y - y), nearest = [...this.targets].sort((a, b) => distance(a) - distance(b))[0];
-    const inside = ({placed: {shape: {x: left, y: top, width, height}}}: Target) => x >= left && x <= left + width && y >= top && y <= top + height;
-    this.point(nearest && (distance(nearest) < near || inside(nearest)) ? nearest : undefined);
+    this.point(this.nearest(x, y));
     const end = this.target ? [this.target.x, this.target.y] : [x, y], start = [shape.x + out.x, shape.y + out.y], bend = Math.max(30, Math.abs(end[0] - start[0]) / 2);
     this.shapes.overlay(svg("path", {class: "loose", d: `M${start.join(" ")}C${start[0] + bend} ${start[1]} ${end[0] - bend} ${end[1]} ${end.join(" ")}`}));
+  }
+
+  /** The drawn input beside a place, or any of the block at it. */
+  private nearest(x: number, y: number): Target | undefined {
+    const distance = (target: Target) => Math.hypot(target.x - x, target.y - y), sorted = [...this.targets].sort((a, b) => distance(a) - distance(b));
+    const inside = ({placed: {shape: {x: left, y: top, width, height}}}: Target) => x >= left && x <= left + width && y >= top && y <= top + height;
+    return sorted.find((target) => target.isDrawn && distance(target) < near) ?? sorted.find(inside);
   }
 
   private point(target: Target | undefined): void {
@@ -125,10 +139,14 @@ export class Connecting {
     if (target) this.dotOf(target.placed, target.port)?.classList.add("target");
   }
 
-  private drop(): void {
-    const {source, target} = this;
+  /** Beside a drawn input it is that one; elsewhere on a block with several, one of a list. */
+  private drop(event: PointerEvent): void {
+    const {source, target, targets} = this, [x, y] = this.viewport.at(event);
     this.stop();
-    if (source && target) void this.connect(source, target);
+    if (!source || !target) return;
+    const own = targets.filter(({placed}) => placed === target.placed), isBeside = target.isDrawn && Math.hypot(target.x - x, target.y - y) < near;
+    if (isBeside || own.length === 1) return void this.connect(source, target);
+    openMenu({x: event.clientX, y: event.clientY}, own.map((one): [string, () => void] => [`${this.labelOf(one)}${one.isDrawn ? "" : ", new"}`, () => void this.connect(source, one)]), "Connect to");
   }
 
   private stop(): void {

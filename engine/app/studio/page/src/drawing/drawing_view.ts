@@ -47,7 +47,7 @@ export class DrawingView implements View {
     host.append(h("div", {class: "drawing"}, head, this.canvas, this.busy, this.fault));
     this.viewport = new Viewport(this.canvas, this.shapes.root);
     this.card = new BlockCard(this.canvas, context, () => this.canvas.focus());
-    this.connecting = new Connecting(this.canvas, this.shapes, this.viewport, context, (id) => this.place(id));
+    this.connecting = new Connecting(this.canvas, this.shapes, this.viewport, context, (id) => this.place(id), () => this.file);
     this.ends = [
       workbench.on("root", () => this.enter([])), workbench.on("synced", () => void this.source.refresh()),
       workbench.on("moved", ({file, at}) => this.ranges.move(file, at)),
@@ -71,26 +71,29 @@ export class DrawingView implements View {
     const {workbench} = this.context;
     this.scope = scope;
     this.picture = undefined;
+    this.canvas.classList.add("old");
+    this.busy.hidden = false;
     this.card.close();
     this.crumbs.show(workbench.nameOf(workbench.root), scope);
     this.source.show({file: workbench.root, scope: scope.join("."), open: [...this.opened], units: true});
   }
 
   private take(ranges: Record<string, TextRange>): void {
+    this.context.workbench.setFaults(this.context.workbench.root, []);
     this.ranges.take(ranges);
     this.fault.hidden = true;
-    this.canvas.classList.remove("old");
-    const [file] = this.ranges.files();
-    if (!this.picture && this.scope.length > 0 && file !== undefined) void this.context.workbench.activate(file);
+    this.canvas.classList.toggle("old", !this.picture);
     this.mark();
   }
 
   private show(picture: Picture): void {
     const isFirst = this.picture === undefined;
     this.picture = picture;
+    this.canvas.classList.remove("old");
     this.shapes.show(picture, (shape) => this.describe(shape, picture), isFirst || this.context.theme.isStill);
     this.viewport.resize(picture.width, picture.height);
     if (isFirst) this.viewport.fit();
+    if (isFirst && this.scope.length > 0) void this.context.workbench.activate(this.file);
     this.canvas.setAttribute("aria-label", `Drawing of ${[this.context.workbench.nameOf(this.context.workbench.root), ...this.scope].join(", ")}: ${picture.shapes.filter(({own, id}) => !own && !id.startsWith(":")).length} blocks`);
     this.mark();
     this.select(this.selected, false);
@@ -108,26 +111,27 @@ export class DrawingView implements View {
 
   private complain(fault: Fault): void {
     this.canvas.classList.toggle("old", this.picture !== undefined);
-    const first = fault.faults[0] as DiagramFault | undefined;
-    this.fault.replaceChildren(h("span", {"aria-hidden": true}, "!"), h("span", {class: "why"}, fault.message), this.toFault(first) ?? "");
+    this.context.workbench.setFaults(this.context.workbench.root, fault.faults);
+    const [first] = fault.faults;
+    this.fault.replaceChildren(h("span", {"aria-hidden": true}, "!"), h("span", {class: "why"}, first ? `${first.subject ? `${first.subject}: ` : ""}${first.text}${first.cure ? `; ${first.cure}` : ""}` : fault.message),
+      fault.faults.length > 1 ? h("span", {}, `and ${fault.faults.length - 1} more`) : "", first ? h("button", {type: "button", onclick: () => this.toFault(first)}, "Show") : "");
     this.fault.hidden = false;
+    this.busy.hidden = true;
   }
 
-  private toFault(fault: DiagramFault | undefined): HTMLElement | undefined {
-    const {active} = this.context.workbench;
-    if (!fault || !active) return undefined;
-    const file = typeof fault.file === "number" ? fault.file : active.file, {from, to} = fault;
-    if (from === undefined) return undefined;
-    return h("button", {type: "button", onclick: () => void this.context.workbench.reveal(file, from, to ?? from, true)}, "Show");
+  /** The place of a fault in the text. */
+  private toFault({file, line, column}: DiagramFault): void {
+    const {workbench} = this.context, entry = workbench.files.find(({name}) => file.endsWith(name));
+    void workbench.revealLine(entry?.file ?? workbench.root, line, column);
   }
 
   /** Marks shapes that have a fault in their text. */
   private mark(): void {
     const {workbench} = this.context, faulty = new Map<string, string>();
-    for (const file of this.ranges.files())
+    for (const {file} of workbench.files)
       for (const {from, to, message, severity} of workbench.marksOf(file)) {
-        const id = severity === "error" ? this.ranges.around(file, from, Math.min(to, Math.max(from, to))) ?? this.ranges.around(file, from, from) : undefined;
-        if (id) faulty.set(this.blockOf(id), message);
+        const id = severity === "error" ? this.around(file, from, to) || this.around(file, from, from) : "";
+        if (id) faulty.set(id, message);
       }
     for (const {shape, element} of this.shapes.placed.values()) {
       const message = faulty.get(shape.id);
@@ -137,9 +141,24 @@ export class DrawingView implements View {
     }
   }
 
-  /** The block that a range is for, which may be that of a port. */
-  private blockOf(id: string): string {
-    return this.shapes.find(id) ? id : id.slice(0, Math.max(0, id.lastIndexOf("."))) || id;
+  private around(file: number, from: number, to: number): string {
+    return this.ranges.around(file, from, to, (id) => this.drawn(id));
+  }
+
+  /** The drawn block of a shape or port of the text, or "". */
+  private drawn(id: string): string {
+    const whole = this.scope.join("."), own = whole && id.startsWith(`${whole}.`) ? id.slice(whole.length + 1) : id;
+    for (const name of [own, own.slice(0, Math.max(0, own.indexOf(".", 1))), own.slice(0, Math.max(0, own.lastIndexOf("."))), id, id.slice(0, Math.max(0, id.lastIndexOf(".")))])
+      if (name && this.shapes.find(name)) return name;
+    return "";
+  }
+
+  /** The file of what is drawn. */
+  private get file(): number {
+    const {root} = this.context.workbench;
+    if (this.scope.length === 0) return root;
+    const [first] = [...this.shapes.placed.values()].flatMap(({shape}) => (shape.within.length === 0 ? this.range(shape.id) ?? [] : []));
+    return first?.file ?? root;
   }
 
   // --- selection ---
@@ -160,15 +179,19 @@ export class DrawingView implements View {
     if (current && announce) this.context.announce(current.element.getAttribute("aria-label") ?? "");
   }
 
+  private range(id: string): TextRange | undefined {
+    return this.ranges.of([...this.scope, id].join(".")) ?? this.ranges.of(id);
+  }
+
   /** Where the text of a shape is edited: its file, and its name there. */
   private place(id: string): {file: number; name: string; range: TextRange} | undefined {
-    const range = this.ranges.of(id);
+    const range = this.range(id);
     return range ? {file: range.file, name: id.slice(id.lastIndexOf(".") + 1), range} : undefined;
   }
 
   /** The place in the text becomes the shape in the drawing. */
   private follow(file: number, from: number, to: number): void {
-    const id = this.ranges.around(file, from, to), found = id ? this.shapes.find(this.blockOf(id)) : undefined;
+    const found = this.shapes.find(this.around(file, from, to));
     if (!found || keyOf(found.shape) === this.selected) return;
     this.select(keyOf(found.shape), false);
     this.viewport.reveal(found.shape);
@@ -225,8 +248,8 @@ export class DrawingView implements View {
   }
 
   private async disconnect({to}: Wire): Promise<void> {
-    const place = this.place(to!.node), file = place?.file ?? this.ranges.files()[0] ?? this.context.workbench.root;
-    await this.attempt(() => this.context.workbench.splice(file, {kind: "disconnect", to: place?.name ?? "", input: to!.port}), "the wire is removed");
+    const place = this.place(to!.node);
+    await this.attempt(() => this.context.workbench.splice(place?.file ?? this.file, {kind: "disconnect", to: place?.name ?? "", input: to!.port}), "the wire is removed");
     this.selectWire(undefined);
   }
 
@@ -241,8 +264,16 @@ export class DrawingView implements View {
 
   private async insert(): Promise<void> {
     const {openPalette} = await import("../palette/palette");
-    const file = this.scope.length > 0 ? this.ranges.files()[0] ?? this.context.workbench.root : this.context.workbench.root;
-    openPalette(this.context, file);
+    openPalette(this.context, {file: this.file, signals: this.signals(), preferred: this.current ? this.signals([this.current])[0] ?? "" : ""});
+  }
+
+  /** How the text names the signals of what is drawn. */
+  private signals(placed: Iterable<Placed> = this.shapes.placed.values()): string[] {
+    return [...placed].flatMap(({shape: {id, own, within, isPart, outputs}}) => {
+      if (within.length > 0 || own === "output" || id.startsWith(":constant:")) return [];
+      if (own === "input") return [id.slice(":input:".length)];
+      return outputs.map(({port}) => (outputs.length === 1 && !isPart ? id : `${id}.${port}`));
+    });
   }
 
   private press(event: KeyboardEvent): void {

@@ -16,16 +16,14 @@ export class Ranges {
     for (const [id, range] of this.all) if (range.file === file) this.all.set(id, {file, from: at(range.from, 1), to: at(range.to, -1)});
   }
 
-  /** The shape with the narrowest range around a place in a text. */
-  around(file: number, from: number, to: number): string | undefined {
-    const around = [...this.all].filter(([, range]) => range.file === file && range.from <= from && to <= range.to);
-    return around.sort(([, a], [, b]) => a.to - a.from - (b.to - b.from))[0]?.[0];
-  }
-
-  /** Files that are drawn, the most frequent one first. */
-  files(): number[] {
-    const counts = new Map<number, number>();
-    for (const {file} of this.all.values()) counts.set(file, (counts.get(file) ?? 0) + 1);
-    return [...counts].sort(([, a], [, b]) => b - a).map(([file]) => file);
+  /** The block with the narrowest range around a place in a text; `blockOf` gives the drawn block of a shape or port, or "". */
+  around(file: number, from: number, to: number, blockOf: (id: string) => string): string {
+    let best = "", width = Infinity;
+    for (const [id, range] of this.all) {
+      if (range.file !== file || range.from > from || to > range.to || range.to - range.from >= width) continue;
+      const block = blockOf(id);
+      if (block) [best, width] = [block, range.to - range.from];
+    }
+    return best;
   }
 }

@@ -4,7 +4,7 @@ const elements = new Set(["svg", "g", "path", "rect", "circle", "text", "tspan",
 const attributes = new Set([
   "xmlns", "viewBox", "width", "height", "x", "y", "cx", "cy", "r", "rx", "ry", "d", "points", "x1", "y1", "x2", "y2", "dx", "dy", "transform",
   "fill", "stroke", "stroke-width", "stroke-linejoin", "stroke-linecap", "stroke-dasharray", "opacity", "fill-opacity",
-  "font-size", "font-family", "font-style", "font-weight", "text-anchor", "class",
+  "font-size", "font-family", "font-style", "font-weight", "text-anchor", "paint-order", "class",
 ]);
 /** No value of these attributes has a reason to point anywhere. */
 const points = /url\s*\(|javascript:|data:/i;

@@ -20,7 +20,7 @@ interface Axes {
 const xAt = (scale: Scale, {left, right}: Frame, value: number) => left + scale.share(value) * (right - left);
 const yAt = (scale: Scale, {top, bottom}: Frame, value: number) => bottom - scale.share(value) * (bottom - top);
 
-const strokes = (lines: number[][], color: string, width: number): PathPiece[] => (lines.length ? [{ piece: "path", lines, stroke: {color, width} }] : []);
+const strokes = (lines: number[][], color: string, width: number): PathPiece[] => (lines.length ? [{piece: "path", lines, stroke: {color, width}}] : []);
 
 /** Behind all marks. */
 export function gridPieces({plot, x, y, frame, theme}: Axes): Piece[] {
@@ -37,7 +37,7 @@ function zeroLines({plot, x, y, frame, theme}: Axes): Piece[] {
   return strokes(lines, theme.frame, 1);
 }
 
-function border({ plot, frame: {left, top, right, bottom} }: Axes): number[][] {
+function border({plot, frame: {left, top, right, bottom}}: Axes): number[][] {
   if (plot.closed_frame) return [[left, top, right, top, right, bottom, left, bottom, left, top]];
   const lines: number[][] = [];
   if (plot.x?.line !== false) lines.push([left, bottom, right, bottom]);
@@ -102,7 +102,7 @@ export function axisPieces(axes: Axes): Piece[] {
 export function colorBar(color: Scale, palette: Palette, bar: Frame, theme: Theme): Piece[] {
   const height = (bar.bottom - bar.top) / palette.all.length, pieces: Piece[] = [];
   palette.all.forEach((fill, i) => {
-    const low = bar.bottom - i * height, high = low - height - (i + 1 < palette.all.length ? 0.6 : 0);
+    const low = bar.bottom - i * height, high = Math.max(bar.top, low - height - 0.6);
     pieces.push({piece: "path", lines: [[bar.left, low, bar.right, low, bar.right, high, bar.left, high]], closed: true, fill});
   });
   const lines = color.ticks.map(({at}) => [bar.right, yAt(color, bar, at), bar.right + gaps.tick, yAt(color, bar, at)]);

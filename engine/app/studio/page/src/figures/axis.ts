@@ -51,7 +51,7 @@ function ticksBetween(low: number, high: number, step: number): number[] {
 
 const labelled = (values: readonly number[]): Tick[] => values.map((at) => ({at, label: numberText(at)}));
 
-function decadeTicks(low: number, high: number, more: readonly number[]): { ticks: Tick[]; minor: number[] } {
+function decadeTicks(low: number, high: number, more: readonly number[]): {ticks: Tick[]; minor: number[]} {
   const [from, to] = [Math.log10(Math.min(low, high)), Math.log10(Math.max(low, high))];
   const step = Math.max(1, Math.round(usualStep(to - from)));
   const inside = (value: number) => value >= 10 ** from * (1 - 1e-9) && value <= 10 ** to * (1 + 1e-9);

@@ -14,7 +14,7 @@ function setStroke(pen: Pen, {color, width, dash, opacity}: Stroke): void {
   pen.globalAlpha = opacity ?? 1;
 }
 
-function strokeAndFill(pen: Pen, {fill, stroke}: { fill?: string; stroke?: Stroke }, opacity = 1): void {
+function strokeAndFill(pen: Pen, {fill, stroke}: {fill?: string; stroke?: Stroke}, opacity = 1): void {
   if (fill !== undefined) {
     pen.fillStyle = fill;
     pen.globalAlpha = opacity;

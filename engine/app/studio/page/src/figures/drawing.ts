@@ -59,7 +59,7 @@ export function coloredLines(rows: Rows, line: Line | undefined, drawing: Drawin
     if (i > 0 && Number.isFinite(last[0] + last[1] + at[0] + at[1]) && next >= 0) {
       if (next !== step || open.length === 0) {
         open = [last[0], last[1]];
-        pieces.push({ piece: "path", lines: [open], stroke: {...strokeOf(line, drawing), color: drawing.palette.all[next]!} });
+        pieces.push({piece: "path", lines: [open], stroke: {...strokeOf(line, drawing), color: drawing.palette.all[next]!}});
       }
       open.push(at[0], at[1]);
     } else open = [];

@@ -39,7 +39,7 @@ function samplePieces(mark: LegendMark, x: number, y: number, width: number, dra
   const color = lineColor("color" in mark && mark.color ? mark.color : "#111111", drawing.theme);
   if (mark.mark === "points") return [symbolPiece(mark, middle, 0.5 * (mark.size ?? 4), color)];
   const box = [x, y - 5, x + width, y - 5, x + width, y + 5, x, y + 5];
-  return [{ piece: "path", lines: [box], closed: true, fill: color, ...(mark.mark === "boxes" ? { opacity: 0.2, stroke: {color, width: 1.3} } : {}) }];
+  return [{piece: "path", lines: [box], closed: true, fill: color, ...(mark.mark === "boxes" ? {opacity: 0.2, stroke: {color, width: 1.3}} : {})}];
 }
 
 /** Where entries stand: above the frame in rows around its middle, or beside it in one column. */

@@ -23,7 +23,7 @@ export interface PiecesPicture {
 }
 export type Picture = PiecesPicture | GraphPicture;
 
-const whole = ({pieces, width, height}: { pieces: Piece[]; width: number; height: number }): PiecesPicture =>
+const whole = ({pieces, width, height}: {pieces: Piece[]; width: number; height: number}): PiecesPicture =>
   ({kind: "pieces", width, height, back: [], marks: [pieces], front: []});
 
 const usualSize = {width: 680, height: 440};

@@ -58,17 +58,17 @@ export function shapePieces(shape: Shape, view: SceneView, place: Place): Piece[
   if (look)
     return look.map(([share, opacity, own]) => (
       {piece: "path", lines: [at], closed: shape.kind === "walls" && shape.closed !== false, stroke: strokeOf(own || color, width * share, opacity)}));
-  if (shape.kind === "circle") return [{ piece: "dots", at, radius, stroke: {color, width} }];
+  if (shape.kind === "circle") return [{piece: "dots", at, radius, stroke: {color, width}}];
   if (shape.kind === "text") return [textPiece(shape, view, place, at[0]!, at[1]!)];
   const disc: Piece = {piece: "dots", at, radius, fill: color};
   if (shape.kind === "ball") return [disc, {piece: "light", x: at[0]!, y: at[1]!, radius}];
-  return [disc, { piece: "dots", at, radius, stroke: {color: "#ffffff", width: 1.2} }];
+  return [disc, {piece: "dots", at, radius, stroke: {color: "#ffffff", width: 1.2}}];
 }
 
 const gap = 14, wordsHeight = 26, margin = 10;
 
 /** Instants side by side, each with its words below. */
-export function stillPieces(still: SceneStill, title: string, theme: Theme): { pieces: Piece[]; width: number; height: number } {
+export function stillPieces(still: SceneStill, title: string, theme: Theme): {pieces: Piece[]; width: number; height: number} {
   const count = still.instants.length, columns = count === 4 ? 2 : Math.min(3, Math.max(1, count)), height = sceneHeight(still, usual);
   const worded = still.instants.some(({words}) => words !== ""), cell = height + (worded ? wordsHeight : 0), top = title === "" ? margin : 34;
   const sheet = {width: 2 * margin + columns * (usual + gap) - gap, height: top + Math.ceil(count / columns) * (cell + gap) - gap + margin};

@@ -52,7 +52,7 @@ export const sharesOf = ({scales: [x, y, z]}: Space, rows: Rows, i: number): Pla
 function sidesOf(space: Space) {
   const near = (axis: 0 | 1) => (space.depth(axis === 0 ? [0, 0.5, 0] : [0.5, 0, 0]) < space.depth(axis === 0 ? [1, 0.5, 0] : [0.5, 1, 0]) ? 0 : 1);
   const front = {x: near(0), y: near(1)};
-  return { front, back: {x: 1 - front.x, y: 1 - front.y} };
+  return {front, back: {x: 1 - front.x, y: 1 - front.y}};
 }
 
 const line = (space: Space, ...places: Place3[]) => places.flatMap((at) => [...space.project(at)]);
@@ -67,7 +67,7 @@ export function boxPieces(space: Space, theme: Theme): Piece[] {
     line(space, [0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 0]), line(space, [f.x, b.y, 1], [b.x, b.y, 1], [b.x, f.y, 1]),
     line(space, [b.x, b.y, 0], [b.x, b.y, 1]), line(space, [f.x, b.y, 0], [f.x, b.y, 1]), line(space, [b.x, f.y, 0], [b.x, f.y, 1]),
   ];
-  return [{ piece: "path", lines: grid, stroke: {color: theme.grid, width: 0.8} }, { piece: "path", lines: edges, stroke: {color: theme.frame, width: 0.7, opacity: 0.7} }];
+  return [{piece: "path", lines: grid, stroke: {color: theme.grid, width: 0.8}}, {piece: "path", lines: edges, stroke: {color: theme.frame, width: 0.7, opacity: 0.7}}];
 }
 
 const size = 13;
@@ -102,7 +102,7 @@ export function spaceTexts(space: Space, theme: Theme): Piece[] {
 
 /** A surface as coloured pieces between points of lines that follow each other, those far away first. */
 export function surfacePieces({lines}: SurfaceMark, space: Space, drawing: Drawing): Piece[] {
-  const cells: { depth: number; fill: string; corners: number[] }[] = [];
+  const cells: {depth: number; fill: string; corners: number[]}[] = [];
   for (let i = 0; i + 1 < lines.length; ++i) {
     const [one, next] = [lines[i]!, lines[i + 1]!], count = Math.min(one.x?.length ?? 0, next.x?.length ?? 0);
     for (let k = 0; k + 1 < count; ++k) {
@@ -115,7 +115,7 @@ export function surfacePieces({lines}: SurfaceMark, space: Space, drawing: Drawi
   }
   cells.sort((a, b) => b.depth - a.depth);
   // A stroke of the same colour closes the gaps that smoothing leaves between neighbours.
-  return cells.map(({fill, corners}) => ({ piece: "path", lines: [corners], closed: true, fill, stroke: {color: fill, width: 0.6} }));
+  return cells.map(({fill, corners}) => ({piece: "path", lines: [corners], closed: true, fill, stroke: {color: fill, width: 0.6}}));
 }
 
 /** The rectangle beside the box in which the bar of colours stands. */

@@ -111,7 +111,7 @@ export interface Axis {
   log?: boolean;
   step?: number;
   more_ticks?: number[];
-  named_ticks?: { at?: number; label?: string }[];
+  named_ticks?: {at?: number; label?: string}[];
   label_angle?: number;
   line?: boolean;
   tick_marks?: boolean;
@@ -142,8 +142,8 @@ export interface Plot {
   y?: Axis;
   z?: Axis;
   color?: Axis;
-  palette?: { at?: number; color: string }[];
-  view?: { elevation?: number; azimuth?: number };
+  palette?: {at?: number; color: string}[];
+  view?: {elevation?: number; azimuth?: number};
   equal?: boolean;
   closed_frame?: boolean;
   legend?: "none" | "above" | "beside";
@@ -159,10 +159,15 @@ export interface Table {
   rows: string[][];
   notes: string[];
 }
+/** A block of a diagram, or an element of a mechanism. */
+export interface Named {
+  name?: string;
+  kind?: string;
+}
 export interface Graph {
   panel: "diagram" | "rig";
   box?: Box;
-  graph: {title?: string};
+  graph: {title?: string; nodes?: Named[]; elements?: Named[]};
 }
 /** A shape of a scene in metres; `points` of walls are the lines of their boundary. */
 export interface Shape {
@@ -182,7 +187,7 @@ export interface SceneStill {
   x: [number, number];
   y: [number, number];
   background: string;
-  instants: { words: string; shapes: Shape[] }[];
+  instants: {words: string; shapes: Shape[]}[];
 }
 export type Panel = Plot | Table | Graph | SceneStill;
 

@@ -80,10 +80,10 @@ export class SvgPainter {
       }
       case "ground": {
         const {x, y, width, height, radius, colors} = piece;
-        return [element("rect", { x, y, width, height, rx: radius, fill: this.gradient("linearGradient", {x1: 0, y1: 0, x2: 0, y2: 1}, [[0, colors[0], 1], [1, colors[1], 1]]) })];
+        return [element("rect", {x, y, width, height, rx: radius, fill: this.gradient("linearGradient", {x1: 0, y1: 0, x2: 0, y2: 1}, [[0, colors[0], 1], [1, colors[1], 1]])})];
       }
       case "light":
-        return [element("circle", { cx: piece.x, cy: piece.y, r: piece.radius, fill: this.gradient("radialGradient", {cx: 0.36, cy: 0.32, r: 0.75}, lightStops) })];
+        return [element("circle", {cx: piece.x, cy: piece.y, r: piece.radius, fill: this.gradient("radialGradient", {cx: 0.36, cy: 0.32, r: 0.75}, lightStops)})];
     }
   }
 
@@ -109,7 +109,7 @@ export const lightStops = [[0, "#ffffff", 0.85], [0.35, "#ffffff", 0.1], [1, "#0
 // Signs that XML does not allow, or that nobody sees.
 // eslint-disable-next-line no-control-regex
 const unseen = /[\u0000-\u0008\u000b-\u001f\u007f-\u009f\ufffe\uffff]/g;
-const escapes: Record<string, string> = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" };
+const escapes: Record<string, string> = {"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;"};
 const escaped = (text: string) => text.replace(unseen, " ").replace(/[&<>"]/g, (sign) => escapes[sign]!);
 
 /** An element as text; what a diagram says is escaped. */
@@ -121,7 +121,7 @@ export function svgText({name, attributes, children, text}: Element): string {
 
 /** The whole picture as the text of a file. */
 export function svgFile(width: number, height: number, paper: string, pieces: readonly Piece[], title: string): string {
-  const root = element("svg", { xmlns: "http://www.w3.org/2000/svg", width, height, viewBox: `0 0 ${number(width)} ${number(height)}`, "font-family": "Helvetica, Arial, sans-serif" }, [
+  const root = element("svg", {xmlns: "http://www.w3.org/2000/svg", width, height, viewBox: `0 0 ${number(width)} ${number(height)}`, "font-family": "Helvetica, Arial, sans-serif"}, [
     element("title", {}, [], title), element("rect", {width, height, fill: paper}), ...new SvgPainter("f").paint(pieces)]);
   return svgText(root) + "\n";
 }

@@ -9,14 +9,14 @@ const rowHeight = 23, gap = 26, margin = 18, size = 13, noteSize = 12;
 const isNumbers = (cells: readonly string[]) => cells.some((cell) => cell !== "") && cells.every((cell) => /^\s*$|^[<>≤≥~±]?\s*[-−+]?[\d.]/.test(cell));
 
 /** A table as pieces, and how large it is: numbers to the right, words to the left. */
-export function tablePieces({title, columns, rows, notes}: Table, theme: Theme): { pieces: Piece[]; width: number; height: number } {
+export function tablePieces({title, columns, rows, notes}: Table, theme: Theme): {pieces: Piece[]; width: number; height: number} {
   const cells = columns.map((_, i) => rows.map((row) => row[i] ?? "")), right = cells.map(isNumbers);
   const widths = columns.map((head, i) => Math.max(...[head, ...cells[i]!].map((cell) => textWidth(cell, size))));
   const needed = widths.reduce((sum, width) => sum + width + gap, 2 * margin - gap), width = Math.max(needed, 420, textWidth(title, 15) + 2 * margin);
   const pieces: Piece[] = [];
   let y = 0;
   const text = (x: number, anchor: TextPiece["anchor"], letters: number, color: string, words: string) => pieces.push({piece: "text", x, y, text: words, size: letters, color, anchor});
-  const rule = (thick: number) => pieces.push({ piece: "path", lines: [[margin, y, width - margin, y]], stroke: {color: theme.frame, width: thick} } as PathPiece);
+  const rule = (thick: number) => pieces.push({piece: "path", lines: [[margin, y, width - margin, y]], stroke: {color: theme.frame, width: thick}} as PathPiece);
   const row = (list: readonly string[], color: string) => {
     y += rowHeight - 6;
     let x = margin;

@@ -18,6 +18,6 @@ export function textPieces(texts: readonly Text[], drawing: Drawing, place: (x: 
     const pieces: Piece[] = text.dot ? [{piece: "dots", at: [x, y], radius: 0.5 * text.dot, fill: color}] : [];
     if (!text.text) return pieces;
     const at = {x: x + right * letter.width, y: y - up * letter.height + 0.325 * size};
-    return [...pieces, { piece: "text", ...at, text: text.text, size, color, anchor: anchors[text.align ?? "center"], ...(text.rim ? {rim: theme.paper} : {}) }];
+    return [...pieces, {piece: "text", ...at, text: text.text, size, color, anchor: anchors[text.align ?? "center"], ...(text.rim ? {rim: theme.paper} : {})}];
   });
 }

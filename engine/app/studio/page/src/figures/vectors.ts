@@ -16,7 +16,7 @@ function headOf([x0, y0]: Point, [x1, y1]: Point, size: number, angle: number, i
 
 /** Strokes with their heads, by colour. */
 export function vectorPieces(mark: VectorsMark, drawing: Drawing, place: (x: number | null, y: number | null) => Point): Piece[] {
-  const byColor = new Map<string, { strokes: number[][]; heads: number[][] }>(), own = mark.line?.color;
+  const byColor = new Map<string, {strokes: number[][]; heads: number[][]}>(), own = mark.line?.color;
   const pivot = mark.pivot ?? 0, size = (mark.head ?? 0) * drawing.figureWidth, angle = ((mark.head_angle ?? 20) * Math.PI) / 180;
   for (let i = 0; i < mark.x.length; ++i) {
     const [x, y, dx, dy] = [mark.x[i], mark.y[i], mark.dx[i], mark.dy[i]];
@@ -30,5 +30,5 @@ export function vectorPieces(mark: VectorsMark, drawing: Drawing, place: (x: num
   }
   const stroke = strokeOf(mark.line, drawing);
   return [...byColor].flatMap(([color, {strokes, heads}]): Piece[] => [
-    { piece: "path", lines: strokes, stroke: {...stroke, color} }, {piece: "path", lines: heads, closed: true, fill: color, stroke: {...stroke, color}}]);
+    {piece: "path", lines: strokes, stroke: {...stroke, color}}, {piece: "path", lines: heads, closed: true, fill: color, stroke: {...stroke, color}}]);
 }

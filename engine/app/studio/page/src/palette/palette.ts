@@ -7,27 +7,36 @@ import {referencePage} from "./reference_page";
 import {found} from "./search";
 import "./palette.css";
 
+/** Where blocks are inserted: a file, its signals, and which of them is to feed the first input. */
+export interface Target {
+  file: number;
+  signals: string[];
+  preferred: string;
+}
+
 /** A list of all types of blocks to search in, with the page of each; the chosen one is inserted into the text of a file. */
-export function openPalette(context: Context, file: number): void {
-  new Palette(context, file).open();
+export function openPalette(context: Context, target: Target): void {
+  new Palette(context, target).open();
 }
 
 class Palette {
   private readonly query = h("input", {type: "search", placeholder: "Search blocks: gain, filter, spring …", "aria-label": "Search blocks", role: "combobox", "aria-expanded": true, "aria-controls": "palette-list", autocomplete: "off"});
   private readonly list = h("div", {class: "palette-list", role: "listbox", id: "palette-list", "aria-label": "Blocks"});
   private readonly page = h("div", {class: "palette-page", tabindex: 0, "aria-label": "Reference"});
+  /** What feeds the inputs that a block requires. */
+  private readonly feeds = h("div", {class: "palette-feeds"});
   private readonly fault = h("p", {class: "palette-fault", role: "alert", hidden: true});
   private types: BlockType[] = [];
   private shown: BlockType[] = [];
   private chosen = 0;
   private dialog: HTMLDialogElement | undefined;
 
-  constructor(private readonly context: Context, private readonly file: number) {}
+  constructor(private readonly context: Context, private readonly target: Target) {}
 
   open(): void {
     listen(this.query, "input", () => this.search());
     listen(this.query, "keydown", (event: KeyboardEvent) => this.press(event));
-    this.dialog = openDialog("Insert a block", [h("div", {class: "palette"}, h("div", {class: "palette-side"}, this.query, this.list), this.page), this.fault],
+    this.dialog = openDialog("Insert a block", [h("div", {class: "palette"}, h("div", {class: "palette-side"}, this.query, this.list), this.page), this.feeds, this.fault],
       (close) => [h("button", {type: "button", onclick: close}, "Cancel"), h("button", {type: "button", class: "main", onclick: () => void this.insert()}, "Insert")]);
     this.query.focus();
     blockTypes(this.context.connection).then((types) => { this.types = types; this.search(); }, (thrown) => this.complain(thrown));
@@ -56,6 +65,7 @@ class Palette {
     entry?.scrollIntoView({block: "nearest"});
     this.query.setAttribute("aria-activedescendant", `palette-${this.chosen}`);
     this.page.replaceChildren(...(type ? referencePage(type) : []));
+    this.feeds.replaceChildren(...(type ? this.sources(type) : []));
   }
 
   private press(event: KeyboardEvent): void {
@@ -66,13 +76,25 @@ class Palette {
     event.preventDefault();
   }
 
+  /** A choice of a signal for each input that must be fed. */
+  private sources(type: BlockType): HTMLElement[] {
+    const {signals, preferred} = this.target, required = type.inputs.filter(({optional}) => !optional);
+    return required.map(({name, unit}, i) => {
+      const select = h("select", {"data-input": name, "aria-label": `what feeds ${name}`}, h("option", {value: ""}, "nothing yet"), ...signals.map((signal) => h("option", {value: signal}, signal)));
+      select.value = i === 0 ? preferred : "";
+      return h("label", {}, `${name}${unit ? ` [${unit}]` : ""} ← `, select);
+    });
+  }
+
   private async insert(): Promise<void> {
-    const type = this.shown[this.chosen];
+    const type = this.shown[this.chosen], {file} = this.target, {workbench} = this.context;
     if (!type) return;
+    const fed = [...this.feeds.querySelectorAll("select")].filter(({value}) => value !== "");
     try {
-      const {name} = await this.context.workbench.splice(this.file, {kind: "insert", type: type.name});
+      const {name = type.name} = await workbench.splice(file, {kind: "insert", type: type.name});
+      for (const {dataset, value} of fed) await workbench.splice(file, {kind: "connect", from: value, to: name, input: dataset.input});
       this.dialog?.close();
-      this.context.announce(`${name ?? type.name} is inserted`);
+      this.context.announce(`${name} is inserted`);
     } catch (thrown) {
       this.complain(thrown);
     }

@@ -30,6 +30,9 @@ export interface BlockType {
   keys?: string[];
 }
 
+/** A default as it is written in a diagram. */
+export const valueText = (value: unknown) => (value === undefined || value === null ? "" : typeof value === "object" ? JSON.stringify(value) : String(value));
+
 let types: Promise<BlockType[]> | undefined;
 
 /** The types of blocks of the program; read once. */

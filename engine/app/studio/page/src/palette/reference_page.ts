@@ -1,7 +1,5 @@
 import {h} from "../shell/dom";
-import type {BlockType, ParameterReference, PortReference} from "./reference";
-
-const valueOf = (value: unknown) => (value === undefined || value === null ? "" : typeof value === "object" ? JSON.stringify(value) : String(value));
+import {type BlockType, type ParameterReference, type PortReference, valueText} from "./reference";
 
 function ports(title: string, all: PortReference[]): (HTMLElement | null)[] {
   if (all.length === 0) return [];
@@ -12,7 +10,7 @@ function ports(title: string, all: PortReference[]): (HTMLElement | null)[] {
 function parameters(all: ParameterReference[]): (HTMLElement | null)[] {
   if (all.length === 0) return [];
   return [h("h4", {}, "Parameters"), h("dl", {}, ...all.flatMap(({name, kind, unit, doc, required, default: other}) =>
-    [h("dt", {}, name, unit ? ` [${unit}]` : "", required ? ", required" : valueOf(other) ? ` = ${valueOf(other)}` : ""), h("dd", {}, `${doc} (${kind})`)]))];
+    [h("dt", {}, name, unit ? ` [${unit}]` : "", required ? ", required" : valueText(other) ? ` = ${valueText(other)}` : ""), h("dd", {}, `${doc} (${kind})`)]))];
 }
 
 /** The reference of a type of block. */

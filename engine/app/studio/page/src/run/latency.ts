@@ -24,8 +24,13 @@ export class Latency {
     for (const input of this.waiting) {
       if (input.acts === undefined || newest < input.acts) continue;
       this.waiting.delete(input);
-      this.samples.push(at - input.sentAt);
+      this.measured(at - input.sentAt);
     }
+  }
+
+  /** Takes in what was measured elsewhere, such as of a hand in the scene [ms]. */
+  measured(duration: number): void {
+    this.samples.push(duration);
     this.samples.splice(0, this.samples.length - kept);
   }
 

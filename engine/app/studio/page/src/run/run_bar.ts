@@ -1,17 +1,21 @@
 import "./run.css";
 import type {Context, View} from "../shell/context";
 import {h, listen} from "../shell/dom";
+import {icon} from "./icons";
 import {measuredText, nextRate, rates, rateText} from "./rates";
 import {Scrub} from "./scrub";
 import {Verdicts} from "./verdicts";
+
+/** Between two readings of numbers that change by themselves [ms]. */
+const pause = 90;
 
 const seconds = (time: number, step: number) => time.toFixed(Math.min(6, Math.max(3, Math.ceil(-Math.log10(step) - 1e-9))));
 
 /** Play, pause, one tick, from the start, the pace, where the run stands, and how well it keeps time. */
 export class RunBar implements View {
   private readonly play = h("button", {type: "button", class: "main play"});
-  private readonly tick = h("button", {type: "button", title: "One tick (.)", "aria-label": "One tick"}, "⏵|");
-  private readonly restart = h("button", {type: "button", title: "From the start (R)", "aria-label": "From the start"}, "↺");
+  private readonly tick = h("button", {type: "button", title: "One tick (.)", "aria-label": "One tick"}, icon("tick"));
+  private readonly restart = h("button", {type: "button", title: "From the start (R)", "aria-label": "From the start"}, icon("restart"));
   private readonly rate = h("select", {"aria-label": "Pace: seconds of the run in one of the clock", title: "Pace ([ slower, ] faster)"});
   private readonly time = h("output", {class: "run-time", "aria-label": "Time of the run"});
   private readonly facts = h("span", {class: "run-facts"});
@@ -35,7 +39,8 @@ export class RunBar implements View {
     listen(this.rate, "change", () => void run.setRate(Number(this.rate.value)));
     this.ends = [
       run.on("loaded", (loaded) => { this.verdicts.load(loaded); this.scrub.reset(); }), run.on("claims", (verdicts) => this.verdicts.judge(verdicts)),
-      run.on("state", () => this.show()), run.on("stale", (isStale) => { this.stale.hidden = !isStale; }), ...this.keys(),
+      run.on("state", () => this.show()), run.on("fault", (fault) => context.notify(fault.message, "fault")),
+      run.on("stale", (isStale) => { this.stale.hidden = !isStale; }), ...this.keys(),
     ];
     if (run.loaded) this.verdicts.load(run.loaded);
     this.stale.hidden = !run.stale;
@@ -60,14 +65,26 @@ export class RunBar implements View {
     ];
   }
 
+  /** What changes with every picture, ten times a second; what was done, at once. */
   private show(): void {
+    const {state} = this.context.run.news, now = performance.now();
+    if (state === "playing" && state === this.shownState && now - this.shownAt < pause) return;
+    this.shownState = state;
+    this.shownAt = now;
+    this.showNow();
+  }
+  private shownState = "";
+  private shownAt = 0;
+
+  private showNow(): void {
     const {news, rate, loaded, latency} = this.context.run, isPlaying = news.state === "playing";
-    this.play.textContent = isPlaying ? "⏸" : "⏵";
+    if (this.play.dataset.shows !== news.state) this.play.replaceChildren(icon(isPlaying ? "pause" : "play"));
+    this.play.dataset.shows = news.state;
     this.play.setAttribute("aria-label", isPlaying ? "Pause" : "Play");
     this.play.title = `${isPlaying ? "Pause" : "Play"} (Space)`;
-    this.rate.value = String(rate);
+    if (this.rate.value !== String(rate)) this.rate.value = String(rate);
     this.time.textContent = `${seconds(news.time, loaded?.step ?? 0.001)} s`;
-    this.time.title = `tick ${news.tick}${loaded?.stop == null ? "" : ` of ${Math.round(loaded.stop / loaded.step)}`}, ${news.state}`;
+    this.time.title = `tick ${news.tick}${loaded?.stop == null ? "" : ` of ${Math.round(loaded.stop / loaded.step)}`}, ${news.state}, ${news.compiled ? "generated code" : "interpreted"}`;
     this.showFacts(measuredText(news.rate, isPlaying), news.missed, latency.median);
     this.fault.hidden = !news.fault;
     this.fault.textContent = news.fault ?? "";

@@ -117,7 +117,7 @@ export class RunModel {
   async set(name: string, value: string | number): Promise<SetEcho> {
     const acts = this.latency.sent(performance.now());
     const echo = await this.connection.call<SetEcho>("run.set", {name, value});
-    acts((echo.tick + 1) * (this.loaded?.step ?? 0));
+    acts(echo.tick * (this.loaded?.step ?? 0));
     this.takeSet(echo);
     return echo;
   }
@@ -168,7 +168,7 @@ export class RunModel {
 
   private takeSet(echo: SetEcho): void {
     const parameter = this.loaded?.parameters.find((one) => one.name === echo.name);
-    if (parameter) Object.assign(parameter, {value: echo.value, text: echo.text});
+    if (parameter && echo.value !== null) parameter.value = echo.value;
     this.listeners.emit("set", echo);
   }
 }

@@ -73,7 +73,8 @@ export interface RunNews {
 /** A value that was taken over, from which tick on. */
 export interface SetEcho {
   name: string;
-  value: number;
+  /** SI; null of what is no number. */
+  value: number | null;
   text: string;
   tick: number;
 }

@@ -1,6 +1,7 @@
 import {h, listen} from "../shell/dom";
 import {openMenu} from "../shell/menu";
 import {fixedText, quantityText} from "./numbers";
+import type {Pin} from "./pins";
 import type {ScopeBoard} from "./scope_board";
 
 /** Stretches of time that may be followed [s]. */
@@ -14,6 +15,8 @@ export class BoardBar {
   private readonly width = h("select", {class: "small", "aria-label": "How much time is seen", title: "How much time is seen"});
   private readonly signals = h("button", {type: "button", class: "plain small", "aria-pressed": "false", title: "Signals of the run (A)"}, "Signals");
   private readonly pins = h("ul", {class: "pins", "aria-label": "Kept runs"});
+
+  private lastPin: Pin | undefined;
 
   constructor(private readonly board: ScopeBoard) {
     const more = h("button", {type: "button", class: "plain small", "aria-label": "More about scopes", "aria-haspopup": "menu"}, "⋯");
@@ -37,11 +40,17 @@ export class BoardBar {
   }
 
   update(): void {
-    const {window, pins} = this.board.shared, {state} = this.board.shared.context.run.news;
-    this.state.textContent = this.stateText();
+    const {window, pins} = this.board.shared, {state} = this.board.shared.context.run.news, text = this.stateText();
+    if (this.state.textContent !== text) this.state.textContent = text;
     this.state.dataset.state = window.isFollowing ? state : "back";
     this.follow.hidden = window.isFollowing;
     this.listWidths(window.width);
+    if (this.pins.childElementCount !== pins.all.length || pins.all.at(-1) !== this.lastPin) this.listPins();
+  }
+
+  private listPins(): void {
+    const {pins} = this.board.shared;
+    this.lastPin = pins.all.at(-1);
     this.pins.replaceChildren(...pins.all.map((pin) => h("li", {class: "chip"}, pin.label,
       h("button", {type: "button", class: "plain small", "aria-label": `Drop ${pin.label}`, onclick: () => pins.drop(pin)}, "×"))));
   }

@@ -29,18 +29,18 @@ interface Measured {
   b: number | undefined;
 }
 
-/** A line of the section `claims` that says what was measured between the cursors, to a percent; undefined where no claim can say it. */
+/** An item of the section `claims` that says what was measured between the cursors, to a percent; undefined where no claim can say it. */
 export function claimText({source, label, statistics, unit, a, b}: Measured, reduction: Reduction): string | undefined {
   if (!mayClaim(reduction)) return undefined;
   const value = reduced(statistics, reduction, unit, b !== undefined && b < a), expression = yamlScalar(expressionOf(source));
   const compared: [string, string][] = [["equals", quantity(value, unit.text)], ["within", withinOf(value, unit)]];
   if (reduction === "a" || reduction === "b") {
     const time = seconds(reduction === "a" ? a : b ?? a), that = yamlScalar(`${label} is ${quantity(value, unit.text)} at ${time}`);
-    return `- ${flowMapping([["that", that], ["at", `{time: ${time}, value: ${expression}}`], ...compared])}`;
+    return flowMapping([["that", that], ["at", `{time: ${time}, value: ${expression}}`], ...compared]);
   }
   const {key, words} = claimed[reduction]!, from = seconds(Math.min(a, b ?? a)), to = seconds(Math.max(a, b ?? a));
   const that = yamlScalar(`${words} ${label} from ${from} to ${to} is ${quantity(value, unit.text)}`);
-  return `- ${flowMapping([["that", that], ["where", `time >= ${from} && time <= ${to}`], [key, expression], ...compared])}`;
+  return flowMapping([["that", that], ["where", `time >= ${from} && time <= ${to}`], [key, expression], ...compared]);
 }
 
 /** One percent; around zero, and with an offset (of degC), where a percent means nothing, a small absolute bound. */

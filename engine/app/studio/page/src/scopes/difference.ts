@@ -1,6 +1,6 @@
 import type {DisplayUnit} from "./display_unit";
 import {numberText, quantityText} from "./numbers";
-import {rowFrom, type Samples} from "./samples";
+import {isEvery, nearestRow, rowFrom, type Samples} from "./samples";
 
 /** How far a run is from a pinned one; SI, times in s. */
 export interface Difference {
@@ -23,17 +23,36 @@ function valueBetween(time: Float64Array, values: Float64Array, at: number): num
   return values[row - 1] + share * (values[row] - values[row - 1]);
 }
 
-/** `now` minus `before` at the times of `now`; lows with lows and highs with highs, so that equal runs differ nowhere. */
+type Pair = {low: number; high: number};
+
+/** What `now` minus `before` reached in a row of `now`. */
+function pairAt(now: Samples, before: Samples, row: number): Pair {
+  const at = now.time[row];
+  if (isEvery(now) && isEvery(before)) {
+    const value = now.low[row] - valueBetween(before.time, before.low, at);
+    return {low: value, high: value};
+  }
+  const other = nearestRow(before.time, at), isSame = before.time[other] === at && isEvery(now) === isEvery(before);
+  if (other < 0 || at > before.time[before.time.length - 1] + (before.time[1] - before.time[0])) return {low: NaN, high: NaN};
+  const a = now.low[row] - before.low[other], b = now.high[row] - before.high[other];
+  return isSame ? {low: Math.min(a, b), high: Math.max(a, b)} : gap(now.low[row] - before.high[other], now.high[row] - before.low[other]);
+}
+
+/** Of stretches that were gathered differently only what lies outside of both is known to differ. */
+function gap(above: number, below: number): Pair {
+  const value = above > 0 ? above : below < 0 ? below : 0;
+  return {low: value, high: value};
+}
+
+/** `now` minus `before` at the times of `now`. Of extremes, lows are compared with lows and highs with highs, so that equal runs differ nowhere. */
 export function difference(now: Samples, before: Samples, tolerance: number): Difference {
   const rows = now.time.length, low = new Float64Array(rows), high = new Float64Array(rows);
   const result: Difference = {samples: {time: now.time, low, high}, worst: 0, at: NaN, share: 0, first: undefined};
   let known = 0, beyond = 0;
   for (let row = 0; row < rows; ++row) {
-    const a = now.low[row] - valueBetween(before.time, before.low, now.time[row]);
-    const b = now.high[row] - valueBetween(before.time, before.high, now.time[row]);
-    low[row] = Math.min(a, b);
-    high[row] = Math.max(a, b);
-    const size = Math.max(Math.abs(a), Math.abs(b));
+    const pair = pairAt(now, before, row), size = Math.max(Math.abs(pair.low), Math.abs(pair.high));
+    low[row] = pair.low;
+    high[row] = pair.high;
     if (Number.isNaN(size)) continue;
     ++known;
     if (size > result.worst || Number.isNaN(result.at)) Object.assign(result, {worst: size, at: now.time[row]});

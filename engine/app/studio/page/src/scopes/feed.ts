@@ -16,6 +16,7 @@ export class Feed {
   private wish = "";
   private due: Wanted | null = null;
   private timer: number | undefined;
+  private sentAt = -Infinity;
   /** By column, SI. What was there stays until a frame with other columns comes. */
   samples = new Map<number, Samples>();
   frame: Frame | undefined;
@@ -28,8 +29,9 @@ export class Feed {
     if (wish === this.wish) return;
     this.wish = wish;
     this.due = wanted;
-    if (!wanted || wanted.columns.join() !== this.columns.join()) this.send();
-    else this.timer ??= window.setTimeout(() => this.send(), between);
+    const pause = between - (performance.now() - this.sentAt);
+    if (!wanted || pause <= 0 || wanted.columns.join() !== this.columns.join()) this.send();
+    else this.timer ??= window.setTimeout(() => this.send(), pause);
   }
 
   stop(): void {
@@ -39,6 +41,7 @@ export class Feed {
   private send(): void {
     clearTimeout(this.timer);
     this.timer = undefined;
+    this.sentAt = performance.now();
     if (!this.due) return this.leave();
     if (this.due.columns.join() !== this.columns.join()) this.enter(this.due.columns);
     this.connection.want(this.view, this.due);

@@ -10,8 +10,8 @@ export async function copyText(context: Context, text: string, what: string): Pr
   }
 }
 
-/** Offers a line of a section to the text by the event `studio:insert`; copies it where nobody takes the event. */
+/** Offers an item of a section to the text by the event `studio:insert`; copies it where nobody takes the event. */
 export function insertText(from: HTMLElement, context: Context, section: "claims" | "figure", text: string): void {
   const isOpen = from.dispatchEvent(new CustomEvent("studio:insert", {bubbles: true, cancelable: true, detail: {section, text}}));
-  if (isOpen) void copyText(context, text, section === "claims" ? "a line for claims" : "figure");
+  if (isOpen) void copyText(context, `- ${text}`, `an item of ${section}`);
 }

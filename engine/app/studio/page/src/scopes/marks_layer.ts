@@ -9,13 +9,11 @@ export class MarksLayer {
   private readonly hair = h("div", {class: "mark hair", "aria-hidden": "true"});
   private readonly chosen = h("div", {class: "chosen", hidden: true, "aria-hidden": "true"});
   private window: Range = {low: 0, high: 1};
+  /** Of the plot [px]; known from its axes, as reading it from the page would force a layout. */
+  width = 1;
 
-  constructor(private readonly over: HTMLElement) {
+  constructor(over: HTMLElement) {
     over.append(this.chosen, this.hair, this.a, this.b);
-  }
-
-  get width(): number {
-    return this.over.clientWidth || 1;
   }
 
   timeAt(x: number): number {
@@ -32,8 +30,9 @@ export class MarksLayer {
     return near(cursors.b) ? "b" : near(cursors.a) ? "a" : undefined;
   }
 
-  place(window: Range, {a, b}: Cursors, hover: number | undefined): void {
+  place(window: Range, width: number, {a, b}: Cursors, hover: number | undefined): void {
     this.window = window;
+    this.width = width;
     this.put(this.a, a);
     this.put(this.b, b);
     this.put(this.hair, hover);

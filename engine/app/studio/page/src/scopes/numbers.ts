@@ -21,10 +21,14 @@ export function fixedText(value: number, decimals: number): string {
   return (Math.abs(value) < 0.5 * 10 ** -decimals ? 0 : value).toFixed(decimals).replace("-", minus);
 }
 
-/** How many decimals tell values apart that are `step` from each other. */
+/** How many decimals multiples of `step` need. */
 export function decimalsOf(step: number): number {
   if (!(step > 0) || !Number.isFinite(step)) return 0;
-  return Math.min(12, Math.max(0, Math.ceil(-Math.log10(step) - 1e-9)));
+  for (let decimals = 0; decimals < 12; ++decimals) {
+    const whole = step * 10 ** decimals;
+    if (whole > 0.5 && Math.abs(whole - Math.round(whole)) < 1e-6 * whole) return decimals;
+  }
+  return 12;
 }
 
 /** For files: 12 digits that count, an ordinary minus. */

@@ -1,5 +1,6 @@
 // Curves on a canvas. Values are SI; a plane says which stretch of them lies where.
 
+import {paintPixels} from "./paint_pixels";
 import {isEvery, rowsWithin, type Samples} from "./samples";
 import type {Range} from "./y_range";
 
@@ -26,11 +27,15 @@ export const yOf = ({top, height, y}: Plane, value: number): number => top + hei
 
 type Context = CanvasRenderingContext2D;
 
+/** So many rows in a pixel are painted pixel by pixel. */
+const dense = 0.6;
+
 /** A curve over time. Where there is more than one row in a pixel, all that the pixel's rows reached is covered, so no peak is lost. */
 export function paintOverTime(context: Context, samples: Samples, plane: Plane, stroke: Stroke): void {
   const {from, to} = rowsWithin(samples.time, plane.x), isDense = !isEvery(samples) || to - from > plane.width;
   if (to <= from) return;
   prepare(context, stroke, isDense);
+  if (isDense && rowsInPixel(samples, plane, from, to) > dense) return paintPixels(context, samples, plane, from, to, stroke.ratio);
   context.beginPath();
   if (isDense) coverRows(context, samples, plane, from, to);
   else joinRows(context, samples, plane, from, to);
@@ -38,9 +43,13 @@ export function paintOverTime(context: Context, samples: Samples, plane: Plane, 
   if (to - from === 1) dot(context, xOf(plane, samples.time[from]), yOf(plane, samples.high[from]), 2 * stroke.ratio, stroke.color);
 }
 
+function rowsInPixel({time}: Samples, plane: Plane, from: number, to: number): number {
+  return (to - from) / Math.max(1, xOf(plane, time[to - 1]) - xOf(plane, time[from]));
+}
+
 /** Width 1 and no dashes where it is dense: what would be left out between dashes could be a peak. */
 function prepare(context: Context, {color, dash, alpha, ratio}: Stroke, isDense: boolean): void {
-  context.strokeStyle = color;
+  context.strokeStyle = context.fillStyle = color;
   context.lineWidth = (isDense ? 1 : 1.5) * ratio;
   context.lineJoin = "bevel";
   context.globalAlpha = isDense && dash.length > 0 ? 0.6 * alpha : alpha;
@@ -58,20 +67,10 @@ function joinRows(context: Context, {time, high}: Samples, plane: Plane, from: n
   }
 }
 
-/** One vertical stroke for the rows of a pixel, from the end that is nearer to where the last one ended. */
+/** One vertical stroke for each row, from the end that is nearer to where the last one ended. */
 function coverRows(context: Context, {time, low, high}: Samples, plane: Plane, from: number, to: number): void {
-  const across = plane.width / (plane.x.high - plane.x.low), up = plane.height / (plane.y.high - plane.y.low);
-  const left = plane.left - plane.x.low * across, bottom = plane.top + plane.height + plane.y.low * up;
   let last = NaN;
-  for (let row = from; row < to;) {
-    const x = left + time[row] * across, pixel = Math.floor(x);
-    let least = low[row], most = high[row];
-    for (++row; row < to && Math.floor(left + time[row] * across) === pixel; ++row) {
-      if (!(low[row] >= least)) least = Number.isNaN(low[row]) ? least : low[row];
-      if (!(high[row] <= most)) most = Number.isNaN(high[row]) ? most : high[row];
-    }
-    last = cover(context, x, bottom - least * up, bottom - most * up, last);
-  }
+  for (let row = from; row < to; ++row) last = cover(context, xOf(plane, time[row]), yOf(plane, low[row]), yOf(plane, high[row]), last);
 }
 
 /** At least a pixel high, so that a level stretch is seen. Returns where the pen is; NaN where it was lifted. */

@@ -1,12 +1,12 @@
-// How traces look. The colours are the page's tokens --trace-1 to --trace-8, which who confuses red and green, or sees no blue, tells
-// apart; from the ninth on they are dashed.
+// How traces look. The colours are the page's tokens --trace-1 to --trace-6, which who confuses red and green, or sees no blue, tells
+// apart; from the seventh on they are dashed.
 
 export interface TraceStyle {
   color: string;
   dash: number[];
 }
 
-export const colorCount = 8;
+export const colorCount = 6;
 /** A scope has no more traces. */
 export const mostTraces = 12;
 

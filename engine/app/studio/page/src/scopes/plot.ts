@@ -19,6 +19,11 @@ export interface Look {
 
 /** Labels have this width, whatever the numbers, so that nothing jumps [px]. */
 const axisWidth = 52, axisHeight = 22, widestLabel = 7;
+/** Above the axes stand their units. */
+const unitHeight = 16;
+
+/** Steps between ticks: 1, 2 and 5 of every power of ten. */
+const steps = Array.from({length: 31}, (_, i) => i - 15).flatMap((power) => [1, 2, 5].map((digit) => Number(`${digit}e${power}`)));
 
 const labels = (_: uPlot, splits: number[], __: number, ___: number, step: number) => splits.map((value) => labelText(value, step));
 
@@ -59,11 +64,11 @@ export class Plot {
     this.drawn?.setSize(this.size);
   }
 
-  /** Draws all anew. */
-  draw(x: Range, axes: YAxis[], unitOfX: string): void {
-    const keys = JSON.stringify(axes.map(({key}) => key));
+  /** Draws all anew. Room for axes on `sides` sides is left even where this plot has fewer, so that plots below each other are in line. */
+  draw(x: Range, axes: YAxis[], unitOfX: string, sides: number): void {
+    const keys = JSON.stringify([sides, axes.map(({key}) => key)]);
     this.units = [unitOfX, ...axes.map(({unit}) => unit)];
-    if (!this.drawn || keys !== this.keys) this.make(axes);
+    if (!this.drawn || keys !== this.keys) this.make(axes, sides);
     this.keys = keys;
     this.drawn!.batch(() => {
       this.drawn!.setScale("x", {min: x.low, max: x.high});
@@ -81,14 +86,14 @@ export class Plot {
     this.drawn = undefined;
   }
 
-  private make(axes: YAxis[]): void {
+  private make(axes: YAxis[], sides: number): void {
     this.dispose();
     const unranged = (_: uPlot, low: number | null, high: number | null): uPlot.Range.MinMax => [low ?? 0, high ?? 1];
     const scales = Object.fromEntries(axes.map(({key}) => [key, {auto: false, range: unranged}]));
-    const pad = (side: number) => (axes.length <= side ? 10 : 0);
+    const pad = (side: number) => (axes.length > side ? 0 : sides > side ? axisWidth : 10);
     this.drawn = new uPlot({
       ...this.size, legend: {show: false}, cursor: {show: false}, select: {show: false, left: 0, top: 0, width: 0, height: 0},
-      padding: [6, pad(1), 0, pad(0)], scales: {x: {time: false, auto: false, range: unranged}, ...scales}, series: [{}],
+      padding: [unitHeight, pad(1), 0, pad(0)], scales: {x: {time: false, auto: false, range: unranged}, ...scales}, series: [{}],
       axes: [this.axis("x", 0), ...axes.map(({key}, i) => this.axis(key, i + 1))], hooks: {draw: [() => this.finish()]},
     }, [[0, 1]]);
     this.host.replaceChildren(this.drawn.root);
@@ -99,7 +104,7 @@ export class Plot {
     const line = {show: place < 2, stroke: this.look.line, width: 1};
     return {
       scale, side: place === 0 ? 2 : place % 2 === 1 ? 3 : 1, size: place === 0 ? axisHeight : axisWidth, space: place === 0 ? 64 : 26, gap: 4,
-      stroke: this.look.ink, font: this.look.font, values: labels, grid: line, ticks: {...line, show: true, size: 4}, border: {show: place === 0, stroke: this.look.line, width: 1},
+      stroke: this.look.ink, font: this.look.font, values: labels, incrs: steps, grid: line, ticks: {...line, show: true, size: 4}, border: {show: place === 0, stroke: this.look.line, width: 1},
     };
   }
 
@@ -120,12 +125,11 @@ export class Plot {
     ctx.save();
     ctx.fillStyle = this.look.ink;
     ctx.font = this.look.font.replace(/[\d.]+px/, (size) => `${parseFloat(size) * ratio}px`);
-    ctx.textBaseline = "top";
-    ys.slice(0, 2).forEach((unit, i) => {
-      ctx.textAlign = i === 0 ? "left" : "right";
-      ctx.fillText(unit, i === 0 ? bbox.left + 5 * ratio : bbox.left + bbox.width - 5 * ratio, bbox.top + 1);
-    });
     ctx.textBaseline = "bottom";
+    ys.slice(0, 2).forEach((unit, i) => {
+      ctx.textAlign = i === 0 ? "right" : "left";
+      ctx.fillText(unit, i === 0 ? bbox.left - 4 * ratio : bbox.left + bbox.width + 4 * ratio, bbox.top - 2 * ratio);
+    });
     ctx.textAlign = "right";
     ctx.fillText(x, bbox.left + bbox.width - 3 * ratio, bbox.top + bbox.height - 2 * ratio);
     ctx.restore();

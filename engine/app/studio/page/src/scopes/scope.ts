@@ -1,15 +1,20 @@
 import {h, listen} from "../shell/dom";
 import {openMenu} from "../shell/menu";
-import {type AxisGroup, zoomAxis} from "./axis_group";
-import {Against, type Content, DifferenceTo, OverTime, type Subject} from "./content";
+import {Against} from "./against";
+import type {AxisGroup} from "./axis_group";
+import type {Content, Subject} from "./content";
+import {DifferenceTo} from "./difference_to";
+import {takeDrops} from "./drops";
 import {Feed} from "./feed";
-import {Gestures, type Gestured} from "./gestures";
+import {Gestures} from "./gestures";
 import {Legend} from "./legend";
 import {MarksLayer} from "./marks_layer";
+import {OverTime} from "./over_time";
 import {freeNumber, mostTraces} from "./palette";
 import type {Pin} from "./pins";
 import {Plot} from "./plot";
 import {valueAt} from "./samples";
+import {ScopeGestures} from "./scope_gestures";
 import {pressed} from "./scope_keys";
 import {entriesOf} from "./scope_menu";
 import type {Shared} from "./shared";
@@ -24,13 +29,15 @@ export interface ScopeHost {
   remove(scope: Scope): void;
 }
 
+/** Curves are drawn anew when they move by this many pixels of the screen, or have waited with new values for so long [s]. */
+const leastMove = 0.5, newPause = 0.05;
 /** Values in the legend change so often [s]. */
 const legendPause = 0.1;
 /** Wishes are for widths in steps of this many pixels, so that moving a splitter does not ask for each. */
 const pixelStep = 50;
 
 /** One plot of signals: which, over which stretch of time, and the marks over it. */
-export class Scope implements Subject, Gestured {
+export class Scope implements Subject {
   readonly element = h("section", {class: "scope", tabindex: 0, role: "group"});
   readonly feed: Feed;
   groups: AxisGroup[] = [];
@@ -43,15 +50,21 @@ export class Scope implements Subject, Gestured {
   private readonly title = h("span", {class: "scope-title"});
   private readonly chip = h("span", {class: "chip", hidden: true});
   private readonly note = h("p", {class: "scope-note", hidden: true});
-  readonly tolerance = h("input", {type: "text", class: "tolerance", value: "1 %", "aria-label": "Tolerance", title: "Tolerance: a value in the unit shown, or % of the pinned run's range"});
+  private readonly tolerance = h("input", {
+    type: "text", class: "tolerance", value: "1 %", "aria-label": "Tolerance", title: "Tolerance: a value in the unit shown, or % of the pinned run's range",
+  });
   private readonly area = h("div", {class: "scope-plot"});
   private readonly sizes = new ResizeObserver(() => this.measure());
   private legendAt = 0;
+  private drawn: Range = {low: 0, high: 0};
+  private drawnAt = 0;
+  private isTouched = true;
+  private hasNew = false;
   private width = 320;
   isSeen = true;
 
   constructor(readonly name: string, readonly shared: Shared, readonly host: ScopeHost) {
-    this.feed = new Feed(shared.context.connection, () => shared.redraw());
+    this.feed = new Feed(shared.context.connection, () => this.arrived());
     this.plot = new Plot(this.area, shared.look, (plot) => this.content.paint(plot, this.window.at(shared.now)), (over) => this.overlay(over));
     this.title.textContent = name;
     this.tolerance.hidden = true;
@@ -60,7 +73,7 @@ export class Scope implements Subject, Gestured {
     this.element.append(h("header", {class: "scope-head"}, this.title, this.legend.element, this.tolerance, this.chip, more), this.area, this.note);
     listen(this.tolerance, "input", () => shared.redraw());
     listen(this.element, "keydown", (event: KeyboardEvent) => { if (event.target === this.element) pressed(event, this); });
-    this.takeDrops();
+    takeDrops(this.element, (source) => host.add(this, source));
     this.sizes.observe(this.area);
     this.list();
   }
@@ -106,13 +119,23 @@ export class Scope implements Subject, Gestured {
   fill(what: "time" | "against" | Pin): void {
     this.content = what === "time" ? new OverTime(this) : what === "against" ? new Against(this) : new DifferenceTo(this, what, () => this.tolerance.value);
     this.tolerance.hidden = !(this.content instanceof DifferenceTo);
-    this.shared.redraw();
-    this.shared.keep();
+    this.changed();
   }
 
-  /** Takes time of its own, or that of the board again. */
-  setOwn(own: TimeWindow | undefined): void {
-    this.own = own;
+  /** Shows a stretch of time of its own from now on. */
+  takeOwnTime(): TimeWindow {
+    this.own = new TimeWindow(this.shared.window.width, () => this.changed());
+    this.changed();
+    return this.own;
+  }
+
+  /** Shows the stretch of time of the board again. */
+  shareTime(): void {
+    this.own = undefined;
+    this.changed();
+  }
+
+  private changed(): void {
     this.shared.redraw();
     this.shared.keep();
   }
@@ -125,24 +148,51 @@ export class Scope implements Subject, Gestured {
     this.feed.want({columns, ...this.content.wanted(this.window.at(this.shared.now), this.window.isFollowing, pixels)});
   }
 
-  /** Draws for the time of the run in `shared`, at `at` [s of the page's clock]. */
+  /** Draws for the time of the run in `shared`, at `at` [s of the page's clock]; the curves only where they would be seen to move. */
   draw(at: number): void {
-    const window = this.window.at(this.shared.now), {x, unitOfX, ys} = this.content.axes(window, at);
-    this.plot.draw(x, ys, unitOfX);
-    this.place();
+    const window = this.window.at(this.shared.now);
+    if (this.isDue(window, at)) this.drawCurves(window, at);
+    if (!this.isAgainst) this.marks?.place(window, this.plot.box.width / this.plot.ratio, this.shared.cursors, this.shared.hover);
     if (at - this.legendAt < legendPause) return;
     this.legendAt = at;
     this.tell(window);
   }
 
-  place(): void {
-    if (!this.isAgainst) this.marks?.place(this.window.at(this.shared.now), this.shared.cursors, this.shared.hover);
+  /** Something else than time changed. */
+  touch(): void {
+    this.isTouched = true;
+  }
+
+  private isDue({low, high}: Range, at: number): boolean {
+    const moved = (Math.abs(low - this.drawn.low) / (high - low)) * this.plot.box.width;
+    return this.isTouched || moved >= leastMove || (this.hasNew && at - this.drawnAt >= newPause) || high - low !== this.drawn.high - this.drawn.low;
+  }
+
+  private drawCurves(window: Range, at: number): void {
+    const {x, unitOfX, ys} = this.content.axes(window, at);
+    this.plot.draw(x, ys, unitOfX, this.shared.sides);
+    this.drawn = window;
+    this.drawnAt = at;
+    this.isTouched = this.hasNew = false;
+  }
+
+  /** While time moves, new values wait for the next move. */
+  private arrived(): void {
+    this.hasNew = true;
+    if (!this.window.isFollowing || !this.shared.context.run.clock.moves || this.isAgainst) this.isTouched = true;
+    this.shared.tick();
   }
 
   /** What a trace was at a time [s]; the newest value without one. */
   valueOf(trace: Trace, time?: number): Range | undefined {
     const samples = this.feed.samples.get(trace.column);
     return samples && valueAt(samples, time ?? Infinity);
+  }
+
+  /** The last value; of a stretch its middle. */
+  private newest(trace: Trace): Range | undefined {
+    const value = this.valueOf(trace), middle = value && (value.low + value.high) / 2;
+    return middle === undefined ? undefined : {low: middle, high: middle};
   }
 
   relook(): void {
@@ -156,42 +206,6 @@ export class Scope implements Subject, Gestured {
     this.element.remove();
   }
 
-  // What mouse and fingers do.
-  zoom(factor: number, x: number): void {
-    if (this.marks && !this.isAgainst) this.window.zoom(factor, this.marks.timeAt(x), this.shared.now);
-  }
-  zoomUp(factor: number, share: number): void {
-    for (const group of this.groups) zoomAxis(group, factor, share);
-    this.shared.redraw();
-  }
-  pan(distance: number): void {
-    if (this.marks && !this.isAgainst) this.window.pan(distance / this.marks.width, this.shared.now);
-  }
-  hover(x: number | undefined): void {
-    this.shared.hover = x === undefined || this.isAgainst ? undefined : this.marks?.timeAt(x);
-    this.shared.redraw();
-  }
-  click(x: number, isSecond: boolean): void {
-    this.element.focus({preventScroll: true});
-    this.drag(isSecond ? "b" : "a", x);
-  }
-  choosing(from?: number, to?: number): void {
-    if (!this.isAgainst) this.marks?.choose(from, to);
-  }
-  chose(from: number, to: number): void {
-    if (this.marks && !this.isAgainst) this.window.look({low: this.marks.timeAt(Math.min(from, to)), high: this.marks.timeAt(Math.max(from, to))});
-  }
-  grab(x: number): "a" | "b" | undefined {
-    return this.marks?.markAt(x, this.shared.cursors);
-  }
-  drag(mark: "a" | "b", x: number): void {
-    if (this.marks && !this.isAgainst) this.shared.cursors.put(mark, this.marks.timeAt(x), this.shared.context.run.loaded?.step ?? 0);
-  }
-  reset(): void {
-    for (const {range} of this.groups) range.fit();
-    this.window.follow();
-  }
-
   private list(): void {
     this.legend.list(this.traces);
     this.element.setAttribute("aria-label", `Scope ${this.name}: ${this.traces.map(({label}) => label).join(", ") || "empty"}`);
@@ -200,13 +214,13 @@ export class Scope implements Subject, Gestured {
 
   private overlay(over: HTMLElement): void {
     this.marks = new MarksLayer(over);
-    new Gestures(over, this);
+    new Gestures(over, new ScopeGestures(this, this.marks));
   }
 
   /** Text that follows what is drawn. */
   private tell(window: Range): void {
     const {hover, cursors} = this.shared, time = hover ?? cursors.a, note = this.content.note();
-    this.legend.show(this.groups, (trace) => this.valueOf(trace, time));
+    this.legend.show(this.groups, (trace) => (time === undefined ? this.newest(trace) : this.valueOf(trace, time)));
     if (this.note.textContent !== note) this.note.textContent = note;
     this.note.hidden = note === "";
     this.chip.hidden = !this.own;
@@ -217,22 +231,5 @@ export class Scope implements Subject, Gestured {
     this.width = this.area.clientWidth;
     if (this.width > 0) this.plot.resize(this.width, Math.max(60, this.area.clientHeight));
     this.shared.redraw();
-  }
-
-  private takeDrops(): void {
-    const over = (event: DragEvent) => {
-      if (!event.dataTransfer?.types.includes("text/plain")) return;
-      event.preventDefault();
-      this.element.classList.add("dropping");
-    };
-    listen(this.element, "dragover", over);
-    listen(this.element, "dragleave", () => this.element.classList.remove("dropping"));
-    listen(this.element, "drop", (event: DragEvent) => {
-      event.preventDefault();
-      event.stopPropagation();
-      this.element.classList.remove("dropping");
-      const source = event.dataTransfer?.getData("text/plain").trim();
-      if (source) this.host.add(this, source);
-    });
   }
 }

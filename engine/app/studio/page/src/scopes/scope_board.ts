@@ -4,11 +4,12 @@ import type {Loaded} from "../run/run_types";
 import type {Context, View} from "../shell/context";
 import {h, listen} from "../shell/dom";
 import {BoardBar} from "./board_bar";
+import {speechOf} from "./cursor_speech";
 import {Cursors} from "./cursors";
-import {addressOf, type KeptLayout, keptTraces, layoutOfAddress, readLayout, tracesOf} from "./kept_layout";
-import {valueText} from "./legend";
+import {takeDrops} from "./drops";
+import {layoutOf, restore} from "./board_layout";
+import {addressOf, type KeptLayout, layoutOfAddress, readLayout} from "./kept_layout";
 import {copyText} from "./hand_over";
-import {marksText} from "./statistics";
 import {traceColors} from "./palette";
 import {Pins} from "./pins";
 import {resolve, resolveAgain} from "./resolve";
@@ -37,24 +38,29 @@ export class ScopeBoard implements View, ScopeHost {
   private target: Scope | undefined;
   private speaking: number | undefined;
 
-  constructor(private readonly host: HTMLElement, private readonly context: Context) {
-    const {run} = context, redraw = () => this.ticker.request();
+  constructor(host: HTMLElement, private readonly context: Context) {
+    const {run} = context, tick = () => this.ticker.request();
+    const redraw = () => {
+      for (const scope of this.scopes) scope.touch();
+      tick();
+    };
     this.shared = {
-      context, redraw, fan: undefined, colors: [], look: {ink: "", line: "", font: ""}, now: 0, hover: undefined, keep: () => this.keep(),
+      context, redraw, tick, fan: undefined, colors: [], look: {ink: "", line: "", font: ""}, sides: 1, now: 0, hover: undefined, keep: () => this.keep(),
       cursors: new Cursors(() => this.moved()), window: new TimeWindow(usualWidth, () => { redraw(); this.keep(); }),
       pins: new Pins(context.connection, () => { this.bar.update(); redraw(); }),
     };
-    this.ticker = new Ticker(() => run.clock.moves, (at) => this.draw(at), () => context.theme.isStill);
+    this.ticker = new Ticker(() => run.clock.moves, (at, isLast) => this.draw(at, isLast), () => context.theme.isStill);
     this.statistics = new StatisticsTable(this.shared, () => this.scopes);
     this.bar = new BoardBar(this);
     host.classList.add("scopes");
     host.append(this.bar.element, h("div", {class: "scope-body"}, this.grid, this.signals.element), this.statistics.element);
     run.fanColumns = () => [...new Set(this.scopes.flatMap(({traces}) => traces.map(({column}) => column).filter((column) => column >= 0)))];
     this.ends = [
-      run.on("loaded", (loaded) => void this.load(loaded)), run.on("state", () => { this.bar.update(); redraw(); }),
+      run.on("loaded", (loaded) => void this.load(loaded)), run.on("state", () => { this.bar.update(); tick(); }),
       run.on("fan", (fan) => { this.shared.fan = fan.points.length > 0 ? fan : undefined; redraw(); }),
-      context.theme.on(() => this.relook()), ...this.keys(), ...this.drops(),
+      context.theme.on(() => this.relook()), ...this.keys(),
     ];
+    takeDrops(host, (source) => this.add(undefined, source));
     this.relook();
     if (run.loaded) void this.load(run.loaded);
   }
@@ -73,7 +79,7 @@ export class ScopeBoard implements View, ScopeHost {
   }
 
   // What a scope asks for.
-  add(scope: Scope, source: string): void {
+  add(scope: Scope | undefined, source: string): void {
     void this.addSource(scope, source).then((fault) => { if (fault) this.context.notify(`${source}: ${fault}`, "fault"); });
   }
 
@@ -135,18 +141,12 @@ export class ScopeBoard implements View, ScopeHost {
   }
 
   copyAddress(): void {
-    void copyText(this.context, addressOf(this.layout, location.href), "the address of this view");
-  }
-
-  private get layout(): KeptLayout {
-    const {window, cursors} = this.shared;
-    const scopes = this.scopes.map((scope) => ({title: scope.name, traces: keptTraces(scope.traces), against: scope.isAgainst || undefined, own: scope.own?.kept}));
-    return {version: 1, scopes, window: window.kept, cursors: {a: cursors.a, b: cursors.b}};
+    void copyText(this.context, addressOf(layoutOf(this), location.href), "the address of this view");
   }
 
   private keep(): void {
     this.bar.update();
-    if (!this.isFilling) this.context.settings.set(key, this.layout);
+    if (!this.isFilling) this.context.settings.set(key, layoutOf(this));
   }
   private isFilling = false;
 
@@ -176,27 +176,18 @@ export class ScopeBoard implements View, ScopeHost {
     this.isFilling = false;
   }
 
-  private restore({scopes, window, cursors}: KeptLayout): void {
+  private restore(kept: KeptLayout): void {
     this.isFilling = true;
-    const width = ({width, from, to}: KeptLayout["window"], own: TimeWindow) => (from === null || to === null ? own.follow(width) : own.look({low: from, high: to}));
-    width(window, this.shared.window);
-    for (const kept of scopes) {
-      const scope = this.open(kept.title);
-      scope.replaceTraces(tracesOf(kept));
-      if (kept.against) scope.fill("against");
-      if (kept.own) {
-        scope.setOwn(new TimeWindow(kept.own.width, () => { this.shared.redraw(); this.keep(); }));
-        width(kept.own, scope.own!);
-      }
-    }
-    Object.assign(this.shared.cursors, cursors);
+    restore(this, kept);
     this.isFilling = false;
   }
 
-  private draw(at: number): void {
+  private draw(at: number, isLast: boolean): void {
     if (!this.isShown) return;
+    if (isLast) for (const scope of this.scopes) scope.touch();
     const {run} = this.context;
     this.shared.now = run.time;
+    this.shared.sides = Math.min(2, Math.max(1, ...this.scopes.map(({groups}) => groups.length)));
     let newest = -Infinity;
     for (const scope of this.scopes) {
       scope.want(true);
@@ -232,16 +223,11 @@ export class ScopeBoard implements View, ScopeHost {
   }
 
   private speak(): void {
-    const {a, b} = this.shared.cursors, scope = this.target ?? this.scopes[0];
-    const values = (scope?.groups ?? []).flatMap(({traces, unit}) => traces.map((trace) => {
-      const value = scope.valueOf(trace, b ?? a);
-      return value ? `${trace.label} ${valueText(value, unit)}` : "";
-    }));
-    this.context.announce([marksText(a, b), ...values].filter(Boolean).join("; "));
+    this.context.announce(speechOf(this.shared.cursors, this.target ?? this.scopes[0]));
   }
 
   private keys(): (() => void)[] {
-    const {shortcuts, run} = this.context, group = "Scopes", within = () => this.isShown;
+    const {shortcuts} = this.context, group = "Scopes", within = () => this.isShown;
     const only = {key: "", text: "", action: () => {}, group};
     return [
       shortcuts.add({...only, key: "F", text: "follow the newest again", within, action: () => this.follow()}),
@@ -249,19 +235,6 @@ export class ScopeBoard implements View, ScopeHost {
       shortcuts.add({...only, key: "A", text: "add a signal", within, action: () => this.bar.showSignals(true)}),
       shortcuts.add({...only, key: "P", text: "keep this run to compare with", within, action: () => void this.pin()}),
       shortcuts.add({...only, key: "Esc", text: "take the cursors away", within: () => this.isShown && this.shared.cursors.a !== undefined, action: () => this.shared.cursors.clear()}),
-      run.on("fault", (fault) => this.context.notify(fault.message, "fault")),
-    ];
-  }
-
-  /** What is dropped beside the scopes opens a new one. */
-  private drops(): (() => void)[] {
-    return [
-      listen(this.host, "dragover", (event: DragEvent) => { if (event.dataTransfer?.types.includes("text/plain")) event.preventDefault(); }),
-      listen(this.host, "drop", (event: DragEvent) => {
-        event.preventDefault();
-        const source = event.dataTransfer?.getData("text/plain").trim();
-        if (source) void this.addSource(undefined, source).then((fault) => { if (fault) this.context.notify(`${source}: ${fault}`, "fault"); });
-      }),
     ];
   }
 }

@@ -4,7 +4,6 @@ import {saveFile} from "./save_file";
 import type {Scope} from "./scope";
 import {scopeSvg} from "./scope_svg";
 import {showTable} from "./scope_table";
-import {TimeWindow} from "./time_window";
 
 type Entry = [string, () => void];
 
@@ -23,8 +22,7 @@ function kinds(scope: Scope): Entry[] {
 function times(scope: Scope): Entry[] {
   const range = scope.groups.some((group) => group.range.isChosen);
   const fit: Entry[] = range ? [["Fit the values again", () => { scope.groups.forEach((group) => group.range.fit()); scope.shared.redraw(); }]] : [];
-  const own: Entry = scope.own ? ["Same time as the other scopes", () => scope.setOwn(undefined)]
-    : ["Time of its own", () => scope.setOwn(new TimeWindow(scope.shared.window.width, () => { scope.shared.redraw(); scope.shared.keep(); }))];
+  const own: Entry = scope.own ? ["Same time as the other scopes", () => scope.shareTime()] : ["Time of its own", () => void scope.takeOwnTime()];
   return [...fit, own];
 }
 
@@ -32,7 +30,7 @@ function files(scope: Scope): Entry[] {
   return [
     ["Save the range as CSV", () => void saveCsv(scope)],
     ["Save the picture as SVG", () => saveFile(`${scope.name || "scope"}.svg`, "image/svg+xml", scopeSvg(scope))],
-    ["Copy as figure:", () => void copyText(scope.shared.context, figureOf(scope), "figure")],
+    ["Copy as figure:", () => void copyText(scope.shared.context, `figure: ${figureOf(scope)}\n`, "figure")],
     ["Insert as figure: into the text", () => insertText(scope.element, scope.shared.context, "figure", figureOf(scope))],
   ];
 }

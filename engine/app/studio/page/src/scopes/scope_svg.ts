@@ -43,7 +43,7 @@ export function scopeSvg(scope: Scope): string {
 }
 
 /** The colours of the light theme, in which pictures are printed. */
-const lightColors = ["#0b62a4", "#c44e00", "#00795c", "#a4307f", "#7a5c00", "#26737f", "#6a4fb3", "#4d5157"];
+const lightColors = ["#054cb4", "#d07b0d", "#00955c", "#a21478", "#7d4f00", "#3f3b2f"];
 
 function text(x: number, y: number, content: string, anchor: "start" | "middle" | "end"): SVGTextElement {
   return svg("text", {x, y, "text-anchor": anchor}, content);

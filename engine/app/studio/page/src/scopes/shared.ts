@@ -14,12 +14,16 @@ export interface Shared {
   fan: Fan | undefined;
   colors: string[];
   look: Look;
+  /** Sides on which any of the scopes has an axis: 1 or 2. */
+  sides: number;
   /** Time of the run that is drawn now [s]. */
   now: number;
   /** Where the pointer is over a scope [s]. */
   hover: number | undefined;
-  /** Draws all scopes with the next picture of the screen. */
+  /** Draws all scopes anew with the next picture of the screen. */
   redraw(): void;
+  /** Brings marks and texts up to date, and what has moved. */
+  tick(): void;
   /** Something changed that is kept between visits. */
   keep(): void;
 }

@@ -11,6 +11,9 @@ import type {Trace} from "./trace";
 /** How long the cursors must rest before the server is asked [ms]. */
 const quiet = 60;
 
+/** JSON has no NaN; null stands for it. */
+const numbers = (one: Statistics): Statistics => Object.fromEntries(Object.entries(one).map(([name, value]) => [name, value ?? NaN])) as unknown as Statistics;
+
 /** What lies between the cursors, for all traces of all scopes, from all samples; a click on a number makes a line of `claims` of it. */
 export class StatisticsTable {
   readonly element = h("section", {class: "statistics", "aria-label": "Between the cursors", hidden: true});
@@ -45,9 +48,9 @@ export class StatisticsTable {
     const wanted = JSON.stringify([stretch, columns]);
     this.asked = wanted;
     try {
-      const result = await this.shared.context.connection.call<{columns: Statistics[]} | Statistics[]>("data.statistics", {columns, from: stretch.low, to: stretch.high});
+      const {statistics} = await this.shared.context.connection.call<{statistics: Statistics[]}>("data.statistics", {columns, from: stretch.low, to: stretch.high});
       if (this.asked !== wanted) return;
-      this.known = new Map((Array.isArray(result) ? result : result.columns).map((one) => [one.column, one]));
+      this.known = new Map(statistics.map((one) => [one.column, numbers(one)]));
       this.show();
     } catch (thrown) {
       this.head.textContent = `no statistics: ${Fault.from(thrown).message}`;

@@ -7,7 +7,7 @@ export class Ticker {
   private timer: number | undefined;
   private last = 0;
 
-  constructor(private readonly moves: () => boolean, private readonly draw: (at: number) => void, private readonly isStill: () => boolean) {}
+  constructor(private readonly moves: () => boolean, private readonly draw: (at: number, isLast: boolean) => void, private readonly isStill: () => boolean) {}
 
   request(): void {
     if (this.frame === 0) this.frame = requestAnimationFrame((ms) => this.run(ms / 1000));
@@ -23,7 +23,7 @@ export class Ticker {
     this.frame = 0;
     if (this.isStill() && this.moves() && at - this.last < 1 / stillRate) return this.request();
     this.last = at;
-    this.draw(at);
+    this.draw(at, false);
     clearTimeout(this.timer);
     if (this.moves()) this.request();
     else this.timer = window.setTimeout(() => this.settle(), afterglow * 1000);
@@ -31,6 +31,6 @@ export class Ticker {
 
   /** One more picture, which is followed by none. */
   private settle(): void {
-    requestAnimationFrame((ms) => this.draw(ms / 1000));
+    requestAnimationFrame((ms) => this.draw(ms / 1000, true));
   }
 }

@@ -10,14 +10,12 @@ import {EditorState, type Extension} from "@codemirror/state";
 import {drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers, rectangularSelection} from "@codemirror/view";
 import {appearance} from "./theme";
 
-/** The nonce that the server put into the page, for the styles that the editor makes. */
-const styleNonce = () => document.querySelector<HTMLMetaElement>("meta[name=style-nonce]")?.nonce ?? "";
+/** The nonce that the server put into the page, for the styles that an editor makes. */
+export const nonced = () => EditorView.cspNonce.of(document.querySelector<HTMLMetaElement>("meta[name=style-nonce]")?.nonce ?? "");
 
-/** A line that is too long goes on below, under its own beginning. */
 export function editing(title: string, isWritable: boolean): Extension {
   return [
-    EditorView.cspNonce.of(styleNonce()),
-    lineNumbers(), highlightActiveLineGutter(), foldGutter(), lintGutter(), history({newGroupDelay: 600}), drawSelection(), indentOnInput(),
+    nonced(), lineNumbers(), highlightActiveLineGutter(), foldGutter(), lintGutter(), history({newGroupDelay: 600}), drawSelection(), indentOnInput(),
     indentUnit.of("  "), EditorState.tabSize.of(2), bracketMatching(), closeBrackets(), autocompletion({activateOnTyping: true}),
     rectangularSelection(), highlightActiveLine(), highlightSelectionMatches(), yaml(), appearance,
     keymap.of([{key: "F8", run: nextDiagnostic}, ...closeBracketsKeymap, ...defaultKeymap, ...searchKeymap, ...historyKeymap, ...foldKeymap, ...completionKeymap, ...lintKeymap]),
@@ -28,6 +26,6 @@ export function editing(title: string, isWritable: boolean): Extension {
 
 /** The same without anything that edits. */
 export function reading(title: string): Extension {
-  return [EditorView.cspNonce.of(styleNonce()), lineNumbers(), drawSelection(), yaml(), appearance, EditorState.readOnly.of(true),
+  return [nonced(), lineNumbers(), drawSelection(), yaml(), appearance, EditorState.readOnly.of(true),
     EditorView.editable.of(false), EditorView.contentAttributes.of({"aria-label": title, tabindex: "0"})];
 }

@@ -1,6 +1,8 @@
 import {EditorView} from "@codemirror/view";
 import type {Context, View} from "../shell/context";
-import {editing} from "./editor";
+import {showConflict} from "./conflict";
+import {editing, nonced} from "./editor";
+import {Language} from "./language";
 import "./text.css";
 
 /** The editor of the active text. */
@@ -11,14 +13,19 @@ export class TextView implements View {
   constructor(host: HTMLElement, private readonly context: Context) {
     const {workbench} = context;
     this.editor = new EditorView({
-      parent: host,
+      parent: host, extensions: nonced(),
       dispatchTransactions: (transactions, view) => {
         view.update(transactions);
         if (workbench.active) workbench.took(workbench.active, transactions);
       },
     });
-    workbench.attach(this.editor, (document) => editing(document.name, document.isWritable));
-    this.ends = [context.shortcuts.add({key: "Ctrl+S", text: "save all changed texts", group: "Text", action: () => this.save()})];
+    const language = new Language(context.connection, workbench, context.notify);
+    workbench.attach(this.editor, (document) => [editing(document.name, document.isWritable), language.extensions(document)]);
+    this.ends = [
+      workbench.on("faults", ({file, faults}) => language.showFaults(file, faults)),
+      workbench.on("conflict", ({document, text, hash}) => showConflict(context, document, text, hash)),
+      context.shortcuts.add({key: "Ctrl+S", text: "save all changed texts", group: "Text", action: () => this.save()}),
+    ];
   }
 
   dispose(): void {

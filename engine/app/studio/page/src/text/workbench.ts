@@ -37,6 +37,8 @@ export interface WorkbenchEvents {
   files: FileEntry[];
   selected: {file: number; from: number; to: number};
   marks: {file: number; marks: Mark[]};
+  /** What the checker says of a diagram; [] where it loads. */
+  faults: {file: number; faults: DiagramFault[]};
   conflict: {document: Document; text: string; hash: string};
 }
 
@@ -191,8 +193,19 @@ export class Workbench {
   /** Selects a range and brings it into view; the focus stays where it is. */
   async reveal(file: number, from: number, to: number, focus = false): Promise<void> {
     const document = await this.activate(file), most = document.state.doc.length;
-    this.dispatch(document, {selection: {anchor: Math.min(from, most), head: Math.min(to, most)}, scrollIntoView: true, userEvent: "select.reveal"});
+    this.dispatch(document, {selection: {anchor: Math.min(to, most), head: Math.min(from, most)}, scrollIntoView: true, userEvent: "select.reveal"});
     if (focus) this.view?.focus();
+  }
+
+  /** Puts the cursor to a line and column, which count from 1. */
+  async revealLine(file: number, line: number, column: number): Promise<void> {
+    const {doc} = (await this.open(file)).state, {from, length} = doc.line(Math.min(Math.max(1, line), doc.lines)), at = from + Math.min(column - 1, length);
+    await this.reveal(file, at, at, true);
+  }
+
+  /** The drawing's graph came with these faults, or without any. */
+  setFaults(file: number, faults: DiagramFault[]): void {
+    this.emit("faults", {file, faults});
   }
 
   setMarks(file: number, marks: Mark[]): void {
@@ -329,5 +342,3 @@ export class Workbench {
     this.emit("synced", document);
   }
 }
-
-export type {DiagramFault};

@@ -7,21 +7,21 @@ export interface OwnUnit {
   scale: number;
 }
 
-const quantity = /^\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)\s*(.*?)\s*$/i;
+const quantity = /^\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)\s*((?:[\p{L}%°(1][\p{L}\d%°()^*/. -]*)?)$/iu;
 
 /** Reads the unit off the text in the file, "10 mm" of 0.01; an expression, or a zero, is shown in SI. */
 export function ownUnit({text, value, unit}: Pick<Parameter, "text" | "value" | "unit">): OwnUnit {
   const match = quantity.exec(text), number = Number(match?.[1]), si = unit === "1" ? "" : unit;
   if (!match || !Number.isFinite(number) || number === 0 || !(number / value > 0)) return {text: si, scale: 1};
   const scale = number / value;
-  return {text: match[2], scale: Math.abs(scale - 1) < 1e-9 ? 1 : scale};
+  return {text: match[2].trim(), scale: Math.abs(scale - 1) < 1e-9 ? 1 : scale};
 }
 
-/** The ends of the slider [SI]: those of the file, else from 0 to twice the value. */
+/** The ends of the slider [SI]: those of the file, else from 0 to twice the value, and of a zero from -1 to 1. */
 export function sliderRange({low, high, value}: Pick<Parameter, "low" | "high" | "value">): {low: number; high: number} {
-  const size = Math.abs(value) || 1, below = low ?? (value < 0 ? -2 * size : value === 0 ? (high !== null && high <= 0 ? high - 1 : -1) : Math.min(0, high ?? 0));
-  const above = high ?? (value < 0 ? Math.max(0, below) : Math.max(2 * value, below + size));
-  return above > below ? {low: below, high: above} : {low: below, high: below + size};
+  const usual = value === 0 ? {low: -1, high: 1} : {low: Math.min(0, 2 * value), high: Math.max(0, 2 * value)};
+  const range = {low: low ?? Math.min(usual.low, high ?? 0), high: high ?? Math.max(usual.high, low ?? 0)};
+  return range.high > range.low ? range : {low: range.low, high: range.low + (Math.abs(value) || 1)};
 }
 
 /** Places of a slider, and what one of them is worth. */

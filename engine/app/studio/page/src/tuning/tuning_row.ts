@@ -1,4 +1,5 @@
 import {Fault} from "../connection/connection";
+import {icon} from "../run/icons";
 import type {Parameter, SetEcho} from "../run/run_types";
 import type {Context} from "../shell/context";
 import {h, listen} from "../shell/dom";
@@ -15,7 +16,7 @@ export class TuningRow {
   private readonly field = h("input", {type: "text", class: "tuned-field", spellcheck: "false", autocomplete: "off"});
   private readonly echo = h("span", {class: "tuned-echo"});
   private readonly fault = h("p", {class: "tuned-fault", role: "alert", hidden: true});
-  private readonly pinned = h("button", {type: "button", class: "plain small", title: "Keep on top"}, "⌃");
+  private readonly pinned = h("button", {type: "button", class: "plain small", title: "Keep on top"}, icon("pin"));
   private readonly back: HTMLButtonElement;
   private readonly write: HTMLButtonElement;
   private readonly queue = new SetQueue<string | number>((value) => this.send(value));
@@ -28,7 +29,7 @@ export class TuningRow {
     this.unit = ownUnit(parameter);
     this.range = sliderRange(parameter);
     this.inText = {text: parameter.text, value: parameter.value};
-    this.back = this.button("↺", `Back to ${parameter.text}, as the text has it`, () => void this.queue.put(this.inText.text));
+    this.back = this.button("Reset", `Back to ${parameter.text}, as the text has it`, () => void this.queue.put(this.inText.text));
     this.write = this.button("To text", "Write this value to the text, as one edit that may be undone", () => this.writeToText());
     this.pinned.setAttribute("aria-label", `Keep on top: ${name}`);
     this.setPinned(isPinned);
@@ -46,12 +47,12 @@ export class TuningRow {
 
   /** The run took a value over, of this page or of another one. */
   took({value, text, tick}: SetEcho): void {
+    if (value === null) return void (this.echo.textContent = `${text} from tick ${tick}`);
     this.parameter.value = value;
-    this.parameter.text = text;
     this.range = {low: Math.min(this.range.low, value), high: Math.max(this.range.high, value)};
     this.refuse(undefined);
     this.show();
-    this.echo.textContent = `${text} from tick ${tick}`;
+    this.echo.textContent = `${valueText(value, this.unit)} from tick ${tick}`;
     this.echo.title = `${value} in SI`;
   }
 

@@ -1,0 +1,101 @@
+import type {Fault} from "../connection/connection";
+import type {Context, View} from "../shell/context";
+import {h} from "../shell/dom";
+import {FigureElement} from "./figure_element";
+import type {Figure} from "./spec";
+import "./figures.css";
+
+const soonest = 400; // ms between two drawings while the run goes
+const share = 5; // a drawing takes no more than this part of the time
+
+/** The figures of the file as they will be, of what was recorded so far; they grow while the run goes. */
+export class FiguresView implements View {
+  private readonly list = h("div", {class: "figure-list"});
+  private readonly note = h("p", {class: "empty"});
+  private readonly root = h("div", {class: "figures", tabindex: 0, "data-focus": true, role: "region", "aria-label": "Figures"}, this.note, this.list);
+  private readonly ends: (() => void)[];
+  private readonly sizes: ResizeObserver;
+  private elements: FigureElement[] = [];
+  private figures: Figure[] = [];
+  private timer: number | undefined;
+  private isSeen = true;
+  private isAsking = false;
+  private isDue = false;
+
+  constructor(host: HTMLElement, private readonly context: Context) {
+    host.append(this.root);
+    const {run, theme} = context;
+    this.ends = [
+      run.on("loaded", () => this.restart()), run.on("state", () => this.later()), run.on("set", () => this.later()), theme.on(() => this.draw()),
+    ];
+    this.sizes = new ResizeObserver(() => this.draw());
+    this.sizes.observe(this.root);
+    this.restart();
+  }
+
+  shown(isShown: boolean): void {
+    this.isSeen = isShown;
+    if (isShown) this.later();
+  }
+
+  dispose(): void {
+    clearTimeout(this.timer);
+    this.sizes.disconnect();
+    for (const end of this.ends) end();
+    for (const element of this.elements) element.dispose();
+  }
+
+  private restart(): void {
+    const {loaded} = this.context.run;
+    if (!loaded) return this.say("No diagram is loaded yet. Its figures appear here as soon as its text has no faults.");
+    if (loaded.figures === 0) {
+      this.take([]);
+      return this.say("This diagram has no figures. A section such as “figure: {plot: lines, x: time in s, y: NAME in mm}” in its text draws one.");
+    }
+    this.say(this.figures.length === 0 ? "Figures are drawn…" : "");
+    this.later(0);
+  }
+
+  private say(text: string): void {
+    this.note.textContent = text;
+    this.note.hidden = text === "";
+  }
+
+  /** Asks for the figures soon; while one question is open no other is sent. */
+  private later(pause = soonest): void {
+    if (!this.isSeen || !this.context.run.loaded?.figures) return;
+    if (this.isAsking || this.timer !== undefined) return void (this.isDue = true);
+    this.timer = window.setTimeout(() => void this.ask(), pause);
+  }
+
+  private async ask(): Promise<void> {
+    this.timer = undefined;
+    [this.isAsking, this.isDue] = [true, false];
+    const from = performance.now();
+    try {
+      const {figures} = await this.context.connection.call<{figures: Figure[]}>("figures");
+      this.say("");
+      this.take(figures);
+    } catch (thrown) {
+      this.say(`The figures cannot be drawn: ${(thrown as Fault).message}`);
+    }
+    this.isAsking = false;
+    const pause = Math.max(soonest, (share - 1) * (performance.now() - from));
+    if (this.isDue || this.context.run.news.state === "playing") this.later(pause);
+  }
+
+  private take(figures: Figure[]): void {
+    this.figures = figures;
+    while (this.elements.length > figures.length) this.elements.pop()?.dispose();
+    while (this.elements.length < figures.length) this.elements.push(new FigureElement(this.elements.length + 1));
+    const now = this.elements.map(({element}) => element);
+    if (now.length !== this.list.children.length || now.some((element, i) => element !== this.list.children[i])) this.list.replaceChildren(...now);
+    this.draw();
+  }
+
+  private draw(): void {
+    const room = this.root.clientWidth - 34;
+    if (room <= 0) return;
+    this.figures.forEach((figure, i) => this.elements[i].show(figure, this.context.theme.isDark, room));
+  }
+}

@@ -1,0 +1,93 @@
+import {Fault} from "../connection/connection";
+import type {Context} from "../shell/context";
+import {openDialog} from "../shell/dialog";
+import {h, listen} from "../shell/dom";
+import {type Entry, found} from "./search";
+import "./gallery.css";
+
+/** Examples and figures of the thesis to start from: the chosen one is copied beside the file of the studio and opened. */
+export function openGallery(context: Context): void {
+  new Gallery(context).open();
+}
+
+/** Copies an entry and opens it. Rejects with the fault. */
+export async function startFrom(context: Context, {entry}: Entry, name: string): Promise<void> {
+  const {file} = await context.connection.call<{file: number}>("gallery.copy", {entry, name});
+  await context.workbench.listFiles();
+  await context.workbench.setRoot(file);
+}
+
+class Gallery {
+  private readonly query = h("input", {type: "search", placeholder: "Search: damper, sweep, figure 38 …", "aria-label": "Search examples", role: "combobox", "aria-expanded": true, "aria-controls": "gallery-list", autocomplete: "off"});
+  private readonly list = h("div", {class: "gallery-list", role: "listbox", id: "gallery-list", "aria-label": "Examples"});
+  private readonly name = h("input", {type: "text", "aria-label": "Name of the copy", spellcheck: "false", autocomplete: "off"});
+  private readonly fault = h("p", {class: "gallery-fault", role: "alert", hidden: true});
+  private dialog: HTMLDialogElement | undefined;
+  private entries: Entry[] = [];
+  private shown: Entry[] = [];
+  private chosen = 0;
+
+  constructor(private readonly context: Context) {}
+
+  open(): void {
+    listen(this.query, "input", () => this.search());
+    for (const field of [this.query, this.name]) listen(field, "keydown", (event: KeyboardEvent) => this.press(event));
+    const copy = h("label", {class: "gallery-name"}, "Copy it as ", this.name);
+    this.dialog = openDialog("Start from an example", [this.query, this.list, copy, this.fault],
+      (close) => [h("button", {type: "button", onclick: close}, "Cancel"), h("button", {type: "button", class: "main", onclick: () => void this.start()}, "Copy and open")]);
+    this.query.focus();
+    this.context.connection.call<{entries: Entry[]}>("gallery").then(({entries}) => { this.entries = entries; this.search(); }, (thrown) => this.complain(thrown));
+  }
+
+  private search(): void {
+    this.shown = found(this.entries, this.query.value);
+    const groups = new Map<string, HTMLElement[]>();
+    this.shown.forEach((entry, i) => {
+      if (!groups.has(entry.group)) groups.set(entry.group, []);
+      groups.get(entry.group)!.push(this.option(entry, i));
+    });
+    const parts = [...groups].map(([group, options]) => h("div", {role: "group", "aria-label": group}, h("div", {class: "gallery-group", "aria-hidden": true}, group), ...options));
+    this.list.replaceChildren(...parts, ...(this.shown.length === 0 ? [h("p", {class: "empty"}, "Nothing has these words.")] : []));
+    this.choose(0);
+  }
+
+  private option({name, title, caption}: Entry, i: number): HTMLElement {
+    return h("div", {class: "gallery-entry", role: "option", id: `gallery-${i}`, onclick: () => this.choose(i), ondblclick: () => void this.start()},
+      h("span", {class: "gallery-title"}, title), " ", h("span", {class: "gallery-file"}, name), caption ? h("span", {class: "gallery-caption"}, caption) : null);
+  }
+
+  private choose(index: number): void {
+    this.chosen = Math.min(Math.max(0, index), this.shown.length - 1);
+    for (const one of this.list.querySelectorAll("[aria-selected]")) one.removeAttribute("aria-selected");
+    const option = this.list.querySelector(`#gallery-${this.chosen}`), entry = this.shown[this.chosen];
+    option?.setAttribute("aria-selected", "true");
+    option?.scrollIntoView({block: "nearest"});
+    this.query.setAttribute("aria-activedescendant", `gallery-${this.chosen}`);
+    if (entry) this.name.value = entry.name.replace(/^.*\//, "").replace(/\.yaml$/, "") + ".yaml";
+  }
+
+  private press(event: KeyboardEvent): void {
+    const steps: Record<string, number> = {ArrowDown: 1, ArrowUp: -1, PageDown: 8, PageUp: -8};
+    if (event.key === "Enter") void this.start();
+    else if (event.key in steps) this.choose(this.chosen + steps[event.key]);
+    else return;
+    event.preventDefault();
+  }
+
+  private async start(): Promise<void> {
+    const entry = this.shown[this.chosen];
+    if (!entry) return;
+    try {
+      await startFrom(this.context, entry, this.name.value.trim());
+      this.dialog?.close();
+      this.context.announce(`${entry.title} is open`);
+    } catch (thrown) {
+      this.complain(thrown);
+    }
+  }
+
+  private complain(thrown: unknown): void {
+    this.fault.textContent = Fault.from(thrown).message;
+    this.fault.hidden = false;
+  }
+}

@@ -1,0 +1,199 @@
+// The 3-D view itself; with it comes three, so this module is loaded only when it is looked at.
+
+import {AxesHelper, DirectionalLight, Group, HemisphereLight, PerspectiveCamera, Scene, Spherical, Vector3, WebGLRenderer} from "three";
+import {OrbitControls} from "three/examples/jsm/controls/OrbitControls.js";
+import {MechanismLabels} from "./mechanism_labels";
+import {extentOf, isKnown, type Mechanism, type Placed, type Point} from "./mechanism_model";
+import {type Colors, type Part, partOf} from "./mechanism_parts";
+
+const angle = Math.PI / 36, nearer = 0.9; // of one press of a key
+const opening = 40; // degrees
+
+interface Named {
+  part: Part;
+  /** Where its name stands. */
+  label: Vector3 | undefined;
+}
+
+/** The middle of points; of a force its tip, so that its name keeps off what it acts on. */
+function nameAt({element, points}: Placed, thick: number): Vector3 {
+  const middle = new Vector3();
+  for (const point of points) middle.addScaledVector(new Vector3(...point), 1 / points.length);
+  if (element.kind !== "force") return middle;
+  const [x = 1, y = 0, z = 0] = element.direction ?? [];
+  return middle.addScaledVector(new Vector3(x, y, z).normalize(), 8 * thick);
+}
+
+/** A mechanism in space. Drag, or arrows and + and -, turn it and bring it nearer; it is drawn anew only when something has changed. */
+export class MechanismStage {
+  private readonly renderer: WebGLRenderer;
+  private readonly scene = new Scene();
+  private readonly camera = new PerspectiveCamera(opening, 1, 0.001, 100);
+  private readonly controls: OrbitControls;
+  private readonly labels = new MechanismLabels();
+  private readonly sizes: ResizeObserver;
+  private bodies = new Group();
+  private named: Named[] = [];
+  private thick = 0; // of housings [m]
+  private home = {position: new Vector3(), target: new Vector3()};
+  private last: Placed[] = [];
+  private frame: number | undefined;
+
+  /** Throws where the browser has no WebGL. */
+  constructor(private readonly host: HTMLElement, private mechanism: Mechanism, private colors: Colors) {
+    this.renderer = new WebGLRenderer({antialias: true, alpha: true});
+    const {domElement} = this.renderer;
+    domElement.classList.add("mechanism-canvas");
+    domElement.tabIndex = 0;
+    domElement.dataset.focus = domElement.dataset.ownKeys = "";
+    domElement.setAttribute("role", "application");
+    domElement.setAttribute("aria-label", `Mechanism ${mechanism.title}; arrows turn it, + and - change its size, Home turns it back`);
+    this.host.append(domElement, this.labels.element);
+    this.camera.up.copy(this.up);
+    this.controls = new OrbitControls(this.camera, domElement);
+    this.controls.addEventListener("change", () => this.later());
+    domElement.addEventListener("keydown", (event) => this.press(event));
+    const sun = new DirectionalLight("#ffffff", 2.2);
+    sun.position.set(1, 2, 3);
+    this.camera.add(sun);
+    this.scene.add(new HemisphereLight("#ffffff", "#8090a0", 1.6), this.camera, this.bodies);
+    this.sizes = new ResizeObserver(() => this.resize());
+    this.sizes.observe(host);
+  }
+
+  dispose(): void {
+    if (this.frame !== undefined) cancelAnimationFrame(this.frame);
+    this.sizes.disconnect();
+    this.controls.dispose();
+    this.clear();
+    this.renderer.dispose();
+    this.renderer.domElement.remove();
+    this.labels.element.remove();
+  }
+
+  /** Shows the mechanism at another instant; the first one makes its bodies. */
+  show(all: readonly Placed[]): void {
+    const known = all.filter(isKnown);
+    if (this.named.length !== all.length) {
+      if (known.length < all.length) return;
+      this.make(all);
+    }
+    this.last = [...all];
+    all.forEach((one, i) => {
+      if (!isKnown(one)) return;
+      this.named[i].part.move(one.points);
+      this.named[i].label?.copy(nameAt(one, this.thick));
+    });
+    this.later();
+  }
+
+  /** The same in other colours. */
+  recolor(colors: Colors): void {
+    this.colors = colors;
+    if (this.last.length === 0) return;
+    const {position} = this.camera, kept = position.clone(), target = this.controls.target.clone(), all = this.last;
+    this.clear();
+    this.show(all);
+    position.copy(kept);
+    this.controls.target.copy(target);
+    this.controls.update();
+  }
+
+  private get up(): Vector3 {
+    return this.mechanism.up === "z" ? new Vector3(0, 0, 1) : new Vector3(0, 1, 0);
+  }
+
+  private clear(): void {
+    this.bodies.traverse((object) => {
+      const {geometry, material} = object as unknown as {geometry?: {dispose(): void}; material?: {dispose(): void}};
+      geometry?.dispose();
+      material?.dispose();
+    });
+    this.bodies.clear();
+    this.labels.clear();
+    this.named = [];
+  }
+
+  private make(all: readonly Placed[]): void {
+    const {middle, radius} = extentOf(all);
+    this.thick = 0.035 * radius;
+    const making = {colors: this.colors, thick: this.thick, up: this.up};
+    this.named = all.map(({element, points}): Named => {
+      const part = partOf(element, points, making);
+      this.bodies.add(part.object);
+      return {part, label: element.name ? this.labels.add(element.name) : undefined};
+    });
+    this.addAxes(new Vector3(...middle).addScaledVector(this.up, -radius), 0.3 * radius);
+    this.aim(middle, radius);
+  }
+
+  private addAxes(origin: Vector3, length: number): void {
+    const axes = new AxesHelper(length), {line} = this.colors;
+    axes.setColors(line, line, line);
+    axes.position.copy(origin);
+    this.bodies.add(axes);
+    const ends = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].slice(0, this.mechanism.dimensions);
+    ends.forEach((end, i) => this.labels.add(this.mechanism.axes?.[i] ?? "xyz"[i]).copy(origin).addScaledVector(new Vector3(...end), 1.1 * length));
+  }
+
+  /** From where it is seen first: a plane one nearly from the front. */
+  private aim(middle: Point, radius: number): void {
+    const eye = this.mechanism.dimensions === 2 ? new Vector3(0.25, 0.2, 1) : this.mechanism.up === "z" ? new Vector3(1, 0.8, 0.5) : new Vector3(0.9, 0.5, 1);
+    this.home.target.set(...middle);
+    this.home.position.copy(this.home.target).addScaledVector(eye.normalize(), (1.05 * radius) / Math.sin((0.5 * opening * Math.PI) / 180));
+    [this.camera.near, this.camera.far] = [0.02 * radius, 50 * radius];
+    this.goHome();
+  }
+
+  private goHome(): void {
+    this.camera.position.copy(this.home.position);
+    this.controls.target.copy(this.home.target);
+    this.controls.update();
+    this.resize();
+  }
+
+  private press(event: KeyboardEvent): void {
+    const turns: Record<string, [theta: number, phi: number]> = {ArrowLeft: [-angle, 0], ArrowRight: [angle, 0], ArrowUp: [0, -angle], ArrowDown: [0, angle]};
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
+    if (event.key in turns) this.turn(...turns[event.key], 1);
+    else if (event.key === "+" || event.key === "=") this.turn(0, 0, nearer);
+    else if (event.key === "-") this.turn(0, 0, 1 / nearer);
+    else if (event.key === "Home") this.goHome();
+    else return;
+    event.preventDefault();
+  }
+
+  private turn(theta: number, phi: number, times: number): void {
+    const {position} = this.camera, {target} = this.controls, offset = position.clone().sub(target), turned = this.up.z === 1;
+    if (turned) offset.set(offset.y, offset.z, offset.x);
+    const at = new Spherical().setFromVector3(offset);
+    at.theta += theta;
+    at.phi = Math.min(Math.PI - 0.02, Math.max(0.02, at.phi + phi));
+    at.radius *= times;
+    offset.setFromSpherical(at);
+    if (turned) offset.set(offset.z, offset.x, offset.y);
+    position.copy(target).add(offset);
+    this.controls.update();
+    this.later();
+  }
+
+  private resize(): void {
+    const {clientWidth: width, clientHeight: height} = this.host;
+    if (width === 0 || height === 0) return;
+    this.renderer.setPixelRatio(window.devicePixelRatio);
+    this.renderer.setSize(width, height);
+    this.camera.aspect = width / height;
+    // A narrow view takes as much of the sides as a wide one of the height.
+    this.camera.fov = width < height ? (360 / Math.PI) * Math.atan((Math.tan((0.5 * opening * Math.PI) / 180) * height) / width) : opening;
+    this.camera.updateProjectionMatrix();
+    this.later();
+  }
+
+  private later(): void {
+    this.frame ??= requestAnimationFrame(() => {
+      this.frame = undefined;
+      this.renderer.render(this.scene, this.camera);
+      this.labels.put(this.camera, this.host.clientWidth, this.host.clientHeight);
+    });
+  }
+}

@@ -1,0 +1,56 @@
+import {paint} from "../figures/canvas_painter";
+import {groundPiece, sceneHeight, shapePieces} from "../figures/scene_panel";
+import type {Piece} from "../figures/pieces";
+import type {Shape} from "../figures/spec";
+import {h} from "../shell/dom";
+import type {Place, SceneInfo} from "./scene_info";
+
+const ring = {radius: 9, color: "#ffffff", edge: "#000000"}; // of the hand [px]
+
+/** The picture of a scene: as large as its host allows, a metre as long upward as to the right, sharp on every screen. */
+export class SceneCanvas {
+  readonly element = h("canvas", {class: "scene-canvas", tabindex: 0, role: "application", "data-focus": true, "data-own-keys": true});
+  private width = 0; // px of the page
+  private height = 0;
+  private density = 1;
+
+  constructor(private readonly host: HTMLElement, private info: SceneInfo) {}
+
+  change(info: SceneInfo): void {
+    this.info = info;
+    this.fit();
+  }
+
+  /** Fits the canvas into its host. Returns whether its size has changed. */
+  fit(): boolean {
+    const room = {width: this.host.clientWidth, height: this.host.clientHeight}, ratio = sceneHeight(this.info, 1);
+    const width = Math.max(1, Math.floor(Math.min(room.width, room.height / ratio))), density = window.devicePixelRatio || 1;
+    if (width === this.width && density === this.density) return false;
+    [this.width, this.height, this.density] = [width, Math.max(1, Math.round(width * ratio)), density];
+    this.element.style.setProperty("width", `${this.width}px`);
+    this.element.style.setProperty("height", `${this.height}px`);
+    [this.element.width, this.element.height] = [Math.round(this.width * density), Math.round(this.height * density)];
+    return true;
+  }
+
+  /** The place in the scene of a point of the page [m]. */
+  placeOf(x: number, y: number): Place {
+    const {left, top, width, height} = this.element.getBoundingClientRect();
+    return [this.info.x[0] + ((x - left) / width) * (this.info.x[1] - this.info.x[0]), this.info.y[1] - ((y - top) / height) * (this.info.y[1] - this.info.y[0])];
+  }
+
+  draw(shapes: readonly Shape[], hand: Place | undefined): void {
+    const pen = this.element.getContext("2d"), place = {left: 0, top: 0, scale: this.width / (this.info.x[1] - this.info.x[0])};
+    if (!pen || this.width < 2) return;
+    pen.setTransform(this.density, 0, 0, this.density, 0, 0);
+    pen.clearRect(0, 0, this.width, this.height);
+    paint(pen, [groundPiece(this.info, place), ...shapes.flatMap((shape) => shapePieces(shape, this.info, place)), ...this.handPieces(hand, place.scale)]);
+  }
+
+  /** A ring where the hand is, seen on any ground. */
+  private handPieces(hand: Place | undefined, scale: number): Piece[] {
+    if (!hand) return [];
+    const at = [scale * (hand[0] - this.info.x[0]), scale * (this.info.y[1] - hand[1])];
+    return [3.5, 1.5].map((width, i): Piece => ({piece: "dots", at, radius: ring.radius, stroke: {color: i === 0 ? ring.edge : ring.color, width}}));
+  }
+}

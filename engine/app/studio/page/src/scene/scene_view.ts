@@ -1,0 +1,180 @@
+import type {Fault} from "../connection/connection";
+import type {Context, View} from "../shell/context";
+import {h, listen} from "../shell/dom";
+import {ClockSync} from "./clock_sync";
+import {Hand} from "./hand";
+import {HandLatency} from "./hand_latency";
+import {PointerSource} from "./pointer_source";
+import {SceneCanvas} from "./scene_canvas";
+import {describeScene, type SceneInfo, type SceneNews, shapesOf, startOf} from "./scene_info";
+import {Steering} from "./steering";
+import "./scene.css";
+
+const seen = "The resistance is seen, not felt.";
+
+/** The scene of the file while it runs; whoever moves a pointer, arrow keys or a gamepad over it is the hand. */
+export class SceneView implements View {
+  private readonly stage = h("div", {class: "scene-stage"});
+  private readonly words = h("p", {class: "scene-words"});
+  private readonly state = h("span", {class: "scene-state", role: "status"});
+  private readonly lag = h("span", {class: "scene-state", title: "From a movement of the pointer to the first picture that shows what it did, median"});
+  private readonly stay = h("button", {type: "button", "aria-pressed": "false", title: "The hand follows the pointer without a pressed button; a click or Esc lets go"}, "Hold without a button");
+  private readonly tell = h("button", {type: "button", title: "Say what the scene shows (D)"}, "Describe");
+  private readonly empty = h("p", {class: "empty"});
+  private readonly foot = h("div", {class: "scene-foot"}, this.words, this.state, this.lag, this.stay, this.tell);
+  private readonly latency = new HandLatency();
+  private readonly sizes = new ResizeObserver(() => { if (this.canvas?.fit()) this.draw(); });
+  private readonly ends: (() => void)[];
+  private parts: {dispose(): void}[] = [];
+  private canvas: SceneCanvas | undefined;
+  private hand: Hand | undefined;
+  private pointer: PointerSource | undefined;
+  private info: SceneInfo | undefined;
+  private news: SceneNews | undefined;
+  private isSeen = true;
+  private frame: number | undefined;
+  private opened = 0;
+
+  constructor(host: HTMLElement, private readonly context: Context) {
+    const {run, connection, shortcuts} = context;
+    host.append(h("div", {class: "scene"}, this.stage, this.empty, this.foot));
+    this.sizes.observe(this.stage);
+    this.ends = [
+      run.on("loaded", () => void this.open()), run.on("state", () => this.showState()),
+      connection.on("scene", (news: SceneNews) => this.take(news)),
+      connection.on("connection", ({state}) => (state === "open" ? this.watch() : this.letGo())),
+      listen(window, "blur", () => this.letGo()), listen(document, "visibilitychange", () => { if (document.hidden) this.letGo(); }),
+      listen(this.stay, "click", () => this.toggleStay()), listen(this.tell, "click", () => this.describe()),
+      shortcuts.add({key: "D", text: "say what the scene shows", group: "Scene", within: () => this.stage.contains(document.activeElement), action: () => this.describe()}),
+      shortcuts.add({key: "Left", text: "move the hand over the scene (all arrows; Shift: slowly; Esc lets go)", group: "Scene", within: () => false, action: () => {}}),
+    ];
+    void this.open();
+  }
+
+  shown(isShown: boolean): void {
+    this.isSeen = isShown;
+    if (!isShown) this.letGo();
+    this.watch();
+  }
+
+  dispose(): void {
+    this.letGo();
+    this.isSeen = false;
+    this.watch();
+    this.sizes.disconnect();
+    this.close();
+    for (const end of this.ends) end();
+  }
+
+  private close(): void {
+    for (const part of this.parts.splice(0)) part.dispose();
+    if (this.frame !== undefined) cancelAnimationFrame(this.frame);
+    this.frame = undefined;
+    this.stage.replaceChildren();
+    [this.canvas, this.hand, this.pointer, this.info, this.news] = [undefined, undefined, undefined, undefined, undefined];
+  }
+
+  private async open(): Promise<void> {
+    const {loaded} = this.context.run, number = ++this.opened;
+    if (!loaded?.scene) return this.showNone(loaded ? "This diagram has no scene. A section “scene:” in its text shows objects that follow signals; example 82 has one." : "No diagram is loaded yet.");
+    try {
+      const {scene} = await this.context.connection.call<{scene: SceneInfo | null}>("scene");
+      if (number !== this.opened) return;
+      if (scene) this.show(scene);
+      else this.showNone("This diagram has no scene.");
+    } catch (thrown) {
+      this.showNone(`The scene cannot be shown: ${(thrown as Fault).message}`);
+    }
+  }
+
+  private showNone(text: string): void {
+    this.close();
+    this.empty.textContent = text;
+    this.empty.hidden = false;
+    this.foot.hidden = true;
+  }
+
+  private show(info: SceneInfo): void {
+    this.close();
+    [this.empty.hidden, this.foot.hidden] = [true, false];
+    this.info = info;
+    const canvas = (this.canvas = new SceneCanvas(this.stage, info));
+    this.stage.append(canvas.element);
+    canvas.fit();
+    this.words.textContent = info.pointer ? `${info.pointer.text || "Press and move: you are the hand that pulls."} ${seen}` : "The hand of this diagram is its own: the scene shows only.";
+    this.stay.hidden = !info.pointer;
+    canvas.element.classList.toggle("scene-playable", Boolean(info.pointer));
+    canvas.element.setAttribute("aria-label", `Scene${info.title ? ` of ${info.title}` : ""}${info.pointer ? "; arrows move the hand, Esc lets go" : ""}; D says what it shows`);
+    if (info.pointer) this.attach(canvas, info);
+    this.watch();
+    this.showState();
+    this.draw();
+  }
+
+  private attach(canvas: SceneCanvas, info: SceneInfo): void {
+    const hand = (this.hand = new Hand(info.pointer!, info));
+    const pointer = new PointerSource(canvas.element, () => this.hand, (x, y) => canvas.placeOf(x, y), () => this.flush());
+    const span = Math.max(info.x[1] - info.x[0], info.y[1] - info.y[0]);
+    const steering = new Steering(canvas.element, {hand: () => this.hand, start: () => hand.at ?? startOf(info, this.news), span: () => span, flush: () => this.flush()});
+    this.parts = [pointer, steering, new ClockSync(this.context.connection), {dispose: listen(canvas.element, "blur", () => { if (!pointer.stays) this.letGo(); })}];
+    pointer.stays = this.stay.getAttribute("aria-pressed") === "true";
+    this.pointer = pointer;
+  }
+
+  private toggleStay(): void {
+    const stays = this.stay.getAttribute("aria-pressed") !== "true";
+    this.stay.setAttribute("aria-pressed", String(stays));
+    if (this.pointer) this.pointer.stays = stays;
+    if (!stays) this.letGo();
+  }
+
+  private watch(): void {
+    if (this.context.connection.state !== "open") return;
+    this.context.connection.call("scene.watch", {on: this.isSeen && this.info !== undefined}).catch(() => {});
+  }
+
+  private letGo(): void {
+    if (!this.hand?.held) return;
+    this.hand.release(performance.now() / 1000);
+    this.flush();
+  }
+
+  /** Sends what the hand did, at once: events come in bundles as it is. */
+  private flush(): void {
+    const samples = this.hand?.collect() ?? [];
+    if (samples.length === 0) return;
+    this.context.connection.tell("run.input", {samples});
+    this.latency.sent(samples);
+    this.showState();
+    this.draw();
+  }
+
+  private take(news: SceneNews): void {
+    this.news = news;
+    this.draw();
+  }
+
+  /** Once for each picture of the screen. */
+  private draw(): void {
+    this.frame ??= requestAnimationFrame(() => {
+      this.frame = undefined;
+      if (!this.canvas || !this.info) return;
+      this.canvas.draw(this.news ? shapesOf(this.info, this.news) : [], this.hand?.held ? this.hand.at : undefined);
+      if (this.news) this.latency.drawn(this.news, performance.now() / 1000);
+      this.showState();
+    });
+  }
+
+  private showState(): void {
+    const {news} = this.context.run, parts = [news.state === "playing" ? "" : news.state === "ended" ? "The run has ended." : "The run is paused."];
+    if (this.hand) parts.push(this.hand.held ? "You hold." : "Nobody holds.");
+    const lag = this.latency.median, text = parts.filter(Boolean).join(" ");
+    if (this.state.textContent !== text) this.state.textContent = text;
+    this.lag.textContent = lag === undefined ? "" : `${Math.round(1000 * lag)} ms to the picture`;
+  }
+
+  private describe(): void {
+    if (this.info && this.news) this.context.announce(describeScene(this.info, this.news));
+    else this.context.announce("The scene has not moved yet.");
+  }
+}

@@ -1,0 +1,90 @@
+// Curves with about a row in each pixel or more: what each pixel's rows reached, as a smooth line where it is one, else as bars.
+
+import type {Plane} from "./paint";
+import type {Samples} from "./samples";
+
+/** What the rows of each pixel reached, from left to right; pixels without rows are left out. Filled anew for each curve. */
+const pixels = {count: 0, x: new Float64Array(0), top: new Float64Array(0), bottom: new Float64Array(0)};
+
+/** A line of this share of bars or more is drawn of bars alone. */
+const rough = 0.3;
+/** Pixels without rows that are drawn across: rows may be a little wider than a pixel. */
+const bridged = 3;
+
+export function paintPixels(context: CanvasRenderingContext2D, samples: Samples, plane: Plane, from: number, to: number, ratio: number): void {
+  gather(samples, plane, from, to);
+  let bars = 0;
+  for (let i = 0; i < pixels.count; ++i) if (sticksOut(i, ratio)) ++bars;
+  if (bars > rough * pixels.count) return paintBars(context);
+  paintLine(context, ratio);
+}
+
+function gather({time, low, high}: Samples, plane: Plane, from: number, to: number): void {
+  const across = plane.width / (plane.x.high - plane.x.low), up = plane.height / (plane.y.high - plane.y.low);
+  const left = plane.left - plane.x.low * across, bottom = plane.top + plane.height + plane.y.low * up;
+  makeRoom(to - from);
+  pixels.count = 0;
+  for (let row = from; row < to;) {
+    const pixel = Math.floor(left + time[row] * across);
+    let least = Infinity, most = -Infinity;
+    for (; row < to && left + time[row] * across < pixel + 1; ++row) {
+      if (low[row] < least) least = low[row];
+      if (high[row] > most) most = high[row];
+    }
+    if (!(least <= most)) continue;
+    pixels.x[pixels.count] = pixel;
+    pixels.top[pixels.count] = bottom - most * up;
+    pixels.bottom[pixels.count++] = bottom - least * up;
+  }
+}
+
+function makeRoom(count: number): void {
+  if (pixels.x.length >= count) return;
+  pixels.x = new Float64Array(2 * count);
+  pixels.top = new Float64Array(2 * count);
+  pixels.bottom = new Float64Array(2 * count);
+}
+
+const middle = (i: number): number => (pixels.top[i] + pixels.bottom[i]) / 2;
+const isNext = (i: number): boolean => i > 0 && i < pixels.count && pixels.x[i] - pixels.x[i - 1] <= bridged;
+
+/** Did the rows of a pixel reach what a line from middle to middle does not cover? */
+function sticksOut(i: number, ratio: number): boolean {
+  const own = middle(i), before = isNext(i) ? (own + middle(i - 1)) / 2 : own, after = i + 1 < pixels.count ? (own + middle(i + 1)) / 2 : own;
+  const slack = 0.75 * ratio;
+  return pixels.top[i] < Math.min(own, before, after) - slack || pixels.bottom[i] > Math.max(own, before, after) + slack;
+}
+
+/** A line through the middles; where a pixel reached farther it goes over all of that, from the end that is nearer to the last pixel. */
+function paintLine(context: CanvasRenderingContext2D, ratio: number): void {
+  context.lineWidth = 1.5 * ratio;
+  context.beginPath();
+  for (let i = 0, last = NaN; i < pixels.count; ++i) {
+    const x = pixels.x[i] + 0.5, own = middle(i), [first, second] = sticksOut(i, ratio) ? endsFrom(i, last) : [own, own];
+    if (isNext(i)) context.lineTo(x, first);
+    else context.moveTo(x, first);
+    if (second !== first) context.lineTo(x, second);
+    last = second !== first && isNext(i + 1) ? towards(i, i + 1) : second;
+    if (last !== second) context.lineTo(x, last);
+  }
+  context.stroke();
+}
+
+/** Both ends of what a pixel reached, the one first that is nearer to `last`. */
+function endsFrom(i: number, last: number): [number, number] {
+  const {top, bottom} = pixels;
+  return Math.abs(last - bottom[i]) < Math.abs(last - top[i]) ? [bottom[i], top[i]] : [top[i], bottom[i]];
+}
+
+/** Where in pixel `i` the curve is nearest to the middle of another. */
+const towards = (i: number, other: number): number => Math.min(pixels.bottom[i], Math.max(pixels.top[i], middle(other)));
+
+/** A bar for each pixel, on to where the pixel before ended, so that the curve has no gaps. */
+function paintBars(context: CanvasRenderingContext2D): void {
+  const half = context.lineWidth / 2, {x, top, bottom} = pixels;
+  for (let i = 0; i < pixels.count; ++i) {
+    const isOn = isNext(i), begin = isOn ? x[i - 1] + 1 : x[i];
+    const high = isOn && bottom[i - 1] < top[i] ? bottom[i - 1] : top[i], low = isOn && top[i - 1] > bottom[i] ? top[i - 1] : bottom[i];
+    context.fillRect(begin, high - half, x[i] + 1 - begin, low - high + 2 * half);
+  }
+}

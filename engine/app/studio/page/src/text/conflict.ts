@@ -1,0 +1,41 @@
+// A file was changed elsewhere while it was edited here: both texts side by side, and a choice.
+
+import {type Extension, RangeSetBuilder} from "@codemirror/state";
+import {Decoration, EditorView} from "@codemirror/view";
+import type {Context} from "../shell/context";
+import {openDialog} from "../shell/dialog";
+import {h} from "../shell/dom";
+import type {Document} from "./document";
+import {reading} from "./editor";
+import {differentLines} from "./line_differences";
+
+/** Marks lines of a text by their numbers from 0. */
+function marked(text: string, lines: Set<number>): Extension {
+  const builder = new RangeSetBuilder<Decoration>();
+  let from = 0;
+  text.split("\n").forEach((line, i) => {
+    if (lines.has(i)) builder.add(from, from, Decoration.line({class: "different"}));
+    from += line.length + 1;
+  });
+  return EditorView.decorations.of(builder.finish());
+}
+
+/** Shows both texts; the own one is kept or given up. */
+export function showConflict(context: Context, document: Document, text: string, hash: string): void {
+  const own = document.state.doc.toString(), {ours, theirs} = differentLines(own.split("\n"), text.split("\n"));
+  const holders = [h("div", {class: "side"}), h("div", {class: "side"})];
+  const editors = [[own, ours, "Your text"], [text, theirs, "The file"]].map(([content, lines, title], i) =>
+    new EditorView({parent: holders[i], doc: content as string, extensions: [reading(title as string), marked(content as string, lines as Set<number>)]}));
+  const scrollers = editors.map(({scrollDOM}) => scrollDOM);
+  scrollers.forEach((one, i) => one.addEventListener("scroll", () => { scrollers[1 - i].scrollTop = one.scrollTop; }));
+  const {workbench, notify} = context;
+  const keep = async () => { if (await workbench.write(document, hash)) notify(`${document.name} is saved with your text`); };
+  openDialog(`${document.name} was changed by another program`, [
+    h("p", {}, `${ours.size} of your lines and ${theirs.size} of the file's lines differ (marked). Nothing has been written.`),
+    h("div", {class: "conflict"}, h("h3", {}, "Your text"), h("h3", {}, "The file as it is now"), ...holders),
+  ], (close) => [
+    h("button", {type: "button", onclick: close}, "Go on editing"),
+    h("button", {type: "button", onclick: () => { close(); workbench.takeText(document, text, hash); }}, "Take the file (undo brings yours back)"),
+    h("button", {type: "button", class: "main", onclick: () => { close(); void keep().catch((fault) => notify(fault.message, "fault")); }}, "Write mine over it"),
+  ], () => editors.forEach((editor) => editor.destroy()));
+}

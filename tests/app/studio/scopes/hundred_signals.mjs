@@ -1,0 +1,8 @@
+/** A diagram of 100 signals at 1 kHz of which six figures draw 20, and that runs for an hour. One has a peak of a single tick. */
+export function hundredSignals() {
+  const names = Array.from({length: 100}, (_, i) => `s${i + 1}`);
+  const blocks = names.map((name, i) => `  ${name}: {block: Sine, amplitude: ${1 + (i % 7)} mm, frequency: ${(0.11 + 0.07 * i).toFixed(2)} Hz}`);
+  const drawn = [4, 4, 3, 3, 3, 3], from = drawn.map((_, i) => drawn.slice(0, i).reduce((sum, count) => sum + count, 0));
+  const figures = drawn.map((count, i) => `  - {plot: lines, x: time in s, y: [${names.slice(from[i], from[i] + count).map((name) => `${name} in mm`).join(", ")}]}`);
+  return ["stepwire: 1", "title: A hundred signals", "step: 1 ms", "stop: 3600 s", "solver: rk4", "blocks:", ...blocks, `record: [${names.join(", ")}]`, "figure:", ...figures, ""].join("\n");
+}

@@ -1,0 +1,188 @@
+// Text beside drawing, in Chromium: what is selected, marked, kept and edited on both sides. The server is played by functions.
+
+import assert from "node:assert/strict";
+import {existsSync} from "node:fs";
+import {dirname, join} from "node:path";
+import {test} from "node:test";
+import {fileURLToPath} from "node:url";
+
+const here = dirname(fileURLToPath(import.meta.url));
+const built = process.env.STEPWIRE_STUDIO_PAGE ?? join(here, "../../../engine/app/studio/page/dist");
+const missing = !existsSync(join(built, "index.html")) ? "the studio's page is not built: npx vite build in engine/app/studio/page"
+  : !existsSync(process.env.CHROMIUM ?? "/usr/bin/chromium") ? "chromium is not installed; on Debian it is the package chromium" : false;
+const {openPage} = await import("./scene_page.mjs").catch(() => ({}));
+const skip = openPage ? missing : "playwright-core is not installed: npm ci in tests/app/studio";
+
+const text = "stepwire: 1\nblocks:\n  source: {block: Constant, value: 2}\n  lag: {block: Lag, u: source, tau: 0.4 s}\nrecord: [lag]\n";
+const box = (id, type, lines, inputs = []) => ({id, name: id, type, outline: "box", lines, inputs: inputs.map((port) => ({port})), outputs: [{port: "y"}]});
+const rangeOf = (whole, id) => {
+  const from = whole.indexOf(`  ${id}:`) + 2;
+  return {file: 0, from, to: whole.indexOf("\n", from)};
+};
+
+/** A server with one file, whose drawing follows its text as far as the names of the blocks go. */
+class Diagram {
+  text = text;
+  version = 1;
+  saved = text;
+  edits = [];
+  splices = [];
+
+  answers() {
+    return {
+      files: () => ({files: [{file: 0, name: "test.yaml", writable: true, part: false}]}),
+      open: () => ({name: "test.yaml", text: this.saved, hash: this.saved, draft: this.text === this.saved ? null : this.text, version: this.version}),
+      edit: ({changes}) => this.edit(changes),
+      graph: () => this.graph(),
+      save: ({hash}) => (hash === this.saved ? {hash: (this.saved = this.text)} : {conflict: {text: this.saved, hash: this.saved}}),
+      splice: ({edit}) => this.splice(edit),
+      fits: () => ({inputs: [{node: "lag", input: "u"}]}),
+      language: () => { throw new Error("there is no language server"); },
+    };
+  }
+  edit(changes) {
+    for (const {from, to, text: insert} of [...changes].reverse()) this.text = this.text.slice(0, from) + insert + this.text.slice(to);
+    this.edits.push(changes);
+    return {version: ++this.version};
+  }
+  graph() {
+    const name = /^ {2}(\S+): \{block: Lag/m.exec(this.text)[1], value = /value: ([^}]+)\}/.exec(this.text)[1];
+    const graph = {title: "", inputs: [], outputs: [], nodes: [box("source", "Constant", [value]), box(name, "Lag", ["lag"], ["u"])], wires: [{from: {node: "source", port: "y"}, to: {node: name, port: "u"}}]};
+    return {graph, ranges: {source: rangeOf(this.text, "source"), [name]: rangeOf(this.text, name)}};
+  }
+  splice(edit) {
+    this.splices.push(edit);
+    const at = this.text.indexOf("0.4 s");
+    return {changes: edit.kind === "number" ? [{file: 0, from: at, to: at + 5, text: edit.text}] : []};
+  }
+}
+
+/** Opens the page on such a diagram, does something, and checks that the page had no error. */
+async function withPage(action, options) {
+  const diagram = new Diagram(), opened = await openPage(built, diagram.answers(), options);
+  try {
+    opened.page.setDefaultTimeout(15000);
+    await opened.page.waitForSelector("[data-shape='lag']");
+    await action({...opened, diagram});
+    assert.deepEqual(opened.errors, []);
+  } finally {
+    await opened.close();
+  }
+}
+
+const shape = (page, id) => page.locator(`[data-shape="${id}"]`);
+const isSelected = (page, id) => page.waitForFunction((one) => document.querySelector(`[data-shape="${one}"]`)?.classList.contains("selected"), id);
+const selectedText = (page) => page.evaluate(() => String(getSelection()));
+const putCursor = (page, line, column) => page.locator(".cm-line").nth(line).click({position: {x: 8 + 7.8 * column, y: 8}});
+
+test("a shape selects its text, and the text its shape", {skip}, () => withPage(async ({page}) => {
+  await shape(page, "lag").click();
+  await isSelected(page, "lag");
+  await page.locator(".cm-content").focus();
+  await page.waitForFunction(() => String(getSelection()).includes("block: Lag"));
+  assert.equal(await selectedText(page), "lag: {block: Lag, u: source, tau: 0.4 s}");
+  await putCursor(page, 2, 12);
+  await isSelected(page, "source");
+}));
+
+test("arrows go from shape to shape, and a reader of the screen hears what they are", {skip}, () => withPage(async ({page}) => {
+  await page.locator(".canvas").focus();
+  await page.keyboard.press("ArrowRight");
+  await isSelected(page, "source");
+  await page.keyboard.press("ArrowRight");
+  await isSelected(page, "lag");
+  const active = await page.locator(".canvas").getAttribute("aria-activedescendant");
+  assert.equal(await page.locator(`[id="${active}"]`).getAttribute("aria-label"), "lag, Lag; from source");
+}));
+
+test("a text that does not load keeps the last drawing, dimmed, and marks text and shape", {skip}, () => withPage(async ({page, diagram}) => {
+  const line = 4, column = 3;
+  const fault = {file: "/x/test.yaml", line, column, end: {line, column: 6}, subject: "lag", text: "there is no block 'sorce'", cure: "did you mean 'source'?"};
+  diagram.graph = () => { throw Object.assign(new Error(fault.text), {faults: [fault]}); };
+  await putCursor(page, 3, 30);
+  await page.keyboard.type("x");
+  await page.waitForSelector(".canvas.old");
+  assert.equal(await shape(page, "lag").count(), 1);
+  await page.waitForSelector("[data-shape='lag'].faulty");
+  await page.waitForSelector(".cm-lintRange-error");
+  assert.match(await page.locator(".drawing-fault").textContent(), /no block 'sorce'; did you mean 'source'/);
+}));
+
+test("a number is changed in the drawing by a small edit of the text, which undo takes back", {skip}, () => withPage(async ({page, diagram}) => {
+  await shape(page, "lag").dblclick();
+  const field = page.locator(".card input[id='card-tau']");
+  assert.equal(await field.inputValue(), "0.4 s");
+  await field.fill("0.9 s");
+  await field.press("Enter");
+  await page.waitForFunction(() => document.querySelector(".cm-content").textContent.includes("0.9 s"));
+  assert.deepEqual(diagram.splices, [{kind: "number", name: "lag.tau", text: "0.9 s"}]);
+  await page.locator(".cm-content").focus();
+  await page.keyboard.press("Control+z");
+  await page.waitForFunction(() => document.querySelector(".cm-content").textContent.includes("0.4 s"));
+  await until(() => diagram.text === text);
+}));
+
+test("a wire is drawn from an output to an input that takes it", {skip}, () => withPage(async ({page, diagram}) => {
+  await shape(page, "source").hover();
+  const from = await shape(page, "source").locator(".port-output").boundingBox(), to = await shape(page, "lag").boundingBox();
+  await page.mouse.move(from.x + from.width / 2, from.y + from.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(to.x + 20, to.y + to.height / 2, {steps: 4});
+  await page.waitForSelector("[data-shape='lag'].fits");
+  await page.mouse.move(to.x + 12, to.y + to.height / 2);
+  await page.mouse.up();
+  await until(() => diagram.splices.length > 0);
+  assert.deepEqual(diagram.splices, [{kind: "connect", from: "source", to: "lag", input: "u"}]);
+}));
+
+test("what is typed reaches the server, and an edit of another page the text, also between two keys", {skip}, () => withPage(async ({page, diagram, news}) => {
+  await putCursor(page, 0, 11);
+  await page.keyboard.press("End");
+  await page.keyboard.type("0");
+  await until(() => diagram.text.startsWith("stepwire: 10\n"));
+  const changes = [{from: 0, to: 0, text: "# another page\n"}];
+  diagram.edit(changes);
+  news({news: "edited", file: 0, version: diagram.version, changes});
+  await page.keyboard.type("1");
+  await until(() => diagram.text.startsWith("# another page\nstepwire: 101\n"));
+  assert.equal(await page.locator(".cm-line").first().textContent(), "# another page");
+}));
+
+test("saving shows both texts where the file was changed elsewhere, and writes only what is chosen", {skip}, () => withPage(async ({page, diagram}) => {
+  await putCursor(page, 0, 11);
+  await page.keyboard.press("End");
+  await page.keyboard.type("0");
+  await until(() => diagram.text !== text);
+  diagram.saved = text.replace("value: 2", "value: 3");
+  await page.keyboard.press("Control+s");
+  const sides = page.locator("dialog .cm-content");
+  await sides.nth(1).waitFor();
+  assert.match(await sides.nth(0).textContent(), /stepwire: 10/);
+  assert.match(await sides.nth(1).textContent(), /value: 3/);
+  assert.match(diagram.saved, /value: 3/);
+  await page.getByRole("button", {name: "Write mine over it"}).click();
+  await until(() => diagram.saved === diagram.text);
+}));
+
+test("a diagram whose every text is markup does nothing", {skip}, async () => {
+  const evil = "\"><img src=x onerror=\"document.title='hit'\"><script>document.title='hit'</script>", diagram = new Diagram();
+  const node = {id: evil, name: evil, type: evil, outline: "box", lines: [evil], inputs: [{port: evil, label: evil}], outputs: [{port: evil, label: evil, mark: evil, recorded: true}]};
+  const answers = {...diagram.answers(), graph: () => ({graph: {title: evil, inputs: [], outputs: [], nodes: [node, {...box("lag", "Lag", [])}], wires: [{from: {node: evil, port: evil}, to: {node: evil, port: evil}, unit: evil}]}, ranges: {[evil]: {file: 0, from: 0, to: 5}}}),
+    files: () => ({files: [{file: 0, name: evil, writable: true, part: false}]})};
+  const {page, errors, close} = await openPage(built, answers);
+  try {
+    await page.waitForSelector("[data-shape='lag']");
+    await page.locator("[data-shape]").first().click();
+    await page.waitForTimeout(300);
+    assert.equal(await page.locator(".picture image, .picture img, .picture script, .picture foreignObject, .picture a").count(), 0);
+    assert.doesNotMatch(await page.title(), /^hit/);
+    assert.deepEqual(errors, []);
+  } finally {
+    await close();
+  }
+});
+
+async function until(condition) {
+  for (let i = 0; i < 200 && !condition(); ++i) await new Promise((resolve) => setTimeout(resolve, 50));
+  assert.ok(condition(), String(condition));
+}
