@@ -72,6 +72,7 @@ test("a pointer is the hand: it takes hold, moves with the time of its events, a
   await page.mouse.down();
   await page.mouse.move(box.x + 0.75 * box.width, box.y + 0.25 * box.height, {steps: 8});
   await until(() => samplesOf(calls).some(({name, values}) => name === "pointer" && Math.abs(values[0] - 0.01) < 2e-4 && Math.abs(values[1] - 0.005) < 2e-4), "the last place arrives, in metres");
+  assert.deepEqual(await page.locator(".scene-canvas").boundingBox(), box, "the scene keeps its size under the hand");
   await page.mouse.up();
   await until(() => samplesOf(calls).at(-1).name === "pointer_held", "it lets go");
   const samples = samplesOf(calls), held = samples.filter(({name}) => name === "pointer_held").map(({values}) => values[0]);

@@ -2,12 +2,14 @@
 
 import {fileURLToPath} from "node:url";
 import {defineConfig} from "vite";
+import {licences} from "./src/gallery/licences.mjs";
 
-const named = "assets/[name][extname]";
+const named = "assets/[name][extname]", here = fileURLToPath(new URL(".", import.meta.url));
 
 export default defineConfig({
-  root: fileURLToPath(new URL(".", import.meta.url)),
+  root: here,
   base: "/",
+  plugins: [licences(here)],
   // The drawing's own modules lie beside the page in the engine; elkjs is resolved from the page.
   server: {fs: {allow: [fileURLToPath(new URL("../../../..", import.meta.url))]}},
   build: {

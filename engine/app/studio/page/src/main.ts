@@ -1,5 +1,6 @@
 import {connect, Fault} from "./connection/connection";
 import {DrawingView} from "./drawing/drawing_view";
+import {menuEntries} from "./gallery/menu";
 import {RunModel} from "./run/run_model";
 import {Bar} from "./shell/bar";
 import type {Context, View, ViewType} from "./shell/context";
@@ -41,6 +42,7 @@ const panes: Pane[] = [
 ];
 const bar = new Bar(context), layout = new Layout(panes, settings);
 document.body.append(bar.element, layout.element, notices.element);
+bar.entries.push(...menuEntries(context));
 made("./run/run_bar.ts", "RunBar", bar.run, context).catch((thrown) => bar.run.append(String(thrown.message)));
 
 panes.forEach(({id, title}, i) => context.shortcuts.add({key: String(i + 1), text: title.toLowerCase(), group: "Panes", action: () => layout.show(id, true)}));
@@ -70,6 +72,8 @@ connection.on("connection", async ({state, hello, fault}) => {
   try {
     await settings.load();
     await context.workbench.start(hello.file);
+    const {tourOnFirstVisit} = await import("./tour/tour");
+    await tourOnFirstVisit(context);
   } catch (thrown) {
     notify(Fault.from(thrown).message, "fault");
   }

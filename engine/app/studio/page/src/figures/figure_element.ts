@@ -19,15 +19,20 @@ export class FigureElement {
   readonly element: HTMLElement;
   private readonly sheet = h("div", {class: "figure-sheet"});
   private readonly name: string;
-  private readonly save = h("button", {type: "button", class: "plain figure-save", title: "Save this figure as an SVG file"}, "Save SVG");
+  private readonly enlarge = h("button", {type: "button", class: "plain"}, "Enlarge");
+  private readonly save = h("button", {type: "button", class: "plain"}, "Save SVG");
   private figure: Figure = {};
   private drawn = "";
   private painting: number | undefined;
 
-  constructor(private readonly number: number) {
+  /** `enlarge` is what its button does; without it there is none. */
+  constructor(private readonly number: number, enlarge?: () => void) {
     this.name = `figure-${++count}`;
-    this.element = h("figure", {class: "figure"}, this.sheet, this.save);
+    this.element = h("figure", {class: "figure"}, this.sheet, h("div", {class: "figure-tools"}, enlarge ? this.enlarge : null, this.save));
+    this.save.setAttribute("aria-label", `Save figure ${number} as an SVG file`);
+    this.enlarge.setAttribute("aria-label", `Enlarge figure ${number}`);
     this.save.addEventListener("click", () => void this.export());
+    if (enlarge) this.enlarge.addEventListener("click", enlarge);
   }
 
   /** `room` is the width that there is [px]. */
@@ -35,7 +40,6 @@ export class FigureElement {
     const key = JSON.stringify([figure, isDark, Math.round(room)]);
     if (key === this.drawn) return;
     [this.figure, this.drawn] = [figure, key];
-    this.save.setAttribute("aria-label", `Save figure ${this.number} as an SVG file`);
     const picture = pictureOf(reflowed(figure, room), isDark);
     this.sheet.setAttribute("role", "img");
     this.sheet.setAttribute("aria-label", `Figure ${this.number}: ${describe(figure)}`);

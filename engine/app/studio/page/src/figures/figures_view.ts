@@ -1,11 +1,13 @@
 import type {Fault} from "../connection/connection";
 import type {Context, View} from "../shell/context";
+import {openDialog} from "../shell/dialog";
 import {h} from "../shell/dom";
 import {FigureElement} from "./figure_element";
 import type {Figure} from "./spec";
 import "./figures.css";
 
-const soonest = 400; // ms between two drawings while the run goes
+const soonest = 250; // ms between two drawings while the run goes
+const around = 34; // px beside a figure
 const share = 5; // a drawing takes no more than this part of the time
 
 /** The figures of the file as they will be, of what was recorded so far; they grow while the run goes. */
@@ -16,6 +18,7 @@ export class FiguresView implements View {
   private readonly ends: (() => void)[];
   private readonly sizes: ResizeObserver;
   private elements: FigureElement[] = [];
+  private large: {element: FigureElement; index: number} | undefined;
   private figures: Figure[] = [];
   private timer: number | undefined;
   private isSeen = true;
@@ -87,15 +90,30 @@ export class FiguresView implements View {
   private take(figures: Figure[]): void {
     this.figures = figures;
     while (this.elements.length > figures.length) this.elements.pop()?.dispose();
-    while (this.elements.length < figures.length) this.elements.push(new FigureElement(this.elements.length + 1));
+    while (this.elements.length < figures.length) this.elements.push(this.another(this.elements.length));
     const now = this.elements.map(({element}) => element);
     if (now.length !== this.list.children.length || now.some((element, i) => element !== this.list.children[i])) this.list.replaceChildren(...now);
     this.draw();
   }
 
+  private another(index: number): FigureElement {
+    return new FigureElement(index + 1, () => this.enlarge(index));
+  }
+
+  /** One figure as large as it is in a report; it grows there as well. */
+  private enlarge(index: number): void {
+    const element = new FigureElement(index + 1);
+    this.large = {element, index};
+    openDialog(`Figure ${index + 1}`, [element.element], undefined, () => {
+      element.dispose();
+      this.large = undefined;
+    });
+    this.draw();
+  }
+
   private draw(): void {
-    const room = this.root.clientWidth - 34;
-    if (room <= 0) return;
-    this.figures.forEach((figure, i) => this.elements[i].show(figure, this.context.theme.isDark, room));
+    const room = this.root.clientWidth - around, {isDark} = this.context.theme, {large} = this;
+    if (room > 0) this.figures.forEach((figure, i) => this.elements[i].show(figure, isDark, room));
+    if (large && this.figures[large.index]) large.element.show(this.figures[large.index], isDark, window.innerWidth - 2 * around);
   }
 }

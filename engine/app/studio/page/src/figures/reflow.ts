@@ -1,6 +1,6 @@
 import type {Box, Figure, Panel} from "./spec";
 
-const least = 340; // px that a panel needs to be read
+const least = 300; // px that a panel needs to be read
 const close = 0.9; // a picture may be made this much smaller as it is
 
 const columnsOf = (panels: readonly Panel[]): number => {

@@ -13,12 +13,13 @@ export class HandLatency {
     this.newestSent = samples[samples.length - 1]?.time ?? this.newestSent;
   }
 
-  /** A picture is on its way to the screen; each sample counts once. */
-  drawn({input}: SceneNews, at: number): void {
-    if (input === undefined || input === null || input <= this.newestDrawn || input > this.newestSent) return;
+  /** A picture is on its way to the screen. Returns how long its newest sample took [s]; undefined where it has none that is new. */
+  drawn({input}: SceneNews, at: number): number | undefined {
+    if (input === undefined || input === null || input <= this.newestDrawn || input > this.newestSent) return undefined;
     this.newestDrawn = input;
     this.samples.push(at - input);
     this.samples.splice(0, this.samples.length - kept);
+    return at - input;
   }
 
   /** Median of the last samples [s]; undefined before the first. */

@@ -17,7 +17,7 @@ export class SceneView implements View {
   private readonly stage = h("div", {class: "scene-stage"});
   private readonly words = h("p", {class: "scene-words"});
   private readonly state = h("span", {class: "scene-state", role: "status"});
-  private readonly lag = h("span", {class: "scene-state", title: "From a movement of the pointer to the first picture that shows what it did, median"});
+  private readonly lag = h("span", {class: "scene-lag", title: "From a movement of the pointer to the first picture that shows what it did, median"});
   private readonly stay = h("button", {type: "button", "aria-pressed": "false", title: "The hand follows the pointer without a pressed button; a click or Esc lets go"}, "Hold without a button");
   private readonly tell = h("button", {type: "button", title: "Say what the scene shows (D)"}, "Describe");
   private readonly empty = h("p", {class: "empty"});
@@ -160,7 +160,8 @@ export class SceneView implements View {
       this.frame = undefined;
       if (!this.canvas || !this.info) return;
       this.canvas.draw(this.news ? shapesOf(this.info, this.news) : [], this.hand?.held ? this.hand.at : undefined);
-      if (this.news) this.latency.drawn(this.news, performance.now() / 1000);
+      const took = this.news && this.latency.drawn(this.news, performance.now() / 1000);
+      if (took !== undefined) this.context.run.latency.measured(1000 * took);
       this.showState();
     });
   }
@@ -170,7 +171,7 @@ export class SceneView implements View {
     if (this.hand) parts.push(this.hand.held ? "You hold." : "Nobody holds.");
     const lag = this.latency.median, text = parts.filter(Boolean).join(" ");
     if (this.state.textContent !== text) this.state.textContent = text;
-    this.lag.textContent = lag === undefined ? "" : `${Math.round(1000 * lag)} ms to the picture`;
+    this.lag.textContent = lag === undefined ? "" : `lag ${Math.round(1000 * lag)} ms`;
   }
 
   private describe(): void {
