@@ -132,8 +132,10 @@ TEST_CASE("drawings show the text as it is edited, and that of parts") {
   const Json broken = page.call("graph", graph());
   CHECK_THAT(fault(broken), Contains("there is no block 'uno'"));
   CHECK(broken.find("fault")->find("faults")->items().size() == 1);
-  result(page.call("edit", replaced(gain_yaml, 1, "u: uno", "u: one")));
+  const std::size_t place = gain_yaml.find("u: one");
+  result(page.call("edit", edit(0, 1, place, place + 6, "u: one")));
   const std::string part = rig_yaml;
+  REQUIRE(file(page, "parts/rig.yaml") == 1);
   result(page.call("edit", edit(1, 0, part.find("half:"), part.find("half:") + 4, "third")));
   CHECK_THAT(fault(page.call("graph", graph())), Contains("half"));
 }
