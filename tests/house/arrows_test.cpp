@@ -23,25 +23,22 @@ std::ptrdiff_t height_of(const std::string& room) {
   return std::find(floors.begin(), floors.end(), floor_of(room)) - floors.begin();
 }
 
-/// "engine_base_io" of a link is the room base/io, "engine_stepwire" a floor that is one room.
-std::string room_of_link(const std::string& link) {
-  const std::string path = link.substr(std::string("engine_").size());
-  const std::size_t end = path.find('_');
-  return end == std::string::npos ? path : path.substr(0, end) + "/" + path.substr(end + 1);
-}
-
 /// Which rooms the library of each room links, as engine/CMakeLists.txt has it.
 std::map<std::string, Folders> links() {
   std::string text;
   for (const Line& line : lines_of("engine/CMakeLists.txt")) text += line.text + "\n";
-  const std::regex library(R"re(stepwire_library\(engine/(\w+(?:/\w+)?)([^)]*)\))re"),
+  const std::regex library(R"re(stepwire_library\(engine/(\w+(?:/\w+)*)([^)]*)\))re"),
       link(R"re(engine_\w+)re");
+  const std::sregex_iterator begin(text.begin(), text.end(), library), end;
+  std::map<std::string, std::string> rooms;  // "base/io" of a link to "engine_base_io"
+  for (auto it = begin; it != end; ++it)
+    rooms[std::regex_replace("engine/" + it->str(1), std::regex("/"), "_")] = it->str(1);
   std::map<std::string, Folders> found;
-  for (std::sregex_iterator it(text.begin(), text.end(), library), end; it != end; ++it) {
-    Folders& rooms = found[(*it)[1]];
-    const std::string rest = (*it)[2];
+  for (auto it = begin; it != end; ++it) {
+    Folders& linked = found[it->str(1)];
+    const std::string rest = it->str(2);
     for (std::sregex_iterator one(rest.begin(), rest.end(), link); one != end; ++one)
-      rooms.insert(room_of_link(one->str()));
+      linked.insert(rooms.contains(one->str()) ? rooms.at(one->str()) : one->str());
   }
   return found;
 }
