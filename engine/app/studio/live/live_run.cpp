@@ -58,8 +58,10 @@ const std::map<std::string, LiveRun::Call>& LiveRun::calls() {
   return all;
 }
 
-bool LiveRun::has_call(const std::string& name) {
-  return calls().contains(name);
+std::vector<std::string> LiveRun::call_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, call] : calls()) names.push_back(name);
+  return names;
 }
 
 Json LiveRun::call(int page, const std::string& name, const Json& arguments) {

@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "engine/app/studio/live/arguments.hpp"
 #include "engine/app/studio/live/frame_views.hpp"
@@ -38,8 +39,8 @@ class LiveRun {
   /// The calls of the studio's protocol: run.*, data.*, clock, scope.signal, figures, claims, fan, scene,
   /// scene.watch, profile.
   json::Json call(int page, const std::string& name, const json::Json& arguments);
-  /// Does a call of this name belong here?
-  static bool has_call(const std::string& name);
+  /// The names of all calls.
+  static std::vector<std::string> call_names();
   void acknowledge(int page, std::uint32_t sequence);
   /// A page has gone: its views end, and the inputs that it wrote last have their defaults.
   void left(int page);
