@@ -56,6 +56,19 @@ session::LoadedModel edited_model(Desk& desk, int file);
 /// Gives a loader the documents of a file and of its parts, as they are edited; returns the file's path.
 std::string add_documents(Desk& desk, int file, diagram::Loader& loader);
 
+/// The faults of an error with the names that files have in lists, in the place of their paths.
+Fault named_faults(Desk& desk, const yaml::Error& error);
+
+/// Does something whose faults are for a page.
+template <class Action>
+auto with_names(Desk& desk, const Action& action) -> decltype(action()) {
+  try {
+    return action();
+  } catch (const yaml::Error& error) {
+    throw named_faults(desk, error);
+  }
+}
+
 /// News that a file is another on the disk; `draft` where a page has a text of its own.
 json::Json change_news(int file, const EditedText& text);
 

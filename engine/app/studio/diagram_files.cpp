@@ -68,6 +68,10 @@ const std::string& DiagramFiles::path(int number) const {
   return paths_[static_cast<std::size_t>(number)];
 }
 
+std::string DiagramFiles::name(const std::string& path) const {
+  return path.starts_with('/') ? fs::path(path).lexically_relative(folder_of(paths_.front())).string() : path;
+}
+
 std::string DiagramFiles::text(const std::string& path) {
   const EditedText* edited = texts_.find(path);
   return edited ? edited->text : beneath_.read(path).text;
@@ -104,10 +108,9 @@ std::vector<ListedFile> DiagramFiles::list() {
     if (is_diagram(entry)) beside.insert(entry.path().string());
   for (const std::string& one : beside) number(one);
   std::vector<ListedFile> files;
-  const fs::path folder = folder_of(paths_.front());
   for (std::size_t i = 0; i < paths_.size(); ++i)
-    files.push_back({static_cast<int>(i), fs::path(paths_[i]).lexically_relative(folder).string(),
-                     beneath_.is_writable(paths_[i]), i > 0 && parts.contains(paths_[i])});
+    files.push_back({static_cast<int>(i), name(paths_[i]), beneath_.is_writable(paths_[i]),
+                     i > 0 && parts.contains(paths_[i])});
   return files;
 }
 

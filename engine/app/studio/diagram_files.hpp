@@ -32,6 +32,8 @@ class DiagramFiles {
   std::vector<ListedFile> list();
   /// Throws Fault for a number that list() has not given.
   const std::string& path(int number) const;
+  /// How list() calls a file; a path that is none of a file stays what it is.
+  std::string name(const std::string& path) const;
   /// Of a path that is known, or is known from now on.
   int number(const std::string& path);
 

@@ -45,7 +45,9 @@ std::string add_documents(Desk& desk, int file, diagram::Loader& loader) {
 }
 
 void add_drawing_calls(Calls& calls, Desk& desk) {
-  calls["graph"] = {[&desk](int, const Arguments& arguments) { return graph(desk, arguments); }};
+  calls["graph"] = {[&desk](int, const Arguments& arguments) {
+    return with_names(desk, [&] { return graph(desk, arguments); });
+  }};
   calls["blocks"] = {[&desk](int, const Arguments&) {
     return Json::object().set("blocks", reference::blocks_json(desk.registry));
   }};
