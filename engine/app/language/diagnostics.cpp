@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <iterator>
 
-#include "engine/app/language/written_names.hpp"
 #include "engine/base/text/characters.hpp"
 #include "engine/base/yaml/fault_place.hpp"
 
@@ -37,26 +36,12 @@ TextRange range_of(const yaml::Fault& fault, OpenTexts& texts, const TextPlaces&
   return {from, end_of_line(places.text(), from)};
 }
 
-/// Where a word stands for itself in a piece of a text, from its start on.
-std::optional<TextRange> find_word(std::string_view text, const TextRange& piece, const std::string& word) {
-  const auto stands_alone = [&](std::size_t at) {
-    const std::size_t end = at + word.size();
-    const bool joined_before = at > 0 && is_name_character(text[at - 1]) && is_name_character(word.front());
-    const bool joined_behind =
-        end < text.size() && is_name_character(text[end]) && is_name_character(word.back());
-    return !joined_before && !joined_behind;
-  };
-  for (std::size_t at = text.find(word, piece.from);
-       at != std::string_view::npos && at + word.size() <= piece.to; at = text.find(word, at + 1))
-    if (stands_alone(at)) return TextRange{at, at + word.size()};
-  return std::nullopt;
-}
-
 std::optional<Splice> mending_of(const yaml::Fault& fault, std::string_view text, const TextRange& range) {
   const auto& suggestion = fault.message.suggestion;
   if (!suggestion || suggestion->written.empty()) return std::nullopt;
-  const auto place = find_word(text, range, suggestion->written);
-  return place ? std::optional(Splice{*place, suggestion->meant}) : std::nullopt;
+  const auto at = yaml::find_word(text, range.from, range.to, suggestion->written);
+  if (!at) return std::nullopt;
+  return Splice{{*at, *at + suggestion->written.size()}, suggestion->meant};
 }
 
 std::string words_of(const yaml::Fault& fault) {

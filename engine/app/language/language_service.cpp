@@ -170,7 +170,7 @@ std::vector<Mending> LanguageService::mendings(const std::string& file, const Ed
     if (!one.mending || one.range.end < range.start || range.end < one.range.start) continue;
     try {
       static_cast<void>(spliced_values(*text, {*one.mending}));
-    } catch (const SpliceRefused&) {
+    } catch (const EditRefused&) {
       continue;
     }
     const EditorRange where = shown({file, one.mending->range}).range;

@@ -6,7 +6,9 @@
 #include <string>
 #include <utility>
 
+#include "engine/base/io/file.hpp"
 #include "engine/base/yaml/fault_place.hpp"
+#include "engine/base/yaml/text_position.hpp"
 
 namespace stepwire::session {
 
@@ -14,13 +16,18 @@ using json::Json;
 
 namespace {
 
+Json mark_json(const yaml::Mark& mark) {
+  return Json::object().set("line", mark.line).set("column", mark.column);
+}
+
 /// A file that faults name, as it is now.
 class FaultyFile {
  public:
   explicit FaultyFile(const std::string& path) {
     try {
-      document_ = yaml::read_document(path);
-    } catch (const yaml::Error&) {  // there is no such file, or it is no YAML
+      document_ = yaml::read_document(path);  // looks at its kind and size first
+      text_ = io::read_file(path);
+    } catch (const std::exception&) {  // there is no such file, or it is no YAML
     }
   }
 
@@ -31,7 +38,22 @@ class FaultyFile {
     return document_ ? yaml::end_of_fault(document_->root, fault) : std::nullopt;
   }
 
+  /// What stands in the place of which words would be right: none or one.
+  Json suggestions(const yaml::Fault& fault) const {
+    Json list = Json::list();
+    const auto& suggestion = fault.message.suggestion;
+    const auto behind = suggestion ? end(fault) : std::nullopt;
+    if (!behind) return list;
+    yaml::LineIndex lines(text_);
+    const auto at = yaml::find_word(text_, lines.position(fault.place.mark), lines.position(*behind),
+                                    suggestion->written);
+    if (!at) return list;
+    const yaml::Mark from = lines.mark(*at), to = lines.mark(*at + suggestion->written.size());
+    return list.push(mark_json(from).set("end", mark_json(to)).set("text", suggestion->meant));
+  }
+
  private:
+  std::string text_;
   std::optional<yaml::Document> document_;
 };
 
@@ -76,7 +98,7 @@ Json place_json(const yaml::Place& place) {
 
 Json end_json(const FaultyFile& file, const yaml::Fault& fault) {
   const auto end = file.end(fault);
-  return end ? Json::object().set("line", end->line).set("column", end->column) : Json();
+  return end ? mark_json(*end) : Json();
 }
 
 }  // namespace
@@ -96,6 +118,7 @@ Json faults_json(const std::vector<yaml::Fault>& faults) {
                   .set("port", text_or_null(port))
                   .set("text", fault.message.wrong)
                   .set("cure", text_or_null(fault.message.cure))
+                  .set("suggestions", file.suggestions(fault))
                   .set("used_by", std::move(users)));
   }
   return list;

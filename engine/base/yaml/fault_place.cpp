@@ -1,6 +1,7 @@
 #include "engine/base/yaml/fault_place.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <tuple>
 
 #include "engine/base/text/characters.hpp"
@@ -54,6 +55,10 @@ int characters(std::string_view text) {
   return static_cast<int>(std::ranges::count_if(text, [](char c) { return (c & 0xc0) != 0x80; }));
 }
 
+bool is_word_character(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
+
 }  // namespace
 
 FoundPlace find_place(const Node& root, const Mark& mark) {
@@ -72,6 +77,20 @@ std::optional<Mark> end_of_fault(const Node& root, const Fault& fault) {
   if (suggestion && !suggestion->written.empty())
     return Mark{mark.line, mark.column + characters(suggestion->written)};
   return found.around->end;
+}
+
+std::optional<std::size_t> find_word(std::string_view text, std::size_t from, std::size_t to,
+                                     const std::string& word) {
+  const auto goes_on = [&](std::size_t before, std::size_t behind) {
+    return behind < text.size() && is_word_character(text[before]) && is_word_character(text[behind]);
+  };
+  if (word.empty()) return std::nullopt;
+  for (std::size_t at = text.find(word, from); at != std::string_view::npos && at + word.size() <= to;
+       at = text.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    if (!(at > 0 && goes_on(at - 1, at)) && !goes_on(end - 1, end)) return at;
+  }
+  return std::nullopt;
 }
 
 }  // namespace stepwire::yaml
