@@ -38,7 +38,8 @@ struct FilePlace {
 /// The diagram files around those that are open, and what their names mean.
 class DiagramFiles {
  public:
-  explicit DiagramFiles(const Registry& registry) : registry_(registry), forms_(registry) {}
+  explicit DiagramFiles(const Registry& registry, FileAccess access = {})
+      : registry_(registry), texts_(std::move(access)), forms_(registry) {}
 
   OpenTexts& texts() { return texts_; }
   const Registry& registry() const { return registry_; }

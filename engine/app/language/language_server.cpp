@@ -34,8 +34,8 @@ std::string cancelled_by(const std::string& message) {
 
 }  // namespace
 
-LanguageServer::LanguageServer(const Registry& registry, Send send, FileUris uris)
-    : service_(registry), send_(std::move(send)), uris_(std::move(uris)) {}
+LanguageServer::LanguageServer(const Registry& registry, Send send, FileUris uris, FileAccess access)
+    : service_(registry, std::move(access)), send_(std::move(send)), uris_(std::move(uris)) {}
 
 const std::map<std::string, LanguageServer::Answer>& LanguageServer::requests() {
   static const std::map<std::string, Answer> all{

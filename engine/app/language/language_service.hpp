@@ -55,7 +55,8 @@ struct EditChanges {
 class LanguageService {
  public:
   /// The registry must outlive the service.
-  explicit LanguageService(const Registry& registry) : files_(registry) {}
+  explicit LanguageService(const Registry& registry, FileAccess access = {})
+      : files_(registry, std::move(access)) {}
 
   void set_folders(std::vector<std::string> folders) { files_.set_folders(std::move(folders)); }
   void open(const std::string& file, std::string text);

@@ -30,7 +30,7 @@ std::shared_ptr<const std::string> OpenTexts::text(const std::string& path) {
   File& found = file(path);
   if (!found.text) {
     try {
-      found.text = std::make_shared<const std::string>(io::read_file(path));
+      found.text = std::make_shared<const std::string>(read(path));
     } catch (const std::exception&) {  // what is wrong with it is told where it is read as a document
       found.text = std::make_shared<const std::string>();
     }
@@ -38,13 +38,25 @@ std::shared_ptr<const std::string> OpenTexts::text(const std::string& path) {
   return found.text;
 }
 
+std::string OpenTexts::read(const std::string& path) const {
+  return access_.read ? access_.read(path) : io::read_file(path);
+}
+
+yaml::Document OpenTexts::parsed(const std::string& path, const File& file) const {
+  const bool is_open = !file.stamp;
+  yaml::Document document = is_open        ? yaml::parse_document(*file.text, path)
+                            : access_.read ? yaml::parse_document(access_.read(path), path)
+                                           : yaml::read_document(path);
+  if (access_.check) access_.check(document);
+  return document;
+}
+
 std::shared_ptr<const yaml::Document> OpenTexts::document(const std::string& path) {
   File& found = file(path);
   if (found.error) throw yaml::Error(*found.error);
   if (found.document) return found.document;
   try {
-    found.document = std::make_shared<const yaml::Document>(
-        found.stamp ? yaml::read_document(path) : yaml::parse_document(*found.text, path));
+    found.document = std::make_shared<const yaml::Document>(parsed(path, found));
   } catch (const yaml::Error& error) {
     found.error = std::make_shared<const yaml::Error>(error);
     throw;

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/base/yaml/document.hpp"
@@ -12,10 +14,20 @@
 
 namespace stepwire::language {
 
+/// How files are reached that an editor names but has not open.
+struct FileAccess {
+  /// The text of a file; throws yaml::Error. Empty: any file of the machine.
+  std::function<std::string(const std::string& path)> read{};
+  /// Throws yaml::Error where a document names a file that is not to be read. Empty: it may name any.
+  std::function<void(const yaml::Document& document)> check{};
+};
+
 /// Texts of files: those that an editor has open, and all others as they are on the disk. What was read once
 /// is kept until the file changes.
 class OpenTexts {
  public:
+  explicit OpenTexts(FileAccess access = {}) : access_(std::move(access)) {}
+
   void open(const std::string& path, std::string text);
   void close(const std::string& path);
   bool is_open(const std::string& path) const { return open_.contains(path); }
@@ -47,6 +59,10 @@ class OpenTexts {
 
   static OnDisk stamp_of(const std::string& path);
   File& file(const std::string& path);
+  std::string read(const std::string& path) const;
+  yaml::Document parsed(const std::string& path, const File& file) const;
+
+  FileAccess access_;
 
   std::map<std::string, File> open_, on_disk_;
   std::map<std::string, std::shared_ptr<const yaml::Document>> last_;

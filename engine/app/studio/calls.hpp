@@ -15,6 +15,8 @@ class LiveRun;
 
 namespace stepwire::studio {
 
+class DrawingDesk;
+
 /// Something that a page may call.
 struct CallRow {
   /// Calls of one lane are done in order, and hold up no other lane.
@@ -44,9 +46,10 @@ struct Desk {
 
 /// Each adds its rows; the desk must outlive them.
 void add_file_calls(Calls& calls, Desk& desk);
-void add_drawing_calls(Calls& calls, Desk& desk);
 void add_state_calls(Calls& calls, Desk& desk);
 void add_gallery_calls(Calls& calls, Desk& desk);
+/// Of the drawing; `drawing` must outlive them, too.
+void add_drawing_calls(Calls& calls, Desk& desk, DrawingDesk& drawing);
 /// The calls of the run, which must outlive them.
 void add_live_calls(Calls& calls, live::LiveRun& run);
 
@@ -55,19 +58,6 @@ session::LoadedModel edited_model(Desk& desk, int file);
 
 /// Gives a loader the documents of a file and of its parts, as they are edited; returns the file's path.
 std::string add_documents(Desk& desk, int file, diagram::Loader& loader);
-
-/// The faults of an error with the names that files have in lists, in the place of their paths.
-Fault named_faults(Desk& desk, const yaml::Error& error);
-
-/// Does something whose faults are for a page.
-template <class Action>
-auto with_names(Desk& desk, const Action& action) -> decltype(action()) {
-  try {
-    return action();
-  } catch (const yaml::Error& error) {
-    throw named_faults(desk, error);
-  }
-}
 
 /// News that a file is another on the disk; `draft` where a page has a text of its own.
 json::Json change_news(int file, const EditedText& text);

@@ -77,21 +77,36 @@ std::string DiagramFiles::text(const std::string& path) {
   return edited ? edited->text : beneath_.read(path).text;
 }
 
+void DiagramFiles::require_inside(const yaml::Document& document) const {
+  yaml::Faults faults;
+  for (const NamedFile& named : named_files(document))
+    if (!named.is_plain || !beneath_.holds(named.path))
+      faults.add({{document.file, named.mark}, "", outside, {}});
+  faults.throw_if_any();
+}
+
+language::FileAccess DiagramFiles::access() const {
+  const auto read = [this](const std::string& path) {
+    try {
+      return beneath_.read(path).text;
+    } catch (const Fault& fault) {
+      throw yaml::Error({{path, {}}, "", fault.what(), {}});
+    }
+  };
+  return {read, [this](const yaml::Document& document) { require_inside(document); }};
+}
+
 std::vector<yaml::Document> DiagramFiles::documents(const std::string& path) {
   std::vector<yaml::Document> all;
   std::set<std::string> seen;
-  yaml::Faults faults;
   const std::function<void(const std::string&)> read = [&](const std::string& one) {
     if (!seen.insert(one).second) return;
     all.push_back(yaml::parse_document(text(one), one));
+    require_inside(all.back());
     for (const NamedFile& named : named_files(all.back()))
-      if (!named.is_plain || !beneath_.holds(named.path))
-        faults.add({{one, named.mark}, "", outside, {}});
-      else if (named.is_part)
-        read(named.path);
+      if (named.is_part) read(named.path);
   };
   read(path);
-  faults.throw_if_any();
   return all;
 }
 

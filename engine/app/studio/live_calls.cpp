@@ -3,6 +3,7 @@
 #include "engine/app/studio/calls.hpp"
 #include "engine/app/studio/live/live_run.hpp"
 #include "engine/app/studio/live/pointer.hpp"
+#include "engine/app/studio/named_faults.hpp"
 
 namespace stepwire::studio {
 
