@@ -3,6 +3,9 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -11,7 +14,13 @@
 
 namespace stepwire::json {
 
-/// A JSON value to be written: null, true or false, a number, text, a list, or an object that keeps its
+/// A text that is no JSON, or nested deeper than is read.
+class JsonError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A JSON value: null, true or false, a number, text, a list, or an object that keeps its
 /// order.
 ///   Json::object().set("that", "the lag settles").set("holds", true).set("value", 0.667)
 class Json {
@@ -43,7 +52,21 @@ class Json {
   /// anything else.
   Json& set(std::string key, Json value);
 
+  /// Reads one value. Throws JsonError.
+  static Json parse(std::string_view text);
+
+  bool is_null() const { return std::holds_alternative<std::nullptr_t>(value_); }
   bool is_list() const { return std::holds_alternative<std::vector<Json>>(value_); }
+  bool is_object() const { return std::holds_alternative<Members>(value_); }
+  /// The items of a list; none of anything else.
+  std::span<const Json> items() const;
+  /// What an object has under a key; nullptr where it has not, or where this is no object.
+  const Json* find(std::string_view key) const;
+  /// The string; nullptr where this is none.
+  const std::string* as_text() const { return std::get_if<std::string>(&value_); }
+  /// The number; nothing where this is none.
+  std::optional<double> as_number() const;
+  std::optional<bool> as_flag() const;
 
   /// Doubles in digits that read back to the same bits, nan and inf as null; `indent` blanks per level, all
   /// on one line where it is negative. Bytes that are no UTF-8 are replaced.

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/app/language/text_places.hpp"
+
+namespace stepwire::language {
+
+/// A piece of a text that is replaced by another.
+struct Splice {
+  TextRange range;
+  std::string text;
+};
+
+/// A splice that would change more than the word for which it is made.
+class SpliceRefused : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The text with all splices in it, which stand in any order. Throws SpliceRefused where two of them overlap.
+std::string spliced(std::string_view text, std::vector<Splice> splices);
+
+/// The same for splices of names and values in a diagram file. The text is read before and after: where
+/// anything but the keys and scalars in which the splices lie would be different, or it could not be read any
+/// more, it throws SpliceRefused.
+std::string spliced_values(std::string_view text, const std::vector<Splice>& splices);
+
+}  // namespace stepwire::language
