@@ -1,3 +1,4 @@
+// More than 300 lines with its header: what a name means follows through parts from file to file.
 #include "engine/app/language/diagram_files.hpp"
 
 #include <algorithm>
@@ -40,19 +41,6 @@ std::string_view first_piece(std::string_view name) {
   return name.substr(0, name.find('.'));
 }
 
-/// The block with whose name a reference begins; names of blocks may have dots themselves.
-const yaml::Entry* block_at_start(const yaml::Document& document, std::string_view reference) {
-  const yaml::Node* blocks = document.root.find("blocks");
-  const yaml::Entry* longest = nullptr;
-  if (!blocks) return nullptr;
-  for (const yaml::Entry& entry : blocks->entries) {
-    const bool starts =
-        reference == entry.key || (reference.starts_with(entry.key) && reference[entry.key.size()] == '.');
-    if (starts && (!longest || longest->key.size() < entry.key.size())) longest = &entry;
-  }
-  return longest;
-}
-
 }  // namespace
 
 Forms& DiagramFiles::forms(const std::string& file) {
@@ -72,6 +60,33 @@ std::string DiagramFiles::part_file(const std::string& user, const yaml::Entry& 
   const yaml::Node* path =
       block.value.is_map() && !block.value.find("block") ? block.value.find("diagram") : nullptr;
   return path && path->is_scalar() ? beside(user, path->text) : "";
+}
+
+const yaml::Entry* DiagramFiles::block_at_start(const yaml::Document& document, std::string_view reference) {
+  const yaml::Node* blocks = document.root.find("blocks");
+  const yaml::Entry* longest = nullptr;
+  if (!blocks) return nullptr;
+  for (const yaml::Entry& entry : blocks->entries) {
+    const bool starts =
+        reference == entry.key || (reference.starts_with(entry.key) && reference[entry.key.size()] == '.');
+    if (starts && (!longest || longest->key.size() < entry.key.size())) longest = &entry;
+  }
+  return longest;
+}
+
+std::vector<std::string> DiagramFiles::outputs(const std::string& file, const yaml::Entry& block) {
+  std::vector<std::string> names;
+  if (const std::string path = part_file(file, block); !path.empty()) {
+    const auto part = tree(path);
+    const yaml::Node* outputs = part ? part->root.find("outputs") : nullptr;
+    for (std::size_t i = 0; outputs && i < outputs->entries.size(); ++i)
+      names.push_back(outputs->entries[i].key);
+    return names;
+  }
+  const yaml::Node* kind = block.value.is_map() ? block.value.find("block") : nullptr;
+  const BlockType* type = kind ? registry_.find(kind->text) : nullptr;
+  for (std::size_t i = 0; type && i < type->outputs.size(); ++i) names.push_back(type->outputs[i].name);
+  return names;
 }
 
 const std::vector<WrittenName>& DiagramFiles::names(const std::string& file) {

@@ -69,6 +69,10 @@ class DiagramFiles {
                                   const std::string& name);
   /// The file of a part that stands under a name of another file; empty where that is none.
   static std::string part_file(const std::string& user, const yaml::Entry& block);
+  /// The block with whose name a reference begins, or nullptr; names of blocks may have dots themselves.
+  static const yaml::Entry* block_at_start(const yaml::Document& document, std::string_view reference);
+  /// The outputs of a block or part; none where its kind is not known.
+  std::vector<std::string> outputs(const std::string& file, const yaml::Entry& block);
 
  private:
   struct NamesOf {

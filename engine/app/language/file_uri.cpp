@@ -47,14 +47,14 @@ std::string uri_of_path(const std::string& path) {
 }
 
 std::string FileUris::path(const std::string& uri) {
-  std::string path = path_of_uri(uri);
-  uris_[path] = uri;
+  std::string path = path_of_(uri);
+  if (!path.empty()) uris_[path] = uri;
   return path;
 }
 
 std::string FileUris::uri(const std::string& path) const {
   const auto known = uris_.find(path);
-  return known == uris_.end() ? uri_of_path(path) : known->second;
+  return known == uris_.end() ? uri_of_(path) : known->second;
 }
 
 }  // namespace stepwire::language

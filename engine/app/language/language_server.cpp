@@ -1,3 +1,5 @@
+// More than 300 lines with its header: each method of the protocol has its answer here and in
+// language_methods.cpp.
 #include "engine/app/language/language_server.hpp"
 
 #include <fmt/format.h>
@@ -34,8 +36,8 @@ std::string cancelled_by(const std::string& message) {
 
 }  // namespace
 
-LanguageServer::LanguageServer(const Registry& registry, Send send)
-    : service_(registry), send_(std::move(send)) {}
+LanguageServer::LanguageServer(const Registry& registry, Send send, FileUris uris)
+    : service_(registry), send_(std::move(send)), uris_(std::move(uris)) {}
 
 const std::map<std::string, LanguageServer::Answer>& LanguageServer::requests() {
   static const std::map<std::string, Answer> all{
@@ -125,7 +127,7 @@ void LanguageServer::handle(const std::string& text) {
   } catch (const ProtocolError& error) {
     // There is no answer to a notification; one that is wrong changes nothing.
     if (!id.is_null()) send_error(id, error.code, error.what());
-  } catch (const SpliceRefused&) {  // a change at a place that the text does not have
+  } catch (const EditRefused&) {  // a change at a place that the text does not have
   }
 }
 
@@ -142,7 +144,7 @@ void LanguageServer::answer(const Json& id, const std::string& method, const Jso
     send(Json::object().set("jsonrpc", "2.0").set("id", id).set("result", std::move(result)));
   } catch (const ProtocolError& error) {
     send_error(id, error.code, error.what());
-  } catch (const RenameRefused& refused) {
+  } catch (const EditRefused& refused) {
     send_error(id, rpc::request_failed, refused.what());
   } catch (const std::exception& error) {
     send_error(id, rpc::internal_error, error.what());
@@ -167,7 +169,9 @@ void LanguageServer::send_error(const Json& id, int code, const std::string& mes
 }
 
 std::string LanguageServer::file_of(const Json& params) {
-  return uris_.path(text_member(member(params, "textDocument"), "uri"));
+  std::string file = uris_.path(text_member(member(params, "textDocument"), "uri"));
+  if (file.empty()) throw ProtocolError(rpc::invalid_params, "there is no document of this address");
+  return file;
 }
 
 void LanguageServer::publish() {

@@ -23,7 +23,7 @@ class LanguageServer {
   /// Takes one message as JSON text; called from the thread of run() alone.
   using Send = std::function<void(const std::string& message)>;
 
-  LanguageServer(const Registry& registry, Send send);
+  LanguageServer(const Registry& registry, Send send, FileUris uris = FileUris());
 
   /// Takes a message; from any thread.
   void post(std::string message);

@@ -1,3 +1,5 @@
+// More than 300 lines with its header: all that editors ask goes through one door; the answers have files of
+// their own.
 #include "engine/app/language/language_service.hpp"
 
 #include <algorithm>
@@ -170,7 +172,7 @@ std::vector<Mending> LanguageService::mendings(const std::string& file, const Ed
     if (!one.mending || one.range.end < range.start || range.end < one.range.start) continue;
     try {
       static_cast<void>(spliced_values(*text, {*one.mending}));
-    } catch (const SpliceRefused&) {
+    } catch (const EditRefused&) {
       continue;
     }
     const EditorRange where = shown({file, one.mending->range}).range;

@@ -8,6 +8,7 @@
 
 #include "engine/app/language/completion.hpp"
 #include "engine/app/language/diagnostics.hpp"
+#include "engine/app/language/edits.hpp"
 #include "engine/app/language/hover.hpp"
 #include "engine/app/language/outline_tree.hpp"
 #include "engine/app/language/renaming.hpp"
@@ -30,6 +31,23 @@ struct Mending {
 
 /// Changes of files as editors apply them.
 using FileEdits = std::map<std::string, std::vector<std::pair<EditorRange, std::string>>>;
+
+/// A piece of a file; its ends are units of UTF-16 from the start of the text, as browsers count.
+struct Utf16Range {
+  std::string file;
+  std::size_t from = 0, to = 0;
+};
+
+/// What an edit of a diagram comes to.
+struct EditChanges {
+  struct Change {
+    Utf16Range range;
+    std::string text;  ///< in its place
+  };
+  std::vector<Change> changes;      ///< all of the same texts
+  std::string name;                 ///< of a block that was inserted
+  std::vector<yaml::Fault> faults;  ///< that come with it
+};
 
 /// What editors ask of diagram files that are open: what is wrong, what may be written, what names mean,
 /// where they stand. Files are named by their absolute path. Nothing here knows how an editor is connected.
@@ -59,12 +77,20 @@ class LanguageService {
   std::optional<EditorPlace> definition(const std::string& file, const EditorPosition& at);
   std::vector<EditorPlace> references(const std::string& file, const EditorPosition& at,
                                       bool with_definition);
-  /// The name that may be changed at a place. Throws RenameRefused.
+  /// The name that may be changed at a place. Throws EditRefused.
   EditorRange renamed(const std::string& file, const EditorPosition& at);
   FileEdits rename(const std::string& file, const EditorPosition& at, const std::string& name);
   std::vector<OutlineItem> outline(const std::string& file);
   /// Words that were probably meant, for what is wrong in a range.
   std::vector<Mending> mendings(const std::string& file, const EditorRange& range);
+
+  /// The changes of texts that an edit of the diagram is; nothing is changed here. Throws EditRefused. The
+  /// offset of SetValueAt counts UTF-16, too.
+  EditChanges edited(const std::string& file, Edit edit);
+  /// The inputs to which a signal may be connected. Throws EditRefused where there is no such signal.
+  std::vector<InputName> inputs_for(const std::string& file, const std::string& from);
+  /// Where the texts have each block and port of a drawing of the file: see shape_places().
+  std::map<std::string, Utf16Range> shapes(const std::string& file);
 
  private:
   struct Known {

@@ -27,11 +27,11 @@ void check_name(DiagramFiles& files, const Meaning& meaning, const std::string& 
   const bool is_good =
       meaning.kind == MeaningKind::block ? diagram::is_dotted_name(name) : diagram::is_name(name);
   if (!is_good || name == "time" || name == "all")
-    throw RenameRefused(fmt::format(
-        "'{}' is no name; use letters, digits and '_', not beginning with a digit", text::visible(name)));
+    throw EditRefused(fmt::format("'{}' is no name; use letters, digits and '_', not beginning with a digit",
+                                  text::visible(name)));
   const auto document = files.tree(meaning.file);
   if (document && is_taken(*document, meaning.kind, name))
-    throw RenameRefused(fmt::format("there is a '{}' already", name));
+    throw EditRefused(fmt::format("there is a '{}' already", name));
 }
 
 /// Is a file the one that defines something, or does it name that one?
@@ -47,7 +47,7 @@ void check_readable(DiagramFiles& files, const Meaning& meaning) {
     try {
       files.texts().document(file);
     } catch (const yaml::Error& error) {
-      throw RenameRefused(fmt::format("mend this file first, which may have the name: {}", error.what()));
+      throw EditRefused(fmt::format("mend this file first, which may have the name: {}", error.what()));
     }
   }
 }
@@ -60,7 +60,7 @@ void check_result(DiagramFiles& files, const std::map<std::string, std::string>&
   for (const auto& [file, text] : texts) {
     const Analysis now = analyse(after, file);
     if (now.faults.empty() || !analyse(files, file).faults.empty()) continue;
-    throw RenameRefused("with that name a file would have a fault: " + now.faults.front().text());
+    throw EditRefused("with that name a file would have a fault: " + now.faults.front().text());
   }
 }
 
@@ -68,9 +68,9 @@ void check_result(DiagramFiles& files, const std::map<std::string, std::string>&
 
 NamePiece renamed_piece(DiagramFiles& files, const std::string& file, std::size_t offset) {
   const auto piece = files.piece_at(file, offset);
-  if (!piece) throw RenameRefused("no name of the diagram stands here");
+  if (!piece) throw EditRefused("no name of the diagram stands here");
   if (piece->meaning.kind == MeaningKind::port)
-    throw RenameRefused("this name is declared by the kind of the block; it cannot be changed in a file");
+    throw EditRefused("this name is declared by the kind of the block; it cannot be changed in a file");
   return *piece;
 }
 
@@ -83,12 +83,8 @@ FileSplices rename(DiagramFiles& files, const std::string& file, std::size_t off
   FileSplices splices;
   for (const FilePlace& place : files.references(meaning)) splices[place.file].push_back({place.range, name});
   std::map<std::string, std::string> texts;
-  try {
-    for (const auto& [path, changes] : splices)
-      texts[path] = spliced_values(*files.texts().text(path), changes);
-  } catch (const SpliceRefused& refused) {
-    throw RenameRefused(refused.what());
-  }
+  for (const auto& [path, changes] : splices)
+    texts[path] = spliced_values(*files.texts().text(path), changes);
   check_result(files, texts);
   return splices;
 }

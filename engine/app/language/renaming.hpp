@@ -9,19 +9,13 @@
 
 namespace stepwire::language {
 
-/// A name that cannot be changed, or not to that; the reason is a sentence.
-class RenameRefused : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 /// Changes of several files, each in the order of its text.
 using FileSplices = std::map<std::string, std::vector<Splice>>;
 
-/// The piece of a name at a place that may be changed. Throws RenameRefused.
+/// The piece of a name at a place that may be changed. Throws EditRefused.
 NamePiece renamed_piece(DiagramFiles& files, const std::string& file, std::size_t offset);
 
-/// Changes a name wherever it stands, in all files that the files knows. Throws RenameRefused where the
+/// Changes a name wherever it stands, in all files that the files knows. Throws EditRefused where the
 /// new name is none or is taken, where a file that may have it cannot be read, and where a file that was
 /// right would have faults.
 FileSplices rename(DiagramFiles& files, const std::string& file, std::size_t offset, const std::string& name);

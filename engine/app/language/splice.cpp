@@ -32,9 +32,7 @@ class Comparison {
       return range.contains(splice.range.from) && range.contains(splice.range.to);
     });
   }
-  [[noreturn]] static void refuse() {
-    throw SpliceRefused("this would change more of the file than the name");
-  }
+  [[noreturn]] static void refuse() { throw EditRefused("this would change more of the file than the name"); }
 
   TextPlaces places_;
   const std::vector<Splice>& splices_;
@@ -48,7 +46,7 @@ std::string spliced(std::string_view text, std::vector<Splice> splices) {
   std::size_t at = 0;
   for (const Splice& splice : splices) {
     if (splice.range.from < at || splice.range.to < splice.range.from || splice.range.to > text.size())
-      throw SpliceRefused("two changes of one place");
+      throw EditRefused("two changes of one place");
     result += text.substr(at, splice.range.from - at);
     result += splice.text;
     at = splice.range.to;
@@ -62,7 +60,7 @@ std::string spliced_values(std::string_view text, const std::vector<Splice>& spl
     const yaml::Document before = yaml::parse_document(text, ""), after = yaml::parse_document(result, "");
     Comparison(text, splices).compare(before.root, after.root);
   } catch (const yaml::Error& error) {
-    throw SpliceRefused(std::string("the file could not be read any more: ") + error.what());
+    throw EditRefused(std::string("the file could not be read any more: ") + error.what());
   }
   return result;
 }

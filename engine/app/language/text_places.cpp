@@ -42,4 +42,45 @@ EditorPosition TextPlaces::position(std::size_t offset) {
   return position;
 }
 
+namespace {
+
+constexpr std::size_t bytes_of_step = 256;
+
+/// Of the character that begins with this byte; none of a byte inside of one.
+std::size_t units_from(char byte) {
+  const auto first = static_cast<unsigned char>(byte);
+  return (first & 0xc0) == 0x80 ? 0 : first >= 0xf0 ? 2 : 1;
+}
+
+}  // namespace
+
+Utf16Places::Utf16Places(std::string_view text) : text_(text) {
+  std::size_t count = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (at % bytes_of_step == 0) steps_.push_back(count);
+    count += units_from(text[at]);
+  }
+  steps_.push_back(count);
+}
+
+std::size_t Utf16Places::units(std::size_t offset) const {
+  if (offset >= text_.size()) return steps_.back();
+  std::size_t count = steps_[offset / bytes_of_step];
+  for (std::size_t at = offset - offset % bytes_of_step; at < offset; ++at) count += units_from(text_[at]);
+  return count;
+}
+
+std::size_t Utf16Places::offset(std::size_t units) const {
+  const auto behind = std::upper_bound(steps_.begin(), steps_.end(), units);
+  const auto step = static_cast<std::size_t>(behind - steps_.begin()) - 1;
+  if (behind == steps_.end()) return text_.size();
+  std::size_t count = steps_[step], at = step * bytes_of_step;
+  for (std::size_t end = at; end < text_.size(); ++end) {
+    count += units_from(text_[end]);
+    if (units_from(text_[end]) > 0) at = end;
+    if (count > units) break;
+  }
+  return at;
+}
+
 }  // namespace stepwire::language

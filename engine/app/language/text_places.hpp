@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string_view>
+#include <vector>
 
 #include "engine/base/yaml/document.hpp"
 #include "engine/base/yaml/text_position.hpp"
@@ -49,6 +50,21 @@ class TextPlaces {
  private:
   std::string_view text_;
   yaml::LineIndex lines_;
+};
+
+/// Places of a text as browsers count them: units of UTF-16 from its start. The text must outlive it.
+class Utf16Places {
+ public:
+  explicit Utf16Places(std::string_view text);
+
+  /// Of a position in bytes, or of the end where it lies behind that.
+  std::size_t units(std::size_t offset) const;
+  /// The position of the last character that begins there or before, or the end.
+  std::size_t offset(std::size_t units) const;
+
+ private:
+  std::string_view text_;
+  std::vector<std::size_t> steps_;  ///< units before every so many bytes
 };
 
 }  // namespace stepwire::language

@@ -93,9 +93,9 @@ TEST_CASE("a rename is refused where the name is taken or none, or where no name
   editing.write("spring.yaml", part);
   editing.open("a.yaml", user);
   for (const std::string name : {"turned", "1a", "", "a b", "time", "x:", "\xce\xa9"})
-    CHECK_THROWS_AS(editing.renamed("a.yaml", "  body: {", 3, name), RenameRefused);
-  CHECK_THROWS_AS(editing.renamed("a.yaml", "title", 1, "x"), RenameRefused);
-  CHECK_THROWS_AS(editing.renamed("a.yaml", "force: turned", 1, "x"), RenameRefused);
+    CHECK_THROWS_AS(editing.renamed("a.yaml", "  body: {", 3, name), EditRefused);
+  CHECK_THROWS_AS(editing.renamed("a.yaml", "title", 1, "x"), EditRefused);
+  CHECK_THROWS_AS(editing.renamed("a.yaml", "force: turned", 1, "x"), EditRefused);
 }
 
 TEST_CASE("a name leads to where it is defined, through the ports of parts") {

@@ -27,16 +27,16 @@ TEST_CASE("a splice of a value is refused where more of the file would change") 
   CHECK(put("1", "2 mm") == "a: 2 mm # x\nb: {c: d}\ne: 'f'\n");
   CHECK(put("c", "g.h") == "a: 1 # x\nb: {g.h: d}\ne: 'f'\n");
   for (const std::string by : {"x, y: z", "}", "{", "# d", "d: e", "'d", "[d", ""})
-    CHECK_THROWS_AS(put("d", by), SpliceRefused);
-  CHECK_THROWS_AS(put("1", "2\nk: 3"), SpliceRefused);
-  CHECK_THROWS_AS(put("b:", "a:"), SpliceRefused);
-  CHECK_THROWS_AS(put("# x", "2"), SpliceRefused);
-  CHECK_THROWS_AS(put("f", "g'h"), SpliceRefused);
+    CHECK_THROWS_AS(put("d", by), EditRefused);
+  CHECK_THROWS_AS(put("1", "2\nk: 3"), EditRefused);
+  CHECK_THROWS_AS(put("b:", "a:"), EditRefused);
+  CHECK_THROWS_AS(put("# x", "2"), EditRefused);
+  CHECK_THROWS_AS(put("f", "g'h"), EditRefused);
 }
 
 TEST_CASE("several splices are put at once, and two of one place are refused") {
   CHECK(spliced("abcdef", {{{4, 5}, "X"}, {{1, 2}, ""}, {{6, 6}, "!"}}) == "acdXf!");
-  CHECK_THROWS_AS(spliced("abc", {{{0, 2}, "x"}, {{1, 3}, "y"}}), SpliceRefused);
+  CHECK_THROWS_AS(spliced("abc", {{{0, 2}, "x"}, {{1, 3}, "y"}}), EditRefused);
 }
 
 TEST_CASE("a file's URI and path lead to one another, whatever is in the name") {
@@ -45,6 +45,16 @@ TEST_CASE("a file's URI and path lead to one another, whatever is in the name") 
   CHECK(path_of_uri("file:///a/%C3%A4%20b/../c.yaml") == "/a/c.yaml");
   CHECK(path_of_uri("untitled:one") == "untitled:one");
   CHECK(path_of_uri("file:///100%") == "/100%");
+}
+
+TEST_CASE("addresses may be those of a page that knows numbers for paths") {
+  FileUris uris([](const std::string& uri) { return uri == "studio:/3" ? "/a/b.yaml" : ""; },
+                [](const std::string& path) { return path == "/a/c.yaml" ? "studio:/4" : ""; });
+  CHECK(uris.path("studio:/3") == "/a/b.yaml");
+  CHECK(uris.path("studio:/9").empty());
+  CHECK(uris.uri("/a/b.yaml") == "studio:/3");
+  CHECK(uris.uri("/a/c.yaml") == "studio:/4");
+  CHECK(uris.uri("").empty());
 }
 
 TEST_CASE("messages come in frames, however their bytes are cut") {
