@@ -1,7 +1,9 @@
 #pragma once
 
+#include <string>
 #include <utility>
 
+#include "engine/analyse/query/symbol_table.hpp"
 #include "engine/base/expression/expression.hpp"
 #include "engine/base/yaml/error.hpp"
 
@@ -13,5 +15,9 @@ struct FormulaError : expression::ExpressionError {
       : expression::ExpressionError(message.text(), position), message(std::move(message)) {}
   yaml::Message message;
 };
+
+/// What is wrong with a name behind '$', and with one of a signal, that mean nothing.
+yaml::Message unknown_parameter(const std::string& name, const SymbolTable& names);
+yaml::Message unknown_column(const std::string& name, const SymbolTable& names);
 
 }  // namespace stepwire::query

@@ -37,24 +37,23 @@ Edit insert_edit(const json::Json& edit) {
 using Reading = std::function<Edit(const json::Json&)>;
 
 const std::map<std::string, Reading>& readings() {
-  static const auto text = text_under;
   static const std::map<std::string, Reading> all{
       {"number", value_edit},
       {"word", value_edit},
       {"insert", insert_edit},
       {"rename",
        [](const json::Json& e) {
-         return Rename{text(e, "name"), text(e, "to")};
+         return Rename{text_under(e, "name"), text_under(e, "to")};
        }},
       {"connect",
        [](const json::Json& e) {
-         return Connect{text(e, "from"), text(e, "to"), text(e, "input")};
+         return Connect{text_under(e, "from"), text_under(e, "to"), text_under(e, "input")};
        }},
       {"disconnect",
        [](const json::Json& e) {
-         return Disconnect{text(e, "to"), text(e, "input")};
+         return Disconnect{text_under(e, "to"), text_under(e, "input")};
        }},
-      {"delete", [](const json::Json& e) { return Remove{text(e, "name")}; }}};
+      {"delete", [](const json::Json& e) { return Remove{text_under(e, "name")}; }}};
   return all;
 }
 

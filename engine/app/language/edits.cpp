@@ -123,6 +123,7 @@ class Editor {
   Edited operator()(const Connect& edit) {
     TreeEdits edits(*text_, *document_);
     connect(edits, files_, file_, *document_, edit);
+    check_units(files_, analyse(files_, file_, Depth::draft), file_, edit);
     Edited result = done(edits);
     if (!result.faults.empty()) throw EditRefused(result.faults.front().text());
     return result;

@@ -64,5 +64,7 @@ struct InputName {
 /// The inputs of a file to which a signal may be connected: all whose unit is not known to be another one.
 std::vector<InputName> inputs_for(DiagramFiles& files, const Analysis& analysis, const std::string& file,
                                   const std::string& from);
+/// Throws EditRefused for a wire between two units that are known and are not the same.
+void check_units(DiagramFiles& files, const Analysis& analysis, const std::string& file, const Connect& edit);
 
 }  // namespace stepwire::language

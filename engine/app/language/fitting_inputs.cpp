@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "engine/app/language/edits.hpp"
@@ -16,13 +18,18 @@ Unit unit_text(const yaml::Node& declared) {
   return parsed ? std::optional(parsed->dimension) : std::nullopt;
 }
 
-/// Gathers the inputs whose unit may be that of a signal.
-class Fitting {
- public:
-  Fitting(DiagramFiles& files, const Analysis& analysis, const std::string& file, Unit unit)
-      : files_(files), analysis_(analysis), file_(file), unit_(unit) {}
+struct InputUnit {
+  InputName name;
+  Unit wanted;  ///< none where any will do, or it is not known
+};
 
-  std::vector<InputName> all(const yaml::Document& document) {
+/// Gathers all inputs of a file.
+class Inputs {
+ public:
+  Inputs(DiagramFiles& files, const Analysis& analysis, const std::string& file)
+      : files_(files), analysis_(analysis), file_(file) {}
+
+  std::vector<InputUnit> all(const yaml::Document& document) {
     if (const yaml::Node* blocks = document.root.find("blocks"))
       for (const yaml::Entry& block : blocks->entries) add_block(block);
     if (const yaml::Node* outputs = document.root.find("outputs"))
@@ -32,7 +39,7 @@ class Fitting {
 
  private:
   void add(const std::string& block, const std::string& input, const Unit& wanted) {
-    if (!unit_ || !wanted || *unit_ == *wanted) found_.push_back({block, input});
+    found_.push_back({{block, input}, wanted});
   }
 
   void add_block(const yaml::Entry& block) {
@@ -69,9 +76,19 @@ class Fitting {
   DiagramFiles& files_;
   const Analysis& analysis_;
   const std::string& file_;
-  const Unit unit_;
-  std::vector<InputName> found_;
+  std::vector<InputUnit> found_;
 };
+
+Unit unit_of(const Analysis& analysis, DiagramFiles& files, const std::string& file,
+             const std::string& source) {
+  const auto signals = signals_of(analysis, files, file, false);
+  const auto known = std::ranges::find(signals, source, &KnownSignal::name);
+  return known == signals.end() ? std::nullopt : known->dimension;
+}
+
+bool fits(const Unit& unit, const Unit& wanted) {
+  return !unit || !wanted || *unit == *wanted;
+}
 
 }  // namespace
 
@@ -79,11 +96,23 @@ std::vector<InputName> inputs_for(DiagramFiles& files, const Analysis& analysis,
                                   const std::string& from) {
   const auto document = files.tree(file);
   if (!document) return {};
-  const std::string source = source_text(files, file, *document, from);
-  const auto signals = signals_of(analysis, files, file, false);
-  const auto known = std::ranges::find(signals, source, &KnownSignal::name);
-  return Fitting(files, analysis, file, known == signals.end() ? std::nullopt : known->dimension)
-      .all(*document);
+  const Unit unit = unit_of(analysis, files, file, source_text(files, file, *document, from));
+  std::vector<InputName> found;
+  for (const InputUnit& input : Inputs(files, analysis, file).all(*document))
+    if (fits(unit, input.wanted)) found.push_back(input.name);
+  return found;
+}
+
+void check_units(DiagramFiles& files, const Analysis& analysis, const std::string& file,
+                 const Connect& edit) {
+  const auto document = files.tree(file);
+  if (!document) return;
+  const Unit unit = unit_of(analysis, files, file, source_text(files, file, *document, edit.from));
+  for (const auto& [name, wanted] : Inputs(files, analysis, file).all(*document))
+    if (name == InputName{edit.to, edit.input} && !fits(unit, wanted))
+      throw EditRefused(fmt::format("'{}' is in {}, and '{}' takes {}", edit.from, unit::si_name(*unit),
+                                    edit.to.empty() ? edit.input : edit.to + "." + edit.input,
+                                    unit::si_name(*wanted)));
 }
 
 }  // namespace stepwire::language

@@ -53,14 +53,14 @@ bool TreeEdits::stands_in_flow(const yaml::Node& node) const {
 
 void TreeEdits::replace(const yaml::Node& value, const std::string& text) {
   const TextRange range = places_.range(value);
-  const bool is_missing = value.kind == yaml::Node::Kind::empty;
   const char first = range.from < text_.size() ? text_[range.from] : ' ';
   const bool has_quotes = value.is_scalar() && (first == '"' || first == '\'');
   WrittenValue put = written_value(text, stands_in_flow(value), has_quotes ? first : '\0');
-  const std::size_t colon = is_missing ? text_.find(':', range.to) : std::string_view::npos;
-  if (is_missing && (colon == std::string_view::npos || range.from < range.to))
-    throw EditRefused("there is no value here yet; write it in the text");
-  splices_.push_back(is_missing ? Splice{{colon + 1, colon + 1}, " " + put.text} : Splice{range, put.text});
+  const std::size_t behind = text_.find_first_not_of(" \t", range.to);
+  const bool is_left_out =
+      value.kind == yaml::Node::Kind::empty && text_.substr(std::min(behind, text_.size())).starts_with(':');
+  splices_.push_back(is_left_out ? Splice{{behind + 1, behind + 1}, " " + put.text}
+                                 : Splice{range, put.text});
   replaced_[&value] = std::move(put.node);
 }
 

@@ -34,7 +34,7 @@ std::optional<yaml::Node> value_of(const std::string& text, bool flow) {
 
 /// Does all of the text count, and not as an anchor, a tag or a comment?
 bool is_whole(const yaml::Node& value, const std::string& text) {
-  if (value.is_scalar()) return value.quoted || value.text == text;
+  if (value.is_scalar()) return value.text == text || text[0] == '"' || text[0] == '\'';
   return (value.is_list() || value.is_map()) && text.find('#') == std::string::npos && text[0] != '&' &&
          text[0] != '!';
 }

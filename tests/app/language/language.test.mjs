@@ -49,7 +49,7 @@ test("outputs whose unit fits an input come first, and parameters of that unit a
   await editor.diagnostics("units.yaml", () => true);
   const at = place(text, "force: a_push", "force: ".length);
   const {items} = await editor.ask("textDocument/completion", editor.at("units.yaml", at));
-  const sorted = items.toSorted((a, b) => (a.sortText < b.sortText ? -1 : 1)).map((one) => one.label);
+  const sorted = [...items].sort((a, b) => (a.sortText < b.sortText ? -1 : 1)).map((one) => one.label);
   assert.ok(sorted.indexOf("a_push") >= 0 && sorted.indexOf("a_push") < sorted.indexOf("far"), sorted.join());
   assert.ok(sorted.indexOf("$weight") < sorted.indexOf("$spring"), sorted.join());
 });

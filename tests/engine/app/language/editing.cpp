@@ -84,4 +84,16 @@ std::map<std::string, std::string> Editing::renamed(const std::string& name, std
   return after;
 }
 
+std::map<std::string, std::string> Editing::edited(const std::string& name, const Edit& edit) {
+  std::map<std::string, std::vector<Splice>> splices;
+  for (const auto& [range, put] : service_.edited(path(name), edit).changes) {
+    const std::string short_name = range.file.substr(path("").size());
+    const Utf16Places places(text(short_name));
+    splices[short_name].push_back({{places.offset(range.from), places.offset(range.to)}, put});
+  }
+  std::map<std::string, std::string> after;
+  for (const auto& [file, list] : splices) after[file] = spliced(text(file), list);
+  return after;
+}
+
 }  // namespace stepwire::language

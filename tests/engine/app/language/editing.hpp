@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,6 +35,9 @@ class Editing {
   /// The text of a file after a change of a name at a place.
   std::map<std::string, std::string> renamed(const std::string& name, std::string_view word,
                                              std::size_t behind, const std::string& to);
+
+  /// The texts of files after an edit of one, whose places count UTF-16.
+  std::map<std::string, std::string> edited(const std::string& name, const Edit& edit);
 
  private:
   Scratch folder_;

@@ -47,6 +47,16 @@ TEST_CASE("a file's URI and path lead to one another, whatever is in the name") 
   CHECK(path_of_uri("file:///100%") == "/100%");
 }
 
+TEST_CASE("addresses may be those of a page that knows numbers for paths") {
+  FileUris uris([](const std::string& uri) { return uri == "studio:/3" ? "/a/b.yaml" : ""; },
+                [](const std::string& path) { return path == "/a/c.yaml" ? "studio:/4" : ""; });
+  CHECK(uris.path("studio:/3") == "/a/b.yaml");
+  CHECK(uris.path("studio:/9").empty());
+  CHECK(uris.uri("/a/b.yaml") == "studio:/3");
+  CHECK(uris.uri("/a/c.yaml") == "studio:/4");
+  CHECK(uris.uri("").empty());
+}
+
 TEST_CASE("messages come in frames, however their bytes are cut") {
   const std::string all = framed("{\"a\": \"\u03a9\"}") + "X: y\r\ncontent-length: 2\r\n\r\n{}" + framed("");
   for (std::size_t most = 1; most < 40; ++most) {
