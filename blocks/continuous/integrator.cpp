@@ -31,9 +31,9 @@ void Integrator::declare(Declare<Integrator>& is) {
   is.state<&Integrator::stop>(
       {.doc = "1 at the upper and -1 at the lower limit at the last tick, 0 between", .settable = false});
   is.state<&Integrator::side>({.doc = "last reset signal: -1 false, 1 true, 0 none yet", .settable = false});
-  is.derived<&Integrator::slope_is_input>();
-  is.derived<&Integrator::limited>();
-  is.derived<&Integrator::resets>();
+  is.derived<&Integrator::slope_is_input, From::no_number>();
+  is.derived<&Integrator::limited, From::no_number>();
+  is.derived<&Integrator::resets, From::no_number>();
 }
 
 void Integrator::configure(Configure& is) {

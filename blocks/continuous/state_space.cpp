@@ -17,7 +17,7 @@ void StateSpace::declare(Declare<StateSpace>& is) {
   is.input<&StateSpace::u>({.unit = "*", .shape = "m", .doc = "inputs"});
   is.output<&StateSpace::y>({.unit = "*", .shape = "p", .doc = "outputs"});
   is.state<&StateSpace::x>({.unit = "*", .shape = "n", .doc = "states"});
-  is.derived<&StateSpace::direct>();
+  is.derived<&StateSpace::direct, &StateSpace::D>();
 }
 
 void StateSpace::configure(Configure& is) {

@@ -21,7 +21,7 @@ void TransferFunction::declare(Declare<TransferFunction>& is) {
   is.output<&TransferFunction::y>({.unit = "*", .doc = "output"});
   is.state<&TransferFunction::x>(
       {.unit = "*", .shape = "n", .doc = "states of the canonical form, highest derivative first"});
-  is.derived<&TransferFunction::form>();
+  is.derived<&TransferFunction::form, &TransferFunction::numerator, &TransferFunction::denominator>();
 }
 
 void TransferFunction::configure(Configure& is) {

@@ -20,7 +20,7 @@ void Delay::declare(Declare<Delay>& is) {
   is.state<&Delay::samples>(
       {.unit = "'u", .shape = "k x n", .doc = "samples on their way", .settable = false});
   is.state<&Delay::oldest>({.doc = "where the oldest sample stands", .settable = false});
-  is.derived<&Delay::periods>();
+  is.derived<&Delay::periods, &Delay::delay>();
 }
 
 void Delay::configure(Configure& is) {

@@ -25,8 +25,8 @@ void DiscreteIntegrator::declare(Declare<DiscreteIntegrator>& is) {
   is.output<&DiscreteIntegrator::y>({.unit = "'k 'u s", .doc = "the sum, within the limits"});
   is.state<&DiscreteIntegrator::x>({.unit = "'k 'u s", .doc = "the sum so far"});
   is.clock<&DiscreteIntegrator::period>();
-  is.derived<&DiscreteIntegrator::before>();
-  is.derived<&DiscreteIntegrator::after>();
+  is.derived<&DiscreteIntegrator::before, From::no_number>();
+  is.derived<&DiscreteIntegrator::after, From::no_number>();
 }
 
 void DiscreteIntegrator::configure(Configure& is) {

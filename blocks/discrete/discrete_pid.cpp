@@ -62,8 +62,8 @@ void DiscretePID::declare(Declare<DiscretePID>& is) {
   is.state<&DiscretePID::rate>({.unit = "'u/s", .doc = "D at the last tick", .settable = false});
   is.state<&DiscretePID::last>({.unit = "'u", .doc = "error in D at the last tick", .settable = false});
   is.clock<&DiscretePID::period>();
-  is.derived<&DiscretePID::before>();
-  is.derived<&DiscretePID::after>();
+  is.derived<&DiscretePID::before, From::no_number>();
+  is.derived<&DiscretePID::after, From::no_number>();
   is.prepared<&DiscretePID::per_time>();
 }
 

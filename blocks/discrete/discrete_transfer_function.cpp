@@ -20,7 +20,8 @@ void DiscreteTransferFunction::declare(Declare<DiscreteTransferFunction>& is) {
   is.input<&Block::u>({.unit = "*", .doc = "input; felt at once only where both degrees are equal"});
   is.output<&Block::y>({.unit = "*", .doc = "output"});
   is.state<&Block::x>({.unit = "*", .shape = "n", .doc = "states of the canonical form, newest first"});
-  is.derived<&DiscreteTransferFunction::form>();
+  is.derived<&DiscreteTransferFunction::form, &DiscreteTransferFunction::numerator,
+             &DiscreteTransferFunction::denominator>();
 }
 
 void DiscreteTransferFunction::configure(Configure& is) {

@@ -25,7 +25,7 @@ void MovingAverage::declare(Declare<MovingAverage>& is) {
       {.unit = "'u", .doc = "sum since the circle last closed", .settable = false});
   is.state<&MovingAverage::row>({.doc = "where the next sample goes", .settable = false});
   is.state<&MovingAverage::count>({.doc = "samples seen, up to a full window", .settable = false});
-  is.derived<&MovingAverage::length>();
+  is.derived<&MovingAverage::length, &MovingAverage::window>();
 }
 
 void MovingAverage::configure(Configure& is) {

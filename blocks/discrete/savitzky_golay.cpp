@@ -76,7 +76,8 @@ void SavitzkyGolay::declare(Declare<SavitzkyGolay>& is) {
       {.unit = "'u", .shape = "k x n", .doc = "the window without this tick", .settable = false});
   is.state<&SavitzkyGolay::oldest>({.doc = "where the oldest sample is", .settable = false});
   is.state<&SavitzkyGolay::begun>({.doc = "0 before the first tick, then 1", .settable = false});
-  is.derived<&SavitzkyGolay::coefficients>();
+  is.derived<&SavitzkyGolay::coefficients, &SavitzkyGolay::window, &SavitzkyGolay::order,
+             &SavitzkyGolay::derivative>();
 }
 
 }  // namespace stepwire

@@ -25,7 +25,7 @@ void VariableDelay::declare(Declare<VariableDelay>& is) {
       {.unit = "'u", .shape = "k x n", .doc = "samples on their way", .settable = false});
   is.state<&VariableDelay::newest>({.doc = "where the newest sample stands", .settable = false});
   is.clock<&VariableDelay::period>();
-  is.derived<&VariableDelay::rows>();
+  is.derived<&VariableDelay::rows, &VariableDelay::longest>();
 }
 
 void VariableDelay::configure(Configure& is) {

@@ -72,8 +72,8 @@ void LayerActivator::declare(Declare<LayerActivator>& is) {
       {.unit = "m", .shape = "r", .doc = "distances from the regions then", .settable = false});
   is.state<&LayerActivator::begun>({.doc = "1 from the first tick on", .settable = false});
   is.clock<&LayerActivator::period>();
-  is.derived<&LayerActivator::ways>();
-  is.derived<&LayerActivator::events>();
+  is.derived<&LayerActivator::ways, From::no_number>();
+  is.derived<&LayerActivator::events, From::no_number>();
 }
 
 }  // namespace stepwire

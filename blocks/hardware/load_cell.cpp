@@ -38,7 +38,7 @@ void LoadCell::declare(Declare<LoadCell>& is) {
   is.preset<ati_mini40_si_80_4>("ati-mini40-si-80-4",
                                 "80 N across, 240 N along, 4 N m; the arrangement of its gauges is assumed");
   is.preset<ati_mini40_si_40_2>("ati-mini40-si-40-2", "40 N across, 120 N along, 2 N m; else alike");
-  is.derived<&LoadCell::response>();
+  is.derived<&LoadCell::response, &LoadCell::calibration>();
 }
 
 }  // namespace stepwire

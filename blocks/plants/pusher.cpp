@@ -68,7 +68,7 @@ void Pusher::declare(Declare<Pusher>& is) {
   is.output<&Pusher::distance>({.unit = "m", .doc = "way from the first point"});
   is.output<&Pusher::leg>({.doc = "number of the way from point to point that it is on, from 1"});
   is.clock<&Pusher::time>();
-  is.derived<&Pusher::legs>();
+  is.derived<&Pusher::legs, &Pusher::points, &Pusher::speed, &Pusher::highest_acceleration>();
 }
 
 }  // namespace stepwire

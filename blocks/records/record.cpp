@@ -25,8 +25,9 @@ std::string place_in_file(const std::string& file, const std::string& column, st
 std::string no_column(const std::string& file, const table::Table& table, const std::string& name) {
   std::vector<std::string> names;
   for (const table::Column& column : table.columns) names.push_back(column.name);
-  return fmt::format("{} has no column '{}'{}", file, name,
-                     yaml::did_you_mean(name, names, fmt::format("It has: {}", fmt::join(names, ", "))));
+  return fmt::format(
+      "{} has no column '{}'{}", file, name,
+      yaml::did_you_mean(name, names, fmt::format("It has: {}", fmt::join(names, ", "))).text());
 }
 
 }  // namespace stepwire

@@ -108,9 +108,9 @@ void FromFile::declare(Declare<FromFile>& is) {
   is.diagnostic<&FromFile::ended>(
       {.doc = "the record is over; give after_end or an earlier stop", .ends_run = true});
   is.clock<&FromFile::t>();
-  is.derived<&FromFile::samples>();
-  is.derived<&FromFile::smooth>();
-  is.derived<&FromFile::offset>();
+  is.derived<&FromFile::samples, &FromFile::sample_time, &FromFile::from, &FromFile::to>();
+  is.derived<&FromFile::smooth, &FromFile::sample_time, &FromFile::from, &FromFile::to>();
+  is.derived<&FromFile::offset, &FromFile::sample_time, &FromFile::from, &FromFile::to, &FromFile::start_>();
 }
 
 }  // namespace stepwire

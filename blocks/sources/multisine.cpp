@@ -121,9 +121,13 @@ void Multisine::declare(Declare<Multisine>& is) {
   is.parameter<&Multisine::seed>({.doc = "of the random phases; a whole number"});
   is.output<&Multisine::y>({.unit = "'u", .doc = "the sum"});
   is.clock<&Multisine::t>();
-  is.derived<&Multisine::omega>();
-  is.derived<&Multisine::a>();
-  is.derived<&Multisine::phi>();
+  is.derived<&Multisine::omega, &Multisine::period, &Multisine::lowest, &Multisine::highest,
+             &Multisine::frequencies>();
+  is.derived<&Multisine::a, &Multisine::period, &Multisine::lowest, &Multisine::highest,
+             &Multisine::frequencies, &Multisine::amplitude, &Multisine::rms>();
+  is.derived<&Multisine::phi, &Multisine::period, &Multisine::lowest, &Multisine::highest,
+             &Multisine::frequencies, &Multisine::amplitude, &Multisine::rms, &Multisine::phases,
+             &Multisine::seed>();
 }
 
 }  // namespace stepwire

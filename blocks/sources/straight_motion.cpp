@@ -41,7 +41,7 @@ void StraightMotion::declare(Declare<StraightMotion>& is) {
       {.unit = "m/s2", .shape = "d", .doc = "derivative of the velocity"});
   is.output<&StraightMotion::distance>({.unit = "m", .doc = "way from the start, along direction"});
   is.clock<&StraightMotion::time>();
-  is.prepared<&StraightMotion::unit>();
+  is.prepared<&StraightMotion::unit, &StraightMotion::direction>();
 }
 
 }  // namespace stepwire

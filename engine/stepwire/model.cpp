@@ -32,7 +32,7 @@ std::size_t find(const std::vector<Info>& all, const std::string& name, const ch
   throw yaml::Error(
       yaml::Fault{{file, {}},
                   name,
-                  fmt::format("there is no {} of this name{}", kind, yaml::did_you_mean(name, names)),
+                  fmt::format("there is no {} of this name", kind) + yaml::did_you_mean(name, names),
                   {}});
 }
 

@@ -81,8 +81,8 @@ std::span<const double> Result::operator[](const std::string& column) const {
     if (const table::Column* found = recording.table.find(column)) return found->values;
     for (const table::Column& known : recording.table.columns) names.push_back(known.name);
   }
-  throw yaml::Error(yaml::Fault{
-      {}, column, fmt::format("nothing of this name is recorded{}", yaml::did_you_mean(column, names)), {}});
+  throw yaml::Error(
+      yaml::Fault{{}, column, "nothing of this name is recorded" + yaml::did_you_mean(column, names), {}});
 }
 
 }  // namespace stepwire

@@ -71,11 +71,11 @@ void complete(FitParameter& parameter, const yaml::Node& node, const std::string
     parameter.scale = 0.1 * (parameter.upper - parameter.lower);
 }
 
-std::string unknown(const std::string& name, const diagram::Diagram& diagram) {
+yaml::Message unknown(const std::string& name, const diagram::Diagram& diagram) {
   std::vector<std::string> all;
   for (const diagram::DiagramParameter& one : diagram.parameters)
     if (std::holds_alternative<double>(one.value.content)) all.push_back(one.name);
-  return fmt::format("there is no parameter '{}'{}", name, yaml::nearest_or_all(name, all, "there are"));
+  return fmt::format("there is no parameter '{}'", name) + yaml::nearest_or_all(name, all, "there are");
 }
 
 void read_parameter(FitRequest& request, const yaml::Entry& entry, const FitReading& read) {

@@ -109,7 +109,8 @@ void read_global(FitRequest& request, const yaml::Node& node, const FitReading& 
 
 FitTable::Row parameters_row() {
   return {"parameters", "what is to be found, by the names that --set takes",
-          yaml::like("{rig.mass: {start: 2 kg, bounds: [1 kg, 5 kg]}}", form::names(fit_parameter_form(), 1)),
+          yaml::like("{rig.mass: {start: 2 kg, bounds: [1 kg, 5 kg]}}",
+                     form::naming(yaml::Key::Names::parameter, form::names(fit_parameter_form(), 1))),
           read_fit_parameters};
 }
 

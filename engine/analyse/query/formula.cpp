@@ -7,6 +7,7 @@
 #include <cctype>
 #include <stdexcept>
 
+#include "engine/analyse/query/formula_error.hpp"
 #include "engine/analyse/query/number.hpp"
 
 namespace stepwire::query {
@@ -39,29 +40,6 @@ struct Substituted {
     return position < origin.size() ? origin[position] : origin.back() + 1;
   }
 };
-
-std::string unknown_parameter(const std::string& name, const SymbolTable& names) {
-  std::vector<std::string> all;
-  for (const auto& parameter : names.parameters) all.push_back(parameter.name);
-  if (all.empty()) return fmt::format("there is no parameter '{}'; this diagram has none", name);
-  return fmt::format("there is no parameter '{}'{}", name, yaml::nearest_or_all(name, all, "there are"));
-}
-
-std::string unknown_column(const std::string& name, const SymbolTable& names) {
-  std::vector<std::string> all;
-  for (const auto& column : names.columns) all.push_back(column.name);
-  const bool is_shown = name.starts_with("figure.") || name.starts_with("scene.");
-  const auto beginning = [&](const std::string& of) {
-    return of.substr(0, is_shown ? of.find('.') : of.rfind('.'));
-  };
-  for (const auto& drawn : names.drawn)
-    if (beginning(drawn.name) == beginning(name)) all.push_back(drawn.name);
-  if (!names.unknown.empty())
-    return fmt::format("'{}' {}{}", name, names.unknown, yaml::nearest_or_all(name, all, "there are"));
-  const bool is_vector = names.find(name + ".1") != nullptr;
-  if (names.lacks(name) && !is_vector) return fmt::format("'{}' is not recorded; add it to 'record'", name);
-  return fmt::format("'{}' is not recorded{}", name, yaml::nearest_or_all(name, all, "recorded are"));
-}
 
 /// A parameter as a number, with its unit where that can stand in an expression.
 std::string number_text(const KnownParameter& parameter, const SymbolTable& names) {
@@ -101,9 +79,9 @@ std::size_t append_word(std::string_view text, std::size_t begin, const SymbolTa
   const std::string word(text.substr(begin + 1, end - begin - 1));
   const auto found = std::find(column->words.begin(), column->words.end(), word);
   if (found == column->words.end())
-    throw expression::ExpressionError(fmt::format("'{}' is never '{}'{}", column->name, word,
-                                                  yaml::nearest_or_all(word, column->words, "there are")),
-                                      begin + 1);
+    throw FormulaError(fmt::format("'{}' is never '{}'", column->name, word) +
+                           yaml::nearest_or_all(word, column->words, "there are"),
+                       begin + 1);
   if (std::find(found + 1, column->words.end(), word) != column->words.end())
     throw expression::ExpressionError(fmt::format("several values of '{}' are '{}'", column->name, word),
                                       begin + 1);
@@ -148,7 +126,7 @@ Substituted substitute(std::string_view text, const SymbolTable& names) {
     const std::string name(text.substr(i + 1, end - i - 1));
     const auto found = std::find_if(names.parameters.begin(), names.parameters.end(),
                                     [&](const KnownParameter& known) { return known.name == name; });
-    if (found == names.parameters.end()) throw expression::ExpressionError(unknown_parameter(name, names), i);
+    if (found == names.parameters.end()) throw FormulaError(unknown_parameter(name, names), i);
     result.append(fmt::format("({})", number_text(*found, names)), i);
     i = end;
   }
@@ -172,7 +150,7 @@ expression::Expression parse(std::string_view text, const SymbolTable& names) {
     });
     for (const std::string& name : expression.variables())
       if (names.lacks(name))
-        throw expression::ExpressionError(unknown_column(name, names), place_of(name, substituted.text));
+        throw FormulaError(unknown_column(name, names), place_of(name, substituted.text));
     return expression;
   } catch (const expression::ExpressionError& error) {
     const std::size_t position = substituted.origin_of(error.position);
@@ -181,7 +159,8 @@ expression::Expression parse(std::string_view text, const SymbolTable& names) {
     const bool function = behind != std::string_view::npos && text[behind] == '(';
     const bool unknown = !name.empty() && !function && names.find(name) == nullptr &&
                          std::string_view(error.what()).find(name) != std::string_view::npos;
-    throw expression::ExpressionError(unknown ? unknown_column(name, names) : error.what(), position);
+    if (unknown) throw FormulaError(unknown_column(name, names), position);
+    throw expression::ExpressionError(error.what(), position);
   }
 }
 
@@ -263,10 +242,12 @@ std::optional<Formula> read_formula(const yaml::Node& node, std::string_view tex
     const auto dimension = find_dimension(expression, text, names);
     const yaml::Mark mark = place_in(node, offset, names).mark;
     return Formula{trimmed(text), std::move(expression), std::move(columns), recording, dimension, mark};
+  } catch (const FormulaError& error) {
+    faults.add({place_in(node, offset + error.position, names), subject, error.message, {}});
   } catch (const expression::ExpressionError& error) {
     faults.add({place_in(node, offset + error.position, names), subject, error.what(), {}});
-    return std::nullopt;
   }
+  return std::nullopt;
 }
 
 std::size_t common_recording(const std::vector<const Formula*>& formulas, const SymbolTable& names,

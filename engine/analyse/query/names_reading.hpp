@@ -15,7 +15,7 @@ struct NamesReading : yaml::SectionReading {
   NamesReading(std::string subject, const SymbolTable& names, yaml::Faults& faults)
       : yaml::SectionReading(std::move(subject),
                              [file = names.file, &faults](const yaml::Mark& mark, const std::string& about,
-                                                          const std::string& message) {
+                                                          const yaml::Message& message) {
                                faults.add({{file, mark}, about, message, {}});
                              }),
         names(names),

@@ -72,8 +72,8 @@ std::vector<Formula> read_place(const yaml::Node& node, const SymbolTable& names
   if (is_unknown_name(node.text, names))
     faults.add({{names.file, node.mark},
                 subject,
-                fmt::format("'{}' is not recorded{}", node.text,
-                            yaml::nearest_or_all(node.text, vectors_of(names), "recorded vectors are")),
+                fmt::format("'{}' is not recorded", node.text) +
+                    yaml::nearest_or_all(node.text, vectors_of(names), "recorded vectors are"),
                 {}});
   else if (auto formula = read_length(node, names, subject, faults))
     place.push_back(std::move(*formula));

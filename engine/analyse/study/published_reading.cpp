@@ -76,9 +76,8 @@ void read_published(PublishedStudy& published, const std::vector<std::string>& c
   if (!published_table().read(node, published, read)) return;
   const auto require = [&](const std::string& name, const std::string& key) {
     if (std::ranges::find(conditions, name) == conditions.end())
-      yaml::below(read, key).fault(node.mark,
-                                   fmt::format("there is no condition '{}'{}", name,
-                                               yaml::nearest_or_all(name, conditions, "there are")));
+      yaml::below(read, key).fault(node.mark, fmt::format("there is no condition '{}'", name) +
+                                                  yaml::nearest_or_all(name, conditions, "there are"));
   };
   for (const NamedValue& mean : published.means.values) require(mean.name, "means");
   for (const PublishedValues& example : published.examples)

@@ -15,7 +15,7 @@ SectionKeys::SectionKeys(const std::string& section, const yaml::Node& node, con
 
 yaml::SectionReading SectionKeys::reading(const std::string& file) const {
   return {section_, [file, &faults = faults_](const yaml::Mark& mark, const std::string& subject,
-                                              const std::string& message) {
+                                              const yaml::Message& message) {
             faults.add({{file, mark}, subject, message, {}});
           }};
 }

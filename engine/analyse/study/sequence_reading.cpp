@@ -22,8 +22,8 @@ std::vector<std::size_t> conditions_of(const yaml::Node& node, const StudyReques
   for (const yaml::Node& item : node.as_list()) {
     const auto at = std::ranges::find(all, item.text);
     if (at == all.end())
-      read.fault(item.mark, fmt::format("there is no condition '{}'{}", item.text,
-                                        yaml::nearest_or_all(item.text, all, "there are")));
+      read.fault(item.mark, fmt::format("there is no condition '{}'", item.text) +
+                                yaml::nearest_or_all(item.text, all, "there are"));
     else
       found.push_back(static_cast<std::size_t>(at - all.begin()));
   }
@@ -62,8 +62,8 @@ void check_parameter(const yaml::Entry& entry, const StudyRequest& request, cons
   for (const diagram::DiagramParameter& one : read.diagram.parameters)
     if (has_numbers(one)) names.push_back(one.name);
   if (std::ranges::find(names, entry.key) == names.end())
-    read.fault(entry.mark, fmt::format("there is no parameter '{}' of numbers{}", entry.key,
-                                       yaml::nearest_or_all(entry.key, names, "there are")));
+    read.fault(entry.mark, fmt::format("there is no parameter '{}' of numbers", entry.key) +
+                               yaml::nearest_or_all(entry.key, names, "there are"));
   else if (is_set_by_study(entry.key, request))
     read.fault(entry.mark, fmt::format("the study sets '{}' for each trial; another parameter takes what is "
                                        "carried",
@@ -75,7 +75,7 @@ void check_signal(const yaml::Node& node, const StudyReading& read) {
   for (const auto& [name, signal] : diagram::named_signals(read.diagram)) names.push_back(name);
   if (std::ranges::find(names, node.text) == names.end())
     read.fault(node.mark,
-               fmt::format("there is no signal '{}'{}", node.text, yaml::did_you_mean(node.text, names)));
+               fmt::format("there is no signal '{}'", node.text) + yaml::did_you_mean(node.text, names));
 }
 
 void read_carry(StudyRequest& request, const yaml::Node& node, const StudyReading& read) {
@@ -135,7 +135,9 @@ std::vector<StudyRow> sequence_rows() {
       {"carry",
        "what a person takes into the next trial: parameters, and the signals whose last values they get. "
        "The first trial has the file's values",
-       yaml::like("{memory: learning.y}", form::names(form::string(), 1)), read_carry}};
+       yaml::like("{memory: learning.y}",
+                  form::naming(yaml::Key::Names::parameter, form::names(form::signal(), 1))),
+       read_carry}};
 }
 
 void check_carry(const StudyRequest& request, const plan::Plan& plan, yaml::Faults& faults) {

@@ -16,11 +16,11 @@ struct StudyReading : yaml::SectionReading {
 
   StudyReading(std::string file, const query::SymbolTable& names, const diagram::Diagram& diagram, bool runs,
                yaml::Faults& faults)
-      : yaml::SectionReading(
-            "study",
-            [file, &faults](const yaml::Mark& mark, const std::string& subject, const std::string& message) {
-              faults.add({{file, mark}, subject, message, {}});
-            }),
+      : yaml::SectionReading("study",
+                             [file, &faults](const yaml::Mark& mark, const std::string& subject,
+                                             const yaml::Message& message) {
+                               faults.add({{file, mark}, subject, message, {}});
+                             }),
         file(file),
         names(names),
         diagram(diagram),

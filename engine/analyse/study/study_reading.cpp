@@ -25,8 +25,8 @@ std::string parameter_name(const yaml::Mark& mark, const std::string& name, cons
     if (one.name == name) return name;
     if (number) numbers.push_back(one.name);
   }
-  read.fault(mark, fmt::format("there is no parameter '{}'{}", name,
-                               yaml::nearest_or_all(name, numbers, "there are")));
+  read.fault(mark, fmt::format("there is no parameter '{}'", name) +
+                       yaml::nearest_or_all(name, numbers, "there are"));
   return name;
 }
 
@@ -34,7 +34,7 @@ std::string parameter_name(const yaml::Mark& mark, const std::string& name, cons
 yaml::Key targets_form(const Texts& names) {
   std::vector<yaml::Key> keys;
   for (const std::string& name : names)
-    keys.push_back(yaml::needed(yaml::key(name, "name of a parameter", form::string())));
+    keys.push_back(yaml::needed(yaml::key(name, "name of a parameter", form::parameter())));
   return form::keys("it", fmt::format("{{{0}: PARAMETER, ..}}", names.front()), std::move(keys));
 }
 
@@ -75,8 +75,10 @@ bool FeedbackCondition::*feedback_of(const yaml::Entry& set, const StudyReading&
     if (name == last) return member;
     names.push_back(name);
   }
-  read.fault(set.mark, fmt::format("'{}' is no feedback{}; conditions differ by nothing else", set.key,
-                                   yaml::nearest_or_all(last, names, "there are")));
+  yaml::Message message =
+      fmt::format("'{}' is no feedback", set.key) + yaml::nearest_or_all(last, names, "there are");
+  message += "; conditions differ by nothing else";
+  read.fault(set.mark, message);
   return nullptr;
 }
 
@@ -118,8 +120,8 @@ const diagram::RecordedSignal* recorded(const yaml::Node& node, const StudyReadi
       read.fault(node.mark, fmt::format("'{}' is no point of the plane, which has two elements", node.text));
       return nullptr;
     }
-  read.fault(node.mark, fmt::format("'{}' is not recorded{}", node.text,
-                                    yaml::nearest_or_all(node.text, all, "recorded are")));
+  read.fault(node.mark, fmt::format("'{}' is not recorded", node.text) +
+                            yaml::nearest_or_all(node.text, all, "recorded are"));
   return nullptr;
 }
 
@@ -140,8 +142,8 @@ void read_circle(StudyRequest& request, const yaml::Node& node, const StudyReadi
   const Texts all = request.condition_names();
   if (std::ranges::find(all, of->text) == all.end())
     yaml::below(read, "of")
-        .fault(of->mark, fmt::format("there is no condition '{}'{}", of->text,
-                                     yaml::nearest_or_all(of->text, all, "there are")));
+        .fault(of->mark, fmt::format("there is no condition '{}'", of->text) +
+                             yaml::nearest_or_all(of->text, all, "there are"));
   const Texts found = sets ? targets(*sets, *form.find("sets"), yaml::below(read, "sets")) : Texts(3);
   request.circle = CircleHandover{of->text, found[0], found[1], found[2]};
 }
@@ -156,11 +158,11 @@ void read_position(StudyRequest& request, const yaml::Node& node, const StudyRea
 
 yaml::Key way_back_form() {
   return form::either(
-      {yaml::key("", "the direction of the way back, zero inside the region", form::string()),
+      {yaml::key("", "the direction of the way back, zero inside the region", form::signal()),
        form::keys("it", "a recorded signal, or {direction: SIGNAL, position: SIGNAL that it follows from}",
-                  {yaml::needed(yaml::key("direction", "recorded signal, zero inside", form::string())),
+                  {yaml::needed(yaml::key("direction", "recorded signal, zero inside", form::signal())),
                    yaml::key("position", "recorded signal that it follows from; that of the study without it",
-                             form::string())})});
+                             form::signal())})});
 }
 
 void read_way_back(StudyRequest& request, const yaml::Node& node, const StudyReading& read) {
@@ -196,10 +198,12 @@ std::vector<StudyRow> make_study_rows() {
       {"conditions", "what each condition switches on: haptic, visual, guiding_path",
        yaml::like("{V: {visual: 1}, HV: {haptic: 1, visual: 1}}",
                   form::names(
-                      form::either({form::names(form::whole(0, 1)), form::of(yaml::Key::Form::nothing)}), 1)),
+                      form::either({form::naming(yaml::Key::Names::parameter, form::names(form::whole(0, 1))),
+                                    form::of(yaml::Key::Form::nothing)}),
+                      1)),
        read_conditions},
       {"circle", "task 1: the circle that is to be drawn", circle_form(), read_circle},
-      {"position", "recorded signal of two elements: where the end-effector is", form::string(),
+      {"position", "recorded signal of two elements: where the end-effector is", form::signal(),
        read_position},
       {"way_back", "task 2: recorded signal, the direction of the way back", way_back_form(), read_way_back},
       {"published", "what a source prints of such a study: tables have it beside the study's own numbers",

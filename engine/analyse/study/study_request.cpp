@@ -14,12 +14,12 @@ void read_recorded(StudyRequest& request, yaml::Faults& faults) {
   const std::vector<std::string> conditions = request.condition_names(), subjects = request.subject_names();
   for (const Trial& trial : request.recorded)
     if (std::find(conditions.begin(), conditions.end(), trial.condition) == conditions.end())
-      return faults.add(
-          {{request.trials, {}},
-           "",
-           fmt::format("subject {}: there is no condition '{}' in the study{}", trial.subject,
-                       trial.condition, yaml::nearest_or_all(trial.condition, conditions, "there are")),
-           {}});
+      return faults.add({{request.trials, {}},
+                         "",
+                         fmt::format("subject {}: there is no condition '{}' in the study", trial.subject,
+                                     trial.condition) +
+                             yaml::nearest_or_all(trial.condition, conditions, "there are"),
+                         {}});
   if (request.recorded.empty())
     return faults.add(
         {{request.trials, {}}, "", fmt::format("there are no trials of task {}", request.task), {}});

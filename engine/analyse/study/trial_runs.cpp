@@ -261,7 +261,7 @@ void TrialRuns::run_once(TrialRun& trial) {
   if (!trial.done && !trial.result.interrupted)
     trial.failures.push_back(faults.empty()
                                  ? fmt::format("not done within {:g} s", run->plan().diagram.stop)
-                                 : faults.front().fault.subject + ": " + faults.front().fault.message);
+                                 : faults.front().fault.subject + ": " + faults.front().fault.message.text());
   idle_.give_back(member, std::move(run));
 }
 

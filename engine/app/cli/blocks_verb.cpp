@@ -37,7 +37,7 @@ ExitCode show_blocks(const BlocksCall& call, const Registry& registry) {
   const BlockType* type = registry.find(call.name);
   if (!type) {
     complain("there is no block '{}'{}\n", text::visible(call.name),
-             yaml::plain(yaml::did_you_mean(call.name, registry.names(), "'stepwire blocks' lists them")));
+             yaml::did_you_mean(call.name, registry.names(), "'stepwire blocks' lists them").text());
     return ExitCode::wrong;
   }
   put_data(one_block(call, *type));

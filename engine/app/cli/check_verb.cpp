@@ -2,18 +2,23 @@
 #include <memory>
 
 #include "engine/app/cli/console.hpp"
+#include "engine/app/cli/guarded.hpp"
+#include "engine/app/cli/interrupt.hpp"
 #include "engine/app/cli/model_call.hpp"
 #include "engine/app/cli/verb.hpp"
+#include "engine/app/cli/watch.hpp"
 #include "engine/app/report/run_text.hpp"
 
 namespace stepwire::cli {
 
+using json::Json;
+
 namespace {
 
-ExitCode check(const session::LoadedModel& model, const ModelCall& call, json::Json& results) {
+ExitCode check(const session::LoadedModel& model, const ModelCall& call, Json& results) {
   const diagram::Diagram& diagram = model.job.plan.diagram;
   if (call.json) {
-    results.push(json::Json::object()
+    results.push(Json::object()
                      .set("file", model.file)
                      .set("blocks", diagram.blocks.size())
                      .set("claims", model.claims.size())
@@ -26,11 +31,35 @@ ExitCode check(const session::LoadedModel& model, const ModelCall& call, json::J
   return ExitCode::done;
 }
 
+/// One file of a round: what is wrong with it goes to the standard error.
+void check_again(const std::string& file, const ModelCall& call, const Registry& registry,
+                 WatchedFiles& watched) {
+  diagram::Loader loader(registry,
+                         call.words.large ? load_options(call.words).limits : yaml::DocumentLimits{});
+  watched.add(file);
+  Json none;
+  const ExitCode code = guarded([&] {
+    const session::LoadedModel model = session::load_model(loader, file, load_options(call.words));
+    watched.add(model.job.plan.diagram);
+    say("{} ", time_of_day());
+    return check(model, call, none);
+  });
+  watched.add(loader);
+  if (code != ExitCode::done) say("{} {}: not right\n", time_of_day(), file);
+}
+
 Action declare_check(CLI::App& verb) {
   const auto call = std::make_shared<ModelCall>();
+  const auto again = std::make_shared<bool>(false);
   add_model_options(verb, *call);
-  return [call](const Registry& registry) {
-    return each_model(*call, registry, [&](const session::LoadedModel& model, json::Json& results) {
+  verb.add_flag("--watch", *again, "check again when a file changes, until Ctrl-C")->excludes("--json");
+  return [call, again](const Registry& registry) {
+    if (*again)
+      return watch([&](WatchedFiles& watched) {
+        for (const std::string& file : call->files)
+          if (!interrupted()) check_again(file, *call, registry, watched);
+      });
+    return each_model(*call, registry, [&](const session::LoadedModel& model, Json& results) {
       return check(model, *call, results);
     });
   };

@@ -116,9 +116,8 @@ class CommandLine {
   static ExitCode refuse_verb(const std::string& word) {
     std::vector<std::string> names;
     for (const Verb& verb : verbs()) names.emplace_back(verb.name);
-    complain(
-        "stepwire: there is no '{}'{}\n", text::visible(word),
-        yaml::plain(yaml::did_you_mean(word, names, fmt::format("There are: {}", fmt::join(names, ", ")))));
+    complain("stepwire: there is no '{}'{}\n", text::visible(word),
+             yaml::did_you_mean(word, names, fmt::format("There are: {}", fmt::join(names, ", "))).text());
     return ExitCode::wrong;
   }
 

@@ -2,8 +2,10 @@
 #include <memory>
 
 #include "engine/app/cli/console.hpp"
+#include "engine/app/cli/guarded.hpp"
 #include "engine/app/cli/interrupt.hpp"
 #include "engine/app/cli/verb.hpp"
+#include "engine/app/cli/watch.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/view/drawing/graph_faults.hpp"
 
@@ -14,8 +16,9 @@ namespace {
 struct DrawCall {
   std::string file;
   drawing::GraphOptions options;
-  std::string out;    ///< file; empty: standard output
-  bool json = false;  ///< the graph that is drawn, not the picture
+  std::string out;     ///< file; empty: standard output
+  bool json = false;   ///< the graph that is drawn, not the picture
+  bool again = false;  ///< when a file changes
 };
 
 void require_names(const DrawCall& call, const drawing::DiagramView& view) {
@@ -25,8 +28,7 @@ void require_names(const DrawCall& call, const drawing::DiagramView& view) {
   faults.throw_if_any();
 }
 
-ExitCode draw(const DrawCall& call, const Registry& registry) {
-  diagram::Loader loader(registry);
+ExitCode draw(const DrawCall& call, diagram::Loader& loader) {
   const drawing::DrawnFile file(loader, call.file);
   require_names(call, file.view());
   const EndDelay delay(EndDelay::Signals::first);
@@ -38,6 +40,16 @@ ExitCode draw(const DrawCall& call, const Registry& registry) {
     io::write_file(call.out, text);
   }
   return ExitCode::done;
+}
+
+ExitCode draw_again(const DrawCall& call, const Registry& registry) {
+  return watch([&](WatchedFiles& watched) {
+    diagram::Loader loader(registry);
+    watched.add(call.file);
+    const ExitCode code = guarded([&] { return draw(call, loader); });
+    watched.add(loader);
+    say("{} {}: {}\n", time_of_day(), call.out, code == ExitCode::done ? "drawn" : "left as it was");
+  });
 }
 
 Action declare_draw(CLI::App& verb) {
@@ -54,7 +66,13 @@ Action declare_draw(CLI::App& verb) {
       ->delimiter(',');
   verb.add_flag("--units", call->options.units, "write the unit of its signal on each wire");
   verb.add_flag("--json", call->json, "give the graph that is drawn, as JSON");
-  return [call](const Registry& registry) { return draw(*call, registry); };
+  verb.add_flag("--watch", call->again, "draw again when the file or a part of it changes, until Ctrl-C")
+      ->needs("-o");
+  return [call](const Registry& registry) {
+    if (call->again) return draw_again(*call, registry);
+    diagram::Loader loader(registry);
+    return draw(*call, loader);
+  };
 }
 
 }  // namespace

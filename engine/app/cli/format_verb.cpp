@@ -26,7 +26,7 @@ ExitCode show_format(const FormatCall& call) {
     std::vector<std::string> names;
     for (const reference::Section& one : reference::format_sections()) names.push_back(one.name);
     complain("there is no section '{}'{}\n", text::visible(call.section),
-             yaml::plain(yaml::did_you_mean(call.section, names, "'stepwire format' lists them")));
+             yaml::did_you_mean(call.section, names, "'stepwire format' lists them").text());
     return ExitCode::wrong;
   }
   put_data(call.markdown ? reference::format_markdown(*section) : reference::format_page(*section));

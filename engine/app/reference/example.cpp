@@ -63,12 +63,10 @@ void add_defaults(const BlockType& type, ExampleKeys& keys) {
 }
 
 ExampleKeys keys_to_show(const BlockType& type) {
-  ExampleKeys keys{{"block", type.name}};
-  if (!type.presets.empty()) keys.emplace_back("preset", type.presets.front().name);
+  ExampleKeys keys = required_keys(type);
+  auto behind_kind = keys.begin() + (type.presets.empty() ? 1 : 2);
   for (const InputSpec& input : type.inputs)
-    if (!input.optional) keys.emplace_back(input.name, source_text(input));
-  for (const ParameterSpec& parameter : type.parameters)
-    if (parameter.required) keys.emplace_back(parameter.name, example_value(parameter));
+    if (!input.optional) behind_kind = keys.emplace(behind_kind, input.name, source_text(input)) + 1;
   const bool says_nothing_yet =
       type.presets.empty() && std::none_of(type.parameters.begin(), type.parameters.end(),
                                            [](const ParameterSpec& parameter) { return parameter.required; });
@@ -77,6 +75,14 @@ ExampleKeys keys_to_show(const BlockType& type) {
 }
 
 }  // namespace
+
+std::vector<std::pair<std::string, std::string>> required_keys(const BlockType& type) {
+  ExampleKeys keys{{"block", type.name}};
+  if (!type.presets.empty()) keys.emplace_back("preset", type.presets.front().name);
+  for (const ParameterSpec& parameter : type.parameters)
+    if (parameter.required) keys.emplace_back(parameter.name, example_value(parameter));
+  return keys;
+}
 
 std::string block_example(const BlockType& type) {
   const std::string name = snake_case(type.name);

@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <utility>
 
 #include "engine/base/io/file.hpp"
-#include "engine/base/text/characters.hpp"
-#include "engine/base/yaml/document.hpp"
+#include "engine/base/yaml/fault_place.hpp"
+#include "engine/base/yaml/text_position.hpp"
 
 namespace stepwire::session {
 
@@ -17,33 +16,8 @@ using json::Json;
 
 namespace {
 
-bool lies_behind(const yaml::Mark& a, const yaml::Mark& b) {
-  return std::pair(a.line, a.column) > std::pair(b.line, b.column);
-}
-
-/// What stands at a mark of a tree: the keys that lead there, and the innermost key or value that begins
-/// there.
-struct FoundPlace {
-  std::vector<std::string> keys;
-  const yaml::Entry* key = nullptr;   ///< that begins at the mark
-  const yaml::Node* value = nullptr;  ///< that begins at the mark
-};
-
-void find(const yaml::Node& node, const yaml::Mark& mark, FoundPlace& found) {
-  if (node.mark.line == mark.line && node.mark.column == mark.column) found.value = &node;
-  const yaml::Entry* inside = nullptr;
-  for (const yaml::Entry& entry : node.entries)
-    if (!lies_behind(entry.mark, mark)) inside = &entry;
-  const yaml::Node* item = nullptr;
-  for (const yaml::Node& one : node.items)
-    if (!lies_behind(one.mark, mark)) item = &one;
-  if (inside) {
-    found.keys.push_back(inside->key);
-    if (inside->mark.line == mark.line && inside->mark.column == mark.column) found.key = inside;
-    find(inside->value, mark, found);
-  } else if (item) {
-    find(*item, mark, found);
-  }
+Json mark_json(const yaml::Mark& mark) {
+  return Json::object().set("line", mark.line).set("column", mark.column);
 }
 
 /// A file that faults name, as it is now.
@@ -51,62 +25,42 @@ class FaultyFile {
  public:
   explicit FaultyFile(const std::string& path) {
     try {
-      std::istringstream text(io::read_file(path));
-      for (std::string line; std::getline(text, line);) lines_.push_back(line);
-      document_ = yaml::read_document(path);
-    } catch (
-        const std::exception&) {  // there is no such file, or it is no YAML: its lines tell what they can
+      document_ = yaml::read_document(path);  // looks at its kind and size first
+      text_ = io::read_file(path);
+    } catch (const std::exception&) {  // there is no such file, or it is no YAML
     }
   }
 
-  FoundPlace at(const yaml::Mark& mark) const {
-    FoundPlace found;
-    if (document_) find(document_->root, mark, found);
-    return found;
+  yaml::FoundPlace at(const yaml::Mark& mark) const {
+    return document_ ? yaml::find_place(document_->root, mark) : yaml::FoundPlace{};
+  }
+  std::optional<yaml::Mark> end(const yaml::Fault& fault) const {
+    return document_ ? yaml::end_of_fault(document_->root, fault) : std::nullopt;
   }
 
-  /// Just behind what begins at the mark; none where that is not known.
-  std::optional<yaml::Mark> end(const yaml::Mark& mark) const {
-    const auto line = static_cast<std::size_t>(mark.line);
-    if (line < 1 || line > lines_.size() || mark.column < 1) return std::nullopt;
-    const std::string_view rest = behind(lines_[line - 1], mark.column - 1);
-    if (rest.empty()) return std::nullopt;
-    const FoundPlace found = at(mark);
-    const std::size_t bytes = length(rest, found);
-    return yaml::Mark{mark.line, mark.column + characters(rest.substr(0, bytes))};
+  /// What stands in the place of which words would be right: none or one.
+  Json suggestions(const yaml::Fault& fault) const {
+    Json list = Json::list();
+    const auto& suggestion = fault.message.suggestion;
+    const auto behind = suggestion ? end(fault) : std::nullopt;
+    if (!behind) return list;
+    yaml::LineIndex lines(text_);
+    const auto at = yaml::find_word(text_, lines.position(fault.place.mark), lines.position(*behind),
+                                    suggestion->written);
+    if (!at) return list;
+    const yaml::Mark from = lines.mark(*at), to = lines.mark(*at + suggestion->written.size());
+    return list.push(mark_json(from).set("end", mark_json(to)).set("text", suggestion->meant));
   }
 
  private:
-  static std::string_view behind(std::string_view text, int count) {
-    for (; count > 0 && !text.empty(); --count)
-      text.remove_prefix(std::max<std::size_t>(1, text::utf8_length(text)));
-    return text;
-  }
-  static int characters(std::string_view text) {
-    int count = 0;
-    for (; !text.empty(); ++count) text.remove_prefix(std::max<std::size_t>(1, text::utf8_length(text)));
-    return count;
-  }
-  /// Bytes of a key, a scalar in or without quotes, or what the line holds up to its comment.
-  static std::size_t length(std::string_view rest, const FoundPlace& found) {
-    const std::string* text = found.key                                 ? &found.key->key
-                              : found.value && found.value->is_scalar() ? &found.value->text
-                                                                        : nullptr;
-    if (text && !text->empty() && rest.starts_with(*text)) return text->size();
-    if (rest.front() == '"' || rest.front() == '\'')
-      if (const std::size_t close = rest.find(rest.front(), 1); close != std::string_view::npos)
-        return close + 1;
-    const std::size_t end = std::min(rest.find(" #"), rest.size());
-    return rest.substr(0, end).find_last_not_of(" \t\r") + 1;
-  }
-
-  std::vector<std::string> lines_;
+  std::string text_;
   std::optional<yaml::Document> document_;
 };
 
 /// The block of a subject such as "rig.mount.stiffness", and what of it. The tree has the last name of the
 /// block below `blocks`, and behind that the key.
-std::pair<std::string, std::string> block_and_port(const std::string& subject, const FoundPlace& found) {
+std::pair<std::string, std::string> block_and_port(const std::string& subject,
+                                                   const yaml::FoundPlace& found) {
   const auto section = std::ranges::find(found.keys, "blocks");
   if (found.keys.end() - section < 2) return {};
   const std::string& name = section[1];
@@ -142,9 +96,9 @@ Json place_json(const yaml::Place& place) {
       .set("column", number_or_null(place.mark.column));
 }
 
-Json end_json(const FaultyFile& file, const yaml::Mark& mark) {
-  const auto end = file.end(mark);
-  return end ? Json::object().set("line", end->line).set("column", end->column) : Json();
+Json end_json(const FaultyFile& file, const yaml::Fault& fault) {
+  const auto end = file.end(fault);
+  return end ? mark_json(*end) : Json();
 }
 
 }  // namespace
@@ -158,12 +112,13 @@ Json faults_json(const std::vector<yaml::Fault>& faults) {
     Json users = Json::list();
     for (const yaml::Place& user : fault.used_by) users.push(place_json(user));
     list.push(place_json(fault.place)
-                  .set("end", end_json(file, fault.place.mark))
+                  .set("end", end_json(file, fault))
                   .set("subject", text_or_null(fault.subject))
                   .set("block", text_or_null(block))
                   .set("port", text_or_null(port))
-                  .set("text", fault.wrong())
-                  .set("cure", text_or_null(fault.cure()))
+                  .set("text", fault.message.wrong)
+                  .set("cure", text_or_null(fault.message.cure))
+                  .set("suggestions", file.suggestions(fault))
                   .set("used_by", std::move(users)));
   }
   return list;

@@ -15,6 +15,8 @@ class LiveRun;
 
 namespace stepwire::studio {
 
+class DrawingDesk;
+
 /// Something that a page may call.
 struct CallRow {
   /// Calls of one lane are done in order, and hold up no other lane.
@@ -44,9 +46,10 @@ struct Desk {
 
 /// Each adds its rows; the desk must outlive them.
 void add_file_calls(Calls& calls, Desk& desk);
-void add_drawing_calls(Calls& calls, Desk& desk);
 void add_state_calls(Calls& calls, Desk& desk);
 void add_gallery_calls(Calls& calls, Desk& desk);
+/// Of the drawing; `drawing` must outlive them, too.
+void add_drawing_calls(Calls& calls, Desk& desk, DrawingDesk& drawing);
 /// The calls of the run, which must outlive them.
 void add_live_calls(Calls& calls, live::LiveRun& run);
 

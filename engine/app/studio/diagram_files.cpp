@@ -68,26 +68,45 @@ const std::string& DiagramFiles::path(int number) const {
   return paths_[static_cast<std::size_t>(number)];
 }
 
+std::string DiagramFiles::name(const std::string& path) const {
+  return path.starts_with('/') ? fs::path(path).lexically_relative(folder_of(paths_.front())).string() : path;
+}
+
 std::string DiagramFiles::text(const std::string& path) {
   const EditedText* edited = texts_.find(path);
   return edited ? edited->text : beneath_.read(path).text;
 }
 
+void DiagramFiles::require_inside(const yaml::Document& document) const {
+  yaml::Faults faults;
+  for (const NamedFile& named : named_files(document))
+    if (!named.is_plain || !beneath_.holds(named.path))
+      faults.add({{document.file, named.mark}, "", outside, {}});
+  faults.throw_if_any();
+}
+
+language::FileAccess DiagramFiles::access() const {
+  const auto read = [this](const std::string& path) {
+    try {
+      return beneath_.read(path).text;
+    } catch (const Fault& fault) {
+      throw yaml::Error({{path, {}}, "", fault.what(), {}});
+    }
+  };
+  return {read, [this](const yaml::Document& document) { require_inside(document); }};
+}
+
 std::vector<yaml::Document> DiagramFiles::documents(const std::string& path) {
   std::vector<yaml::Document> all;
   std::set<std::string> seen;
-  yaml::Faults faults;
   const std::function<void(const std::string&)> read = [&](const std::string& one) {
     if (!seen.insert(one).second) return;
     all.push_back(yaml::parse_document(text(one), one));
+    require_inside(all.back());
     for (const NamedFile& named : named_files(all.back()))
-      if (!named.is_plain || !beneath_.holds(named.path))
-        faults.add({{one, named.mark}, "", outside, {}});
-      else if (named.is_part)
-        read(named.path);
+      if (named.is_part) read(named.path);
   };
   read(path);
-  faults.throw_if_any();
   return all;
 }
 
@@ -104,10 +123,9 @@ std::vector<ListedFile> DiagramFiles::list() {
     if (is_diagram(entry)) beside.insert(entry.path().string());
   for (const std::string& one : beside) number(one);
   std::vector<ListedFile> files;
-  const fs::path folder = folder_of(paths_.front());
   for (std::size_t i = 0; i < paths_.size(); ++i)
-    files.push_back({static_cast<int>(i), fs::path(paths_[i]).lexically_relative(folder).string(),
-                     beneath_.is_writable(paths_[i]), i > 0 && parts.contains(paths_[i])});
+    files.push_back({static_cast<int>(i), name(paths_[i]), beneath_.is_writable(paths_[i]),
+                     i > 0 && parts.contains(paths_[i])});
   return files;
 }
 

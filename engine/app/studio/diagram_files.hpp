@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/app/language/open_texts.hpp"
 #include "engine/app/studio/edited_texts.hpp"
 #include "engine/base/yaml/document.hpp"
 #include "engine/model/diagram/load.hpp"
@@ -26,12 +27,16 @@ class DiagramFiles {
   /// Throws EnvironmentError where there is no such file.
   DiagramFiles(const std::string& file, DraftStore store = DraftStore());
 
+  /// How language servers reach files: beneath the folders alone. From any thread, as long as this is there.
+  language::FileAccess access() const;
   EditedTexts& texts() { return texts_; }
   const Beneath& beneath() const { return beneath_; }
   /// Looks again at what there is. Numbers never change: 0 is FILE.
   std::vector<ListedFile> list();
   /// Throws Fault for a number that list() has not given.
   const std::string& path(int number) const;
+  /// How list() calls a file; a path that is none of a file stays what it is.
+  std::string name(const std::string& path) const;
   /// Of a path that is known, or is known from now on.
   int number(const std::string& path);
 
@@ -41,6 +46,8 @@ class DiagramFiles {
 
  private:
   void trust(const std::string& file);
+  /// Throws yaml::Error where a document names files that lie elsewhere.
+  void require_inside(const yaml::Document& document) const;
   std::string text(const std::string& path);
 
   std::vector<std::string> paths_;

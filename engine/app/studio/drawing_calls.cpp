@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include "engine/app/reference/block_json.hpp"
-#include "engine/app/studio/calls.hpp"
+#include "engine/app/studio/drawing_desk.hpp"
+#include "engine/app/studio/named_faults.hpp"
 #include "engine/base/text/characters.hpp"
 #include "engine/view/drawing/draw.hpp"
 
@@ -21,7 +22,7 @@ int scope_of(const drawing::DiagramView& whole, const std::string& name) {
   return static_cast<int>(found - scopes.begin());
 }
 
-Json graph(Desk& desk, const Arguments& arguments) {
+Json graph(Desk& desk, DrawingDesk& texts, const Arguments& arguments) {
   diagram::Loader loader(desk.registry);
   const std::string path = add_documents(desk, arguments.whole("file"), loader);
   const drawing::DrawnFile file(loader, path);
@@ -29,10 +30,11 @@ Json graph(Desk& desk, const Arguments& arguments) {
   options.open = arguments.texts("open");
   options.units = arguments.flag("units");
   const std::string scope = arguments.text("scope");
-  const drawing::DiagramView part =
-      scope.empty() ? file.view()
-                    : drawing::DiagramView(file.view().diagram(), loader, scope_of(file.view(), scope));
-  return Json::object().set("graph", part.graph(options)).set("ranges", Json::object());
+  const int place = scope.empty() ? file.view().scope() : scope_of(file.view(), scope);
+  const drawing::DiagramView part(file.view().diagram(), loader, place);
+  return Json::object()
+      .set("graph", part.graph(options))
+      .set("ranges", texts.ranges(part.diagram().scopes[static_cast<std::size_t>(place)].file));
 }
 
 }  // namespace
@@ -44,8 +46,13 @@ std::string add_documents(Desk& desk, int file, diagram::Loader& loader) {
   return path;
 }
 
-void add_drawing_calls(Calls& calls, Desk& desk) {
-  calls["graph"] = {[&desk](int, const Arguments& arguments) { return graph(desk, arguments); }};
+void add_drawing_calls(Calls& calls, Desk& desk, DrawingDesk& texts) {
+  calls["graph"] = {
+      [&](int, const Arguments& it) { return with_names(desk, [&] { return graph(desk, texts, it); }); }};
+  calls["splice"] = {
+      [&](int, const Arguments& it) { return with_names(desk, [&] { return texts.splice(it); }); }};
+  calls["fits"] = {
+      [&](int, const Arguments& it) { return with_names(desk, [&] { return texts.fits(it); }); }};
   calls["blocks"] = {[&desk](int, const Arguments&) {
     return Json::object().set("blocks", reference::blocks_json(desk.registry));
   }};

@@ -61,12 +61,16 @@ const EditedText* EditedTexts::find(const std::string& path) const {
   return found == texts_.end() ? nullptr : &found->second;
 }
 
+void EditedTexts::require_version(const std::string& path, int version) {
+  const EditedText& text = known(path);
+  if (version == text.version) return;
+  const Json current = Json::object().set("text", text.text).set("version", text.version);
+  throw Fault("the text was changed elsewhere meanwhile", Json::object().set("current", current));
+}
+
 const EditedText& EditedTexts::edit(const std::string& path, int version, std::vector<TextChange> changes) {
+  require_version(path, version);
   EditedText& text = known(path);
-  if (version != text.version)
-    throw Fault(
-        "the text was changed elsewhere meanwhile",
-        Json::object().set("current", Json::object().set("text", text.text).set("version", text.version)));
   std::string next = changed(text.text, std::move(changes));
   if (next.size() > most_bytes) throw Fault("a diagram has 8 MB at most");
   text.text = std::move(next);

@@ -42,6 +42,10 @@ class EditedTexts {
   /// Writes the file where its hash is still this one; what it holds otherwise is returned.
   std::optional<EditedText> save(const std::string& path, const std::string& hash);
 
+  /// Throws Fault as edit() does.
+  void require_version(const std::string& path, int version);
+  /// All that were opened.
+  const std::map<std::string, EditedText>& all() const { return texts_; }
   /// The text of a file as it is edited; nothing where it is not.
   const EditedText* find(const std::string& path) const;
   /// Puts drafts on the disk that are not there.

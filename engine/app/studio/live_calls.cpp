@@ -2,6 +2,8 @@
 
 #include "engine/app/studio/calls.hpp"
 #include "engine/app/studio/live/live_run.hpp"
+#include "engine/app/studio/live/pointer.hpp"
+#include "engine/app/studio/named_faults.hpp"
 
 namespace stepwire::studio {
 
@@ -23,9 +25,11 @@ void add_live_calls(Calls& calls, live::LiveRun& run) {
 }
 
 session::LoadedModel edited_model(Desk& desk, int file) {
-  diagram::Loader loader(desk.registry);
-  const std::string path = add_documents(desk, file, loader);
-  return session::load_model(loader, path, {});
+  return with_names(desk, [&] {
+    diagram::Loader loader(desk.registry);
+    const std::string path = add_documents(desk, file, loader);
+    return live::load_for_page(loader, path);
+  });
 }
 
 }  // namespace stepwire::studio

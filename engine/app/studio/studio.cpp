@@ -8,7 +8,9 @@
 
 #include "engine/app/studio/calls.hpp"
 #include "engine/app/studio/dispatch.hpp"
+#include "engine/app/studio/drawing_desk.hpp"
 #include "engine/app/studio/live/live_run.hpp"
+#include "engine/app/studio/page_languages.hpp"
 #include "engine/app/studio/page_site.hpp"
 
 namespace stepwire::studio {
@@ -28,7 +30,13 @@ class Studio::Room : public http::Site {
         live_([this](int file) { return edited_model(desk_, file); },
               {[this](const Json& news) { tell(news, 0); },
                [this](int page, std::string bytes) { server_->send_bytes(page, std::move(bytes)); }}),
-        calls_(calls_of(desk_, live_)),
+        languages_(desk_,
+                   [this](int page, const Json& message) {
+                     server_->send_text(
+                         page, Json::object().set("news", "language").set("message", message).text(-1));
+                   }),
+        drawing_(desk_),
+        calls_(calls_of()),
         dispatch_(
             calls_, [this](int page, std::string text) { server_->send_text(page, std::move(text)); },
             [this](int page, std::uint32_t sequence) { live_.acknowledge(page, sequence); }),
@@ -48,6 +56,7 @@ class Studio::Room : public http::Site {
   }
   bool has_socket(const std::string& path) override { return path == "/socket"; }
   void joined(int page) override {
+    languages_.joined(page);
     const std::lock_guard lock(mutex_);
     pages_.insert(page);
   }
@@ -57,19 +66,21 @@ class Studio::Room : public http::Site {
       pages_.erase(page);
     }
     live_.left(page);
+    watch_.post([this, page] { languages_.left(page); });  // which may take a while
   }
   void said(int page, std::string message, http::Ticket ticket) override {
     dispatch_.take(page, message, ticket);
   }
 
  private:
-  static Calls calls_of(Desk& desk, live::LiveRun& run) {
+  Calls calls_of() {
     Calls calls;
-    add_file_calls(calls, desk);
-    add_drawing_calls(calls, desk);
-    add_state_calls(calls, desk);
-    add_gallery_calls(calls, desk);
-    add_live_calls(calls, run);
+    add_file_calls(calls, desk_);
+    add_drawing_calls(calls, desk_, drawing_);
+    add_language_calls(calls, languages_);
+    add_state_calls(calls, desk_);
+    add_gallery_calls(calls, desk_);
+    add_live_calls(calls, live_);
     return calls;
   }
 
@@ -93,6 +104,8 @@ class Studio::Room : public http::Site {
   std::set<int> pages_;
   std::unique_ptr<http::HttpServer> server_;
   live::LiveRun live_;
+  PageLanguages languages_;
+  DrawingDesk drawing_;
   Calls calls_;
   Dispatch dispatch_;
   Lane watch_;  ///< of drafts, and of what others change on the disk

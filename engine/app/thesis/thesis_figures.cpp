@@ -133,7 +133,7 @@ class Maker {
       pictures.insert(pictures.end(), fitted.begin(), fitted.end());
       add_pictures(model, pictures, call_.out, entry);
       add_downloads(call_.out, entry);
-      entry.error = outcome.result.faults.empty() ? "" : outcome.result.faults.front().fault.message;
+      entry.error = outcome.result.faults.empty() ? "" : outcome.result.faults.front().fault.message.text();
     }
     outcome.result.recordings.clear();
     outcome.shown.clear();

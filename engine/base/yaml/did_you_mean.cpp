@@ -56,8 +56,8 @@ bool abbreviates(const std::string& word, const std::string& name) {
 
 }  // namespace
 
-std::string did_you_mean(const std::string& word, const std::vector<std::string>& names) {
-  if (word.empty() || word.size() > longest_word) return "";
+Message did_you_mean(const std::string& word, const std::vector<std::string>& names) {
+  if (word.empty() || word.size() > longest_word) return {};
   const std::string wanted = lower(word);
   const std::size_t near = std::max<std::size_t>(1, word.size() / 3);
   const std::string* nearest = nullptr;
@@ -71,34 +71,36 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
     least = far;
     nearest = &name;
   }
-  return nearest ? cure_mark + ("did you mean '" + *nearest + "'?") : "";
+  if (!nearest) return {};
+  return {"", "did you mean '" + *nearest + "'?", Suggestion{word, *nearest}};
 }
 
-std::string did_you_mean(const std::string& word, const std::vector<std::string>& names,
-                         const std::string& sentence) {
-  const std::string nearest = did_you_mean(word, names);
-  return (nearest.empty() ? "." : nearest) + " " + sentence;
+Message did_you_mean(const std::string& word, const std::vector<std::string>& names,
+                     const std::string& sentence) {
+  Message message = did_you_mean(word, names);
+  message += (message.empty() ? ". " : " ") + sentence;
+  return message;
 }
 
-std::string nearest_or_all(const std::string& word, const std::vector<std::string>& names, std::string what) {
+Message nearest_or_all(const std::string& word, const std::vector<std::string>& names, std::string what) {
   constexpr std::size_t most = 24;
-  const std::string nearest = did_you_mean(word, names);
-  if (!nearest.empty())
+  Message message = did_you_mean(word, names);
+  if (!message.empty())
     what.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(what.front())));
   const auto end = names.begin() + static_cast<std::ptrdiff_t>(std::min(most, names.size()));
-  return fmt::format("{}{}: {}{}", nearest.empty() ? std::string(1, cure_mark) : nearest + " ", what,
-                     fmt::join(names.begin(), end, ", "), names.size() > most ? ", ..." : "");
+  const std::string all =
+      fmt::format("{}: {}{}", what, fmt::join(names.begin(), end, ", "), names.size() > most ? ", ..." : "");
+  message.cure += message.cure.empty() ? all : " " + all;
+  return message;
 }
 
-std::string unknown_key(const std::string& key, const std::vector<std::string>& known,
-                        const std::string& owner) {
+Message unknown_key(const std::string& key, const std::vector<std::string>& known, const std::string& owner) {
   const std::string message = fmt::format("{} has no '{}'", owner, key);
   if (key.find_first_of("()+*/<>=&|?$") != std::string::npos)
-    return message + cure_mark +
-           "it looks like a piece of an expression: put an expression with a comma or a colon in quotes";
+    return {message,
+            "it looks like a piece of an expression: put an expression with a comma or a colon in quotes"};
   if (key.find(' ') != std::string::npos)
-    return message + cure_mark +
-           "it looks like a piece of a sentence: put a text with a comma or a colon in quotes";
+    return {message, "it looks like a piece of a sentence: put a text with a comma or a colon in quotes"};
   return message + nearest_or_all(key, known, "it has");
 }
 

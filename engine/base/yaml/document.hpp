@@ -13,13 +13,15 @@ namespace stepwire::yaml {
 
 struct Entry;
 
-/// One value of a YAML file, as it stands there. Aliases are expanded; scalars are kept as text.
+/// One value of a YAML file, as it stands there. Aliases are expanded to what they name, with its places;
+/// scalars are kept as text.
 struct Node {
   enum class Kind { empty, scalar, list, map };
 
   Kind kind = Kind::empty;
   bool quoted = false;  ///< a scalar in quotes: text, never a number or a word like true
   Mark mark;            ///< of the value itself (first character); of the first key for a block map
+  Mark end;             ///< just behind its last character; where it is left out, that of its key
   std::string text;
   std::vector<Node> items;
   std::vector<Entry> entries;
@@ -38,6 +40,7 @@ struct Entry {
   std::string key;
   Mark mark;
   Node value;
+  Mark end{};  ///< just behind the key
 };
 
 inline std::span<const Node> Node::as_list() const {

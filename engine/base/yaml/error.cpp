@@ -29,17 +29,6 @@ bool same_fault(const Fault& a, const Fault& b) {
          std::equal(a.used_by.begin(), a.used_by.end(), b.used_by.begin(), b.used_by.end(), same);
 }
 
-/// Where the cure of a message begins, and where what is wrong ends; both at its end where there is no cure.
-std::pair<std::size_t, std::size_t> separator(const std::string& message) {
-  if (const std::size_t mark = message.find(cure_mark); mark != message.npos) return {mark, mark + 1};
-  bool quoted = false;
-  for (std::size_t i = 0; i + 1 < message.size(); ++i) {
-    if (message[i] == '\'') quoted = !quoted;
-    if (!quoted && message[i] == ';' && message[i + 1] == ' ') return {i, i + 2};
-  }
-  return {message.size(), message.size()};
-}
-
 using PlaceKey = std::tuple<std::ptrdiff_t, int, int>;
 using KeyedFault = std::pair<PlaceKey, Fault>;
 
@@ -78,24 +67,11 @@ std::vector<Fault> without_duplicates(std::vector<KeyedFault> keyed) {
 
 }  // namespace
 
-std::string Fault::wrong() const {
-  return plain(message.substr(0, separator(message).first));
-}
-
-std::string Fault::cure() const {
-  return plain(message.substr(separator(message).second));
-}
-
-std::string plain(std::string message) {
-  text::replace_all(message, std::string(1, cure_mark), "; ");
-  return message;
-}
-
 std::string Fault::text() const {
   std::string line = text_of(place);
   if (!line.empty()) line += ": ";
   if (!subject.empty()) line += subject + ": ";
-  line += plain(message);
+  line += message.text();
   for (const Place& user : used_by) line += " (used by " + text_of(user) + ")";
   if (line.size() > longest_line) {
     std::size_t end = longest_line;

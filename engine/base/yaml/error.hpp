@@ -4,26 +4,18 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/yaml/message.hpp"
 #include "engine/base/yaml/place.hpp"
 
 namespace stepwire::yaml {
-
-/// Stands between what is wrong and what would be right in a message that holds a text of a user, in which
-/// "; " may occur: a byte that no UTF-8 has. fault_text() puts it there.
-inline constexpr char cure_mark = '\xff';
 
 /// One thing that is wrong in what a user wrote: where, in which block and port, what is wrong and what would
 /// be right.
 struct Fault {
   Place place;
-  std::string subject;         ///< "lag.tau", "lag", or empty
-  std::string message;         ///< "what is wrong; what would be right"
+  std::string subject;  ///< "lag.tau", "lag", or empty
+  Message message;
   std::vector<Place> used_by;  ///< innermost first: the lines that used the part in which the fault lies
-
-  /// What of the message stands before the mark, or else before the first "; " outside of quotes, and behind
-  /// it.
-  std::string wrong() const;
-  std::string cure() const;
 
   /// "file:line:col: subject: message", with "(used by file:line:col)" for each user.
   std::string text() const;
@@ -58,23 +50,18 @@ class Faults {
   std::vector<Fault> faults_;
 };
 
-/// A message with the cure mark in the place of its "; ".
-std::string plain(std::string message);
-
-/// "; did you mean 'tau'?" for the nearest of `names`, or "" if none is near; with the cure mark for its ";
-/// ", as the next ones.
-std::string did_you_mean(const std::string& word, const std::vector<std::string>& names);
+/// "did you mean 'tau'?" as the cure for the nearest of `names`, or nothing if none is near.
+Message did_you_mean(const std::string& word, const std::vector<std::string>& names);
 /// The same, and a sentence behind it: "; did you mean 'tau'? It has: tau, u", or ". It has: tau, u" if none
 /// is near.
-std::string did_you_mean(const std::string& word, const std::vector<std::string>& names,
-                         const std::string& sentence);
+Message did_you_mean(const std::string& word, const std::vector<std::string>& names,
+                     const std::string& sentence);
 
 /// "; did you mean 'rig.x'? Recorded are: rig.x, rig.v" for what = "recorded are"; of many names the first
 /// ones.
-std::string nearest_or_all(const std::string& word, const std::vector<std::string>& names, std::string what);
+Message nearest_or_all(const std::string& word, const std::vector<std::string>& names, std::string what);
 /// What is wrong with a key that `owner` does not have: "a claim has no 'finl'; did you mean 'final'? It has:
 /// ..", or that it looks like a piece of a broken expression.
-std::string unknown_key(const std::string& key, const std::vector<std::string>& known,
-                        const std::string& owner);
+Message unknown_key(const std::string& key, const std::vector<std::string>& known, const std::string& owner);
 
 }  // namespace stepwire::yaml

@@ -43,10 +43,12 @@ struct Key {
   std::vector<Key> rest{};  ///< of a map: the form under any other name; empty: there is none
   std::vector<Word> words{};
   double least = -unlimited, most = unlimited;
-  bool above = false;       ///< `least` itself is not allowed
-  std::string unit{};       ///< "s"; empty: a pure number, or any unit
-  std::string pattern{};    ///< of names; empty: any
-  std::string refers{};     ///< name of a section or definition
+  bool above = false;     ///< `least` itself is not allowed
+  std::string unit{};     ///< "s"; empty: a pure number, or any unit
+  std::string pattern{};  ///< of names; empty: any
+  std::string refers{};   ///< name of a section or definition
+  /// What its texts name, or its keys where it is a map of names: nothing, or what the diagram has.
+  enum class Names { nothing, signal, block, parameter, unit } names = Names::nothing;
   std::string noun{};       ///< of a map, for messages: "a claim"
   std::string example{};    ///< of its value, or of a section
   std::string otherwise{};  ///< what counts where the file does not have it
@@ -71,6 +73,10 @@ struct form {
   static Key string() { return of(Form::string); }
   static Key expression() { return of(Form::expression); }
   static Key series() { return of(Form::series); }
+  static Key signal() { return naming(Key::Names::signal, text()); }
+  static Key block() { return naming(Key::Names::block, text()); }
+  static Key parameter() { return naming(Key::Names::parameter, string()); }
+  static Key unit() { return naming(Key::Names::unit, text()); }
   static Key tree() { return of(Form::tree); }
   static Key truth() { return {.form = Form::truth, .words = {{"false"}, {"true"}}}; }
   static Key words(std::vector<Key::Word> words) { return {.form = Form::word, .words = std::move(words)}; }
@@ -93,6 +99,11 @@ struct form {
   static Key keys(std::string noun, std::string example, std::vector<Key> keys) {
     return {
         .form = Form::keys, .of = std::move(keys), .noun = std::move(noun), .example = std::move(example)};
+  }
+  /// A form whose texts name something of the diagram; of a map its keys.
+  static Key naming(Key::Names what, Key form) {
+    form.names = what;
+    return form;
   }
   static Key section(std::string name) { return {.form = Form::section, .refers = std::move(name)}; }
 };

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <map>
 
-#include "engine/base/yaml/fault_text.hpp"
+#include "engine/base/yaml/message.hpp"
 
 namespace stepwire::yaml {
 namespace {
@@ -21,13 +21,13 @@ std::string limits_text(const Key& key) {
 }
 
 /// The nearest word, and all of them with what they mean.
-std::string words_text(const std::string& written, const Key& key) {
+Message words_text(const std::string& written, const Key& key) {
   std::vector<std::string> all;
   for (const Key::Word& word : key.words)
     all.push_back(word.doc.empty() ? word.word : fmt::format("{} ({})", word.word, word.doc));
-  const std::string nearest = did_you_mean(written, words_of(key));
-  return fmt::format("{} one of: {}", nearest.empty() ? cure_mark + std::string("it is") : nearest + " It is",
-                     fmt::join(all, ", "));
+  Message text = did_you_mean(written, words_of(key));
+  text.cure += fmt::format("{} one of: {}", text.empty() ? "it is" : " It is", fmt::join(all, ", "));
+  return text;
 }
 
 bool within(double value, const Key& key) {
@@ -59,7 +59,7 @@ std::optional<std::size_t> SectionReading::word(const Node& node, const Key& key
   if (key.form == Key::Form::truth)
     fault(node.mark, fmt::format("'{}' is neither true nor false", node.text));
   else
-    fault(node.mark, fmt::format("'{}' is not allowed{}", node.text, words_text(node.text, key)));
+    fault(node.mark, fmt::format("'{}' is not allowed", node.text) + words_text(node.text, key));
   return std::nullopt;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/base/yaml/document.hpp"
+#include "engine/base/yaml/error.hpp"
 #include "engine/base/yaml/key.hpp"
 
 namespace stepwire::yaml {
@@ -15,7 +16,7 @@ namespace stepwire::yaml {
 /// what reads their values.
 class SectionReading {
  public:
-  using Sink = std::function<void(const Mark& mark, const std::string& subject, const std::string& message)>;
+  using Sink = std::function<void(const Mark& mark, const std::string& subject, const Message& message)>;
 
   SectionReading(std::string subject, Sink sink) : subject(std::move(subject)), sink_(std::move(sink)) {}
   SectionReading(const SectionReading&) = default;
@@ -23,7 +24,7 @@ class SectionReading {
 
   std::string subject;  ///< "fit.parameters.mass"
 
-  void fault(const Mark& mark, const std::string& message) const { sink_(mark, subject, message); }
+  void fault(const Mark& mark, const Message& message) const { sink_(mark, subject, message); }
 
   /// Puts what the file has into a member; a fault, and the member stays, where it is not as the key has it.
   void take(const Node& node, const Key& key, std::string& text) const;

@@ -2,30 +2,48 @@
 
 #include <algorithm>
 
+#include "engine/base/text/characters.hpp"
+
 namespace stepwire::yaml {
 
-Mark LineIndex::mark(const TextPosition& spot) {
-  const std::size_t position = std::min(spot.position, text_.size());
-  return {spot.line + 1, characters(line_start(spot), position) + 1};
+LineIndex::LineIndex(std::string_view text) : text_(text), lines_{0} {
+  for (std::size_t at = text.find('\n'); at != std::string_view::npos; at = text.find('\n', at + 1))
+    lines_.push_back(at + 1);
 }
 
-std::string_view LineIndex::text_at(const TextPosition& spot) const {
-  return text_.substr(std::min(spot.position, text_.size()));
+Mark LineIndex::mark(std::size_t position) {
+  position = std::min(position, text_.size());
+  const std::size_t line = line_of(position);
+  return {static_cast<int>(line) + 1, characters(lines_[line], position) + 1};
 }
 
-std::optional<int> LineIndex::tab_in_indentation(const TextPosition& spot) const {
-  const std::string_view line = text_.substr(line_start(spot));
+std::size_t LineIndex::position(const Mark& mark) const {
+  const auto line = static_cast<std::size_t>(std::max(1, mark.line)) - 1;
+  if (line >= lines_.size()) return text_.size();
+  std::size_t at = lines_[line];
+  const std::size_t end = std::min(text_.find('\n', at), text_.size());
+  for (int column = 1; column < mark.column && at < end; ++column)
+    at += std::max<std::size_t>(1, text::utf8_length(text_.substr(at)));
+  return std::min(at, end);
+}
+
+std::string_view LineIndex::text_at(std::size_t position) const {
+  return text_.substr(std::min(position, text_.size()));
+}
+
+std::optional<int> LineIndex::tab_in_indentation(std::size_t position) const {
+  const std::string_view line = text_.substr(lines_[line_of(position)]);
   const std::size_t first = line.find_first_not_of(' ');
   if (first == std::string_view::npos || line[first] != '\t') return std::nullopt;
   return static_cast<int>(first) + 1;
 }
 
-std::size_t LineIndex::line_start(const TextPosition& spot) const {
-  const std::size_t position = std::min(spot.position, text_.size());
-  return position - std::min(static_cast<std::size_t>(spot.column), position);
+std::size_t LineIndex::line_of(std::size_t position) const {
+  const auto behind = std::upper_bound(lines_.begin(), lines_.end(), position);
+  return static_cast<std::size_t>(behind - lines_.begin()) - 1;
 }
 
-// Spots come mostly in order, so that a long line is counted once and not once per spot.
+// Positions come mostly in order, so that a long line is counted once and not once per position.
 int LineIndex::characters(std::size_t from, std::size_t to) {
   if (from != counted_from_ || to < counted_to_) {
     counted_from_ = counted_to_ = from;

@@ -3,33 +3,33 @@
 #include <cstddef>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "engine/base/yaml/place.hpp"
 
 namespace stepwire::yaml {
 
-/// Where a reader stands: bytes from the start of the text, lines and bytes in the line, all counted from
-/// zero.
-struct TextPosition {
-  std::size_t position = 0;
-  int line = 0, column = 0;
-};
-
-/// Turns the spots of a text into the marks that a person sees: characters, counted from 1.
+/// Turns positions in a text, in bytes from its start, into the marks that a person sees: characters, counted
+/// from 1.
 class LineIndex {
  public:
-  explicit LineIndex(std::string_view text) : text_(text) {}
+  explicit LineIndex(std::string_view text);
 
-  Mark mark(const TextPosition& spot);
-  std::string_view text_at(const TextPosition& spot) const;
+  /// Of a position, or of the end where it lies behind that. Positions in order cost the least.
+  Mark mark(std::size_t position);
+  /// The position of a mark; the end of its line, or of the text, where it lies behind that.
+  std::size_t position(const Mark& mark) const;
+  std::string_view text() const { return text_; }
+  std::string_view text_at(std::size_t position) const;
   /// Column of the first tab among the blanks that start the line.
-  std::optional<int> tab_in_indentation(const TextPosition& spot) const;
+  std::optional<int> tab_in_indentation(std::size_t position) const;
 
  private:
-  std::size_t line_start(const TextPosition& spot) const;
+  std::size_t line_of(std::size_t position) const;
   int characters(std::size_t from, std::size_t to);
 
   std::string_view text_;
+  std::vector<std::size_t> lines_;  ///< where each begins
   std::size_t counted_from_ = 0, counted_to_ = 0;
   int count_ = 0;
 };

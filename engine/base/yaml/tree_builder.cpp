@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-#include "engine/base/yaml/fault_text.hpp"
+#include "engine/base/yaml/message.hpp"
 
 namespace stepwire::yaml {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t characters_per_node = 32;  // so that copies of one long text cost what they take
 constexpr std::size_t nodes_per_anchor = 8;      // about what keeping the way to it takes
 
-struct Extent {
+struct Size {
   std::size_t cost = 0;
   std::size_t depth = 0;
 };
@@ -23,27 +23,27 @@ std::size_t cost_of(const std::string& text) {
   return 1 + text.size() / characters_per_node;
 }
 
-Extent extent_of(const Node& node) {
-  Extent extent{cost_of(node.text), 0};
+Size size_of(const Node& node) {
+  Size size{cost_of(node.text), 0};
   const auto add = [&](const Node& child) {
-    const Extent inner = extent_of(child);
-    extent.cost += inner.cost;
-    extent.depth = std::max(extent.depth, inner.depth);
+    const Size inner = size_of(child);
+    size.cost += inner.cost;
+    size.depth = std::max(size.depth, inner.depth);
   };
   for (const Node& item : node.items) add(item);
   for (const Entry& entry : node.entries) {
-    extent.cost += entry.key.size() / characters_per_node;
+    size.cost += entry.key.size() / characters_per_node;
     add(entry.value);
   }
-  if (node.is_list() || node.is_map()) ++extent.depth;
-  return extent;
+  if (node.is_list() || node.is_map()) ++size.depth;
+  return size;
 }
 
 }  // namespace
 
 TreeBuilder::TreeBuilder(std::string file, const DocumentLimits& limits)
     : file_(std::move(file)), limits_(limits) {
-  root_.mark = {1, 1};
+  root_.mark = root_.end = {1, 1};
 }
 
 void TreeBuilder::open(Node::Kind kind, Mark mark, std::size_t anchor) {
@@ -57,34 +57,38 @@ void TreeBuilder::open(Node::Kind kind, Mark mark, std::size_t anchor) {
   open_.push_back({&attach(std::move(node), anchor)});
 }
 
-void TreeBuilder::close() {
+void TreeBuilder::close(Mark end) {
   if (open_.back().node->is_map()) check_double_keys(*open_.back().node);
+  open_.back().node->end = end;
   open_.pop_back();
 }
 
-void TreeBuilder::scalar(Mark mark, const std::string& text, bool quoted, std::size_t anchor) {
-  spend(cost_of(text), mark);
-  if (awaits_key()) return key(mark, text, anchor);
+void TreeBuilder::scalar(const MarkRange& place, const std::string& text, bool quoted, std::size_t anchor) {
+  spend(cost_of(text), place.mark);
+  if (awaits_key()) return key(place, text, anchor);
   Node node;
   node.kind = Node::Kind::scalar;
   node.quoted = quoted;
-  node.mark = mark;
+  node.mark = place.mark;
+  node.end = place.end;
   node.text = text;
   attach(std::move(node), anchor);
 }
 
-void TreeBuilder::empty(Mark mark, bool written, std::size_t anchor) {
-  spend(1, mark);
+void TreeBuilder::empty(const MarkRange& place, bool written, std::size_t anchor) {
+  spend(1, place.mark);
   if (awaits_key()) {
-    fault(mark, written ? "null is no key; quote it if it is meant as a word"
-                        : "a key is missing before the value");
-    return key(mark, "", 0);
+    fault(place.mark, written ? "null is no key; quote it if it is meant as a word"
+                              : "a key is missing before the value");
+    return key(place, "", 0);
   }
   Node node;
-  node.mark = mark;
+  node.mark = place.mark;
+  node.end = place.end;
   if (!written && !open_.empty() && open_.back().node->is_map()) {
     const Entry& entry = open_.back().node->entries.back();
     node.mark = entry.mark;
+    node.end = entry.end;
     if (entry.key.find(':') != std::string::npos)
       fault(entry.mark, fault_text("'{}' is a key without a value; a blank is missing after ':'", entry.key));
   }
@@ -94,17 +98,18 @@ void TreeBuilder::empty(Mark mark, bool written, std::size_t anchor) {
 void TreeBuilder::alias(Mark mark, std::size_t anchor) {
   if (awaits_key()) {
     fault(mark, "an alias (*name) cannot be a key; write the key out");
-    return key(mark, "", 0);
+    return key({mark, mark}, "", 0);
   }
   const auto known = anchors_.find(anchor);
-  if (known == anchors_.end()) return empty(mark, true, 0);  // its anchor stood on a key: a fault already
+  if (known == anchors_.end())
+    return empty({mark, mark}, true, 0);  // its anchor stood on a key: a fault already
   const Node& meant = at(known->second);
   const bool is_open =
       std::any_of(open_.begin(), open_.end(), [&](auto& level) { return level.node == &meant; });
   if (is_open) fail(mark, "the alias stands inside the value that it names, so that it would never end");
-  const Extent extent = extent_of(meant);
-  check_depth(open_.size() + extent.depth, mark);
-  spend(extent.cost, mark);
+  const Size size = size_of(meant);
+  check_depth(open_.size() + size.depth, mark);
+  spend(size.cost, mark);
   Node copy = meant;
   attach(std::move(copy), 0);
 }
@@ -113,11 +118,11 @@ Mark TreeBuilder::innermost() const {
   return open_.empty() ? root_.mark : open_.back().node->mark;
 }
 
-void TreeBuilder::fault(Mark mark, std::string message) {
+void TreeBuilder::fault(Mark mark, Message message) {
   faults_.add({.place = {file_, mark}, .subject = "", .message = std::move(message), .used_by = {}});
 }
 
-void TreeBuilder::fail(Mark mark, std::string message) {
+void TreeBuilder::fail(Mark mark, Message message) {
   fault(mark, std::move(message));
   throw Error(faults_.list());
 }
@@ -131,11 +136,11 @@ bool TreeBuilder::awaits_key() const {
   return !open_.empty() && open_.back().node->is_map() && !open_.back().awaits_value;
 }
 
-void TreeBuilder::key(Mark mark, std::string text, std::size_t anchor) {
-  if (anchor != 0) fault(mark, "an anchor (&name) belongs to a value, not to a key");
+void TreeBuilder::key(const MarkRange& place, std::string text, std::size_t anchor) {
+  if (anchor != 0) fault(place.mark, "an anchor (&name) belongs to a value, not to a key");
   if (text == "<<")
-    fault(mark, "merge keys (<<) are not known here; write the keys out, or give the value an alias");
-  open_.back().node->entries.push_back({std::move(text), mark, {}});
+    fault(place.mark, "merge keys (<<) are not known here; write the keys out, or give the value an alias");
+  open_.back().node->entries.push_back({std::move(text), place.mark, {}, place.end});
   open_.back().awaits_value = true;
 }
 

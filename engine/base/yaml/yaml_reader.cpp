@@ -10,8 +10,10 @@
 #include <istream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "engine/base/text/characters.hpp"
+#include "engine/base/yaml/text_extent.hpp"
 #include "engine/base/yaml/text_position.hpp"
 #include "engine/base/yaml/text_source.hpp"
 #include "engine/base/yaml/tree_builder.hpp"
@@ -21,9 +23,8 @@ namespace stepwire::yaml {
 namespace {
 
 // A mark of the library in our words; where it has none, the file starts.
-TextPosition spot_of(const YAML::Mark& mark) {
-  if (mark.is_null()) return {};
-  return {static_cast<std::size_t>(mark.pos), mark.line, mark.column};
+std::size_t spot_of(const YAML::Mark& mark) {
+  return mark.is_null() ? 0 : static_cast<std::size_t>(mark.pos);
 }
 
 /// The library makes one byte each of the escapes \N and \_, which stand for U+0085 and U+00A0. What the file
@@ -65,31 +66,36 @@ class Events : public YAML::EventHandler {
 
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     found(mark);
-    const std::string_view here = spots_.text_at(spot_of(mark));
-    refuse_tag(mark, here.starts_with('!') ? "!" : "");
-    tree_.empty(place(mark), starts_with_null(here), anchor);
+    const std::size_t start = value_start(spots_.text(), spot_of(mark));
+    refuse_tag(mark, spots_.text_at(spot_of(mark)).starts_with('!') ? "!" : "");
+    const bool written = starts_with_null(spots_.text_at(start));
+    if (written) return tree_.empty(extent(start, word_end(spots_.text(), start)), true, anchor);
+    const Mark nowhere = place(mark);
+    tree_.empty({nowhere, nowhere}, false, anchor);
   }
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     found(mark);
-    tree_.alias(place(mark), anchor);
+    tree_.alias(extent(spot_of(mark), word_end(spots_.text(), spot_of(mark))).mark, anchor);
   }
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                 const std::string& value) override {
     found(mark);
     refuse_tag(mark, tag);
     last_text_ = spots_.text_at(spot_of(mark));
-    tree_.scalar(place(mark), with_whole_escapes(value), tag == "!", anchor);
+    const std::size_t start = tree_.awaits_key() ? spot_of(mark) : value_start(spots_.text(), spot_of(mark));
+    const std::size_t end = scalar_end(spots_.text(), start, value);
+    tree_.scalar(extent(start, end), with_whole_escapes(value), tag == "!", anchor);
   }
   void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                        YAML::EmitterStyle::value) override {
     open(Node::Kind::list, mark, tag, anchor);
   }
-  void OnSequenceEnd() override { tree_.close(); }
+  void OnSequenceEnd() override { close(); }
   void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                   YAML::EmitterStyle::value) override {
     open(Node::Kind::map, mark, tag, anchor);
   }
-  void OnMapEnd() override { tree_.close(); }
+  void OnMapEnd() override { close(); }
 
  private:
   Mark place(const YAML::Mark& mark) { return spots_.mark(spot_of(mark)); }
@@ -97,10 +103,26 @@ class Events : public YAML::EventHandler {
     last_ = mark;
     source_.progress();
   }
+  /// Notes where what was read last ends.
+  MarkRange extent(std::size_t start, std::size_t end) {
+    const Mark mark = spots_.mark(start);
+    behind_ = end;
+    return {mark, spots_.mark(end)};
+  }
   void open(Node::Kind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
     found(mark);
     refuse_tag(mark, tag);
-    tree_.open(kind, place(mark), anchor);
+    const std::size_t start = value_start(spots_.text(), spot_of(mark));
+    const std::string_view here = spots_.text_at(start);
+    const bool in_brackets = here.starts_with('[') || here.starts_with('{');
+    in_brackets_.push_back(in_brackets);
+    behind_ = start + (in_brackets ? 1 : 0);
+    tree_.open(kind, spots_.mark(start), anchor);
+  }
+  void close() {
+    if (in_brackets_.back()) behind_ = bracket_end(spots_.text(), behind_);
+    in_brackets_.pop_back();
+    tree_.close(spots_.mark(behind_));
   }
   // "?" is the library's word for no tag, and "!" for one in quotes or an explicit "!", which says nothing
   // more.
@@ -114,6 +136,8 @@ class Events : public YAML::EventHandler {
   TextSource& source_;
   LineIndex& spots_;
   YAML::Mark last_;
+  std::vector<bool> in_brackets_;  ///< of each list and map that is open
+  std::size_t behind_ = 0;         ///< the end of what was read last
   std::string_view last_text_;
   int documents_ = 0;
 };

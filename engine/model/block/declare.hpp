@@ -16,6 +16,9 @@
 
 namespace stepwire {
 
+/// What a derived member follows from, where that is no parameter's number.
+enum class From { no_number };
+
 namespace detail {
 
 template <class T>
@@ -51,6 +54,17 @@ template <class T>
 struct IsContinuous : std::false_type {};
 template <int n>
 struct IsContinuous<State<n>> : std::true_type {};
+
+template <auto... from>
+std::optional<std::vector<std::string>> names_of() {
+  if constexpr (sizeof...(from) == 0) {
+    return {};
+  } else if constexpr ((std::is_same_v<decltype(from), From> || ...)) {
+    return std::vector<std::string>{};
+  } else {
+    return std::vector<std::string>{std::string(member_name<from>())...};
+  }
+}
 
 }  // namespace detail
 
@@ -109,21 +123,27 @@ class Declare {
     type_.parameters.push_back(std::move(spec));
   }
 
-  /// A member that configure() or prepare() compute from the parameters, and a run reads.
-  template <auto member>
+  /// A member that configure() or prepare() compute, and a run reads. `from` names the parameters whose
+  /// numbers it is computed from, From::no_number where wires, words and sizes decide; all parameters where
+  /// left out. They keep their values in a generated program, which cannot compute it again.
+  template <auto member, auto... from>
   void derived() {
-    type_.members.push_back(
-        {std::string(member_identifier<member>()), [](const void* block, LiteralWriter& writer) {
-           return Literal<MemberType<member>>::text(static_cast<const Block*>(block)->*member, writer);
-         }});
+    type_.members.push_back({std::string(member_identifier<member>()),
+                             [](const void* block, LiteralWriter& writer) {
+                               return Literal<MemberType<member>>::text(
+                                   static_cast<const Block*>(block)->*member, writer);
+                             },
+                             {},
+                             detail::names_of<from...>()});
   }
 
   /// A derived member that prepare() computes inline, in the header: so generated code computes it again
-  /// where a parameter changes.
-  template <auto member>
+  /// where a parameter changes. `from` as for derived(): it counts where its numbers are too many for
+  /// a program that takes no memory.
+  template <auto member, auto... from>
   void prepared() {
     using Parts = PreparedParts<MemberType<member>>;
-    derived<member>();
+    derived<member, from...>();
     type_.members.back().prepared = {
         [](const void* block) { return Parts::count(static_cast<const Block*>(block)->*member); },
         [](Eigen::Index k) { return Parts::text(k); },

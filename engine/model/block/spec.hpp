@@ -62,6 +62,8 @@ struct MemberSpec {
   /// The value as an expression of C++.
   std::string (*literal)(const void* block, LiteralWriter& writer) = nullptr;
   PreparedMember prepared{};
+  /// The parameters whose numbers it is computed from; all of them where the declaration names none.
+  std::optional<std::vector<std::string>> follows{};
 };
 
 /// How an input is declared.

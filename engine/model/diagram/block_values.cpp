@@ -7,7 +7,7 @@
 #include <regex>
 
 #include "engine/base/io/environment_error.hpp"
-#include "engine/base/yaml/fault_text.hpp"
+#include "engine/base/yaml/message.hpp"
 #include "engine/model/diagram/parameters.hpp"
 #include "engine/model/diagram/report.hpp"
 
@@ -71,9 +71,9 @@ bool is_text(ParameterKind kind) {
          kind == ParameterKind::texts || kind == ParameterKind::tree;
 }
 
-std::string other_word(const std::string& text, const std::vector<std::string>& words) {
+yaml::Message other_word(const std::string& text, const std::vector<std::string>& words) {
   const std::string choice = fmt::format("It must be one of: {}", fmt::join(words, ", "));
-  return fmt::format("'{}' is not allowed{}", text, yaml::did_you_mean(text, words, choice));
+  return fmt::format("'{}' is not allowed", text) + yaml::did_you_mean(text, words, choice);
 }
 
 /// What is wrong with an angle per time where periods per time are meant, or the other way round. A radian

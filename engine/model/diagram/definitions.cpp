@@ -64,7 +64,7 @@ class Definitions {
   /// Of the parameter that was listed last.
   int last_index() const { return static_cast<int>(report_.diagram().parameters.size()) - 1; }
 
-  void fail(const yaml::Entry& entry, const std::string& message) {
+  void fail(const yaml::Entry& entry, const yaml::Message& message) {
     if (failed_.insert(entry.key).second) report_.add(scope_.at(entry.mark), entry.key, message);
     scope_.parameters.define(entry.key, {{1.0}, {}, "", true});
   }

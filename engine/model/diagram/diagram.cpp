@@ -2,7 +2,7 @@
 
 namespace stepwire::diagram {
 
-yaml::Fault Diagram::fault(const Origin& origin, std::string subject, std::string message) const {
+yaml::Fault Diagram::fault(const Origin& origin, std::string subject, yaml::Message message) const {
   yaml::Fault fault{place(origin), std::move(subject), std::move(message), {}};
   const auto user_of = [this](int scope) { return scopes[static_cast<std::size_t>(scope)].used_at; };
   // Neither the file itself nor a setting is used by anything.

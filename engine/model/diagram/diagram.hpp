@@ -16,6 +16,9 @@ namespace stepwire::diagram {
 struct Binding;
 struct Bindings;
 
+/// Units of ports, [block][port], where known.
+using PortUnits = std::vector<std::vector<std::optional<unit::Dimension>>>;
+
 /// A place in one of the files of a diagram: `scope` says in which file, and who uses it.
 struct Origin {
   int scope = 0;
@@ -193,9 +196,8 @@ struct Diagram {
   std::vector<RecordRequest> records;
   std::vector<DiagramParameter> parameters;
   std::shared_ptr<const Bindings> bindings;  ///< how its values follow from the parameters
-  std::vector<std::vector<std::optional<unit::Dimension>>>
-      output_dimensions;  ///< [block][output], where known; see infer_units
-  std::vector<std::vector<std::optional<unit::Dimension>>> state_dimensions;  ///< [block][state], where known
+  PortUnits output_dimensions;               ///< see infer_units
+  PortUnits state_dimensions;                ///< of the states
   std::optional<Sweep> sweep;
   std::optional<StopCondition> stop_when;
   yaml::Node figure, claims, invariants;  ///< as written, read by the figure room; empty where absent
@@ -206,7 +208,7 @@ struct Diagram {
     return {scopes[static_cast<std::size_t>(origin.scope)].file, origin.mark};
   }
   /// A fault with its place and everybody who used the part in which it lies.
-  yaml::Fault fault(const Origin& origin, std::string subject, std::string message) const;
+  yaml::Fault fault(const Origin& origin, std::string subject, yaml::Message message) const;
 };
 
 }  // namespace stepwire::diagram

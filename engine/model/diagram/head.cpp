@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "engine/base/yaml/fault_text.hpp"
+#include "engine/base/yaml/message.hpp"
 #include "engine/model/diagram/head_keys.hpp"
 
 namespace stepwire::diagram {

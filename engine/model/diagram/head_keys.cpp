@@ -84,7 +84,7 @@ std::vector<HeadRow> run_rows() {
 HeadReading::HeadReading(std::string subject, const Scope& scope, Report& report, const Origin& origin)
     : yaml::SectionReading(std::move(subject),
                            [&report, index = origin.scope](const yaml::Mark& mark, const std::string& about,
-                                                           const std::string& message) {
+                                                           const yaml::Message& message) {
                              report.add({index, mark}, about, message);
                            }),
       scope(scope),
@@ -119,7 +119,7 @@ const std::vector<HeadRow>& head_rows() {
         {"outputs", "ports: signals that the file that uses this one as a part sees, or a program reads",
          form::names(form::section("output"), 0, name_pattern)},
         {"units", "units that signals have, where their blocks do not say: {pull: N}",
-         form::names(form::text())},
+         form::naming(yaml::Key::Names::signal, form::names(form::unit()))},
         yaml::needed(HeadRow{"blocks", "the blocks by name; an input is a key of its block",
                              form::names(form::section("block"), 1, dotted_pattern)})};
     for (HeadRow& row : run_rows()) all.push_back(std::move(row));
@@ -139,7 +139,8 @@ const yaml::Key& parameter_form() {
     std::vector<yaml::Key> keys{
         yaml::needed(yaml::key("value", "the default: a number with unit, a list, a word, = expression",
                                form::tree())),
-        yaml::key("unit", "unit of the value, where it stands apart: N/mm"), yaml::key("doc", "what it is"),
+        yaml::key("unit", "unit of the value, where it stands apart: N/mm", form::unit()),
+        yaml::key("doc", "what it is"),
         yaml::otherwise("false", yaml::key("assumed", "true: our guess, not from a source", form::truth()))};
     for (const char* bound : {"above", "below", "at_least", "at_most"})
       keys.push_back(yaml::key(bound, "a bound that --set and users of a part are held to", form::number()));
@@ -150,28 +151,31 @@ const yaml::Key& parameter_form() {
 }
 
 const yaml::Key& input_form() {
-  static const yaml::Key form = form::either(
-      {form::of(yaml::Key::Form::nothing),
-       form::keys("an input", "{unit: N, default: 0 N}",
-                  {yaml::key("unit", "unit of what must be wired here"), yaml::key("doc", "what it is"),
-                   yaml::key("default", "feeds the port where the user gives nothing",
-                             form::of(yaml::Key::Form::source))})});
+  static const yaml::Key form =
+      form::either({form::of(yaml::Key::Form::nothing),
+                    form::keys("an input", "{unit: N, default: 0 N}",
+                               {yaml::key("unit", "unit of what must be wired here", form::unit()),
+                                yaml::key("doc", "what it is"),
+                                yaml::key("default", "feeds the port where the user gives nothing",
+                                          form::of(yaml::Key::Form::source))})});
   return form;
 }
 
 const yaml::Key& output_form() {
   static const yaml::Key form = form::either(
-      {form::text(),
-       form::keys("an output", "{signal: lag.y, unit: N}",
-                  {yaml::needed(yaml::key("signal", "a block or its output: carriage.position")),
-                   yaml::key("unit", "unit that it must have"), yaml::key("doc", "what it is"),
-                   yaml::key("safe", "what the output holds once a real-time loop has stopped: 0 A",
-                             form::of(yaml::Key::Form::source))})});
+      {form::signal(),
+       form::keys(
+           "an output", "{signal: lag.y, unit: N}",
+           {yaml::needed(yaml::key("signal", "a block or its output: carriage.position", form::signal())),
+            yaml::key("unit", "unit that it must have", form::unit()), yaml::key("doc", "what it is"),
+            yaml::key("safe", "what the output holds once a real-time loop has stopped: 0 A",
+                      form::of(yaml::Key::Form::source))})});
   return form;
 }
 
 const yaml::Key& record_form() {
-  const yaml::Key signal = yaml::key("", "a signal (rig.x), a state of a block (lag.x), or all");
+  const yaml::Key signal =
+      yaml::key("", "a signal (rig.x), a state of a block (lag.x), or all", form::signal());
   static const yaml::Key form = form::either(
       {signal,
        form::keys(
@@ -212,8 +216,10 @@ const yaml::Key& sweep_form() {
              "one_at_a_time",
              "parameters of which one at a time leaves the file's value: {mass: [1 kg, 3 kg]}; the columns "
              "differs and differs_to say which and to what",
-             yaml::like("{mass: [1 kg, 3 kg], drive: [1 Hz, 2 Hz]}", form::names(axis, 1)))});
+             yaml::like("{mass: [1 kg, 3 kg], drive: [1 Hz, 2 Hz]}",
+                        form::naming(yaml::Key::Names::parameter, form::names(axis, 1))))});
     sweep.rest = {yaml::key("NAME", "the values of a parameter, step or solver", axis)};
+    sweep.rest.front().names = yaml::Key::Names::parameter;
     return sweep;
   }();
   return form;

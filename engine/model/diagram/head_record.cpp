@@ -1,7 +1,7 @@
 // What a file asks to be recorded, and the condition that ends its run.
 #include <fmt/format.h>
 
-#include "engine/base/yaml/fault_text.hpp"
+#include "engine/base/yaml/message.hpp"
 #include "engine/model/diagram/head.hpp"
 #include "engine/model/diagram/head_keys.hpp"
 #include "engine/model/diagram/keys.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/base/yaml/fault_text.hpp"
+#include "engine/base/yaml/message.hpp"
 #include "engine/model/diagram/head.hpp"
 #include "engine/model/diagram/head_keys.hpp"
 #include "engine/model/diagram/variation.hpp"
@@ -73,7 +73,7 @@ class RangeReading {
     std::optional<unit::Dimension> dimension;
   };
 
-  std::vector<std::string> refuse(const yaml::Mark& mark, std::string message) {
+  std::vector<std::string> refuse(const yaml::Mark& mark, yaml::Message message) {
     report_.add(scope_.at(mark), subject_, std::move(message));
     return {};
   }
@@ -144,9 +144,9 @@ std::string own_value(const Sweep::Axis& axis, Report& report) {
   if (parameter == all.end()) {
     std::vector<std::string> names;
     for (const DiagramParameter& one : all) names.push_back(one.name);
-    report.add(axis.origin, "sweep.one_at_a_time." + axis.parameter,
-               fmt::format("is no parameter{}; each point but those that differ in it has the file's value",
-                           yaml::nearest_or_all(axis.parameter, names, "there are")));
+    yaml::Message message = "is no parameter" + yaml::nearest_or_all(axis.parameter, names, "there are");
+    message += "; each point but those that differ in it has the file's value";
+    report.add(axis.origin, "sweep.one_at_a_time." + axis.parameter, message);
     return {};
   }
   const double* number = std::get_if<double>(&parameter->value.content);

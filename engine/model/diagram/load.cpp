@@ -1,3 +1,4 @@
+// More than 300 lines with its header: what one pass over a file and its parts finds, for programs and for editors.
 #include "engine/model/diagram/load.hpp"
 
 #include <fmt/format.h>
@@ -5,6 +6,7 @@
 #include "engine/model/diagram/head.hpp"
 #include "engine/model/diagram/open.hpp"
 #include "engine/model/diagram/resolve.hpp"
+#include "engine/model/diagram/units.hpp"
 #include "engine/model/diagram/unused.hpp"
 
 namespace stepwire::diagram {
@@ -143,38 +145,67 @@ void read_sections(Scope& root, Opener& opener, Settings& settings, Report& repo
   if (report.faults().empty()) refuse_unused_parameters(root, report);  // else it may follow from a fault
 }
 
+/// A diagram while it is made of its document.
+class Building {
+ public:
+  explicit Building(const yaml::Document& document) : report_(diagram_) {
+    root_.document = &document;
+    diagram_.file = document.file;
+    diagram_.scopes.push_back({document.file, "", {-1, {}}});
+  }
+  Building(const Building&) = delete;
+
+  /// Gathers what is wrong; throws Error with it where nothing can follow.
+  void read(Loader& loader, const std::vector<Setting>& given, Extent extent) {
+    Settings settings(given, report_);
+    check_head_keys(root_, report_);
+    Opener opener(loader, settings, report_);
+    if (root_.document->root.is_map()) read_sections(root_, opener, settings, report_, extent);
+  }
+  const yaml::Faults& faults() const { return report_.faults(); }
+
+  Diagram take() {
+    Report unsaid(diagram_);
+    name_ports(root_, Resolver(unsaid), diagram_);
+    report_.bindings().scopes.resize(diagram_.scopes.size());
+    take_parameters(root_, report_.bindings());
+    diagram_.bindings = std::make_shared<const Bindings>(std::move(report_.bindings()));
+    return std::move(diagram_);
+  }
+
+ private:
+  Diagram diagram_;
+  Report report_;
+  Scope root_;
+};
+
 Diagram build(Loader& loader, const yaml::Document& document, const std::vector<Setting>& given,
               Extent extent = Extent::whole_file) {
-  Diagram diagram;
-  diagram.file = document.file;
-  diagram.scopes.push_back({document.file, "", {-1, {}}});
-  Report report(diagram);
-  Settings settings(given, report);
-  Scope root;
-  root.document = &document;
-  check_head_keys(root, report);
-  Opener opener(loader, settings, report);
-  if (document.root.is_map()) read_sections(root, opener, settings, report, extent);
-  report.faults().throw_if_any();
-  Report unsaid(diagram);
-  name_ports(root, Resolver(unsaid), diagram);
-  report.bindings().scopes.resize(diagram.scopes.size());
-  take_parameters(root, report.bindings());
-  diagram.bindings = std::make_shared<const Bindings>(std::move(report.bindings()));
-  return diagram;
+  Building building(document);
+  building.read(loader, given, extent);
+  building.faults().throw_if_any();
+  return building.take();
 }
 
 }  // namespace
 
 const yaml::Document& Loader::document(const std::string& path) {
   auto& slot = documents_[path];
-  if (!slot) slot = std::make_unique<yaml::Document>(yaml::read_document(path, limits_));
+  if (!slot)
+    slot = reader_ ? reader_(path, limits_)
+                   : std::make_shared<const yaml::Document>(yaml::read_document(path, limits_));
   return *slot;
 }
 
 void Loader::add(yaml::Document document) {
   auto& slot = documents_[document.file];
-  slot = std::make_unique<yaml::Document>(std::move(document));
+  slot = std::make_shared<const yaml::Document>(std::move(document));
+}
+
+std::vector<std::string> Loader::paths() const {
+  std::vector<std::string> paths;
+  for (const auto& [path, document] : documents_) paths.push_back(path);
+  return paths;
 }
 
 Diagram Loader::load(const std::string& path, const std::vector<Setting>& settings) {
@@ -183,6 +214,25 @@ Diagram Loader::load(const std::string& path, const std::vector<Setting>& settin
 
 Diagram Loader::load_point(const std::string& path, const std::vector<Setting>& settings) {
   return build(*this, document(path), settings, Extent::one_run);
+}
+
+UnfinishedDiagram Loader::draft(const std::string& path) {
+  Building building(document(path));
+  std::vector<yaml::Fault> faults;
+  try {
+    building.read(*this, {}, Extent::whole_file);
+    faults = building.faults().list();
+  } catch (const yaml::Error& error) {
+    faults = error.faults();
+  }
+  UnfinishedDiagram draft{building.take(), yaml::Error(std::move(faults)).faults()};
+  Report units(draft.diagram);
+  try {
+    draft.input_units = infer_input_units(units);
+  } catch (const yaml::Error&) {  // more units disagree than are told
+  }
+  if (draft.faults.empty()) draft.faults = yaml::Error(units.faults().list()).faults();
+  return draft;
 }
 
 Diagram Loader::load_text(std::string_view text, const std::string& file,

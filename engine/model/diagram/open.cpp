@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "engine/base/yaml/fault_text.hpp"
+#include "engine/base/yaml/message.hpp"
 #include "engine/model/diagram/block_keys.hpp"
 #include "engine/model/diagram/keys.hpp"
 
@@ -30,7 +30,7 @@ void Opener::open(Scope& scope, const Overrides& overrides) {
   open_files_.pop_back();
 }
 
-void Opener::fail(Scope& scope, const yaml::Entry& entry, const yaml::Mark& mark, std::string message) {
+void Opener::fail(Scope& scope, const yaml::Entry& entry, const yaml::Mark& mark, yaml::Message message) {
   scope.failed.insert(entry.key);
   report_.add(scope.at(mark), scope.prefix + (entry.key.empty() ? "''" : entry.key), std::move(message));
 }
@@ -56,10 +56,10 @@ void Opener::open_block(Scope& scope, const yaml::Entry& entry) {
   if (!kind->is_scalar()) return fail(scope, entry, kind->mark, "'block:' names one type, as Gain");
   const BlockType* type = loader_.registry().find(kind->text);
   if (!type)
-    return fail(scope, entry, kind->mark,
-                fmt::format("there is no block '{}'{}", kind->text,
-                            yaml::did_you_mean(kind->text, loader_.registry().names(),
-                                               "'stepwire blocks' lists them")));
+    return fail(
+        scope, entry, kind->mark,
+        fmt::format("there is no block '{}'", kind->text) +
+            yaml::did_you_mean(kind->text, loader_.registry().names(), "'stepwire blocks' lists them"));
   make_block(scope, entry, *type);
 }
 
@@ -91,10 +91,10 @@ void Opener::apply_preset(Scope& scope, const yaml::Node& map, DiagramBlock& blo
     if (known.name == *wanted) return known.apply(block.block.get());
     names.push_back(known.name);
   }
-  report_.add(scope.at(preset->mark), block.name + ".preset",
-              fmt::format("there is no preset '{}'{}", *wanted,
-                          yaml::did_you_mean(*wanted, names,
-                                             fmt::format("{} has: {}", type.name, fmt::join(names, ", ")))));
+  report_.add(
+      scope.at(preset->mark), block.name + ".preset",
+      fmt::format("there is no preset '{}'", *wanted) +
+          yaml::did_you_mean(*wanted, names, fmt::format("{} has: {}", type.name, fmt::join(names, ", "))));
 }
 
 int Opener::state_of_key(const BlockType& type, const std::string& key) const {
@@ -120,11 +120,12 @@ void Opener::read_key(Scope& scope, const yaml::Entry& key, DiagramBlock& block,
     return read_initial(scope, key.value, block, state);
   const auto known = keys_of(type);
   const std::string all = fmt::format("It has: {}", fmt::join(known, ", "));
-  report_.add(scope.at(key.mark), block.name,
-              fmt::format("{} has no '{}'{}", type.name, key.key,
-                          is_name(key.key) ? yaml::did_you_mean(key.key, known, all)
-                                           : "; a comma ends a value: a number has a point, and what has a "
-                                             "comma in it stands in quotes"));
+  report_.add(
+      scope.at(key.mark), block.name,
+      fmt::format("{} has no '{}'", type.name, key.key) +
+          (is_name(key.key) ? yaml::did_you_mean(key.key, known, all)
+                            : yaml::Message("; a comma ends a value: a number has a point, and what has a "
+                                            "comma in it stands in quotes")));
 }
 
 void Opener::read_settings(Scope& scope, DiagramBlock& block, const std::string& full) {

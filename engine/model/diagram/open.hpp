@@ -35,7 +35,7 @@ class Opener {
   void declare_ports(Scope& scope);
   /// Reports what is wrong with a block or part that cannot be made, and keeps silent about what is wired to
   /// it.
-  void fail(Scope& scope, const yaml::Entry& entry, const yaml::Mark& mark, std::string message);
+  void fail(Scope& scope, const yaml::Entry& entry, const yaml::Mark& mark, yaml::Message message);
   void open_block(Scope& scope, const yaml::Entry& entry);
   void declare_input(Scope& scope, const yaml::Entry& port);
   void declare_output(Scope& scope, const yaml::Entry& port);

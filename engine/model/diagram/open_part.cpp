@@ -154,8 +154,7 @@ bool Opener::read_part(Scope& scope, const yaml::Entry& entry, const yaml::Node&
       if (fault.place.mark.line > 0) {
         report_.add(part.at(fault.place.mark), scope.prefix + entry.key, fault.message);
       } else {
-        report_.add(scope.at(path.mark), scope.prefix + entry.key,
-                    fmt::format("{}: {}", path.text, fault.message));
+        report_.add(scope.at(path.mark), scope.prefix + entry.key, path.text + ": " + fault.message);
       }
     return false;
   }
@@ -177,12 +176,11 @@ Overrides Opener::feed(const Scope& scope, const yaml::Entry& entry, const yaml:
     } else {
       std::vector<std::string> all = parameters;
       all.insert(all.end(), inputs.begin(), inputs.end());
-      report_.add(
-          scope.at(key.mark), scope.prefix + entry.key,
-          fmt::format("{} has no '{}'{}", path.text, key.key,
+      report_.add(scope.at(key.mark), scope.prefix + entry.key,
+                  fmt::format("{} has no '{}'", path.text, key.key) +
                       yaml::did_you_mean(key.key, all,
                                          all.empty() ? "It has neither inputs nor parameters"
-                                                     : fmt::format("It has: {}", fmt::join(all, ", ")))));
+                                                     : fmt::format("It has: {}", fmt::join(all, ", "))));
     }
   }
   return overrides;

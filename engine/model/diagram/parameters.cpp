@@ -9,15 +9,15 @@
 #include <cstdlib>
 #include <utility>
 
-#include "engine/base/yaml/fault_text.hpp"
+#include "engine/base/yaml/message.hpp"
 #include "engine/model/diagram/report.hpp"
 
 namespace stepwire::diagram {
 
 namespace {
 
-std::string no_parameter(const std::string& name, const ParameterScope& parameters) {
-  return fmt::format("there is no parameter '{}'{}", name, yaml::did_you_mean(name, parameters.names()));
+yaml::Message no_parameter(const std::string& name, const ParameterScope& parameters) {
+  return fmt::format("there is no parameter '{}'", name) + yaml::did_you_mean(name, parameters.names());
 }
 
 std::string no_single_number(const std::string& name) {
@@ -113,7 +113,7 @@ bool means_not_finite(const std::string& text) {
 }
 
 std::nullopt_t ValueReader::refuse(const yaml::Node& node, const std::string& subject,
-                                   std::string message) const {
+                                   yaml::Message message) const {
   report_.add(at(node.mark), subject, std::move(message));
   return std::nullopt;
 }

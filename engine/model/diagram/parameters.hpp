@@ -101,7 +101,7 @@ class ValueReader {
   bool in_range(const ParameterSpec& spec, const WrittenValue& written, const yaml::Node& node,
                 const std::string& subject) const;
   std::string resolve_file(const std::string& text, const yaml::Node& node, const std::string& subject) const;
-  std::nullopt_t refuse(const yaml::Node& node, const std::string& subject, std::string message) const;
+  std::nullopt_t refuse(const yaml::Node& node, const std::string& subject, yaml::Message message) const;
   /// Is it a text that somebody gave to a parameter of which a number is used? Then the fault is theirs.
   bool refuse_given(const WrittenValue& written) const;
 

@@ -16,10 +16,10 @@ class FaultReport {
  public:
   explicit FaultReport(const Diagram& diagram) : about_(diagram) {}
 
-  void add(const Origin& origin, std::string subject, std::string message) {
+  void add(const Origin& origin, std::string subject, yaml::Message message) {
     faults_.add(fault(origin, std::move(subject), std::move(message)));
   }
-  yaml::Fault fault(const Origin& origin, std::string subject, std::string message) const {
+  yaml::Fault fault(const Origin& origin, std::string subject, yaml::Message message) const {
     if (origin.scope != given_origin) return about_.fault(origin, std::move(subject), std::move(message));
     return {{given_, origin.mark}, std::move(subject), std::move(message), {}};
   }

@@ -20,15 +20,15 @@ std::vector<std::string> output_names(const BlockType& type) {
 }
 
 /// A reference may be to a block itself or to one of its outputs, and names of blocks may have dots.
-std::string no_block(const std::string& text, const Scope& scope) {
+yaml::Message no_block(const std::string& text, const Scope& scope) {
   std::vector<std::string> plain, dotted;
   for (std::string& name : scope.block_names())
     (name.find('.') == std::string::npos ? plain : dotted).push_back(std::move(name));
   const std::string first = text.substr(0, text.find('.')), owner = text.substr(0, text.rfind('.'));
   for (const auto& [name, names] :
        {std::pair(first, &plain), std::pair(text, &dotted), std::pair(owner, &dotted)})
-    if (const std::string cure = yaml::did_you_mean(name, *names); !cure.empty())
-      return fmt::format("there is no block '{}'{}", name, cure);
+    if (const yaml::Message cure = yaml::did_you_mean(name, *names); !cure.empty())
+      return fmt::format("there is no block '{}'", name) + cure;
   return fmt::format("there is no block '{}'", first);
 }
 
@@ -42,12 +42,12 @@ std::string no_single_output(const DiagramBlock& block) {
                      fmt::join(output_names(block.type()), fmt::format(", {}.", block.name)));
 }
 
-std::string no_such_output(const DiagramBlock& block, const std::string& name, bool recorded) {
+yaml::Message no_such_output(const DiagramBlock& block, const std::string& name, bool recorded) {
   const auto names = output_names(block.type());
   if (names.empty()) return without_outputs(block);
   if (!std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isdigit(c); }))
-    return fmt::format("{} has no output '{}'{}", block.type().name, name,
-                       yaml::did_you_mean(name, names, fmt::format("It has: {}", fmt::join(names, ", "))));
+    return fmt::format("{} has no output '{}'", block.type().name, name) +
+           yaml::did_you_mean(name, names, fmt::format("It has: {}", fmt::join(names, ", ")));
   return fmt::format("'{0}.{1}' is no signal of its own; {2}", block.name, name,
                      recorded ? fmt::format("'{0}' brings all its elements, {0}.1, ...", block.name)
                               : "pick an element with Select");
@@ -65,7 +65,7 @@ bool names_signal(const yaml::Node& node) {
   return node.quoted || !(unit::parse_quantity(node.text) || means_not_finite(node.text));
 }
 
-std::nullopt_t Resolver::refuse(const Query& query, std::string message) const {
+std::nullopt_t Resolver::refuse(const Query& query, yaml::Message message) const {
   report_.add(query.origin, query.subject, std::move(message));
   return std::nullopt;
 }
@@ -191,9 +191,9 @@ std::optional<Source> Resolver::of_part(const std::string& rest, const Scope& pa
   if (rest.empty())
     return refuse(query, fmt::format("'{}' has several outputs; say which: {}.{}", part_name, part_name,
                                      fmt::join(names, fmt::format(", {}.", part_name))));
-  return refuse(
-      query, fmt::format("'{}' has no output '{}'{}", part_name, rest,
-                         yaml::did_you_mean(rest, names, fmt::format("It has: {}", fmt::join(names, ", ")))));
+  return refuse(query,
+                fmt::format("'{}' has no output '{}'", part_name, rest) +
+                    yaml::did_you_mean(rest, names, fmt::format("It has: {}", fmt::join(names, ", "))));
 }
 
 }  // namespace stepwire::diagram

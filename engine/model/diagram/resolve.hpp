@@ -37,7 +37,7 @@ class Resolver {
   std::optional<Source> port(const Scope& scope, const std::string& name, Query query) const;
   std::optional<Source> of_block(const std::string& rest, int block, const Query& query) const;
   std::optional<Source> of_part(const std::string& rest, const Scope& part, Query query) const;
-  std::nullopt_t refuse(const Query& query, std::string message) const;
+  std::nullopt_t refuse(const Query& query, yaml::Message message) const;
 
   Report& report_;
 };

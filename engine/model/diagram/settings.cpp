@@ -45,7 +45,7 @@ void Settings::report_unused(Report& report) const {
   for (const auto& [name, entry] : entries_)
     if (!entry.used)
       report.add(entry.origin, "",
-                 fmt::format("there is no parameter '{}'{}", name, yaml::did_you_mean(name, offered_)));
+                 fmt::format("there is no parameter '{}'", name) + yaml::did_you_mean(name, offered_));
 }
 
 }  // namespace stepwire::diagram

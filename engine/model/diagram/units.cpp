@@ -29,6 +29,14 @@ class Inference {
     store();
   }
 
+  PortUnits inputs() {
+    PortUnits all(diagram_.blocks.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (const auto& expression : units_of(diagram_.blocks[i].type()).inputs)
+        all[i].push_back(evaluate(expression, static_cast<int>(i)));
+    return all;
+  }
+
  private:
   const TypeUnits& units_of(const BlockType& type) { return types_.try_emplace(&type, type).first->second; }
 
@@ -222,6 +230,13 @@ class Inference {
 void infer_units(Report& report) {
   Inference(report).run();
   check_stop_condition(report);
+}
+
+PortUnits infer_input_units(Report& report) {
+  Inference inference(report);
+  inference.run();
+  check_stop_condition(report);
+  return inference.inputs();
 }
 
 }  // namespace stepwire::diagram

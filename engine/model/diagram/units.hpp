@@ -9,4 +9,7 @@ namespace stepwire::diagram {
 /// agree.
 void infer_units(Report& report);
 
+/// The same; returns the units that inputs take, [block][input], where known.
+PortUnits infer_input_units(Report& report);
+
 }  // namespace stepwire::diagram

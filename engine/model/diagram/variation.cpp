@@ -125,7 +125,7 @@ Variation::Name Variation::find(const Diagram& diagram, const std::string& text)
   throw yaml::Error(yaml::Fault{
       {diagram.file, {}},
       text,
-      fmt::format("there is no parameter '{}'{}", text, yaml::did_you_mean(text, names_of(diagram))),
+      fmt::format("there is no parameter '{}'", text) + yaml::did_you_mean(text, names_of(diagram)),
       {}});
 }
 

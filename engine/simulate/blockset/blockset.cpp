@@ -79,7 +79,7 @@ std::string key_of(const std::vector<std::string>& sources, const codegen::Inclu
   for (std::string line; std::getline(lines, line);) {
     std::smatch match;
     if (std::regex_match(line, match, complaint))
-      faults.push_back({{match[1], {std::stoi(match[2]), std::stoi(match[3])}}, "", match[4], {}});
+      faults.push_back({{match[1], {std::stoi(match[2]), std::stoi(match[3])}}, "", match[4].str(), {}});
   }
   if (!faults.empty()) throw yaml::Error(std::move(faults));
   refuse(folder, "the blocks of this folder cannot be compiled: " + said);

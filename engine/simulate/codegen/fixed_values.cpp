@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/model/plan/change.hpp"
-#include "engine/simulate/codegen/literals.hpp"
 #include "engine/simulate/codegen/value_text.hpp"
 
 namespace stepwire::codegen {
@@ -18,101 +16,26 @@ bool is_numeric(ParameterKind kind) {
          kind == ParameterKind::per_element || kind == ParameterKind::vector || kind == ParameterKind::matrix;
 }
 
-bool is_inside(const Range& range, double value) {
-  return !(range.above && !(value > *range.above)) && !(range.at_least && !(value >= *range.at_least)) &&
-         !(range.below && !(value < *range.below)) && !(range.at_most && !(value <= *range.at_most));
+bool is_finite(const Value& value) {
+  return std::ranges::all_of(numbers_of(value), [](double number) { return std::isfinite(number); });
 }
 
-/// A member with its numbers.
-std::string content_of(const MemberSpec& member, const AnyBlock& block) {
-  Literals literals;
-  literals.name_tables("x");
-  const std::string text = member.literal(block.get(), literals);
-  return text + literals.tables();
+bool is_derived(const BlockType& type, const MemberSpec& member) {
+  const auto index = static_cast<int>(&member - type.members.data());
+  return std::ranges::none_of(type.parameters,
+                              [&](const ParameterSpec& spec) { return spec.member == index; });
 }
 
-/// Other values of a parameter: all of its numbers changed, and each of them alone.
-class Trials {
- public:
-  Trials(const ParameterSpec& spec, const Value& value) : spec_(spec), value_(value) {
-    const std::size_t count = numbers_of(value).size();
-    for (const auto& change : changes()) {
-      add(0, count, change);
-      for (std::size_t k = 0; count > 1 && k < count; ++k) add(k, k + 1, change);
-    }
-  }
-
-  const std::vector<Value>& values() const { return values_; }
-
- private:
-  using Change = double (*)(double);
-
-  static std::vector<Change> changes() {
-    return {[](double x) { return 1.125 * x; }, [](double x) { return 0.5 * x; },
-            [](double x) { return 2.0 * x; },   [](double x) { return x + 1.0; },
-            [](double x) { return -x; },        [](double) { return 0.0; },
-            [](double) { return 1.0; }};
-  }
-
-  void add(std::size_t first, std::size_t end, Change change) {
-    Value value = value_;
-    const auto alter = [&](double& number) {
-      number = change(number);
-      if (spec_.kind == ParameterKind::integer) number = std::round(number);
-      return is_inside(spec_.range, number);
-    };
-    bool inside = true;
-    const auto alter_all = [&](double* numbers) {
-      for (std::size_t k = first; k < end; ++k) inside = alter(numbers[k]) && inside;
-    };
-    if (auto* number = std::get_if<double>(&value.content)) alter_all(number);
-    if (auto* vector = std::get_if<Eigen::VectorXd>(&value.content)) alter_all(vector->data());
-    if (auto* matrix = std::get_if<Eigen::MatrixXd>(&value.content)) alter_all(matrix->data());
-    if (inside) values_.push_back(std::move(value));
-  }
-
-  const ParameterSpec& spec_;
-  const Value& value_;
-  std::vector<Value> values_;
-};
-
-/// A member that only the program itself computes, and that differs from the plan's; empty where there is
+/// A member that follows from a parameter, and that only the program itself computes; null where there is
 /// none.
-std::string derived_change(const AnyBlock& made, const AnyBlock& before) {
-  const BlockType& type = made.type();
-  const bool prepares = can_prepare(before);
-  std::vector<bool> derived(type.members.size(), true);
-  for (const ParameterSpec& spec : type.parameters)
-    if (spec.member >= 0) derived[static_cast<std::size_t>(spec.member)] = false;
-  for (std::size_t m = 0; m < derived.size(); ++m)
-    if (derived[m] && !(prepares && type.members[m].prepared.put) &&
-        content_of(type.members[m], made) != content_of(type.members[m], before))
-      return type.members[m].member;
-  return "";
-}
-
-/// Why a block's parameter keeps its value in this plan.
-std::string reason_in(const plan::Plan& plan, const diagram::Target& target) {
-  const auto b = static_cast<std::size_t>(target.block);
-  const diagram::DiagramBlock& block = plan.diagram.blocks[b];
-  const ParameterSpec& spec = block.type().parameters[static_cast<std::size_t>(target.index)];
-  const std::string name = diagram::name_of(plan.diagram, target);
-  if (!is_numeric(spec.kind)) return fmt::format("{} is no number", name);
-  if (!plan.blocks[b].written) return "";
-  const Value value = spec.get(plan.blocks[b].written->get());
-  for (const Trials trials(spec, value); const Value& other : trials.values()) {
-    try {
-      const plan::PlanChange change =
-          plan::change_of(plan, {{target, {other, {}, "", false}, block.origin}}, {});
-      if (!change.structure.empty()) return fmt::format("{} decides on sizes, connections or formulas", name);
-      const std::string derived = derived_change(change.blocks.front().made, block.block);
-      if (!derived.empty())
-        return fmt::format("'{}' of {} follows from {}, and is computed before a run only", derived,
-                           block.name, name);
-    } catch (const yaml::Error&) {  // a value that the block refuses says nothing about the others
-    }
-  }
-  return "";
+const MemberSpec* member_from(const ParameterSpec& spec, const AnyBlock& block) {
+  const bool prepares = can_prepare(block);
+  const std::vector<MemberSpec>& all = block.type().members;
+  const auto found = std::ranges::find_if(all, [&](const MemberSpec& member) {
+    return is_derived(block.type(), member) && !(prepares && member.prepared.put) &&
+           (!member.follows || std::ranges::find(*member.follows, spec.name) != member.follows->end());
+  });
+  return found == all.end() ? nullptr : &*found;
 }
 
 }  // namespace
@@ -123,11 +46,19 @@ bool can_prepare(const AnyBlock& block) {
   });
 }
 
-std::string FixedValues::reason_of(const diagram::Target& target) {
+std::string FixedValues::reason_of(const diagram::Target& target) const {
   if (target.kind != diagram::Target::Kind::parameter) return "";
-  const auto [known, is_new] = known_.try_emplace({target.block, target.index});
-  if (is_new) known->second = reason_in(plan_, target);
-  return known->second;
+  const diagram::DiagramBlock& block = plan_.diagram.blocks[static_cast<std::size_t>(target.block)];
+  const ParameterSpec& spec = block.type().parameters[static_cast<std::size_t>(target.index)];
+  const std::string name = diagram::name_of(plan_.diagram, target);
+  if (!is_numeric(spec.kind)) return fmt::format("{} is no number", name);
+  const MemberSpec* member = member_from(spec, block.block);
+  if (!member)
+    return is_finite(spec.get(block.block.get()))
+               ? ""
+               : fmt::format("{} is infinite, which stands for none", name);
+  return fmt::format("'{}' of {} follows from {}, and is computed before a run only", member->member,
+                     block.name, name);
 }
 
 std::string FixedValues::reason_of(const diagram::ValueText& text) const {
@@ -146,7 +77,7 @@ std::string FixedValues::reason_of_bounds(std::size_t definition) const {
   return "";
 }
 
-std::string FixedValues::reason(std::size_t definition) {
+std::string FixedValues::reason(std::size_t definition) const {
   const diagram::Bindings& all = *plan_.diagram.bindings;
   const auto of_definition = [&](std::size_t d) -> std::string {
     return numbers_of(plan_.diagram.parameters[d].value).empty() ? "is no number" : "";

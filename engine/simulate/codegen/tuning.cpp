@@ -81,7 +81,7 @@ class Tuner {
   }
 
   void choose() {
-    FixedValues fixed(plan_);
+    const FixedValues fixed(plan_);
     std::set<std::string> taken;
     for (std::size_t d = 0; d < plan_.diagram.parameters.size(); ++d) {
       const std::string& name = plan_.diagram.parameters[d].name;

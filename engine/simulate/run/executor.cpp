@@ -25,9 +25,8 @@ std::unique_ptr<solve::Solver> solver_of(const plan::Plan& plan) {
   for (const solve::SolverKind& kind : solve::solver_kinds()) names.push_back(kind.name);
   throw yaml::Error(diagram.fault(
       diagram.solver_origin, "solver",
-      fmt::format(
-          "there is no solver '{}'{}", diagram.solver,
-          yaml::did_you_mean(diagram.solver, names, fmt::format("Known are: {}", fmt::join(names, ", "))))));
+      fmt::format("there is no solver '{}'", diagram.solver) +
+          yaml::did_you_mean(diagram.solver, names, fmt::format("Known are: {}", fmt::join(names, ", ")))));
 }
 
 /// One number for all elements, or one for each.

@@ -10,46 +10,18 @@
 #include "engine/base/io/file.hpp"
 #include "engine/base/io/resources.hpp"
 #include "engine/base/subprocess/process.hpp"
+#include "engine/model/diagram/part_alone.hpp"
 #include "engine/model/diagram/report.hpp"
 #include "engine/model/diagram/units.hpp"
-#include "engine/model/diagram/written.hpp"
 
 namespace stepwire::drawing {
 
 namespace {
 
-/// Is this to be used in other files only? It does not say for how long it runs, or nothing feeds one of its
-/// inputs.
-bool is_part(const yaml::Node& root) {
-  if (!root.find("stop")) return true;
-  if (const yaml::Node* inputs = root.find("inputs"))
-    for (const yaml::Entry& input : inputs->entries)
-      if (!input.value.is_map() || !input.value.find("default")) return true;
-  return false;
-}
-
-/// A diagram that consists of one part, whose inputs are fed by zeros.
-yaml::Document user_of(const std::string& path, const yaml::Node& part) {
-  yaml::Node keys;
-  diagram::add_key(keys, "diagram",
-                   diagram::written_filled_in(std::filesystem::path(path).filename().string()));
-  if (const yaml::Node* inputs = part.find("inputs"))
-    for (const yaml::Entry& input : inputs->entries)
-      diagram::add_key(keys, input.key, diagram::written_text("0"));
-  yaml::Document user{path + " alone", {}};
-  diagram::add_key(user.root, "stepwire", diagram::written_text("1"));
-  diagram::add_key(user.root, "step", diagram::written_text("1"));
-  diagram::add_key(user.root, "stop", diagram::written_text("1"));
-  yaml::Node blocks;
-  diagram::add_key(blocks, "part", std::move(keys));
-  diagram::add_key(user.root, "blocks", std::move(blocks));
-  return user;
-}
-
 diagram::Diagram load(diagram::Loader& loader, const std::string& path) {
   const yaml::Node& root = loader.document(path).root;
-  if (!root.is_map() || !is_part(root)) return loader.load(path);
-  yaml::Document user = user_of(path, root);
+  if (!root.is_map() || !diagram::is_part(root)) return loader.load(path);
+  yaml::Document user = diagram::user_of_part(path, root);
   const std::string name = user.file;
   loader.add(std::move(user));
   return loader.load(name);

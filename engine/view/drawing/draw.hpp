@@ -15,6 +15,7 @@ class DiagramView {
       : diagram_(diagram), loader_(loader), scope_(scope) {}
 
   const diagram::Diagram& diagram() const { return diagram_; }
+  int scope() const { return scope_; }
   /// Names of all parts that can be opened: "rig", "rig.mount".
   std::vector<std::string> parts() const;
   json::Json graph(const GraphOptions& options) const;

@@ -47,7 +47,7 @@ class OptionChecker {
     if (std::ranges::find(names, word) != names.end()) return;
     const std::string all = listing("It has", names, none);
     faults_.push_back(
-        {key, word, fmt::format("there is no {} '{}'{}", what, word, yaml::did_you_mean(word, names, all))});
+        {key, word, fmt::format("there is no {} '{}'", what, word) + yaml::did_you_mean(word, names, all)});
   }
 
   void check_hidden() {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/yaml/error.hpp"
 #include "engine/view/drawing/draw.hpp"
 
 namespace stepwire::drawing {
@@ -11,7 +12,7 @@ namespace stepwire::drawing {
 struct GraphFault {
   std::string key;   ///< of the option: "hide"
   std::string word;  ///< as it was given
-  std::string message;
+  yaml::Message message;
 };
 
 /// All that is wrong with the names in the options of a drawing.

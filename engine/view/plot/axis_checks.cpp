@@ -2,7 +2,7 @@
 
 #include "engine/view/plot/panel_reading.hpp"
 
-#include "engine/base/yaml/fault_text.hpp"
+#include "engine/base/yaml/message.hpp"
 
 namespace stepwire::plot {
 namespace {
@@ -23,7 +23,7 @@ class AxisChecks {
   }
 
  private:
-  void fault(yaml::Mark mark, const std::string& key, std::string message) {
+  void fault(yaml::Mark mark, const std::string& key, yaml::Message message) {
     faults_.add({{names_.file, mark}, "figure." + key, std::move(message), {}});
   }
 

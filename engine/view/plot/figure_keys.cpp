@@ -134,13 +134,13 @@ const std::vector<PanelKey>& panel_keys() {
       own_key("boundary",
               "expression of x and y in SI units (or a list); a line is drawn where it is zero: x - 5 mm. "
               "What is recorded stands for its value in the first row that 'where' selects",
-              form::one_or_list(form::text()), read_boundaries, KeyNeeds::plane, KeyStage::rows),
+              form::one_or_list(form::signal()), read_boundaries, KeyNeeds::plane, KeyStage::rows),
       own_key("note",
               "expression whose value in the first row that 'where' selects is shown in a corner: {signal: "
               "normalised, label: error}",
               form::series(), read_note, KeyNeeds::nothing, KeyStage::rows),
       own_key("region", "name of a Region (or a list): its boundary is drawn, and its inside shaded",
-              form::one_or_list(form::text()), read_regions, KeyNeeds::nothing),
+              form::one_or_list(form::block()), read_regions, KeyNeeds::nothing),
       {"region_line", "how the boundary of a region is drawn: line or dashes", form::word({"line", "dashes"}),
        &Panel::dashed_regions},
       own_key("marks", "points with names, drawn on top: {A: [0 mm, 20 mm]}; a list of points numbers them",

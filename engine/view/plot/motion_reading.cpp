@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "engine/analyse/query/number.hpp"
-#include "engine/base/yaml/fault_text.hpp"
+#include "engine/base/yaml/message.hpp"
 #include "engine/view/plot/overlay.hpp"
 
 namespace stepwire::plot {

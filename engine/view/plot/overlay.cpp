@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/base/yaml/fault_text.hpp"
+#include "engine/base/yaml/message.hpp"
 
 namespace stepwire::plot {
 

@@ -49,7 +49,7 @@ class PanelReader {
   }
 
  private:
-  void fault(yaml::Mark mark, const std::string& subject, const std::string& message) {
+  void fault(yaml::Mark mark, const std::string& subject, const yaml::Message& message) {
     faults_.add({{names_.file, mark}, subject, message, {}});
   }
 
@@ -70,8 +70,8 @@ class PanelReader {
       if (plot->is_scalar() && kind.name == plot->text) panel_.kind = &kind;
     if (panel_.kind == nullptr)
       fault(plot->mark, "figure.plot",
-            fmt::format("there is no plot '{}'{}", plot->text,
-                        yaml::nearest_or_all(plot->text, all, "there are")));
+            fmt::format("there is no plot '{}'", plot->text) +
+                yaml::nearest_or_all(plot->text, all, "there are"));
     return panel_.kind != nullptr;
   }
 

@@ -21,7 +21,7 @@ Texts words_of(const yaml::Node& node) {
 }
 
 DrawingRow words_row(std::string name, std::string doc, Texts drawing::GraphOptions::*member) {
-  return {std::move(name), std::move(doc), form::one_or_list(form::text()),
+  return {std::move(name), std::move(doc), form::one_or_list(form::block()),
           [=](drawing::GraphOptions& options, const yaml::Node& node, const query::NamesReading&) {
             options.*member = words_of(node);
           }};
@@ -29,7 +29,8 @@ DrawingRow words_row(std::string name, std::string doc, Texts drawing::GraphOpti
 
 DrawingRow texts_row(std::string name, std::string doc,
                      std::map<std::string, std::string> drawing::GraphOptions::*member) {
-  return {std::move(name), std::move(doc), form::names(form::text(), 1),
+  return {std::move(name), std::move(doc),
+          form::naming(yaml::Key::Names::block, form::names(form::text(), 1)),
           [=](drawing::GraphOptions& options, const yaml::Node& node, const query::NamesReading& read) {
             if (!node.is_map()) read.fault(node.mark, "is a map of NAME: TEXT");
             for (const yaml::Entry& entry : node.entries)
@@ -62,7 +63,7 @@ const std::vector<DrawingRow>& drawing_rows() {
       {"groups",
        "frames with a name around blocks and parts of the file itself: {haptic platform: [platform, "
        "amplifier]}",
-       form::names(form::one_or_list(form::text()), 1), read_groups},
+       form::names(form::one_or_list(form::block()), 1), read_groups},
       {"units", "units are written at the wires", form::truth(), &drawing::GraphOptions::units}};
   return rows;
 }

@@ -11,7 +11,7 @@ namespace {
 
 /// A table that a study makes.
 PanelContent read_named_table(const yaml::Node& node, const query::SymbolTable& names, yaml::Faults& faults) {
-  const auto fault = [&](const yaml::Mark& mark, const std::string& message) {
+  const auto fault = [&](const yaml::Mark& mark, const yaml::Message& message) {
     faults.add({{names.file, mark}, "figure.of", message, {}});
     return PanelContent{};
   };
@@ -26,8 +26,8 @@ PanelContent read_named_table(const yaml::Node& node, const query::SymbolTable& 
   const auto found = std::find(all.begin(), all.end(), of->text);
   if (all.empty()) return fault(of->mark, "this file makes no tables; one with a section 'study' does");
   if (found == all.end())
-    return fault(of->mark, fmt::format("there is no table '{}'{}", of->text,
-                                       yaml::nearest_or_all(of->text, all, "there are")));
+    return fault(of->mark, fmt::format("there is no table '{}'", of->text) +
+                               yaml::nearest_or_all(of->text, all, "there are"));
   const yaml::Node* title = node.find("title");
   return [table = names.tables[static_cast<std::size_t>(found - all.begin())].table,
           title = title ? title->text : ""](std::span<const record::Recording>) {

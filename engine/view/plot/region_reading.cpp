@@ -13,9 +13,9 @@ const Outline* find_outline(const yaml::Node& node, const query::NamesReading& r
     if (node.is_scalar() && named.name == node.text) return &named.outline;
     names.push_back(named.name);
   }
-  const std::string choice =
+  const yaml::Message choice =
       names.empty() ? "; this file has none" : yaml::nearest_or_all(node.text, names, "there are");
-  read.fault(node.mark, fmt::format("'{}' is no block with a boundary, as a Region is{}", node.text, choice));
+  read.fault(node.mark, fmt::format("'{}' is no block with a boundary, as a Region is", node.text) + choice);
   return nullptr;
 }
 

@@ -59,7 +59,7 @@ std::optional<RigPoint> read_point(const yaml::Node& node, const query::NamesRea
 }
 
 yaml::Key place_form() {
-  return form::either({form::text(), form::list(form::expression(), 1, query::max_coordinates)});
+  return form::either({form::signal(), form::list(form::expression(), 1, query::max_coordinates)});
 }
 
 void read_ends(const RigKind& kind, RigElement& element, const yaml::Node& node, const RigReading& read) {

@@ -56,9 +56,9 @@ const Outline* find_outline(const yaml::Node& node, const ObjectReading& read) {
     known.push_back(named.name);
     if (node.is_scalar() && named.name == node.text) return &named.outline;
   }
-  read.fault(node.mark, fmt::format("'{}' is no block with a boundary, as a Region is{}", node.text,
-                                    known.empty() ? "; this file has none"
-                                                  : yaml::nearest_or_all(node.text, known, "there are")));
+  read.fault(node.mark, fmt::format("'{}' is no block with a boundary, as a Region is", node.text) +
+                            (known.empty() ? yaml::Message("; this file has none")
+                                           : yaml::nearest_or_all(node.text, known, "there are")));
   return nullptr;
 }
 
@@ -82,12 +82,12 @@ void read_points(SceneObject& object, const yaml::Node& node, const ObjectReadin
 
 /// [x, y], or the name of a recorded vector.
 yaml::Key point_form() {
-  return form::either({form::text(), form::pair(form::expression())});
+  return form::either({form::signal(), form::pair(form::expression())});
 }
 
 /// What stands under the name of a kind.
 yaml::Key value_of(const SceneKind& kind) {
-  if (kind.max_points == 0) return form::text();
+  if (kind.max_points == 0) return kind.name == "walls" ? form::block() : form::text();
   return kind.max_points == 1 ? point_form()
                               : form::list(point_form(), static_cast<double>(kind.min_points),
                                            static_cast<double>(kind.max_points));
@@ -241,8 +241,10 @@ std::optional<SceneColor> read_scene_color(const std::string& text, yaml::Mark m
     known.push_back(color.name);
   }
   known.insert(known.end(), other.begin(), other.end());
-  read.fault(mark, fmt::format("there is no colour '{}'{}, or a colour as \"#rrggbb\"", text,
-                               yaml::nearest_or_all(text, known, "there are")));
+  yaml::Message message =
+      fmt::format("there is no colour '{}'", text) + yaml::nearest_or_all(text, known, "there are");
+  message += ", or a colour as \"#rrggbb\"";
+  read.fault(mark, message);
   return std::nullopt;
 }
 

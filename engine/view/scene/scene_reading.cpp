@@ -5,6 +5,7 @@
 #include "engine/view/drawing/draw.hpp"
 #include "engine/view/scene/scene.hpp"
 #include "engine/view/scene/scene_object_reading.hpp"
+#include "engine/view/scene/scene_pointer.hpp"
 #include "engine/view/scene/scene_states.hpp"
 
 namespace stepwire::scene {
@@ -89,6 +90,10 @@ const SceneTable& scene_table() {
                        SceneTable::Row{"background", "dark, light, or a colour",
                                        form::either({form::word({"dark", "light"}), scene_color_form()}),
                                        read_background}),
+       {"pointer", "what a pointer in the picture moves, where the scene is live", scene_pointer_form(),
+        [](Scene&, const yaml::Node& node, const query::NamesReading& read) {
+          read_scene_pointer(node, read);  // for its faults: a run without a page has no pointer
+        }},
        {"animation", "what of the run scene.svg shows; without it the whole run", animation_table().form,
         read_animation}});
   return table;

@@ -6,6 +6,7 @@
 
 #include "engine/app/studio/live/arguments.hpp"
 #include "engine/app/studio/live/fan.hpp"
+#include "engine/app/studio/live/mechanisms.hpp"
 #include "engine/app/studio/live/run_description.hpp"
 #include "engine/app/studio/live/run_results.hpp"
 
@@ -32,29 +33,25 @@ LiveRun::~LiveRun() {
   changed_.notify_one();
   publisher_.join();
   if (fan_interrupt_) *fan_interrupt_ = true;
+  judge_ = {};
+  scene_.reset();
+  scene_of_.reset();
+  loaded_.reset();  // its thread wakes the publisher
 }
 
 const std::map<std::string, LiveRun::Call>& LiveRun::calls() {
-  static const std::map<std::string, Call> all{{"run.load", &LiveRun::load},
-                                               {"run.play", &LiveRun::play},
-                                               {"run.pause", &LiveRun::pause},
-                                               {"run.tick", &LiveRun::tick},
-                                               {"run.restart", &LiveRun::restart},
-                                               {"run.seek", &LiveRun::seek},
-                                               {"run.set", &LiveRun::set},
-                                               {"run.input", &LiveRun::input},
-                                               {"run.log", &LiveRun::log},
-                                               {"clock", &LiveRun::clock},
-                                               {"scope.signal", &LiveRun::signal},
-                                               {"data.want", &LiveRun::want},
-                                               {"data.export", &LiveRun::csv},
-                                               {"data.statistics", &LiveRun::statistics},
-                                               {"figures", &LiveRun::figures},
-                                               {"claims", &LiveRun::claims},
-                                               {"fan", &LiveRun::fan_of},
-                                               {"scene", &LiveRun::scene},
-                                               {"scene.watch", &LiveRun::watch_scene},
-                                               {"profile", &LiveRun::profile}};
+  static const std::map<std::string, Call> all{
+      {"run.load", &LiveRun::load},       {"run.play", &LiveRun::play},
+      {"run.pause", &LiveRun::pause},     {"run.tick", &LiveRun::tick},
+      {"run.restart", &LiveRun::restart}, {"run.seek", &LiveRun::seek},
+      {"run.set", &LiveRun::set},         {"run.input", &LiveRun::input},
+      {"run.log", &LiveRun::log},         {"clock", &LiveRun::clock},
+      {"scope.signal", &LiveRun::signal}, {"data.want", &LiveRun::want},
+      {"data.export", &LiveRun::csv},     {"data.statistics", &LiveRun::statistics},
+      {"figures", &LiveRun::figures},     {"claims", &LiveRun::claims},
+      {"fan", &LiveRun::fan_of},          {"scene", &LiveRun::scene},
+      {"mechanism", &LiveRun::mechanism}, {"scene.watch", &LiveRun::watch_scene},
+      {"profile", &LiveRun::profile}};
   return all;
 }
 
@@ -257,6 +254,10 @@ Json LiveRun::fan_of(int, const Arguments& arguments) {
 Json LiveRun::scene(int, const Arguments&) {
   const Loaded run = loaded();
   return Json::object().set("scene", run->model().scene ? SceneNow(*run).description() : Json());
+}
+
+Json LiveRun::mechanism(int, const Arguments&) {
+  return mechanisms_of(*loaded());
 }
 
 Json LiveRun::watch_scene(int page, const Arguments& arguments) {

@@ -37,7 +37,7 @@ class LiveRun {
   ~LiveRun();
 
   /// The calls of the studio's protocol: run.*, data.*, clock, scope.signal, figures, claims, fan, scene,
-  /// scene.watch, profile.
+  /// scene.watch, mechanism, profile.
   json::Json call(int page, const std::string& name, const json::Json& arguments);
   /// The names of all calls.
   static std::vector<std::string> call_names();
@@ -68,6 +68,7 @@ class LiveRun {
   json::Json claims(int page, const Arguments& arguments);
   json::Json fan_of(int page, const Arguments& arguments);
   json::Json scene(int page, const Arguments& arguments);
+  json::Json mechanism(int page, const Arguments& arguments);
   json::Json watch_scene(int page, const Arguments& arguments);
   json::Json profile(int page, const Arguments& arguments);
 

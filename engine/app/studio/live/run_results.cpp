@@ -42,6 +42,8 @@ Json figures_now(LoadedRun& run) {
   Json figures = Json::list();
   for (const plot::Figure& figure : run.model().figures) {
     try {
+      if (run.model().study)
+        throw std::runtime_error("it is drawn of the trials of the study: './stepwire study'");
       figures.push(plot::figure_json(plot::figure_spec(figure, recordings)));
     } catch (const std::exception& error) {
       figures.push(Json::object().set("title", figure.title).set("fault", error.what()));
@@ -53,10 +55,13 @@ Json figures_now(LoadedRun& run) {
 Json claims_now(LoadedRun& run) {
   const RunStatus status = run.thread().status();
   Json claims = Json::list();
-  if (status.state != RunStatus::State::ended || !status.fault.empty()) {
-    const bool early = !status.fault.empty();
+  const char* open = status.state != RunStatus::State::ended ? ""
+                     : !status.fault.empty()                 ? ": the run ended early"
+                     : run.model().study                     ? ": it is about the trials of the study"
+                                                             : nullptr;
+  if (open) {
     for (const claim::Claim& claim : run.model().claims)
-      claims.push(claim_json(claim.that, "open", claim.check + (early ? ": the run ended early" : "")));
+      claims.push(claim_json(claim.that, "open", claim.check + open));
     return Json::object().set("claims", std::move(claims));
   }
   session::Outcome outcome;

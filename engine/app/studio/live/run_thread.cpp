@@ -97,12 +97,13 @@ void RunThread::live() {
 void RunThread::rest() {
   ended_ = true;
   plays_ = false;
-  tell();
   while (!quits_ && !back_to_) {
+    tell();
+    if (arrived_) std::exchange(arrived_, nullptr)->set_value();
     commands_.wait();
     commands_.run_all();
-    tell();
   }
+  tell();
 }
 
 run::Flow RunThread::before_tick(const run::ObservedRun& run) {
@@ -119,16 +120,26 @@ run::Flow RunThread::before_tick(const run::ObservedRun& run) {
 
 /// Does what others have it do until the next tick may be computed; false where this life is over.
 bool RunThread::wait_for_turn() {
+  if (next_tick() == 0) return true;  // the start is always shown
   while (!quits_) {
     commands_.run_all();
     if (quits_ || back_to_) return false;
     if (next_tick() <= goal_) return true;
+    arrive();
     if (!plays_)
       wait_until({});
     else if (is_due())
       return true;
   }
   return false;
+}
+
+/// Shows the tick to which somebody had the run go, and says so.
+void RunThread::arrive() {
+  if (!arrived_) return;
+  rows_.flush();
+  tell();
+  std::exchange(arrived_, nullptr)->set_value();
 }
 
 /// May the next tick be computed by the clock? Waits until then, or until somebody has it do something.

@@ -104,6 +104,7 @@ class RunThread : private run::RunObserver {
   void live();
   void rest();
   bool wait_for_turn();
+  void arrive();
   bool is_due();
   void wait_until(std::optional<double> time);
   void do_events(std::int64_t tick);
@@ -133,7 +134,8 @@ class RunThread : private run::RunObserver {
   std::int64_t goal_ = 0;                ///< up to this tick it goes as fast as it goes
   std::int64_t known_ = 0;               ///< ticks before this one are computed again, as the log has them
   std::optional<std::int64_t> back_to_;  ///< the tick at which another life begins
-  std::uint32_t lives_;                  ///< number of this one
+  std::shared_ptr<std::promise<void>> arrived_;  ///< of who waits for the goal; null: nobody
+  std::uint32_t lives_;                          ///< number of this one
   std::string fault_;
   mutable std::mutex status_mutex_;
   RunStatus status_;

@@ -1,5 +1,6 @@
 // What other threads have a run do.
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "engine/app/studio/live/run_thread.hpp"
@@ -38,12 +39,16 @@ void RunThread::pause() {
 }
 
 std::int64_t RunThread::one_tick() {
-  return commands_.ask([&] {
+  constexpr std::chrono::seconds patience{1};  // with a tick that takes very long
+  const auto arrived = std::make_shared<std::promise<void>>();
+  const std::int64_t tick = commands_.ask([&] {
     plays_ = false;
     goal_ = ended_ ? shown_ : next_tick();
-    tell();
+    arrived_ = arrived;
     return goal_;
   });
+  arrived->get_future().wait_for(patience);
+  return tick;
 }
 
 void RunThread::restart() {

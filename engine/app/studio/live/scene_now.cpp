@@ -1,5 +1,6 @@
 #include "engine/app/studio/live/scene_now.hpp"
 
+#include "engine/app/studio/live/pointer.hpp"
 #include "engine/app/studio/live/recorded_so_far.hpp"
 
 namespace stepwire::live {
@@ -40,6 +41,15 @@ Json shape_json(const scene::SceneShape& shape, const scene::Scene& scene) {
       .set("shown", shape.shown);
 }
 
+Json pointer_json() {
+  return Json::object()
+      .set("name", pointer_input)
+      .set("held", held_input)
+      .set("unit", "m")
+      .set("text",
+           "Resistance is seen here, not felt: the pin lags behind the pointer where something resists.");
+}
+
 }  // namespace
 
 SceneNow::SceneNow(LoadedRun& run) : run_(run), scene_(*run.model().scene) {
@@ -64,6 +74,7 @@ Json SceneNow::description() const {
       .set("x", point_json(scene_.x))
       .set("y", point_json(scene_.y))
       .set("background", scene_.background)
+      .set("pointer", has_pointer(run_.plan().diagram) ? pointer_json() : Json())
       .set("objects", std::move(objects));
 }
 

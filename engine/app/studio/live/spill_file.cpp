@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 
 #include "engine/base/io/environment_error.hpp"
 
@@ -18,6 +19,9 @@ namespace {
   throw io::EnvironmentError(
       fmt::format("{}: the samples of the run cannot be {}: {}", folder, what, std::strerror(errno)));
 }
+
+constexpr std::uint64_t left_free = std::uint64_t{1} << 30;       // bytes of the disk
+constexpr std::uint64_t between_looks = std::uint64_t{64} << 20;  // at the disk
 
 int open_without_name(const std::string& folder) {
   const int file = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
@@ -37,6 +41,7 @@ SpillFile::SpillFile(const std::string& folder, std::size_t chunk)
 
 std::uint64_t SpillFile::write(std::span<const double> chunk) {
   const bool again = !free_.empty();
+  if (!again && end_ % between_looks == 0) leave_room();
   const std::uint64_t place = again ? free_.back() : end_;
   const char* bytes = reinterpret_cast<const char*>(chunk.data());
   for (std::size_t done = 0; done < chunk.size_bytes();) {
@@ -49,6 +54,15 @@ std::uint64_t SpillFile::write(std::span<const double> chunk) {
   if (again) free_.pop_back();
   if (!again) end_ += chunk_bytes_;
   return place;
+}
+
+/// A run that nobody ends must not fill the disk.
+void SpillFile::leave_room() const {
+  std::error_code unknown;
+  const std::filesystem::space_info space = std::filesystem::space(folder_, unknown);
+  if (unknown || space.available > left_free) return;
+  throw io::EnvironmentError(
+      fmt::format("{}: the samples of the run leave less than 1 GiB of the disk free", folder_));
 }
 
 void SpillFile::read(std::uint64_t place, std::size_t first, std::span<double> into) const {

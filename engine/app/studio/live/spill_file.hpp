@@ -17,7 +17,7 @@ class SpillFile {
   /// `chunk`: numbers in each. Throws EnvironmentError where the folder takes no file.
   SpillFile(const std::string& folder, std::size_t chunk);
 
-  /// Where the chunk lies now. Throws EnvironmentError where there is no room left.
+  /// Where the chunk lies now. Throws EnvironmentError where the disk has less than 1 GiB left.
   std::uint64_t write(std::span<const double> chunk);
   /// As many numbers as `into` has, from the number `first` of a chunk on. Throws EnvironmentError.
   void read(std::uint64_t place, std::size_t first, std::span<double> into) const;
@@ -26,6 +26,8 @@ class SpillFile {
   std::uint64_t size() const { return end_; }
 
  private:
+  void leave_room() const;
+
   std::string folder_;
   std::size_t chunk_bytes_;
   io::Descriptor file_;

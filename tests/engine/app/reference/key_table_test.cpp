@@ -35,8 +35,8 @@ LampTable lamp_table(std::vector<LampTable::Row> more) {
 std::vector<std::string> read_lamp(const LampTable& table, const std::string& yaml, Lamp& lamp) {
   std::vector<std::string> faults;
   const yaml::SectionReading read(
-      "lamp", [&](const yaml::Mark&, const std::string& subject, const std::string& message) {
-        faults.push_back(subject + ": " + yaml::plain(message));
+      "lamp", [&](const yaml::Mark&, const std::string& subject, const yaml::Message& message) {
+        faults.push_back(subject + ": " + message.text());
       });
   table.read(yaml::parse_document(yaml, "test.yaml").root, lamp, read);
   return faults;

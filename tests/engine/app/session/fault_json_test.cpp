@@ -73,6 +73,21 @@ TEST_CASE("characters, not bytes, are counted up to the end of what is wrong") {
   CHECK(faults[0]["end"]["column"].get<int>() - faults[0]["column"].get<int>() == 6);
 }
 
+TEST_CASE("a word that was probably meant has the place in which it belongs") {
+  const Scratch folder;
+  folder.file("a.yaml", head +
+                            "blocks:\n  one: {block: Constant, value: 1}\n  gain: {block: Gain, gain: 2, "
+                            "u: oen}\n");
+  const json faults = faults_of(folder, "a.yaml");
+  REQUIRE(faults.size() == 1);
+  REQUIRE(faults[0]["suggestions"].size() == 1);
+  const json& suggestion = faults[0]["suggestions"][0];
+  CHECK(suggestion["text"] == "one");
+  CHECK(suggestion["line"] == 9);
+  CHECK(suggestion["column"] == 35);
+  CHECK(suggestion["end"] == json({{"line", 9}, {"column", 38}}));
+}
+
 TEST_CASE("what stands outside of the blocks has no block, and a setting of a call no line") {
   const Scratch folder;
   folder.file("a.yaml",

@@ -51,9 +51,7 @@ TEST_CASE("the server listens at the loopback addresses alone, at one port") {
 }
 
 TEST_CASE("every route refuses who has no token, another Host or another Origin, in the same words") {
-  Limits limits;
-  limits.handshake = milliseconds(200);  // a body that never comes is not awaited for longer
-  const Served served(limits);
+  const Served served;
   const Key& key = served.key();
   const std::string ours = "http://" + host_of(key);
   for (const std::string& route : routes) {
@@ -88,7 +86,9 @@ TEST_CASE("the address with the token leads to the page without it, by a cookie 
 }
 
 TEST_CASE("what is no GET gets nothing, and a body nobody reads") {
-  const Served served;
+  Limits limits;
+  limits.handshake = milliseconds(200);  // a body that never comes is not awaited for longer
+  const Served served(limits);
   const Key& key = served.key();
   const std::string ours = "Origin: http://" + host_of(key) + "\r\n" + cookie_line(key);
   for (const std::string& method :

@@ -1,14 +1,9 @@
-#include "engine/app/studio/studio.hpp"
-
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <filesystem>
 #include <regex>
 
-#include "blocks/register.hpp"
 #include "engine/app/studio/page_site.hpp"
-#include "tests/engine/app/cli/program.hpp"
-#include "tests/engine/app/studio/raw_client.hpp"
+#include "tests/engine/app/studio/started_studio.hpp"
 
 namespace stepwire::studio {
 
@@ -18,79 +13,11 @@ namespace fs = std::filesystem;
 using Catch::Contains;
 using json::Json;
 
-const std::string gain_yaml = R"(stepwire: 1
-title: A gain
-step: 1 ms
-stop: 1 s
-blocks:
-  one: {block: Constant, value: 1 N}
-  two: {block: Gain, u: one, gain: 2}
-  rig: {diagram: parts/rig.yaml, u: two}
-record: [rig.y]
-)";
-const std::string rig_yaml = R"(stepwire: 1
-inputs: {u: {}}
-outputs: {y: half}
-blocks:
-  half: {block: Gain, u: u, gain: 0.5}
-)";
-
-/// A studio with two files, whose drafts are the test's own.
-class Started {
- public:
-  explicit Started(const std::string& text = gain_yaml) {
-    fs::create_directories(folder.path("home/parts"));
-    fs::create_directories(folder.path("outside"));
-    folder.file("home/gain.yaml", text);
-    folder.file("home/parts/rig.yaml", rig_yaml);
-    folder.file("outside/secret.yaml", rig_yaml);
-    ::setenv("XDG_STATE_HOME", folder.path("state").c_str(), 1);
-    start();
-  }
-  ~Started() { ::unsetenv("XDG_STATE_HOME"); }
-  void start() {
-    studio.reset();
-    studio = std::make_unique<Studio>(StudioCall{folder.path("home/gain.yaml")}, registry);
-    const std::string address = studio->address();
-    key = {static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1))),
-           address.substr(address.find('=') + 1)};
-  }
-
-  Scratch folder;
-  Registry registry = blocks();
-  std::unique_ptr<Studio> studio;
-  http::Key key;
-};
-
-const Json& result(const Json& answer) {
-  INFO(answer.text(-1));
-  REQUIRE(answer.find("result"));
-  return *answer.find("result");
-}
-
-std::string text(const Json& object, const std::string& name) {
-  const Json* found = object.find(name);
-  return found && found->as_text() ? *found->as_text() : "";
-}
-
-std::string fault(const Json& answer) {
-  return answer.find("fault") ? text(*answer.find("fault"), "text") : "";
-}
-
 int file(PageClient& page, const std::string& name) {
   const Json answer = page.call("files");
   for (const Json& one : result(answer).find("files")->items())
     if (text(one, "name") == name) return static_cast<int>(*one.find("file")->as_number());
   return -1;
-}
-
-Json arguments(int file) {
-  return Json::object().set("file", file);
-}
-
-Json edit(int file, int version, std::size_t from, std::size_t to, const std::string& put) {
-  const Json change = Json::object().set("from", from).set("to", to).set("text", put);
-  return arguments(file).set("version", version).set("changes", Json::list({change}));
 }
 
 Json graph(const std::string& scope = "") {
@@ -131,9 +58,13 @@ TEST_CASE("drawings show the text as it is edited, and that of parts") {
   result(page.call("edit", replaced(gain_yaml, 0, "u: one", "u: uno")));
   const Json broken = page.call("graph", graph());
   CHECK_THAT(fault(broken), Contains("there is no block 'uno'"));
-  CHECK(broken.find("fault")->find("faults")->items().size() == 1);
-  result(page.call("edit", replaced(gain_yaml, 1, "u: uno", "u: one")));
+  REQUIRE(broken.find("fault")->find("faults")->items().size() == 1);
+  CHECK(text(broken.find("fault")->find("faults")->items()[0], "file") == "gain.yaml");
+  CHECK(broken.text(-1).find(started.folder.path("")) == std::string::npos);  // names, never paths
+  const std::size_t place = gain_yaml.find("u: one");
+  result(page.call("edit", edit(0, 1, place, place + 6, "u: one")));
   const std::string part = rig_yaml;
+  REQUIRE(file(page, "parts/rig.yaml") == 1);
   result(page.call("edit", edit(1, 0, part.find("half:"), part.find("half:") + 4, "third")));
   CHECK_THAT(fault(page.call("graph", graph())), Contains("half"));
 }

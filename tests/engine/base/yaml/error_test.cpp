@@ -1,7 +1,7 @@
 #include "engine/base/yaml/error.hpp"
 
 #include "engine/base/text/characters.hpp"
-#include "engine/base/yaml/fault_text.hpp"
+#include "engine/base/yaml/message.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -9,7 +9,7 @@ namespace stepwire::yaml {
 
 namespace {
 
-Fault fault(const std::string& file, Mark mark, const std::string& message) {
+Fault fault(const std::string& file, Mark mark, const Message& message) {
   return {.place = {file, mark}, .subject = "", .message = message, .used_by = {}};
 }
 
@@ -60,13 +60,13 @@ TEST_CASE("gathered faults are thrown together, and none throw nothing") {
 
 TEST_CASE("a near miss suggests the right name") {
   const std::vector<std::string> names{"tau", "gain", "u", "initial", "frequency"};
-  CHECK(plain(did_you_mean("tua", names)) == "; did you mean 'tau'?");
-  CHECK(plain(did_you_mean("Tau", names)) == "; did you mean 'tau'?");
-  CHECK(plain(did_you_mean("gian", names)) == "; did you mean 'gain'?");
-  CHECK(plain(did_you_mean("intial", names)) == "; did you mean 'initial'?");
-  CHECK(plain(did_you_mean("freq", names)) == "; did you mean 'frequency'?");
-  CHECK(plain(did_you_mean("ZOH", {"Sum", "ZeroOrderHold"})) == "; did you mean 'ZeroOrderHold'?");
-  CHECK(plain(did_you_mean("position", {"initial_position", "mass"})) ==
+  CHECK(did_you_mean("tua", names).text() == "; did you mean 'tau'?");
+  CHECK(did_you_mean("Tau", names).text() == "; did you mean 'tau'?");
+  CHECK(did_you_mean("gian", names).text() == "; did you mean 'gain'?");
+  CHECK(did_you_mean("intial", names).text() == "; did you mean 'initial'?");
+  CHECK(did_you_mean("freq", names).text() == "; did you mean 'frequency'?");
+  CHECK(did_you_mean("ZOH", {"Sum", "ZeroOrderHold"}).text() == "; did you mean 'ZeroOrderHold'?");
+  CHECK(did_you_mean("position", {"initial_position", "mass"}).text() ==
         "; did you mean 'initial_position'?");
 }
 
@@ -80,17 +80,17 @@ TEST_CASE("a word that is far from all names suggests nothing") {
 
 TEST_CASE("a fault knows its cure, whatever semicolons the texts of a user have") {
   const Fault plain_one = fault("a.yaml", {1, 1}, "'x; y' is missing; x: 3");
-  CHECK(plain_one.wrong() == "'x; y' is missing");
-  CHECK(plain_one.cure() == "x: 3");
+  CHECK(plain_one.message.wrong == "'x; y' is missing");
+  CHECK(plain_one.message.cure == "x: 3");
   const Fault marked =
       fault("a.yaml", {1, 1}, fault_text("{} is not allowed; it must be above {}; so", "it's; 1", 0));
   CHECK(marked.text() == "a.yaml:1:1: it's; 1 is not allowed; it must be above 0; so");
-  CHECK(marked.wrong() == "it's; 1 is not allowed");
-  CHECK(marked.cure() == "it must be above 0; so");
-  CHECK(fault("a.yaml", {}, "no such file").cure().empty());
+  CHECK(marked.message.wrong == "it's; 1 is not allowed");
+  CHECK(marked.message.cure == "it must be above 0; so");
+  CHECK(fault("a.yaml", {}, "no such file").message.cure.empty());
   const Fault near = fault("a.yaml", {}, "there is no it's; x" + did_you_mean("its", {"it"}));
-  CHECK(near.wrong() == "there is no it's; x");
-  CHECK(near.cure() == "did you mean 'it'?");
+  CHECK(near.message.wrong == "there is no it's; x");
+  CHECK(near.message.cure == "did you mean 'it'?");
 }
 
 }  // namespace stepwire::yaml

@@ -152,10 +152,10 @@ TEST_CASE("a generated program shows which parameters cannot change, and why") {
   const Tuning tuning = tuning_of(plan);
   REQUIRE(tuning.fixed.size() == 1);
   CHECK(tuning.fixed[0].name == "wait");
-  CHECK(tuning.fixed[0].reason == "late.delay decides on sizes, connections or formulas");
+  CHECK(tuning.fixed[0].reason == "'periods' of late follows from late.delay, and is computed before a run only");
   const std::string header = program_files(plan, tuning, {"rig", "a test", false}).at("rig.hpp");
   CHECK_THAT(header,
-             Catch::Contains("//   wait: late.delay decides on") &&
+             Catch::Contains("//   wait: 'periods' of late follows from late.delay") &&
                  Catch::Contains("double tau_{0.3};  ///< of the lag [s]; above 0 s; at most 3 s\n") &&
                  Catch::Contains("double amp_[2]{1.0, 2.0};") &&
                  Catch::Contains("double cart_mass_{2.0};  ///< moved [kg]; above 0 kg; '$mass' until") &&

@@ -202,25 +202,25 @@ TEST_CASE("names that a drawing does not have are faults, each with what is near
   options.groups = {{"a", {"net", "nte"}}, {"b", {"net"}}};
   const auto faults = faults_with(options);
   REQUIRE(faults.size() == 6);
-  CHECK(yaml::plain(faults[0].message) == "there is no part 'moutn'; did you mean 'mount'? It has: mount");
-  CHECK(yaml::plain(faults[1].message)
-            .starts_with("there is no block, part or signal 'darg'; did you mean 'drag'?"));
-  CHECK(yaml::plain(faults[2].message)
-            .starts_with("there is no block, part or signal 'x*'. It has: mount, mount.force"));
-  CHECK(yaml::plain(faults[3].message).starts_with("there is no block or part 'bdoy'; did you mean 'body'?"));
-  CHECK(yaml::plain(faults[4].message)
-            .starts_with("there is no block or part of the file itself 'nte'; did you mean 'net'?"));
-  CHECK(yaml::plain(faults[5].message) == "'net' is in two groups; one can hold it");
+  CHECK(faults[0].message.text() == "there is no part 'moutn'; did you mean 'mount'? It has: mount");
+  CHECK(
+      faults[1].message.text().starts_with("there is no block, part or signal 'darg'; did you mean 'drag'?"));
+  CHECK(faults[2].message.text().starts_with(
+      "there is no block, part or signal 'x*'. It has: mount, mount.force"));
+  CHECK(faults[3].message.text().starts_with("there is no block or part 'bdoy'; did you mean 'body'?"));
+  CHECK(faults[4].message.text().starts_with(
+      "there is no block or part of the file itself 'nte'; did you mean 'net'?"));
+  CHECK(faults[5].message.text() == "'net' is in two groups; one can hold it");
 }
 
 TEST_CASE("a label on a signal that is not drawn, or on a block with several, is a fault") {
   const auto unknown = faults_with({.labels = {{"mount.forc", "F"}}});
   REQUIRE(unknown.size() == 1);
-  CHECK(yaml::plain(unknown[0].message)
-            .starts_with("there is no signal 'mount.forc'; did you mean 'mount.force'?"));
+  CHECK(
+      unknown[0].message.text().starts_with("there is no signal 'mount.forc'; did you mean 'mount.force'?"));
   const auto closed = faults_with({.labels = {{"mount.net", "s"}}});
   REQUIRE(closed.size() == 1);
-  CHECK(yaml::plain(closed[0].message).starts_with("no wire is drawn that is 'mount.net' alone"));
+  CHECK(closed[0].message.text().starts_with("no wire is drawn that is 'mount.net' alone"));
   CHECK(faults_with({.labels = {{"body", "x"}}}).size() == 1);
 }
 

@@ -31,7 +31,7 @@ std::string fault_of(const std::string& yaml) {
   yaml::Faults faults;
   const yaml::Document document = yaml::parse_document(yaml, "test.yaml");
   read_table_rows(document.root, names, faults);
-  return faults.size() == 0 ? "" : yaml::plain(faults.list().front().message);
+  return faults.size() == 0 ? "" : faults.list().front().message.text();
 }
 
 }  // namespace

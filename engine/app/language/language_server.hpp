@@ -1,0 +1,85 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/app/language/file_uri.hpp"
+#include "engine/app/language/language_service.hpp"
+#include "engine/base/json/json.hpp"
+
+namespace stepwire::language {
+
+/// The Language Server Protocol over any transport of JSON texts: requests and notifications in, answers and
+/// diagnostics out. Source: Language Server Protocol 3.17, JSON-RPC 2.0.
+class LanguageServer {
+ public:
+  /// Takes one message as JSON text; called from the thread of run() alone.
+  using Send = std::function<void(const std::string& message)>;
+
+  LanguageServer(const Registry& registry, Send send, FileUris uris = FileUris(), FileAccess access = {});
+
+  /// Takes a message; from any thread.
+  void post(std::string message);
+  /// There will be no more messages; from any thread.
+  void close();
+  /// Answers messages until the editor ends it or close() was called. What is wrong is published when no
+  /// message waits, so that of several changes the last one counts. Returns whether the editor ended it as
+  /// the protocol has it.
+  bool run();
+
+ private:
+  using Answer = json::Json (LanguageServer::*)(const json::Json& params);
+  static const std::map<std::string, Answer>& requests();
+  static const std::map<std::string, void (LanguageServer::*)(const json::Json&)>& notifications();
+
+  std::optional<std::string> next_message();
+  bool is_quiet();
+  void handle(const std::string& text);
+  void answer(const json::Json& id, const std::string& method, const json::Json& params);
+  bool take_cancelled(const json::Json& id);
+  void publish();
+  void send(const json::Json& message);
+  void send_error(const json::Json& id, int code, const std::string& message);
+
+  json::Json initialize(const json::Json& params);
+  json::Json shutdown(const json::Json& params);
+  json::Json completion(const json::Json& params);
+  json::Json hover(const json::Json& params);
+  json::Json definition(const json::Json& params);
+  json::Json references(const json::Json& params);
+  json::Json prepare_rename(const json::Json& params);
+  json::Json rename(const json::Json& params);
+  json::Json document_symbols(const json::Json& params);
+  json::Json code_actions(const json::Json& params);
+
+  void did_open(const json::Json& params);
+  void did_change(const json::Json& params);
+  void did_close(const json::Json& params);
+  void did_save(const json::Json& params);
+  void exit(const json::Json& params);
+
+  std::string file_of(const json::Json& params);
+  json::Json edits_json(const FileEdits& edits);
+  json::Json place_json(const EditorPlace& place);
+
+  LanguageService service_;
+  Send send_;
+  FileUris uris_;
+  std::map<std::string, json::Json> versions_;  ///< of open files
+  bool initialized_ = false, shut_down_ = false, ended_ = false;
+
+  std::mutex mutex_;  ///< guards what follows
+  std::condition_variable arrived_;
+  std::deque<std::string> messages_;
+  std::vector<std::string> cancelled_;  ///< identifiers as JSON text
+  bool closed_ = false;
+};
+
+}  // namespace stepwire::language

@@ -1,0 +1,86 @@
+#include "engine/app/language/text_places.hpp"
+
+#include <algorithm>
+
+#include "engine/base/text/characters.hpp"
+
+namespace stepwire::language {
+
+namespace {
+
+/// Units of UTF-16 of a character that has so many bytes in UTF-8.
+int utf16_units(std::size_t bytes) {
+  return bytes == 4 ? 2 : 1;
+}
+
+std::size_t next(std::string_view text, std::size_t at) {
+  return std::max<std::size_t>(1, text::utf8_length(text.substr(at)));
+}
+
+}  // namespace
+
+std::size_t TextPlaces::offset(const EditorPosition& position) const {
+  std::size_t at = lines_.position({std::max(0, position.line) + 1, 1});
+  for (int units = 0; units < position.character && at < text_.size();) {
+    if (text_[at] == '\n' || text_.substr(at).starts_with("\r\n")) break;
+    const std::size_t bytes = next(text_, at);
+    units += utf16_units(bytes);
+    if (units <= position.character) at += bytes;  // between the halves of a character is before it
+  }
+  return at;
+}
+
+EditorPosition TextPlaces::position(std::size_t offset) {
+  offset = std::min(offset, text_.size());
+  const int line = lines_.mark(offset).line;
+  EditorPosition position{line - 1, 0};
+  for (std::size_t at = lines_.position({line, 1}); at < offset;) {
+    const std::size_t bytes = next(text_, at);
+    position.character += utf16_units(bytes);
+    at += bytes;
+  }
+  return position;
+}
+
+namespace {
+
+constexpr std::size_t bytes_of_step = 256;
+
+/// Of the character that begins with this byte; none of a byte inside of one.
+std::size_t units_from(char byte) {
+  const auto first = static_cast<unsigned char>(byte);
+  return (first & 0xc0) == 0x80 ? 0 : first >= 0xf0 ? 2 : 1;
+}
+
+}  // namespace
+
+Utf16Places::Utf16Places(std::string_view text) : text_(text) {
+  std::size_t count = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (at % bytes_of_step == 0) steps_.push_back(count);
+    count += units_from(text[at]);
+  }
+  steps_.push_back(count);
+}
+
+std::size_t Utf16Places::units(std::size_t offset) const {
+  if (offset >= text_.size()) return steps_.back();
+  std::size_t count = steps_[offset / bytes_of_step];
+  for (std::size_t at = offset - offset % bytes_of_step; at < offset; ++at) count += units_from(text_[at]);
+  return count;
+}
+
+std::size_t Utf16Places::offset(std::size_t units) const {
+  const auto behind = std::upper_bound(steps_.begin(), steps_.end(), units);
+  const auto step = static_cast<std::size_t>(behind - steps_.begin()) - 1;
+  if (behind == steps_.end()) return text_.size();
+  std::size_t count = steps_[step], at = step * bytes_of_step;
+  for (std::size_t end = at; end < text_.size(); ++end) {
+    count += units_from(text_[end]);
+    if (units_from(text_[end]) > 0) at = end;
+    if (count > units) break;
+  }
+  return at;
+}
+
+}  // namespace stepwire::language

@@ -1,0 +1,223 @@
+#include "engine/app/language/tree_edits.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "engine/app/language/written_value.hpp"
+#include "engine/base/yaml/text_extent.hpp"
+
+namespace stepwire::language {
+
+namespace {
+
+bool same(const yaml::Node& a, const yaml::Node& b) {
+  const auto same_entry = [](const yaml::Entry& one, const yaml::Entry& other) {
+    return one.key == other.key && same(one.value, other.value);
+  };
+  return a.kind == b.kind && a.quoted == b.quoted && a.text == b.text &&
+         std::ranges::equal(a.items, b.items, same) && std::ranges::equal(a.entries, b.entries, same_entry);
+}
+
+yaml::Entry entry_of(const std::string& key, yaml::Node value) {
+  return {.key = key, .mark = {}, .value = std::move(value)};
+}
+
+}  // namespace
+
+TreeEdits::TreeEdits(std::string_view text, const yaml::Document& document)
+    : text_(text),
+      document_(document),
+      places_(text),
+      line_break_(text.find("\r\n") == std::string_view::npos ? "\n" : "\r\n") {
+  note_parents(document.root);
+}
+
+void TreeEdits::note_parents(const yaml::Node& node) {
+  const auto note = [&](const yaml::Node& child) {
+    parents_[&child] = &node;
+    note_parents(child);
+  };
+  for (const yaml::Node& item : node.items) note(item);
+  for (const yaml::Entry& entry : node.entries) note(entry.value);
+}
+
+bool TreeEdits::is_flow(const yaml::Node& node) const {
+  const std::size_t at = places_.offset(node.mark);
+  return (node.is_map() || node.is_list()) && at < text_.size() && (text_[at] == '{' || text_[at] == '[');
+}
+
+bool TreeEdits::stands_in_flow(const yaml::Node& node) const {
+  const auto parent = parents_.find(&node);
+  return parent != parents_.end() && is_flow(*parent->second);
+}
+
+void TreeEdits::replace(const yaml::Node& value, const std::string& text) {
+  const TextRange range = places_.range(value);
+  const char first = range.from < text_.size() ? text_[range.from] : ' ';
+  const bool has_quotes = value.is_scalar() && (first == '"' || first == '\'');
+  WrittenValue put = written_value(text, stands_in_flow(value), has_quotes ? first : '\0');
+  const std::size_t behind = text_.find_first_not_of(" \t", range.to);
+  const bool is_left_out =
+      value.kind == yaml::Node::Kind::empty && text_.substr(std::min(behind, text_.size())).starts_with(':');
+  splices_.push_back(is_left_out ? Splice{{behind + 1, behind + 1}, " " + put.text}
+                                 : Splice{range, put.text});
+  replaced_[&value] = std::move(put.node);
+}
+
+std::string TreeEdits::indent(const yaml::Node& node) const {
+  return std::string(static_cast<std::size_t>(std::max(1, node.mark.column) - 1), ' ');
+}
+
+std::size_t TreeEdits::line_start(std::size_t at) const {
+  const std::size_t before = at == 0 ? std::string_view::npos : text_.rfind('\n', at - 1);
+  return before == std::string_view::npos ? 0 : before + 1;
+}
+
+std::size_t TreeEdits::line_end(std::size_t at) const {
+  const std::size_t end = std::min(text_.find('\n', at), text_.size());
+  return end > at && text_[end - 1] == '\r' ? end - 1 : end;
+}
+
+std::size_t TreeEdits::value_end(const yaml::Node& value, std::size_t key_end) const {
+  if (value.kind == yaml::Node::Kind::empty) return std::max(key_end, places_.offset(value.end));
+  std::size_t at = text_.find_first_not_of(": \t", key_end);
+  if (at != std::string_view::npos && text_[at] == '*')
+    return yaml::word_end(text_, at);  // it stands elsewhere
+  std::size_t end = places_.offset(value.end);
+  if (is_flow(value)) return end;
+  for (const Child& child : children(value)) end = std::max(end, child.range.to);
+  return end;
+}
+
+std::vector<TreeEdits::Child> TreeEdits::children(const yaml::Node& node) const {
+  std::vector<Child> all;
+  for (const yaml::Entry& entry : node.entries) {
+    const TextRange key = places_.key_range(entry);
+    all.push_back({&entry, {key.from, value_end(entry.value, key.to)}});
+  }
+  for (const yaml::Node& item : node.items) {
+    const std::size_t from = places_.offset(item.mark);
+    all.push_back({&item, {from, value_end(item, from)}});
+  }
+  return all;
+}
+
+void TreeEdits::append(const yaml::Node& parent, const std::string& text) {
+  const auto all = children(parent);
+  if (is_flow(parent)) {
+    const std::size_t at = all.empty() ? places_.offset(parent.end) - 1 : all.back().range.to;
+    return splices_.push_back({{at, at}, (all.empty() ? "" : ", ") + text});
+  }
+  if (all.empty()) throw EditRefused("there is no list or map here yet; write it in the text");
+  const std::size_t at = line_end(all.back().range.to);
+  splices_.push_back({{at, at}, line_break_ + indent(parent) + (parent.is_list() ? "- " : "") + text});
+}
+
+void TreeEdits::add(const yaml::Node& map, const std::string& key, const std::string& text) {
+  WrittenValue put = written_value(text, is_flow(map));
+  append(map, key + ": " + put.text);
+  added_[&map].push_back(entry_of(key, std::move(put.node)));
+}
+
+void TreeEdits::add_map(const yaml::Node& map, const std::string& key, const Keys& keys) {
+  const bool in_lines = !is_flow(map) && !map.entries.empty() && map.entries.back().value.is_map() &&
+                        !is_flow(map.entries.back().value);
+  const yaml::Node* last = map.entries.empty() ? nullptr : &map.entries.back().value;
+  std::string text = key + (in_lines ? ":" : ": {");
+  yaml::Node value{.kind = yaml::Node::Kind::map};
+  for (const auto& [name, content] : keys) {
+    WrittenValue put = written_value(content, !in_lines);
+    text += in_lines ? line_break_ + indent(*last) : value.entries.empty() ? "" : ", ";
+    text += name + ": " + put.text;
+    value.entries.push_back(entry_of(name, std::move(put.node)));
+  }
+  append(map, in_lines ? text : text + "}");
+  added_[&map].push_back(entry_of(key, std::move(value)));
+}
+
+void TreeEdits::add_item(const yaml::Node& list, const std::string& text) {
+  WrittenValue put = written_value(text, is_flow(list));
+  append(list, put.text);
+  added_items_[&list].push_back(std::move(put.node));
+}
+
+void TreeEdits::remove(const yaml::Node& map, const yaml::Entry& entry) {
+  removed_.insert(&entry);
+  with_removals_.insert(&map);
+}
+
+void TreeEdits::remove_item(const yaml::Node& list, const yaml::Node& item) {
+  removed_.insert(&item);
+  with_removals_.insert(&list);
+}
+
+void TreeEdits::remove_in_flow(const std::vector<Child>& all, std::vector<Splice>& splices) const {
+  const auto is_removed = [&](std::size_t i) { return removed_.contains(all[i].id); };
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!is_removed(i)) continue;
+    std::size_t next = i + 1;
+    while (next < all.size() && is_removed(next)) ++next;
+    const std::size_t from = next == all.size() && i > 0 ? all[i - 1].range.to : all[i].range.from;
+    splices.push_back({{from, next == all.size() ? all.back().range.to : all[next].range.from}, ""});
+    i = next;
+  }
+}
+
+void TreeEdits::remove_line(const yaml::Node& parent, const std::vector<Child>& all, std::size_t index,
+                            std::vector<Splice>& splices) const {
+  const TextRange& range = all[index].range;
+  std::size_t from = line_start(range.from);
+  const std::string_view before = text_.substr(from, range.from - from);
+  const std::size_t dash = parent.is_list() ? before.find('-') : std::string_view::npos;
+  const bool is_alone = before.find_first_not_of(' ') == dash &&
+                        (!parent.is_list() || before.find_first_not_of(' ', dash + 1) == before.npos);
+  if (is_alone) {
+    const std::size_t end = std::min(text_.find('\n', range.to), text_.size());
+    const bool is_last_line = end == text_.size();
+    if (is_last_line && from > 0) from -= text_.substr(0, from).ends_with("\r\n") ? 2 : 1;
+    return splices.push_back({{from, is_last_line ? end : end + 1}, ""});
+  }
+  if (index + 1 == all.size())
+    throw EditRefused("this stands in one line with others; change it in the text");
+  splices.push_back({{range.from, all[index + 1].range.from}, ""});
+}
+
+void TreeEdits::add_removals(const yaml::Node& node, std::vector<Splice>& splices) const {
+  const auto all = children(node);
+  if (is_flow(node)) return remove_in_flow(all, splices);
+  const bool none_left =
+      std::ranges::all_of(all, [&](const Child& one) { return removed_.contains(one.id); });
+  if (none_left)
+    return splices.push_back({{places_.offset(node.mark), all.back().range.to}, node.is_map() ? "{}" : "[]"});
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (removed_.contains(all[i].id)) remove_line(node, all, i, splices);
+}
+
+yaml::Node TreeEdits::expected(const yaml::Node& node) const {
+  if (const auto put = replaced_.find(&node); put != replaced_.end()) return put->second;
+  yaml::Node now{.kind = node.kind, .quoted = node.quoted, .text = node.text};
+  for (const yaml::Node& item : node.items)
+    if (!removed_.contains(&item)) now.items.push_back(expected(item));
+  for (const yaml::Entry& entry : node.entries)
+    if (!removed_.contains(&entry)) now.entries.push_back(entry_of(entry.key, expected(entry.value)));
+  if (const auto more = added_.find(&node); more != added_.end())
+    std::ranges::copy(more->second, std::back_inserter(now.entries));
+  if (const auto more = added_items_.find(&node); more != added_items_.end())
+    std::ranges::copy(more->second, std::back_inserter(now.items));
+  return now;
+}
+
+std::vector<Splice> TreeEdits::checked() const {
+  std::vector<Splice> splices = splices_;
+  for (const yaml::Node* node : with_removals_) add_removals(*node, splices);
+  std::ranges::sort(splices, {}, &Splice::range);
+  try {
+    const yaml::Document after = yaml::parse_document(spliced(text_, splices), "");
+    if (same(after.root, expected(document_.root))) return splices;
+  } catch (const yaml::Error& error) {
+    throw EditRefused(std::string("the file could not be read any more: ") + error.what());
+  }
+  throw EditRefused("this would change more of the file than it should; change it in the text");
+}
+
+}  // namespace stepwire::language

@@ -1,0 +1,85 @@
+#include "engine/app/studio/gallery.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <filesystem>
+
+#include "blocks/register.hpp"
+#include "engine/app/studio/diagram_files.hpp"
+#include "engine/app/studio/fault.hpp"
+#include "engine/app/studio/named_files.hpp"
+#include "engine/base/io/file.hpp"
+#include "tests/engine/app/cli/program.hpp"
+
+namespace stepwire::studio {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Writes a copy; returns its path.
+std::string copied(const std::string& diagram, const Scratch& folder, const std::string& name) {
+  const std::vector<CopiedFile> files = copies_of(diagram, folder.path(name));
+  for (const CopiedFile& file : files) io::write_file(file.path, file.text);
+  return files.front().path;
+}
+
+bool lies_in(const std::string& path, const Scratch& folder) {
+  return path.starts_with(folder.path("")) || (!data_folder().empty() && path.starts_with(data_folder()));
+}
+
+}  // namespace
+
+TEST_CASE("the gallery holds the examples and the figures of the thesis with their titles") {
+  const std::vector<GalleryEntry> entries = gallery();
+  const auto count = [&](const std::string& group) {
+    return std::ranges::count(entries, group, &GalleryEntry::group);
+  };
+  CHECK(count("examples") > 50);
+  CHECK(count("thesis") > 45);
+  for (const GalleryEntry& entry : entries) {
+    INFO(entry.name);
+    CHECK_FALSE(entry.title.empty());
+    CHECK(entry.caption.find('\n') == std::string::npos);
+  }
+}
+
+TEST_CASE("a copy of any entry of the gallery consists of the same documents, all in its own folder") {
+  const Scratch folder;
+  for (const GalleryEntry& entry : gallery()) {
+    INFO(entry.path);
+    const std::string copy = copied(entry.path, folder, entry.name + ".yaml");
+    DiagramFiles original(entry.path, DraftStore("")), files(copy, DraftStore(""));
+    const auto documents = files.documents(copy);
+    CHECK(documents.size() == original.documents(entry.path).size());
+    for (const yaml::Document& document : documents)
+      for (const NamedFile& named : named_files(document)) {
+        INFO(named.path);
+        CHECK(lies_in(named.path, folder));
+      }
+  }
+}
+
+TEST_CASE("copies load, with parts in parts, with parts of one name, and beside each other") {
+  const Registry registry = blocks();
+  const Scratch folder;
+  const auto entries = gallery();
+  for (const std::string& name :
+       std::vector<std::string>{"72-figure-of-eight", "11-parts-in-parts", "10-a-part"}) {
+    const auto entry = std::ranges::find(entries, name, &GalleryEntry::name);
+    REQUIRE(entry != entries.end());
+    CHECK_NOTHROW(diagram::Loader(registry).load(copied(entry->path, folder, name + ".yaml")));
+  }
+  const std::string part = "stepwire: 1\noutputs: {y: one}\nblocks:\n  one: {block: Constant, value: 1}\n";
+  io::write_file(folder.path("from/a/part.yaml"), part);
+  io::write_file(folder.path("from/b/part.yaml"), part + "  two: {block: Constant, value: 2}\n");
+  io::write_file(folder.path("from/top.yaml"),
+                 "stepwire: 1\nstep: 1 ms\nstop: 1 s\nblocks:\n  a: {diagram: a/part.yaml}\n"
+                 "  b: {diagram: \"b/part.yaml\"}\n  c: {diagram: a/part.yaml}\nrecord: [a.y, b.y, c.y]\n");
+  const auto files = copies_of(folder.path("from/top.yaml"), folder.path("to/top.yaml"));
+  CHECK(files.size() == 3);
+  const std::string copy = copied(folder.path("from/top.yaml"), folder, "to/top.yaml");
+  CHECK(diagram::Loader(registry).load(copy).blocks.size() == 4);
+}
+
+}  // namespace stepwire::studio
