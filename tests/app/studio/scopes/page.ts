@@ -18,7 +18,7 @@ const number = (name: string, otherwise: number) => Number(given[name] ?? otherw
 const shape = {signals: number("signals", 12), scopes: number("scopes", 2), perScope: number("per", 3), step: 0.001, seconds: number("seconds", 120)};
 const connection = new FakeConnection(shape), notices = new Notices(), settings = new Settings(connection);
 const context: Context = {
-  connection, settings, run: new RunModel(connection), shortcuts: new Shortcuts(), theme: new Theme(), workbench: undefined as never,
+  connection, settings, run: new RunModel(connection), shortcuts: new Shortcuts(), theme: new Theme(), workbench: {nameOf: () => "cart.yaml"} as never,
   notify: (text, kind) => notices.notify(text, kind), announce: (text) => notices.announce(text), show: () => {},
 };
 const place = (name: string) => document.body.appendChild(Object.assign(document.createElement("div"), {className: name}));

@@ -262,13 +262,32 @@ test("two fingers stretch time and move it", options, () => at(5, async (page) =
 
 test("scopes are there again after the page is loaded anew, and those of the file on demand", options, () => at(1, async (page) => {
   await page.evaluate(() => studio.board.addSource(undefined, "rig.sensor[7]"));
-  await page.waitForFunction(() => JSON.parse(localStorage.getItem("state") ?? "{}").scopes?.scopes.length === 3);
+  await page.waitForFunction(() => JSON.parse(localStorage.getItem("state") ?? "{}")["scopes cart.yaml"]?.scopes.length === 3);
   await page.reload();
   await page.waitForFunction(() => window.studio?.board.scopes.length === 3);
   await page.waitForFunction(() => studio.board.scopes[2].traces[0].column === 7);
   await page.getByRole("button", {name: "More about scopes"}).click();
   await page.getByRole("menuitem", {name: "The scopes of the file again"}).click();
   assert.equal(await page.evaluate(() => studio.board.scopes.length), 2);
+}));
+
+test("scopes follow the figures of the text until they are changed by hand", options, () => at(1, async (page) => {
+  const reload = (title) => page.evaluate(async (text) => {
+    const {connection, run} = studio.context, call = Object.getPrototypeOf(connection).call;
+    connection.call = async (name, args) => {
+      const result = await call.apply(connection, [name, args]);
+      if (name === "run.load") result.scopes[0].title = text;
+      return result;
+    };
+    await run.load(1);
+  }, title);
+  await page.evaluate(() => studio.board.shared.window.zoom(0.5, 1, 1));
+  await reload("Of the text");
+  await page.waitForFunction(() => studio.board.scopes[0].name === "Of the text");
+  await page.evaluate(() => studio.board.addSource(studio.board.scopes[0], "rig.sensor[7]"));
+  await reload("Of another text");
+  await page.waitForTimeout(200);
+  assert.deepEqual(await page.evaluate(() => [studio.board.scopes[0].name, studio.board.scopes[0].traces.length]), ["Of the text", 4]);
 }));
 
 test("texts of a diagram are no markup, wherever they are shown", options, () => at(0.5, async (page) => {

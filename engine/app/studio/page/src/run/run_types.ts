@@ -27,6 +27,8 @@ export interface TraceSpec {
   unit: string;
   scale: number;
   offset?: number;
+  /** The expression with its unit, as scope.signal takes it. */
+  source?: string;
 }
 
 export interface ScopeSpec {

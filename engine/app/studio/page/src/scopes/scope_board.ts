@@ -7,21 +7,22 @@ import {BoardBar} from "./board_bar";
 import {speechOf} from "./cursor_speech";
 import {Cursors} from "./cursors";
 import {takeDrops} from "./drops";
-import {layoutOf, restore} from "./board_layout";
-import {addressOf, type KeptLayout, layoutOfAddress, readLayout} from "./kept_layout";
+import {BoardFilling} from "./board_filling";
+import {layoutOf} from "./board_layout";
+import {addressOf} from "./kept_layout";
 import {copyText} from "./hand_over";
 import {traceColors} from "./palette";
 import {Pins} from "./pins";
-import {resolve, resolveAgain} from "./resolve";
+import {resolve} from "./resolve";
 import {Scope, type ScopeHost} from "./scope";
 import type {Shared} from "./shared";
 import {SignalList} from "./signal_list";
 import {StatisticsTable} from "./statistics_table";
 import {Ticker} from "./ticker";
 import {TimeWindow} from "./time_window";
-import {traceOf} from "./trace";
 
-const usualWidth = 10, key = "scopes", spoken = 250;
+/** How long the cursors rest before they are said [ms]. */
+const spoken = 250;
 
 /** All scopes of the page, with what they share: the stretch of time, cursors, pinned runs, a fan. */
 export class ScopeBoard implements View, ScopeHost {
@@ -32,6 +33,7 @@ export class ScopeBoard implements View, ScopeHost {
   private readonly statistics: StatisticsTable;
   private readonly bar: BoardBar;
   private readonly ticker: Ticker;
+  private readonly filling = new BoardFilling(this);
   private readonly ends: (() => void)[];
   private readonly sight = new IntersectionObserver((entries) => this.see(entries));
   private isShown = true;
@@ -46,7 +48,7 @@ export class ScopeBoard implements View, ScopeHost {
     };
     this.shared = {
       context, redraw, tick, fan: undefined, colors: [], look: {ink: "", line: "", font: ""}, sides: 1, now: 0, hover: undefined, keep: () => this.keep(),
-      cursors: new Cursors(() => this.moved()), window: new TimeWindow(usualWidth, () => { redraw(); this.keep(); }),
+      cursors: new Cursors(() => this.moved()), window: new TimeWindow(10, () => { redraw(); this.keep(); }),
       pins: new Pins(context.connection, () => { this.bar.update(); redraw(); }),
     };
     this.ticker = new Ticker(() => run.clock.moves, (at, isLast) => this.draw(at, isLast), () => context.theme.isStill);
@@ -136,8 +138,12 @@ export class ScopeBoard implements View, ScopeHost {
 
   /** The scopes of the file, as if nothing had been changed. */
   reset(): void {
-    this.context.settings.set(key, null);
-    if (this.context.run.loaded) this.takeFile(this.context.run.loaded);
+    if (this.context.run.loaded) this.filling.reset(this.context.run.loaded);
+  }
+
+  /** Takes all scopes away. */
+  clear(): void {
+    for (const scope of [...this.scopes]) this.remove(scope);
   }
 
   copyAddress(): void {
@@ -146,40 +152,15 @@ export class ScopeBoard implements View, ScopeHost {
 
   private keep(): void {
     this.bar.update();
-    if (!this.isFilling) this.context.settings.set(key, layoutOf(this));
+    this.filling.keep();
   }
-  private isFilling = false;
 
-  /** Another load: the same scopes where there are some, or the kept ones, or those of the file. */
   private async load(loaded: Loaded): Promise<void> {
     this.signals.fill(loaded.columns);
     this.shared.fan = undefined;
-    const kept = layoutOfAddress(location.hash) ?? readLayout(this.context.settings.get<unknown>(key, null));
-    if (this.scopes.length === 0 && !kept) this.takeFile(loaded);
-    else {
-      if (this.scopes.length === 0) this.restore(kept!);
-      await Promise.all(this.scopes.map(async (scope) =>
-        scope.replaceTraces(await Promise.all(scope.traces.map((trace) => resolveAgain(trace, loaded.columns, this.context.connection))))));
-    }
+    await this.filling.load(loaded);
     this.moved();
     this.bar.update();
-  }
-
-  private takeFile({scopes, columns, stop}: Loaded): void {
-    this.isFilling = true;
-    for (const scope of [...this.scopes]) this.remove(scope);
-    this.shared.window.follow(stop !== null && stop <= 2 * usualWidth ? stop : usualWidth);
-    for (const {title, traces} of scopes) {
-      const scope = this.open(title || traces[0]?.label);
-      traces.forEach((spec, i) => scope.add(traceOf(spec, columns, i)));
-    }
-    this.isFilling = false;
-  }
-
-  private restore(kept: KeptLayout): void {
-    this.isFilling = true;
-    restore(this, kept);
-    this.isFilling = false;
   }
 
   private draw(at: number, isLast: boolean): void {

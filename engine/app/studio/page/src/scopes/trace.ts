@@ -27,7 +27,7 @@ export function traceOf(spec: TraceSpec, columns: Column[], style: number): Trac
   const column = columns.find((one) => one.column === spec.column);
   const unit = {text: spec.unit, scale: spec.scale, offset: spec.offset ?? 0};
   const isSi = unit.scale === 1 && unit.offset === 0 && (!column || unit.text === column.unit);
-  const source = !column ? spec.label : isSi ? column.name : `${column.name} in ${unit.text}`;
+  const source = spec.source ?? (!column ? spec.label : isSi ? column.name : `${column.name} in ${unit.text}`);
   return {source, column: spec.column, label: spec.label || source, unit: isSi ? undefined : unit, si: column?.unit ?? spec.unit, style};
 }
 
