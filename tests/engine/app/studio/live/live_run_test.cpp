@@ -269,7 +269,12 @@ TEST_CASE("a fan has the run of each value, with what is set beside it") {
   const Json& last = at(*middle.find("columns"), 0).items().back();
   const Json end = studio.call("data.statistics", R"({"from": 3, "to": 3, "columns": [0]})");
   CHECK(last.as_number() == at(*end.find("statistics"), 0).find("last")->as_number());
-  CHECK_THROWS(studio.call("fan", R"({"name": "mass", "low": -1, "high": 3, "count": 3, "columns": [0]})"));
+  const Json half =
+      studio.call("fan", R"({"name": "mass", "low": -1, "high": 3, "count": 3, "columns": [0]})");
+  CHECK(half.find("points")->items().size() == 2);
+  CHECK_THROWS_WITH(
+      studio.call("fan", R"({"name": "mass", "low": -3, "high": -1, "count": 3, "columns": [0]})"),
+      Catch::Contains("mass"));
 }
 
 TEST_CASE("inputs of a page that has gone have their defaults") {
