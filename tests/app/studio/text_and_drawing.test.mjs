@@ -6,9 +6,9 @@ import {dirname, join} from "node:path";
 import {test} from "node:test";
 import {fileURLToPath} from "node:url";
 
-const here = dirname(fileURLToPath(import.meta.url));
-const built = process.env.STEPWIRE_STUDIO_PAGE ?? join(here, "../../../engine/app/studio/page/dist");
-const missing = !existsSync(join(built, "index.html")) ? "the studio's page is not built: npx vite build in engine/app/studio/page"
+const root = join(dirname(fileURLToPath(import.meta.url)), "../../..");
+const built = [process.env.STUDIO_PAGE, join(root, "build/studio"), join(root, "engine/app/studio/page/dist")].find((one) => one && existsSync(join(one, "index.html")));
+const missing = !built ? "the studio's page is not built: npx vite build in engine/app/studio/page"
   : !existsSync(process.env.CHROMIUM ?? "/usr/bin/chromium") ? "chromium is not installed; on Debian it is the package chromium" : false;
 const {openPage} = await import("./scene_page.mjs").catch(() => ({}));
 const skip = openPage ? missing : "playwright-core is not installed: npm ci in tests/app/studio";
@@ -32,7 +32,10 @@ class Diagram {
     return {
       files: () => ({files: [{file: 0, name: "test.yaml", writable: true, part: false}]}),
       open: () => ({name: "test.yaml", text: this.saved, hash: this.saved, draft: this.text === this.saved ? null : this.text, version: this.version}),
-      edit: ({changes}) => this.edit(changes),
+      edit: ({version, changes}) => {
+        if (version === this.version) return this.edit(changes);
+        throw Object.assign(new Error("the text was changed meanwhile"), {current: {text: this.text, version: this.version}});
+      },
       graph: () => this.graph(),
       save: ({hash}) => (hash === this.saved ? {hash: (this.saved = this.text)} : {conflict: {text: this.saved, hash: this.saved}}),
       splice: ({edit}) => this.splice(edit),
