@@ -139,8 +139,12 @@ export class Workbench {
     return this.active?.file === file ? this.view : undefined;
   }
 
+  get openDocuments(): Document[] {
+    return [...this.documents.values()];
+  }
+
   get changedFiles(): Document[] {
-    return [...this.documents.values()].filter((document) => document.isChanged);
+    return this.openDocuments.filter((document) => document.isChanged);
   }
 
   private stateOf(document: Document, text: string): EditorState {
