@@ -1,4 +1,5 @@
-// More than 300 lines with its header: the only source that includes Beast and Asio, which take long to compile.
+// More than 300 lines with its header: the only source that includes Beast and Asio, which take long to
+// compile.
 #include "engine/app/studio/http/http_server.hpp"
 
 #include <boost/asio/io_context.hpp>
@@ -94,6 +95,8 @@ class Server::Page : public std::enable_shared_from_this<Page> {
     stream_.set_option(ws::stream_base::timeout{limits.handshake, 2 * limits.ping, true});
     stream_.read_message_max(limits.message);
     stream_.auto_fragment(false);
+    stream_.set_option(ws::stream_base::decorator(
+        [](ws::response_type& response) { response.erase(beast::http::field::server); }));
   }
   ~Page() {
     if (server_.pages_.erase(number_) > 0) server_.site_.left(number_);
