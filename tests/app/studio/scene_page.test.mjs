@@ -8,7 +8,9 @@ import {fileURLToPath} from "node:url";
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), "../../..");
 const folder = [process.env.STUDIO_PAGE, join(root, "build/studio"), join(root, "engine/app/studio/page/dist")].find((one) => one && existsSync(join(one, "index.html")));
-const skip = folder === undefined ? "the page is not built" : !existsSync(join(dirname(fileURLToPath(import.meta.url)), "node_modules")) && "npm ci was not run in tests/app/studio";
+const here = dirname(fileURLToPath(import.meta.url)), browser = process.env.CHROMIUM ?? "/usr/bin/chromium";
+const skip = folder === undefined ? "the page is not built" : !existsSync(join(here, "node_modules")) ? "playwright-core is not installed: npm ci in tests/app/studio"
+  : !existsSync(browser) && "there is no browser; on Debian it is the package chromium";
 const {openPage} = skip ? {} : await import("./scene_page.mjs");
 
 const loaded = {run: 1, step: 0.001, stop: 1, columns: [], parameters: [], scopes: [], inputs: [], scene: false, figures: 0, claims: []};
