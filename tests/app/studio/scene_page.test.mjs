@@ -8,7 +8,7 @@ import {fileURLToPath} from "node:url";
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), "../../..");
 const folder = [process.env.STUDIO_PAGE, join(root, "build/studio"), join(root, "engine/app/studio/page/dist")].find((one) => one && existsSync(join(one, "index.html")));
-const here = dirname(fileURLToPath(import.meta.url)), browser = process.env.CHROMIUM ?? "/usr/bin/chromium";
+const here = dirname(fileURLToPath(import.meta.url)), browser = process.env.STEPWIRE_CHROMIUM ?? "/usr/bin/chromium";
 const skip = folder === undefined ? "the page is not built" : !existsSync(join(here, "node_modules")) ? "playwright-core is not installed: npm ci in tests/app/studio"
   : !existsSync(browser) && "there is no browser; on Debian it is the package chromium";
 const {openPage} = skip ? {} : await import("./scene_page.mjs");
