@@ -9,7 +9,8 @@ void WallSense::declare(Declare<WallSense>& is) {
       "WallSense",
       {.doc = "What a hand feels of the walls of a corridor that only resist, and so do not push it back to "
               "its middle: that it is outside, where more resists than a free motion meets, and on which "
-              "side, by whether it moved outward as this began, and whether resistance rises with the way "
+              "side, by whether it moved outward as this began, if it has entered the wall then, and whether "
+              "resistance rises with the way "
               "that it has gone outward since, or with that inward. `measured` is the distance from the "
               "middle that is expected "
               "from this, its precision counts the other side in. Inside of the corridor nothing is said.",
@@ -27,6 +28,10 @@ void WallSense::declare(Declare<WallSense>& is) {
                                    .above = 0.0,
                                    .required = true});
   is.parameter<&WallSense::half>({.unit = "m", .doc = "half the width of the corridor", .at_least = 0.0});
+  is.parameter<&WallSense::entered>(
+      {.doc = "probability that a wall that is felt was just entered, and is not felt again outside",
+       .at_least = 0.0,
+       .at_most = 1.0});
   is.input<&WallSense::resistance>({.unit = "N", .doc = "as felt, F"});
   is.input<&WallSense::free>({.unit = "N", .doc = "that a free motion meets, as learnt before, E"});
   is.input<&WallSense::rate>({.unit = "m/s", .doc = "at which the hand moves outward, as felt"});
@@ -34,7 +39,7 @@ void WallSense::declare(Declare<WallSense>& is) {
   is.output<&WallSense::side>({.doc = "1: surely outward, -1: surely inward, 0: not known"});
   is.output<&WallSense::measured>({.unit = "m", .doc = "distance outward from the middle that is expected"});
   is.output<&WallSense::precision>({.unit = "1/m^2", .doc = "of that; 0: nothing is felt"});
-  is.state<&WallSense::odds>({.doc = "logarithm of the odds at the last tick", .settable = false});
+  is.state<&WallSense::first>({.doc = "logarithm of the odds as it was felt first", .settable = false});
   is.state<&WallSense::way>(
       {.unit = "m", .doc = "way outward since it left the corridor", .settable = false});
   is.state<&WallSense::since>({.unit = "s", .doc = "time since then; 0: inside", .settable = false});

@@ -8,21 +8,27 @@
 namespace stepwire {
 
 /// What the resistance F to a motion tells of the side on which one has left a corridor. F stands out from
-/// the resistance E of a free motion where F > E + just (weber E + threshold). With the way r that was felt
-/// outward since then, the logarithm of the odds of the outer side, l, is
+/// the resistance E of a free motion where F > E + just (weber E + threshold). A wall that is felt was
+/// entered with the probability `entered`; else it was there before, and is felt again since the push has
+/// turned (law D2 of thesis 3.4.2 resists no push inward), which tells nothing of its side. With the way r
+/// that was felt outward since then the odds of the outer side are P/(1 - P) exp(l), where
 ///
-///     on leaving:  l = 1.702 rate/wrong (the normal distribution of a rate of error `wrong`),
-///     then:        l <- l + ((F - W(-r))^2 - (F - W(r))^2)/(2 (weber F)^2 + 2 (slope wrong t)^2),
+///     P = 1/2 + entered (1/(1 + exp(-1.702 rate/wrong)) - 1/2)  (a rate with a normal error `wrong`),
+///     l = ((F - W(-r))^2 - (F - W(r))^2)/(2 e^2 + 2 (slope wrong t)^2),
+///     e^2 = (weber F)^2 + threshold^2 + E^2.
 ///
-/// where W(r) = offset + slope max(0, r) is what the wall would resist by then, a time t after. With
-/// side = tanh(l/2) and d = (F - offset)/slope the hand is at side (half + d), with the variance of the other
-/// side and of the felt force.
+/// W(r) = offset + slope max(0, r) is what the wall would resist by then, a time t after. How much of F is
+/// that of a free motion cannot be felt, hence E in its error e. All errors last as long as the wall is felt,
+/// so that what was felt before adds nothing to what is felt now. With side = tanh of half the logarithm of
+/// the odds and d = (F - offset)/slope the hand is at side (half + d), with the variance of the other side
+/// and of the felt force.
 struct WallSense {
   double weber = 0.1, threshold = 0.0, just = 3.0, wrong = 1.0;
   double offset = 0.0, slope = 1.0, half = 0.0;
+  double entered = 1.0;
   Input<1> resistance{}, free{}, rate{};
   Output<1> outside{}, side{}, measured{}, precision{};
-  DiscreteState<1> odds{}, way{}, since{};  ///< l, r and t at the last tick; t is 0 inside
+  DiscreteState<1> first{}, way{}, since{};  ///< log(P/(1 - P)), r and t at the last tick; t is 0 inside
   Period period;
 
   void outputs() {
@@ -35,7 +41,7 @@ struct WallSense {
 
   void update() {
     const bool is = outside != 0.0;
-    odds = is ? now() : 0.0;
+    if (since == 0.0) first = is ? as_it_began() : 0.0;
     way = is && since > 0.0 ? moved() : 0.0;
     since = is ? since + period : 0.0;
   }
@@ -43,17 +49,24 @@ struct WallSense {
   static void declare(Declare<WallSense>& is);
 
  private:
-  double error() const { return std::hypot(weber * resistance, threshold); }
+  double error() const { return std::hypot(weber * resistance, threshold, static_cast<double>(free)); }
   double moved() const { return way + rate * period; }
   double wall(double out) const { return offset + slope * std::max(0.0, out); }
 
+  double as_it_began() const {
+    constexpr double logistic = 1.702;
+    const double p = 0.5 + entered * (1.0 / (1.0 + std::exp(-logistic * rate / wrong)) - 0.5);
+    return limited(std::log(p / (1.0 - p)));
+  }
+
   double now() const {
-    constexpr double logistic = 1.702, most = 8.0;
-    if (since == 0.0) return std::clamp(logistic * rate / wrong, -most, most);
+    if (since == 0.0) return as_it_began();
     const double outer = resistance - wall(moved()), inner = resistance - wall(-moved());
     const double doubt = slope * wrong * since, square = error() * error() + doubt * doubt;
-    return std::clamp(odds + (inner * inner - outer * outer) / (2.0 * square), -most, most);
+    return limited(first + (inner * inner - outer * outer) / (2.0 * square));
   }
+
+  static double limited(double odds) { return std::clamp(odds, -8.0, 8.0); }
 };
 
 }  // namespace stepwire

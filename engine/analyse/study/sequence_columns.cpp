@@ -9,15 +9,24 @@ namespace stepwire::study {
 
 namespace {
 
+/// A swept parameter has a column for the value that the first trial begins with.
+std::string column_of(const std::string& parameter, const diagram::Diagram& diagram) {
+  const bool swept =
+      diagram.sweep && std::ranges::find(diagram.sweep->axes, parameter, &diagram::Sweep::Axis::parameter) !=
+                           diagram.sweep->axes.end();
+  return swept ? "carried." + parameter : parameter;
+}
+
 /// One for each element of a parameter: "memory", or "memory.1", "memory.2".
 void add_carried_columns(const std::string& name, const diagram::Diagram& diagram,
                          std::vector<table::Column>& columns) {
   const auto& parameter = *std::ranges::find(diagram.parameters, name, &diagram::DiagramParameter::name);
   const std::string unit = parameter.dimension ? unit::si_name(*parameter.dimension) : "";
   const auto* list = std::get_if<Eigen::VectorXd>(&parameter.value.content);
-  if (!list) columns.push_back({name, unit, {}});
+  const std::string column = column_of(name, diagram);
+  if (!list) columns.push_back({column, unit, {}});
   for (Eigen::Index i = 1; list && i <= list->size(); ++i)
-    columns.push_back({fmt::format("{}.{}", name, i), unit, {}});
+    columns.push_back({fmt::format("{}.{}", column, i), unit, {}});
 }
 
 }  // namespace

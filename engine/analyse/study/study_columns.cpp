@@ -91,11 +91,11 @@ record::Recording errors_of(const Experiment& experiment, const StudyRequest& re
   return recording;
 }
 
+/// "thesis.HV" for each condition whose mean is published.
 std::vector<NamedValue> published_means(const StudyRequest& request) {
-  std::vector<NamedValue> values;
-  for (const std::string& condition : request.condition_names())
-    values.push_back({"thesis." + condition, value_of(request.published.means.values, condition)});
-  return values;
+  std::vector<NamedValue> means = request.published.means.values;
+  for (NamedValue& mean : means) mean.name = "thesis." + mean.name;
+  return means;
 }
 
 /// A row for each experiment.
@@ -161,7 +161,7 @@ class StudyNames {
     add("experiment", "1", outcome);
     for (const OutcomeColumn& column : outcome_columns(request_))
       add(column.name, column.unit.empty() ? "1" : column.unit, outcome);
-    for (const std::string& condition : request_.condition_names()) add("thesis." + condition, "1", outcome);
+    for (const NamedValue& mean : published_means(request_)) add(mean.name, "1", outcome);
   }
 
  private:

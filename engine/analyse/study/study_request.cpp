@@ -45,7 +45,6 @@ void check_sweep(const StudyRequest& request, const diagram::Diagram& diagram, y
   std::vector<std::string> own{request.subject_parameter, request.seed_parameter};
   for (const StudyCondition& condition : request.conditions)
     for (const diagram::Setting& setting : condition.settings) own.push_back(setting.name);
-  for (const CarriedValue& carried : request.carry) own.push_back(carried.parameter);
   for (const diagram::Sweep::Axis& axis : diagram.sweep->axes)
     if (std::find(own.begin(), own.end(), axis.parameter) != own.end())
       faults.add({diagram.place(axis.origin),

@@ -165,12 +165,16 @@ std::vector<diagram::Setting> TrialRuns::settings_of(const TrialRun& trial, cons
   std::vector<diagram::Setting> settings;
   if (!job_.points.empty()) settings = job_.settings_of(trial.study);
   settings.insert(settings.end(), condition.settings.begin(), condition.settings.end());
+  const auto put = [&](const diagram::Setting& setting) {  // in the place of a swept one
+    std::erase_if(settings, [&](const diagram::Setting& one) { return one.name == setting.name; });
+    settings.push_back(setting);
+  };
   const auto set = [&](const std::string& parameter, const std::string& value) {
-    settings.push_back({parameter, value, request_.place.file, request_.place.mark});
+    put({parameter, value, request_.place.file, request_.place.mark});
   };
   set(request_.subject_parameter, std::to_string(drawn_number({person, trial.seed, trial.subject})));
   set(request_.seed_parameter, std::to_string(noise_of(trial)));
-  settings.insert(settings.end(), handed.carried.begin(), handed.carried.end());
+  std::ranges::for_each(handed.carried, put);
   if (!request_.circle || !handed.circle) return settings;
   const auto set_length = [&](const std::string& name, double value) {
     set(name, text_of(parameter_of(job_.plan.diagram, name), {value}));

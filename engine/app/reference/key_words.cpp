@@ -99,10 +99,10 @@ std::string range_text(const yaml::Key& key) {
   const bool number = key.form == Form::whole || key.form == Form::number || key.form == Form::computed;
   if (!number) return "";
   const bool low = std::isfinite(key.least), high = std::isfinite(key.most);
-  if (low && high && key.least == key.most) return fmt::format("{:g}", key.least);
-  if (low && high) return fmt::format("{:.17g} to {:.17g}", key.least, key.most);
-  if (high) return fmt::format("{:g} or less", key.most);
-  if (low) return fmt::format(fmt::runtime(key.above ? "above {:g}" : "{:g} or more"), key.least);
+  if (low && high && key.least == key.most) return fmt::format("{}", key.least);
+  if (low && high) return fmt::format("{} to {}", key.least, key.most);
+  if (high) return fmt::format("{} or less", key.most);
+  if (low) return fmt::format(fmt::runtime(key.above ? "above {}" : "{} or more"), key.least);
   return "";
 }
 

@@ -5,12 +5,17 @@
 #include "engine/app/session/studies.hpp"
 #include "engine/base/hash/hash.hpp"
 #include "engine/base/io/file.hpp"
+#include "engine/simulate/blockset/blockset.hpp"
 
 namespace stepwire::session {
 
 std::string experiments_note(const LoadedModel& model) {
   static const std::string program = hash::hash_of(io::read_file("/proc/self/exe"));
-  return json::Json::object().set("study", study_key(model, false)).set("program", program).text() + "\n";
+  json::Json note = json::Json::object().set("study", study_key(model, false)).set("program", program);
+  std::vector<std::string> blocks;
+  for (const std::string& folder : model.blocksets) blocks.push_back(blockset::blockset_hash(folder));
+  if (!blocks.empty()) note.set("blocks", json::Json::list_of(blocks));
+  return note.text() + "\n";
 }
 
 KeptExperiments::KeptExperiments(const LoadedModel& model, const std::string& folder)

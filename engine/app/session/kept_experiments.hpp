@@ -8,8 +8,8 @@
 
 namespace stepwire::session {
 
-/// What the experiments of a model's study follow from but for their seeds: the study, and the program that
-/// makes them. A line of JSON.
+/// What the experiments of a model's study follow from but for their seeds: the study, the program that
+/// makes them, and blocks from outside. A line of JSON.
 std::string experiments_note(const LoadedModel& model);
 
 /// The experiments of a model's study that are done, kept in a folder as soon as each of them is

@@ -13,9 +13,9 @@ namespace {
 
 Json fault_json(const std::string& whole, Json fault = Json::object()) {
   if (fault.find("faults")) return fault.set("text", whole);  // each of them has its own cure
-  const yaml::Fault split{{}, "", whole, {}};
-  fault.set("text", split.wrong());
-  if (!split.cure().empty()) fault.set("cure", split.cure());
+  const yaml::Message split(whole);
+  fault.set("text", split.wrong);
+  if (!split.cure.empty()) fault.set("cure", split.cure);
   return fault;
 }
 

@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
-#include <limits>
 #include <map>
 #include <utility>
 
@@ -25,10 +23,6 @@ std::string label_of(const diagram::Diagram& diagram) {
     label += fmt::format("{}Table {}", label.empty() ? "" : " and ", *diagram.thesis.table);
   return label;
 }
-
-/// Tables of the thesis, and the figure behind which each stands in the text.
-constexpr std::array<std::pair<int, int>, 6> table_places{
-    {{1, 4}, {2, 26}, {3, 42}, {4, 43}, {5, 45}, {6, 46}}};
 
 /// What is drawn beside the figures of a file.
 gallery::GalleryPicture extra_picture(const std::string& file) {
@@ -53,13 +47,6 @@ gallery::GalleryPicture picture_of(const plot::Figure& figure) {
 }
 
 }  // namespace
-
-std::pair<int, int> place_of(const gallery::GalleryEntry& entry) {
-  if (entry.figure) return {*entry.figure, 0};
-  for (const auto& [table, figure] : table_places)
-    if (entry.table == table) return {figure, table};
-  return {std::numeric_limits<int>::max(), entry.table.value_or(0)};
-}
 
 /// A part that is used several times assumes the same each time.
 void add_assumption(const diagram::DiagramParameter& parameter,

@@ -24,8 +24,4 @@ void add_pictures(const session::LoadedModel& model, const std::vector<std::stri
 /// Everything in the folder of an entry that a reader may take along.
 void add_downloads(const std::string& out, gallery::GalleryEntry& entry);
 
-/// Where an entry stands in the thesis: behind which figure, and tables behind the figure itself; what is
-/// neither figure nor table comes last.
-std::pair<int, int> place_of(const gallery::GalleryEntry& entry);
-
 }  // namespace stepwire::thesis

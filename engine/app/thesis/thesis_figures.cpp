@@ -13,6 +13,7 @@
 #include "engine/app/session/kept_experiments.hpp"
 #include "engine/app/session/run_files.hpp"
 #include "engine/app/session/studies.hpp"
+#include "engine/app/thesis/thesis_contents.hpp"
 #include "engine/app/thesis/thesis_entry.hpp"
 #include "engine/app/thesis/thesis_print.hpp"
 #include "engine/base/hash/hash.hpp"
@@ -87,10 +88,10 @@ class Maker {
   }
 
   /// In the order of the thesis.
-  std::vector<gallery::GalleryEntry> entries() const {
+  std::vector<gallery::GalleryEntry> entries(const ThesisContents& contents) const {
     std::vector<gallery::GalleryEntry> entries;
     for (const ThesisFigure& figure : figures_) entries.push_back(figure.entry);
-    std::ranges::stable_sort(entries, {}, place_of);
+    std::ranges::stable_sort(entries, {}, [&](const auto& entry) { return contents.place_of(entry); });
     return entries;
   }
 
@@ -189,15 +190,10 @@ class Maker {
   session::Studies studies_;
 };
 
-constexpr const char* introduction =
-    "Every picture was computed by the diagram file on its page. Claims are checked on the recorded signals: "
-    "what "
-    "the thesis says of a figure, and what its pictures are said to show; invariants are what must hold "
-    "throughout: limits, energy, safety.";
-
-void write_gallery(const std::string& out, const std::vector<gallery::GalleryEntry>& entries) {
+void write_gallery(const std::string& out, const ThesisContents& contents,
+                   const std::vector<gallery::GalleryEntry>& entries) {
   for (const auto& [place, text] :
-       gallery::gallery_files({"The thesis, figure by figure", introduction, entries}))
+       gallery::gallery_files({contents.title, contents.introduction, entries, contents.summaries}))
     io::write_file((fs::path(out) / place).string(), text);
 }
 
@@ -206,12 +202,13 @@ void write_gallery(const std::string& out, const std::vector<gallery::GalleryEnt
 std::vector<gallery::GalleryEntry> make_thesis(const ThesisCall& call, const Registry& registry,
                                                const session::Monitor& monitor,
                                                const std::function<void(const ThesisFigure&)>& made) {
+  const ThesisContents contents = read_contents(call.diagrams);
   Maker maker(call, registry, monitor, made);
   const io::OwnedFolder folder(call.out, [&] { return kept_files(call); });
   maker.run();
-  std::vector<gallery::GalleryEntry> entries = maker.entries();
+  std::vector<gallery::GalleryEntry> entries = maker.entries(contents);
   if (!monitor.interrupted()) print_chapters(call.out, entries);
-  write_gallery(call.out, entries);
+  write_gallery(call.out, contents, entries);
   return entries;
 }
 

@@ -15,9 +15,9 @@ namespace {
 
 std::string limits_text(const Key& key) {
   const bool low = std::isfinite(key.least), high = std::isfinite(key.most);
-  if (low && high) return fmt::format("from {:g} to {:g}", key.least, key.most);
-  return high ? fmt::format("{:g} or less", key.most)
-              : fmt::format(fmt::runtime(key.above ? "above {:g}" : "{:g} or more"), key.least);
+  if (low && high) return fmt::format("from {} to {}", key.least, key.most);
+  return high ? fmt::format("{} or less", key.most)
+              : fmt::format(fmt::runtime(key.above ? "above {}" : "{} or more"), key.least);
 }
 
 /// The nearest word, and all of them with what they mean.
@@ -37,7 +37,7 @@ bool within(double value, const Key& key) {
 }  // namespace
 
 std::string default_text(const Key& key, double value) {
-  return fmt::format("{:g}{}{}", value, key.unit.empty() ? "" : " ", key.unit);
+  return fmt::format("{}{}{}", value, key.unit.empty() ? "" : " ", key.unit);
 }
 
 std::string SectionReading::missing(const Key& key) {

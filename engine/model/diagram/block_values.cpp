@@ -9,6 +9,7 @@
 #include "engine/base/io/environment_error.hpp"
 #include "engine/base/yaml/message.hpp"
 #include "engine/model/diagram/parameters.hpp"
+#include "engine/model/diagram/quoted_number.hpp"
 #include "engine/model/diagram/report.hpp"
 
 namespace stepwire::diagram {
@@ -139,10 +140,7 @@ std::optional<Value> ValueReader::convert(const ParameterSpec& spec, const Writt
   if (spec.kind == ParameterKind::matrix)
     if (auto matrix = as_matrix(value)) return matrix;
   if (spec.kind != ParameterKind::flag && refuse_given(written)) return std::nullopt;
-  if (node.quoted && unit::parse_quantity(node.text))
-    return refuse(
-        node, subject,
-        yaml::fault_text("'{}' is text because of its quotes; leave them out for a number", node.text));
+  if (node.quoted && unit::parse_quantity(node.text)) return refuse(node, subject, quoted_number(node.text));
   if (const std::string unit = unknown_unit(written.text); !unit.empty())
     return refuse(node, subject,
                   yaml::fault_text("'{}' is no unit; a product of units is written N s or N.s", unit));

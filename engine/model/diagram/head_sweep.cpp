@@ -7,9 +7,10 @@
 #include <utility>
 
 #include "engine/base/yaml/message.hpp"
+#include "engine/base/yaml/yaml_text.hpp"
 #include "engine/model/diagram/head.hpp"
 #include "engine/model/diagram/head_keys.hpp"
-#include "engine/model/diagram/variation.hpp"
+#include "engine/model/diagram/own_value.hpp"
 
 namespace stepwire::diagram {
 
@@ -18,6 +19,7 @@ namespace {
 constexpr std::size_t max_runs = 100'000;  // of a sweep; each is planned before the first one starts
 
 std::string setting_text(const yaml::Node& node) {
+  if (!node.is_scalar()) return yaml::yaml_line(node);
   return node.quoted ? fmt::format("\"{}\"", node.text) : node.text;
 }
 
@@ -137,21 +139,21 @@ double run_count(const Sweep& sweep) {
   return count;
 }
 
-/// The file's own value of a parameter, as a point sets it; a fault where there is none.
-std::string own_value(const Sweep::Axis& axis, Report& report) {
-  const auto& all = report.diagram().parameters;
-  const auto parameter = std::ranges::find(all, axis.parameter, &DiagramParameter::name);
-  if (parameter == all.end()) {
-    std::vector<std::string> names;
-    for (const DiagramParameter& one : all) names.push_back(one.name);
-    yaml::Message message = "is no parameter" + yaml::nearest_or_all(axis.parameter, names, "there are");
-    message += "; each point but those that differ in it has the file's value";
+/// The file's own value of what is swept, as a point sets it; a fault where there is none.
+std::string base_value(const Sweep::Axis& axis, Report& report) {
+  const auto refuse = [&](const yaml::Message& message) {
     report.add(axis.origin, "sweep.one_at_a_time." + axis.parameter, message);
-    return {};
-  }
-  const double* number = std::get_if<double>(&parameter->value.content);
-  if (!number || unit::parse_quantity(parameter->text)) return parameter->text;
-  return value_of_number(*number, parameter->dimension).text;  // what follows from others
+    return std::string();
+  };
+  const Diagram& diagram = report.diagram();
+  const auto name = find_name(diagram, axis.parameter);
+  if (!name)
+    return refuse("is no parameter of the file, of its parts or blocks" +
+                  nearest_name(diagram, axis.parameter));
+  const auto value = own_value(diagram, *name);
+  if (!value)
+    return refuse("has no value in the file, which each point but those that differ in it has; write one");
+  return *value;
 }
 
 /// A column of words about the points of a sweep.
@@ -170,7 +172,7 @@ void set_apart(Sweep& sweep, const Origin& origin, Report& report) {
       what.push_back(value);
     }
   for (Sweep::Axis& axis : sweep.axes) {
-    std::vector<std::string> values(which.size(), own_value(axis, report));
+    std::vector<std::string> values(which.size(), base_value(axis, report));
     std::vector<yaml::Mark> marks(which.size(), axis.origin.mark);
     const auto first = std::ranges::find(which, axis.parameter) - which.begin();
     std::ranges::copy(axis.values, values.begin() + first);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "engine/base/yaml/message.hpp"
+#include "engine/model/diagram/quoted_number.hpp"
 #include "engine/model/diagram/report.hpp"
 
 namespace stepwire::diagram {
@@ -121,8 +122,10 @@ std::nullopt_t ValueReader::refuse(const yaml::Node& node, const std::string& su
 bool ValueReader::refuse_given(const WrittenValue& written) const {
   if (!written.given || !written.value.text()) return false;
   report_.add(written.given->origin, written.given->name,
-              yaml::fault_text("'{}' is no number; write one, as 2{}, and '=' before what is computed",
-                               written.text, written.given->unit));
+              unit::parse_quantity(written.text)
+                  ? quoted_number(written.text)
+                  : yaml::fault_text("'{}' is no number; write one, as 2{}, and '=' before what is computed",
+                                     written.text, written.given->unit));
   return true;
 }
 

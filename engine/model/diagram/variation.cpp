@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "engine/model/diagram/block_keys.hpp"
+#include "engine/model/diagram/own_value.hpp"
 
 namespace stepwire::diagram {
 
@@ -96,6 +97,10 @@ yaml::Node value_of_number(double number, const std::optional<unit::Dimension>& 
   return node;
 }
 
+yaml::Message nearest_name(const Diagram& diagram, const std::string& text) {
+  return yaml::did_you_mean(text, names_of(diagram));
+}
+
 Variation::Variation(const Diagram& diagram, const std::vector<std::string>& names) {
   for (const std::string& name : names) names_.push_back(find(diagram, name));
   follow(diagram);
@@ -105,8 +110,8 @@ bool Variation::structural() const {
   return std::ranges::any_of(names_, &Name::structural);
 }
 
-Variation::Name Variation::find(const Diagram& diagram, const std::string& text) const {
-  Name name{text, -1, {}, false};
+std::optional<Variation::Name> find_name(const Diagram& diagram, const std::string& text) {
+  Variation::Name name{text, -1, {}, false};
   for (std::size_t i = 0; i < diagram.parameters.size(); ++i)
     if (diagram.parameters[i].name == text) {
       name.definition = static_cast<int>(i);
@@ -121,12 +126,15 @@ Variation::Name Variation::find(const Diagram& diagram, const std::string& text)
     return name;
   }
   name.structural = std::ranges::count(head_names, text) > 0;
-  if (name.structural) return name;
-  throw yaml::Error(yaml::Fault{
-      {diagram.file, {}},
-      text,
-      fmt::format("there is no parameter '{}'", text) + yaml::did_you_mean(text, names_of(diagram)),
-      {}});
+  return name.structural ? std::optional(name) : std::nullopt;
+}
+
+Variation::Name Variation::find(const Diagram& diagram, const std::string& text) const {
+  if (auto name = find_name(diagram, text)) return *std::move(name);
+  throw yaml::Error(yaml::Fault{{diagram.file, {}},
+                                text,
+                                fmt::format("there is no parameter '{}'", text) + nearest_name(diagram, text),
+                                {}});
 }
 
 bool Variation::decides(const Diagram& diagram, int definition) {

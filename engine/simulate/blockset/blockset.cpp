@@ -68,7 +68,7 @@ std::string key_of(const std::vector<std::string>& sources, const codegen::Inclu
   for (const std::string& header : headers.all) hash.add(header).add(codegen::header_text(header));
   for (const std::string& flag : codegen::Compiler::flags()) hash.add(flag);
   for (const std::string& flag : flags) hash.add(flag);
-  return hash.add(compiler.version()).text() + ".so";
+  return hash.add(compiler.version()).text();
 }
 
 /// What the compiler complains of, each with its place; all that it said where no line of it has one.
@@ -103,23 +103,40 @@ void* load(const std::string& folder, const std::string& bytes) {
   return library;
 }
 
+/// The sources of a folder, and how they are compiled.
+struct Build {
+  explicit Build(const std::string& folder) {
+    if (!compiler.found()) throw io::EnvironmentError(folder + ": " + compiler.problem());
+    sources = sources_in(folder);
+    headers = codegen::with_included(sources);
+    flags = flags_of(folder, headers);
+  }
+
+  std::string hash() const { return key_of(sources, headers, flags, compiler); }
+
+  codegen::Compiler compiler;
+  std::vector<std::string> sources;
+  codegen::IncludedHeaders headers;
+  std::vector<std::string> flags;
+};
+
 /// The compiled blocks of a folder, from the cache or made.
 void* library_of(const std::string& folder) {
-  const codegen::Compiler compiler;
-  if (!compiler.found()) throw io::EnvironmentError(folder + ": " + compiler.problem());
-  const std::vector<std::string> sources = sources_in(folder);
-  const codegen::IncludedHeaders headers = codegen::with_included(sources);
-  const std::vector<std::string> flags = flags_of(folder, headers);
-  const std::string key = key_of(sources, headers, flags, compiler);
+  const Build build(folder);
+  const std::string key = build.hash() + ".so";
   const io::Cache cache;
   if (const auto kept = cache.find(key)) return load(folder, *kept);
-  const std::string made = compiled(folder, sources, flags, compiler);
+  const std::string made = compiled(folder, build.sources, build.flags, build.compiler);
   void* library = load(folder, made);
   cache.keep(key, made);
   return library;
 }
 
 }  // namespace
+
+std::string blockset_hash(const std::string& folder) {
+  return Build(folder).hash();
+}
 
 void load_blockset(const std::string& path, Registry& registry) {
   std::error_code problem;

@@ -13,6 +13,10 @@ namespace stepwire::blockset {
 /// that is there; EnvironmentError where there is no folder, no compiler or none of our headers.
 void load_blockset(const std::string& folder, Registry& registry);
 
+/// Hash of all that decides what the blocks of a folder do: their sources, our headers and the compiler.
+/// Throws as load_blockset() does.
+std::string blockset_hash(const std::string& folder);
+
 /// Such folders, as $STEPWIRE_BLOCKS lists them, with ':' between.
 void load_blocksets_of_environment(Registry& registry);
 

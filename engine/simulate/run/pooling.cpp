@@ -41,6 +41,14 @@ bool is_formula(const std::string& text) {
   return text.starts_with('=') || text.starts_with('$');
 }
 
+/// The first unit that stands at a value; a block's own value may have been left to its default.
+std::optional<unit::Dimension> written_dimension(const diagram::Sweep::Axis& axis) {
+  for (const std::string& value : axis.values)
+    if (const auto quantity = unit::parse_quantity(value); quantity && quantity->dimension)
+      return quantity->dimension;
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::vector<std::size_t> indices_of(const diagram::Sweep& sweep, std::size_t point) {
@@ -81,9 +89,7 @@ SweptColumns::SweptColumns(const Job& job) : job_(job) {
     const diagram::Sweep::Axis& axis = diagram.sweep->axes[a];
     numbers_.push_back(numbers_of(a));
     const diagram::DiagramParameter* parameter = parameter_of(diagram, axis.parameter);
-    const auto written = unit::parse_quantity(axis.values.front());
-    auto dimension = written ? written->dimension : std::nullopt;
-    if (parameter && !dimension) dimension = parameter->dimension;
+    const auto dimension = parameter && parameter->dimension ? parameter->dimension : written_dimension(axis);
     const bool is_words = has_words(axis);
     columns_.push_back({axis.parameter, dimension && !is_words ? unit::si_name(*dimension) : "", {}});
     if (!is_words) continue;

@@ -66,10 +66,18 @@ struct GalleryEntry {
   std::string error;  ///< why it could not be run; empty where it could
 };
 
+/// What came of a chapter of the source.
+struct ChapterSummary {
+  std::string chapter;  ///< "4"
+  std::string title;
+  std::vector<std::string> sentences;
+};
+
 struct Gallery {
   std::string title;
   std::string introduction;
   std::vector<GalleryEntry> entries;
+  std::vector<ChapterSummary> summaries{};  ///< shown where an entry is of their chapter
 };
 
 /// The chapter of the source: what stands before the first dot of its section.

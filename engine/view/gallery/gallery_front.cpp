@@ -85,6 +85,17 @@ Html thumbnails(const Gallery& gallery) {
       chapters);
 }
 
+Html summaries(const Gallery& gallery) {
+  Html all;
+  for (const ChapterSummary& summary : gallery.summaries) {
+    if (std::ranges::find(gallery.entries, summary.chapter, chapter_of) == gallery.entries.end()) continue;
+    Html sentences;
+    for (const std::string& sentence : summary.sentences) sentences += html("<p>{}</p>\n", sentence);
+    all += html("<section class=\"chapter-summary\">\n<h2>{}</h2>\n{}</section>\n", summary.title, sentences);
+  }
+  return all;
+}
+
 }  // namespace
 
 std::string gallery_front(const Gallery& gallery) {
@@ -93,7 +104,8 @@ std::string gallery_front(const Gallery& gallery) {
   if (!gallery.introduction.empty()) head += html("<p class=\"lead\">{}</p>\n", gallery.introduction);
   head += html("<p class=\"summary {}\">{}</p>\n</header>\n", tally.bad() ? "bad" : "good", tally.sentence());
   const GalleryFrame frame{.page = "index.html", .title = gallery.title, .look = "front"};
-  return framed(frame, html("{}{}{}", head, gallery_findings(gallery), thumbnails(gallery)));
+  return framed(frame,
+                html("{}{}{}{}", head, summaries(gallery), gallery_findings(gallery), thumbnails(gallery)));
 }
 
 }  // namespace stepwire::gallery

@@ -73,11 +73,15 @@ bool is_all_rectangles(const std::vector<plot::PlotMark>& marks) {
   return true;
 }
 
+/// Where rows have names the axes begin far from the left end: in their middle a long legend would be cut.
+const char* legend_place(const plot::PlotSpec& plot) {
+  if (plot.legend == plot::PlotSpec::Legend::beside) return "outside right center vertical";
+  return plot.y.named_ticks.empty() ? "outside top center horizontal" : "tmargin right horizontal";
+}
+
 std::string legend_commands(const plot::PlotSpec& plot) {
   if (plot.legend == plot::PlotSpec::Legend::none) return "set key off\n";
-  const std::string place =
-      plot.legend == plot::PlotSpec::Legend::above ? "top center horizontal" : "right center vertical";
-  return fmt::format("set key outside {} Left reverse{}\n", place,
+  return fmt::format("set key {} Left reverse{}\n", legend_place(plot),
                      is_all_rectangles(plot.marks) ? " samplen 0.6" : "");
 }
 

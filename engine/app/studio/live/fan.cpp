@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <mutex>
 #include <stdexcept>
 #include <thread>
 
@@ -74,6 +75,7 @@ class Fan {
     std::vector<Json> points(call_.count);
     const unsigned threads = std::max(1u, std::thread::hardware_concurrency() - 1);  // one is the run's
     parallel::in_parallel(call_.count, threads, [&](std::size_t i) { points[i] = point(i); });
+    if (refused_ == call_.count) throw std::runtime_error(refusal_);
     Json list = Json::list();
     for (Json& point : points)
       if (point.is_object()) list.push(std::move(point));
@@ -86,12 +88,25 @@ class Fan {
     return call_.low + share * (call_.high - call_.low);
   }
 
-  /// Nothing where it was interrupted.
-  Json point(std::size_t i) const {
+  /// Does the run take the value? Such as 0 for a mass is left out.
+  bool takes(run::Executor& simulation, double value) {
+    try {
+      apply({0, call_.name, fmt::format("{}", value), {}, 0.0}, simulation);
+      return true;
+    } catch (const yaml::Error& error) {
+      const std::lock_guard lock(mutex_);
+      ++refused_;
+      refusal_ = error.what();
+      return false;
+    }
+  }
+
+  /// Nothing where it was interrupted, or the value is refused.
+  Json point(std::size_t i) {
     run::Executor simulation(run_.plan());
     for (const LiveEvent& event : set_.events())
       if (!event.is_input()) apply(event, simulation);
-    apply({0, call_.name, fmt::format("{}", value(i)), {}, 0.0}, simulation);
+    if (!takes(simulation, value(i))) return {};
     simulation.reset();
     Sampling sampling(readings_, std::max<std::int64_t>(1, run_.plan().steps / samples_shown));
     run::RunObserver* const observer = &sampling;
@@ -114,6 +129,9 @@ class Fan {
   const std::atomic<bool>& interrupt_;
   EventLog set_;  ///< what is set in the run
   std::vector<Reading> readings_;
+  std::mutex mutex_;
+  std::size_t refused_ = 0;
+  std::string refusal_;  ///< of one of these
 };
 
 }  // namespace

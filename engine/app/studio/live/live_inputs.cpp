@@ -26,7 +26,7 @@ std::size_t LiveInputs::find(const std::string& name) const {
   throw yaml::Error(yaml::Fault{
       {plan_.diagram.file, {}},
       name,
-      fmt::format("there is no input of this name{}", yaml::nearest_or_all(name, names, "there are")),
+      "there is no input of this name" + yaml::nearest_or_all(name, names, "there are"),
       {}});
 }
 

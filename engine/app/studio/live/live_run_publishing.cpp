@@ -10,7 +10,7 @@ namespace {
 
 using json::Json;
 
-constexpr double between_looks = 0.008, idle = 0.05;                  // [s]
+constexpr double between_looks = 0.004, idle = 0.05;                  // [s]
 constexpr double between_news = 1.0 / 30.0, between_scenes = 0.0158;  // [s]
 
 const char* word_of(RunStatus::State state) {

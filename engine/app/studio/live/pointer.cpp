@@ -26,17 +26,17 @@ class Signals {
   /// An output of a block. Throws Error with the nearest name.
   diagram::SignalRef find(const std::string& name) const {
     const auto found = names_.find(name);
-    if (found == names_.end()) refuse(fmt::format("there is no signal '{}'{}", name, nearest(name)));
+    if (found == names_.end()) refuse(fmt::format("there is no signal '{}'", name) + nearest(name));
     if (found->second.output < 0) refuse(fmt::format("'{}' is a state; name an output of a block", name));
     return found->second;
   }
 
-  [[noreturn]] void refuse(const std::string& message) const {
+  [[noreturn]] void refuse(const yaml::Message& message) const {
     throw yaml::Error(yaml::Fault{{diagram_.file, mark_}, "scene.pointer", message, {}});
   }
 
  private:
-  std::string nearest(const std::string& name) const {
+  yaml::Message nearest(const std::string& name) const {
     std::vector<std::string> all;
     for (const auto& [known, signal] : names_) all.push_back(known);
     return yaml::did_you_mean(name, all);

@@ -113,6 +113,7 @@ Json trace_json(LoadedRun& run, const std::string& expression, const std::string
   const LiveColumn column = run.column(index);
   return Json::object()
       .set("column", index)
+      .set("source", expression)
       .set("label", label)
       .set("unit", column.unit)
       .set("scale", column.scale)

@@ -68,6 +68,41 @@ TEST_CASE("claims and figures read a row of each experiment") {
   CHECK_THAT(content_of(folder.path("out/figure-5.svg")), Contains("of 4"));
 }
 
+TEST_CASE("experiments that were made with other blocks from outside are no longer gone on with") {
+  const Scratch folder;
+  std::filesystem::create_directories(folder.path("own"));
+  const auto write_law = [&](const std::string& factor) {
+    folder.file("own/law.hpp", "#pragma once\ninline double law(double u) { return " + factor + " * u; }\n");
+  };
+  write_law("1.0");
+  folder.file("own/shake.cpp", R"(#include <stepwire/block.hpp>
+#include <stepwire/declare.hpp>
+#include <stepwire/registry.hpp>
+#include "law.hpp"
+struct Shake {
+  stepwire::Input<1> u{};
+  stepwire::Output<1> y{};
+  void outputs() { y = law(u); }
+  static void declare(stepwire::Declare<Shake>& is) {
+    is.block("Shake", {.doc = "A law."});
+    is.input<&Shake::u>({.unit = "'u", .doc = "signal"});
+    is.output<&Shake::y>({.unit = "'u", .doc = "by the law"});
+  }
+};
+void register_blocks(stepwire::Registry& registry) { registry.add<Shake>("own"); }
+)");
+  folder.file("a.yaml", replaced(with_experiments(2), "  far:    {block: Sum, u: [swaying,",
+                                 "  shaken: {block: Shake, u: swaying}\n  far:    {block: Sum, u: [shaken,"));
+  const std::vector<std::string> call{"study", "a.yaml", "--blocks", "own",
+                                      "--out", "out",    "--engine", "interpreted"};
+  REQUIRE(run_program(folder, call).err.empty());
+  CHECK(run_program(folder, call).err.empty());
+  write_law("2.0");
+  const Done other = run_program(folder, call);
+  CHECK(other.code == 2);
+  CHECK_THAT(other.err, Contains("has experiments of another study"));
+}
+
 TEST_CASE("experiments of a file go on where they were interrupted") {
   const Scratch folder;
   const std::string slow =

@@ -56,6 +56,21 @@ TEST_CASE("each point of a swept study is the study that the file alone makes wi
   CHECK(points[1]["analysis"]["means"] == json_file(folder, "second/study.json")["analysis"]["means"]);
 }
 
+TEST_CASE("a claim on a mean that is not published is refused at its place, with what would publish it") {
+  const Scratch folder;
+  const std::string text = small_study();
+  const std::size_t begin = text.find("  published:"), end = text.find("blocks:\n");
+  REQUIRE(begin < end);
+  const std::string bare = text.substr(0, begin) + text.substr(end);
+  folder.file("a.yaml", bare + "  - {that: as published, final: mean.HV - thesis.HV, at_most: 0}\n");
+  const Done done = run_program(folder, {"check", "a.yaml"});
+  CHECK(done.code == 2);
+  CHECK_THAT(done.err, Contains("a.yaml:" + std::to_string(lines_of(bare).size() + 1) + ":") &&
+                           Contains("'thesis.HV' is not recorded"));
+  folder.file("b.yaml", text + "  - {that: as published, final: mean.HV - thesis.HV, at_most: 1}\n");
+  CHECK(run_program(folder, {"check", "b.yaml"}).code == 0);
+}
+
 TEST_CASE(
     "a swept study gives the same bits at any number of threads, compiled or not, and can be replayed") {
   const Scratch folder;

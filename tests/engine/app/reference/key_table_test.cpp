@@ -71,6 +71,15 @@ TEST_CASE("a row that is added to a table is read, described by the schema and s
   CHECK_THAT(page, Contains("1 to 9") && Contains("above 0"));
 }
 
+TEST_CASE("limits that are large are written with all their digits, small ones as they are meant") {
+  Lamp lamp;
+  const LampTable table = lamp_table({{"hours", "it lasts", yaml::form::whole(1, 1e6), &Lamp::count}});
+  CHECK(read_lamp(table, "{hours: 0}", lamp) ==
+        std::vector<std::string>{"lamp.hours: '0' is no whole number from 1 to 1000000"});
+  const std::string page = format_page({"lamp", "", "a light", table.form, "lamp: {power: 3}"});
+  CHECK_THAT(page, Contains("1 to 1000000") && !Contains("e+06"));
+}
+
 TEST_CASE("all faults of a map are found in one pass, each with what would be right") {
   Lamp lamp;
   const LampTable table = lamp_table({color_row, yaml::needed(name_row)});

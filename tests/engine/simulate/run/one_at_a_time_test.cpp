@@ -62,7 +62,43 @@ TEST_CASE("values of the call are those from which one parameter at a time diffe
   CHECK(column(swept(yaml, {{"a", "7"}}).table, "y.1") == std::vector<double>{7, 7, 7, 7});
 }
 
+TEST_CASE("a number or an initial value of a block is varied one at a time as --set reaches it") {
+  const std::string yaml =
+      "parameters: {a: 2}\nsolver: euler\nblocks:\n  c: {block: Constant, value: = 3*a}\n"
+      "  i: {block: Integrator, u: c, initial: [7, 8]}\n  g: {block: Gain, u: c, gain: 5 mm}\n"
+      "record: [c, g, i]\nsweep: {one_at_a_time: {a: [4], c.value: [1], g.gain: [1 m], i.initial: [[0, "
+      "1]]}}\n";
+  const record::Recording all = swept(yaml);
+  CHECK(column(all.table, "c.1") == std::vector<double>{6, 6, 6, 6, 1, 1, 6, 6, 6, 6});
+  CHECK(column(all.table, "g.gain") ==
+        std::vector<double>{0.005, 0.005, 0.005, 0.005, 0.005, 0.005, 1, 1, 0.005, 0.005});
+  CHECK(column(all.table, "i.2") == std::vector<double>{8, 14, 8, 14, 8, 9, 8, 14, 1, 7});
+}
+
+TEST_CASE("a parameter of a part and the file's own times are varied one at a time") {
+  const DiagramFolder folder;
+  folder.write("part.yaml",
+               "stepwire: 1\nparameters: {up: 1, mass: 5 kg}\noutputs: {out: y}\n"
+               "blocks:\n  y: {block: Constant, value: = up*mass}\n");
+  folder.write("sweep.yaml",
+               "stepwire: 1\nstep: 1 s\nstop: 2 s\nblocks:\n  rig: {diagram: part.yaml, up: 2}\n"
+               "record: [rig.out]\nsweep: {one_at_a_time: {rig.mass: [3 kg], rig.up: [1], stop: [1 s]}}\n");
+  diagram::Loader loader(library());
+  const record::Recording all = run_job(make_job(loader, folder.path("sweep.yaml"), {})).recordings.at(0);
+  CHECK(column(all.table, "rig.out") == std::vector<double>{10, 10, 10, 6, 6, 6, 5, 5, 5, 10, 10});
+  CHECK(column(all.table, "rig.mass") == std::vector<double>{5, 5, 5, 3, 3, 3, 5, 5, 5, 5, 5});
+}
+
+TEST_CASE("a number in quotes among swept values is refused as the text that it is") {
+  CHECK_THROWS_WITH(swept(two + "sweep: {a: [\"1\", 2]}\n"),
+                    Contains("'1' is text because of its quotes; leave them out for a number"));
+}
+
 TEST_CASE("what one parameter at a time cannot be is refused in words") {
+  CHECK_THROWS_WITH(swept(two + "sweep: {one_at_a_time: {y.valu: [1]}}\n"),
+                    Contains("did you mean 'y.value'"));
+  CHECK_THROWS_WITH(swept(two + "sweep: {one_at_a_time: {solver: [euler]}}\n"),
+                    Contains("one_at_a_time.solver: has no value in the file"));
   CHECK_THROWS_WITH(swept(two + "sweep: {one_at_a_time: {q: [1]}}\n"),
                     Contains("one_at_a_time.q: is no parameter"));
   CHECK_THROWS_WITH(swept(two + "sweep: {one_at_a_time: {a: [1]}, b: [1 mm]}\n"), Contains("stands alone"));

@@ -114,6 +114,18 @@ TEST_CASE(
                "href=\"fig15/index.html\">Figure 15</a>, <a href=\"table3/index.html\">Table 3</a></td>"));
 }
 
+TEST_CASE("a chapter is summed up on the front, ahead of what was found, where an entry is of it") {
+  GalleryEntry one = entry();
+  one.section = "4.3.1";
+  one.departures = {"0.35 A in place of 1 A"};
+  const std::vector<ChapterSummary> summaries{{"4", "In brief", {"Walls <cost>.", "Two."}},
+                                              {"5", "Not made", {"Three."}}};
+  const std::string text = gallery_files({"Title", "", {one}, summaries}).at("index.html");
+  CHECK_THAT(text, Contains("<h2>In brief</h2>\n<p>Walls &lt;cost&gt;.</p>\n<p>Two.</p>"));
+  CHECK(text.find("In brief") < text.find("id=\"otherwise\""));
+  CHECK_THAT(text, !Contains("Not made"));
+}
+
 TEST_CASE("thumbnails stand under their chapters, and show what the source has") {
   GalleryEntry one = entry(), two = entry("Table 3", "table3");
   one.section = "2.5.1";

@@ -2,6 +2,8 @@
 #include "engine/view/render/gnuplot_renderer.hpp"
 #include "engine/view/render/render.hpp"
 
+#include <regex>
+
 #include "engine/view/render/gnuplot.hpp"
 #include "engine/view/render/gnuplot_text.hpp"
 #include "tests/engine/view/plot/samples.hpp"
@@ -16,7 +18,31 @@ plot::FigureSpec figure_of(plot::PlotSpec plot) {
   return {"", 600.0, 400.0, false, {{0.0, 0.0, 600.0, 400.0, std::move(plot)}}};
 }
 
+/// The places of a text's left ends in a picture.
+std::vector<double> places_of(const std::string& svg, const std::string& text) {
+  const std::regex place(R"(translate\(([0-9.]+),[^>]*>\s*<text>)" + text + "</text>");
+  std::vector<double> places;
+  for (std::sregex_iterator match(svg.begin(), svg.end(), place), none; match != none; ++match)
+    places.push_back(std::stod((*match)[1]));
+  return places;
+}
+
 }  // namespace
+
+TEST_CASE("a legend above rows with long names stays in the picture") {
+  if (!has_gnuplot()) return;
+  plot::PlotSpec plot{
+      .x = {.range = {{0.0, 1.0}}},
+      .y = {.range = {{1.6, -0.6}}, .named_ticks = {{0.0, "an unknown with a name of many words"}}},
+      .legend = plot::PlotSpec::Legend::above};
+  for (const char* legend : {"first of its values", "last of its values", "all of the file"})
+    plot.marks.push_back(plot::LineMark{{{{0.0, 1.0}, {0.0, 1.0}, {}, {}}}, {"#123456"}, 0.0, legend});
+  const std::string svg = render(figure_of(std::move(plot))).svg;
+  const std::vector<double> last = places_of(svg, "all of the file");
+  REQUIRE(last.size() == 1);
+  CHECK(last[0] + 6.0 * 15.0 < 600.0);  // letters of a font of 12 px
+  CHECK(places_of(svg, "first of its values").at(0) > 0.0);
+}
 
 TEST_CASE("a mark that is put together by hand is drawn with its numbers, colour and dash") {
   const plot::LineMark line{{{{0.0, 1.0}, {2.0, 0.5}, {}, {}}}, {"#123456", 1.5, {2.5, 4.0}}, 0.0, "it's"};

@@ -1,109 +1,9 @@
-#include "engine/app/studio/live/live_run.hpp"
-
-#include <catch2/catch.hpp>
-#include <cstring>
+#include "tests/engine/app/studio/live/live_studio.hpp"
 
 #include "engine/app/session/session.hpp"
 #include "engine/view/plot/figure_spec.hpp"
-#include "tests/engine/app/studio/live/waiting.hpp"
 
 namespace stepwire::live {
-
-namespace {
-
-using json::Json;
-
-const std::string swing = R"(stepwire: 1
-title: A swing
-step: 1 ms
-stop: 3 s
-solver: rk4
-parameters: {mass: {value: 2 kg, above: 0 kg, at_most: 9 kg, doc: of the slide}}
-inputs: {push: {unit: N, default: 1 N}}
-record: {every: 10 ms, signals: [slide.position, slide.velocity, both]}
-blocks:
-  spring: {block: Gain, u: slide.position, gain: -100 N/m}
-  net: {block: Sum, u: [push, spring]}
-  slide: {block: Mass, force: net, mass: $mass}
-  both: {block: Mux, u: [slide.position, 2 m]}
-figure:
-  - {plot: lines, x: time in s, y: slide.position in mm, y_label: way}
-  - {plot: path, x: slide.position in mm, y: slide.velocity in mm/s, color: time in s}
-scene:
-  view: {x: [-1 m, 1 m], y: [-1 m, 1 m]}
-  objects:
-    ball: {ball: [slide.position, 0 m], radius: 10 mm, color: {red: slide.position > 5 mm, else: blue}}
-claims:
-  - {that: it swings, spread: slide.position, at_least: 1 mm}
-  - {that: it stays, max: slide.position, at_most: 0 mm}
-  - {that: it is red at times, max: scene.ball.red, equals: 1, within: 0}
-)";
-
-/// What pages were sent.
-struct Received {
-  Sinks sinks() {
-    return {[this](Json one) {
-              const std::lock_guard lock(mutex);
-              news.push_back(std::move(one));
-            },
-            [this](int page, std::string bytes) {
-              const std::lock_guard lock(mutex);
-              frames.emplace_back(page, std::move(bytes));
-            }};
-  }
-  std::optional<Json> last(const std::string& kind) const {
-    const std::lock_guard lock(mutex);
-    for (auto one = news.rbegin(); one != news.rend(); ++one)
-      if (*one->find("news")->as_text() == kind) return *one;
-    return std::nullopt;
-  }
-  std::size_t frame_count() const {
-    const std::lock_guard lock(mutex);
-    return frames.size();
-  }
-
-  mutable std::mutex mutex;
-  std::vector<Json> news;
-  std::vector<std::pair<int, std::string>> frames;
-};
-
-struct Studio {
-  explicit Studio(const std::string& text) {
-    run.emplace(
-        [text](int) {
-          diagram::Loader loader(library());
-          loader.add(yaml::parse_document(text, "swing.yaml"));
-          return session::load_model(loader, "swing.yaml", {});
-        },
-        received.sinks());
-  }
-  Json call(const std::string& name, const std::string& arguments = "{}", int page = 1) {
-    return run->call(page, name, Json::parse(arguments));
-  }
-  void run_to_end() {
-    call("run.play", R"({"rate": 0})");
-    wait_until([&] {
-      const auto news = received.last("run");
-      return news && *news->find("state")->as_text() == "ended";
-    });
-  }
-
-  Received received;
-  std::optional<LiveRun> run;
-};
-
-template <class Number>
-Number number_at(const std::string& bytes, std::size_t place) {
-  Number number;
-  std::memcpy(&number, bytes.data() + place, sizeof(Number));
-  return number;
-}
-
-const Json& at(const Json& list, std::size_t index) {
-  return list.items()[index];
-}
-
-}  // namespace
 
 TEST_CASE("a model that is loaded says what there is to see and to set") {
   Studio studio(swing);
@@ -269,7 +169,12 @@ TEST_CASE("a fan has the run of each value, with what is set beside it") {
   const Json& last = at(*middle.find("columns"), 0).items().back();
   const Json end = studio.call("data.statistics", R"({"from": 3, "to": 3, "columns": [0]})");
   CHECK(last.as_number() == at(*end.find("statistics"), 0).find("last")->as_number());
-  CHECK_THROWS(studio.call("fan", R"({"name": "mass", "low": -1, "high": 3, "count": 3, "columns": [0]})"));
+  const Json half =
+      studio.call("fan", R"({"name": "mass", "low": -1, "high": 3, "count": 3, "columns": [0]})");
+  CHECK(half.find("points")->items().size() == 2);
+  CHECK_THROWS_WITH(
+      studio.call("fan", R"({"name": "mass", "low": -3, "high": -1, "count": 3, "columns": [0]})"),
+      Catch::Contains("mass"));
 }
 
 TEST_CASE("inputs of a page that has gone have their defaults") {

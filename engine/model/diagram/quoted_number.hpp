@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "engine/base/yaml/message.hpp"
+
+namespace stepwire::diagram {
+
+/// What is wrong with a number in quotes where a number is meant.
+inline yaml::Message quoted_number(const std::string& text) {
+  return yaml::fault_text("'{}' is text because of its quotes; leave them out for a number", text);
+}
+
+}  // namespace stepwire::diagram

@@ -1,0 +1,128 @@
+// What the front page of the gallery says of chapter 4, held against the experiments that are kept.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <regex>
+
+#include "engine/app/thesis/thesis_contents.hpp"
+#include "engine/base/io/file.hpp"
+#include "engine/base/table/table_file.hpp"
+
+using Catch::Contains;
+
+namespace stepwire {
+namespace {
+
+const std::string thesis_folder = STEPWIRE_SOURCE_DIR "/diagrams/thesis";
+
+std::vector<std::string> sentences() {
+  for (const gallery::ChapterSummary& summary : thesis::read_contents(thesis_folder).summaries)
+    if (summary.chapter == "4") return summary.sentences;
+  return {};
+}
+
+/// Experiments of one study, a row for each.
+class Experiments {
+ public:
+  explicit Experiments(const std::string& file)
+      : table_(table::read_csv(thesis_folder + "/chapter-4/" + file)) {}
+
+  const std::vector<double>& mean(const std::string& condition) const {
+    return table_.find("mean." + condition)->values;
+  }
+  /// In how many the first condition has the larger error.
+  double larger(const std::string& one, const std::string& other) const {
+    double count = 0.0;
+    for (std::size_t row = 0; row < table_.rows(); ++row) count += mean(one)[row] > mean(other)[row] ? 1 : 0;
+    return count;
+  }
+  double median_ratio(const std::string& one, const std::string& other) const {
+    std::vector<double> ratios;
+    for (std::size_t row = 0; row < table_.rows(); ++row) ratios.push_back(mean(one)[row] / mean(other)[row]);
+    std::ranges::sort(ratios);
+    const std::size_t half = ratios.size() / 2;
+    return ratios.size() % 2 == 1 ? ratios[half] : 0.5 * (ratios[half - 1] + ratios[half]);
+  }
+  double count() const { return static_cast<double>(table_.rows()); }
+
+ private:
+  table::Table table_;
+};
+
+/// Words of the sentences, and the number that is in them, as it follows from what is kept.
+struct Fact {
+  std::size_t sentence;
+  std::string words;
+  double said, kept;
+};
+
+std::vector<Fact> facts() {
+  const Experiments circles("task-1.csv"), returns("task-2.csv"), stiff("task-1-off-state-2.csv"),
+      slanted("task-2-slant-18deg.csv");
+  const auto tenths = [](double value) { return std::round(10.0 * value) / 10.0; };
+  return {{0, "in none of 20 experiments of ten people do walls lower the error of the circle", 0,
+           circles.larger("NO", "H")},
+          {0, "of 20 experiments", 20, circles.count()},
+          {0, "in none is the way back by touch alone better than by the screen alone", 0,
+           returns.larger("V", "H")},
+          {1, "less with both feedbacks than with the screen alone in 17 of 20 experiments", 17,
+           stiff.larger("V", "HV")},
+          {1, "of 20 experiments", 20, stiff.count()},
+          {1, "less with walls than without in 11", 11, stiff.larger("NO", "H")},
+          {1, "where 15 would count", 15, 0.75 * stiff.count()},
+          {2, "with 8 degrees the error by touch alone is 3.5 times that by the screen", 3.5,
+           tenths(returns.median_ratio("H", "V"))},
+          {2, "(thesis: 0.77)", 0.77, std::round(100.0 * 0.421 / 0.547) / 100.0},
+          {2, "with 18 degrees it is 1.3 times", 1.3, tenths(slanted.median_ratio("H", "V"))}};
+}
+
+std::string in_one_line(const std::string& text) {
+  return std::regex_replace(text, std::regex("\\s+"), " ");
+}
+
+/// All that is a number in a text, words for small ones aside.
+std::vector<std::string> numbers_of(const std::string& text) {
+  const std::regex number("[0-9]+(\\.[0-9]+)?");
+  std::vector<std::string> numbers;
+  for (std::sregex_iterator match(text.begin(), text.end(), number), none; match != none; ++match)
+    numbers.push_back(match->str());
+  return numbers;
+}
+
+}  // namespace
+
+TEST_CASE("chapter 4 is summed up in three sentences, which its page has word for word") {
+  REQUIRE(sentences().size() == 3);
+  const std::string page = in_one_line(io::read_file(thesis_folder + "/README.md"));
+  for (const std::string& sentence : sentences()) {
+    CHECK_THAT(page, Contains(sentence));
+    CHECK(sentence.ends_with("."));
+    CHECK_THAT(sentence, !Contains(". "));
+  }
+}
+
+TEST_CASE("the sentences have the numbers of the experiments that are kept, and no others") {
+  // What is swept in the study of task 2 is no result.
+  std::vector<std::vector<std::string>> known{{}, {}, {"8", "18"}};
+  for (const Fact& fact : facts()) {
+    INFO(fact.words);
+    CHECK_THAT(sentences().at(fact.sentence), Contains(fact.words));
+    CHECK(fact.said == Approx(fact.kept).margin(1e-9));
+    for (const std::string& number : numbers_of(fact.words)) known.at(fact.sentence).push_back(number);
+  }
+  for (std::size_t i = 0; i < known.size(); ++i)
+    for (const std::string& number : numbers_of(sentences().at(i))) {
+      INFO(number << " in sentence " << i + 1);
+      const bool of_name = number == "1" || number == "2";  // task 1, task 2
+      CHECK((of_name || std::ranges::count(known[i], number) > 0));
+    }
+}
+
+TEST_CASE("what the sentences say without a number holds in the experiments that are kept") {
+  const Experiments circles("task-1.csv"), returns("task-2.csv");
+  CHECK(circles.larger("NO", "V") >= 15.0);
+  CHECK(returns.larger("V", "V_gp") >= 15.0);
+  CHECK(returns.larger("HV", "HV_gp") >= 15.0);
+}
+
+}  // namespace stepwire
