@@ -119,6 +119,7 @@ export class Scope implements Subject {
   fill(what: "time" | "against" | Pin): void {
     this.content = what === "time" ? new OverTime(this) : what === "against" ? new Against(this) : new DifferenceTo(this, what, () => this.tolerance.value);
     this.tolerance.hidden = !(this.content instanceof DifferenceTo);
+    this.groups = [];
     this.feed.renew();
     this.changed();
   }
