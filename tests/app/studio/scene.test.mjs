@@ -55,6 +55,7 @@ test("the latency counts each sample once, and only what was sent", () => {
   latency.sent([{time: 1}, {time: 1.002}]);
   latency.drawn({input: 1.002}, 1.012);
   latency.drawn({input: 1.002}, 1.5);
+  latency.drawn({input: 1.001}, 1.55); // of another page
   latency.drawn({input: null}, 1.6);
   assert.ok(Math.abs(latency.median - 0.01) < 1e-9);
 });

@@ -53,7 +53,7 @@ export const usual = {
  * touch. Returns {page, calls, news(message), faults(), close()}: all calls that came, and errors of the page.
  */
 export async function openPage(folder, answers = {}, {width = 1400, height = 900, colorScheme = "light", hasTouch = false, reducedMotion = "no-preference"} = {}) {
-  const server = await serve(folder), browser = await chromium.launch({executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox"]});
+  const server = await serve(folder), browser = await chromium.launch({executablePath: process.env.STEPWIRE_CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox"]});
   const page = await browser.newPage({viewport: {width, height}, colorScheme, hasTouch, reducedMotion}), all = {...usual, ...answers}, calls = [], errors = [];
   let socket;
   page.on("pageerror", (error) => errors.push(error.stack ?? String(error)));

@@ -8,7 +8,9 @@ import {fileURLToPath} from "node:url";
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), "../../..");
 const folder = [process.env.STUDIO_PAGE, join(root, "build/studio"), join(root, "engine/app/studio/page/dist")].find((one) => one && existsSync(join(one, "index.html")));
-const skip = folder === undefined ? "the page is not built" : !existsSync(join(dirname(fileURLToPath(import.meta.url)), "node_modules")) && "npm ci was not run in tests/app/studio";
+const here = dirname(fileURLToPath(import.meta.url)), browser = process.env.STEPWIRE_CHROMIUM ?? "/usr/bin/chromium";
+const skip = folder === undefined ? "the page is not built" : !existsSync(join(here, "node_modules")) ? "playwright-core is not installed: npm ci in tests/app/studio"
+  : !existsSync(browser) && "there is no browser; on Debian it is the package chromium";
 const {openPage} = skip ? {} : await import("./scene_page.mjs");
 
 const loaded = {run: 1, step: 0.001, stop: 1, columns: [], parameters: [], scopes: [], inputs: [], scene: false, figures: 0, claims: []};
@@ -97,6 +99,23 @@ test("arrow keys are a hand, Esc and lost focus let go", {skip}, () => withPage(
   await until(() => held().join() === "1,0,1", "it takes hold again");
   await page.evaluate(() => window.dispatchEvent(new Event("blur")));
   await until(() => held().join() === "1,0,1,0", "lost focus lets go");
+}));
+
+test("the stick of a gamepad and a finger are hands", {skip}, () => withPage(withScene, "scene", {hasTouch: true}, async ({page, calls, news}) => {
+  news(instant(0, 0));
+  const held = () => samplesOf(calls).filter(({name}) => name === "pointer_held").map(({values}) => values[0]);
+  await page.evaluate(() => {
+    window.pad = {connected: true, axes: [0, -1], buttons: [{pressed: false}, {pressed: false}]};
+    navigator.getGamepads = () => [window.pad];
+    window.dispatchEvent(new Event("gamepadconnected"));
+  });
+  await until(() => (samplesOf(calls).filter(({name}) => name === "pointer").at(-1)?.values[1] ?? 0) > 0.001, "the stick up is up");
+  await page.evaluate(() => { window.pad = {connected: true, axes: [0, 0], buttons: [{pressed: false}, {pressed: true}]}; });
+  await until(() => held().join() === "1,0", "its second button lets go");
+  const box = await page.locator(".scene-canvas").boundingBox();
+  await page.touchscreen.tap(box.x + 0.75 * box.width, box.y + 0.5 * box.height);
+  await until(() => held().join() === "1,0,1,0", "a finger holds while it touches");
+  assert.ok(Math.abs(samplesOf(calls).filter(({name}) => name === "pointer").at(-1).values[0] - 0.01) < 2e-4);
 }));
 
 test("a hand may stay without a button, and the scene says in words what it shows", {skip}, () => withPage(withScene, "scene", {}, async ({page, calls, news}) => {

@@ -1,15 +1,16 @@
 // Text beside drawing, in Chromium: what is selected, marked, kept and edited on both sides. The server is played by functions.
 
 import assert from "node:assert/strict";
-import {existsSync} from "node:fs";
+import {existsSync, readdirSync, readFileSync} from "node:fs";
 import {dirname, join} from "node:path";
 import {test} from "node:test";
 import {fileURLToPath} from "node:url";
+import {gzipSync} from "node:zlib";
 
-const here = dirname(fileURLToPath(import.meta.url));
-const built = process.env.STEPWIRE_STUDIO_PAGE ?? join(here, "../../../engine/app/studio/page/dist");
-const missing = !existsSync(join(built, "index.html")) ? "the studio's page is not built: npx vite build in engine/app/studio/page"
-  : !existsSync(process.env.CHROMIUM ?? "/usr/bin/chromium") ? "chromium is not installed; on Debian it is the package chromium" : false;
+const root = join(dirname(fileURLToPath(import.meta.url)), "../../..");
+const built = [process.env.STUDIO_PAGE, join(root, "build/studio"), join(root, "engine/app/studio/page/dist")].find((one) => one && existsSync(join(one, "index.html")));
+const missing = !built ? "the studio's page is not built: npx vite build in engine/app/studio/page"
+  : !existsSync(process.env.STEPWIRE_CHROMIUM ?? "/usr/bin/chromium") ? "chromium is not installed; on Debian it is the package chromium" : false;
 const {openPage} = await import("./scene_page.mjs").catch(() => ({}));
 const skip = openPage ? missing : "playwright-core is not installed: npm ci in tests/app/studio";
 
@@ -32,7 +33,10 @@ class Diagram {
     return {
       files: () => ({files: [{file: 0, name: "test.yaml", writable: true, part: false}]}),
       open: () => ({name: "test.yaml", text: this.saved, hash: this.saved, draft: this.text === this.saved ? null : this.text, version: this.version}),
-      edit: ({changes}) => this.edit(changes),
+      edit: ({version, changes}) => {
+        if (version === this.version) return this.edit(changes);
+        throw Object.assign(new Error("the text was changed meanwhile"), {current: {text: this.text, version: this.version}});
+      },
       graph: () => this.graph(),
       save: ({hash}) => (hash === this.saved ? {hash: (this.saved = this.text)} : {conflict: {text: this.saved, hash: this.saved}}),
       splice: ({edit}) => this.splice(edit),
@@ -180,6 +184,53 @@ test("a diagram whose every text is markup does nothing", {skip}, async () => {
   } finally {
     await close();
   }
+});
+
+test("faults have their quick fixes, and markup from the language server comes into the page as plain words", {skip}, async () => {
+  const evil = "**bold** <img src=x onerror=\"document.title='hit'\"> <script>document.title='hit'</script>", diagram = new Diagram();
+  const range = {start: {line: 3, character: 23}, end: {line: 3, character: 29}}, diagnostic = {range, severity: 1, message: `there is ${evil}`};
+  const fix = {title: evil, diagnostics: [diagnostic], edit: {changes: {"studio:/0": [{range, newText: "\"source\""}]}}};
+  const results = {
+    initialize: {capabilities: {textDocumentSync: {openClose: true, change: 2}, completionProvider: {}, hoverProvider: true, codeActionProvider: true}},
+    "textDocument/codeAction": [fix], "textDocument/hover": {contents: {kind: "markdown", value: evil}},
+    "textDocument/completion": {isIncomplete: false, items: [{label: `new ${evil}`, documentation: {kind: "markdown", value: evil}}]},
+  };
+  let begin;
+  const ready = new Promise((resolve) => { begin = resolve; });
+  const tell = async (message) => (await ready)({news: "language", message: {jsonrpc: "2.0", ...message}});
+  const language = ({message: {id, method, params}}) => {
+    if (id !== undefined) tell({id, result: results[method] ?? null});
+    if (method === "textDocument/didOpen") tell({method: "textDocument/publishDiagnostics", params: {uri: "studio:/0", version: params.textDocument.version, diagnostics: [diagnostic]}});
+    return {};
+  };
+  const {page, errors, news, close} = await openPage(built, {...diagram.answers(), language});
+  begin(news);
+  try {
+    await page.waitForSelector(".cm-lintRange-error");
+    await page.locator(".cm-lintRange-error").hover();
+    await page.locator(".cm-diagnostic").waitFor();
+    await page.locator(".cm-hover strong").waitFor();
+    assert.equal(await page.locator(".cm-hover img, .cm-hover script, .cm-diagnostic img").count(), 0);
+    await page.locator(".cm-content").focus();
+    await page.keyboard.press("Control+Home");
+    await page.keyboard.press("Control+.");
+    await until(() => diagram.text.includes("u: \"source\", tau"));
+    await page.keyboard.press("Control+End");
+    await page.keyboard.press("Control+Space");
+    await page.locator(".cm-tooltip-autocomplete li").first().waitFor();
+    assert.equal(await page.locator(".cm-tooltip img, .cm-tooltip script").count(), 0);
+    assert.doesNotMatch(await page.title(), /^hit/);
+    assert.deepEqual(errors, []);
+  } finally {
+    await close();
+  }
+});
+
+test("all scripts but those of elk and three are at most 300 kB packed", {skip: missing}, () => {
+  const own = readdirSync(join(built, "assets")).filter((name) => name.endsWith(".js") && !/^(elk-worker|mechanism_stage)/.test(name));
+  const sizes = own.map((name) => gzipSync(readFileSync(join(built, "assets", name)), {level: 9}).length);
+  assert.ok(sizes.length > 5);
+  assert.ok(sizes.reduce((sum, size) => sum + size, 0) <= 300e3, own.map((name, i) => `${name} ${sizes[i]}`).join(", "));
 });
 
 async function until(condition) {

@@ -1,7 +1,10 @@
 // Texts of the page and of the server come together whatever is edited when; lines and items are found where a person would see them.
 
 import assert from "node:assert/strict";
+import {readdirSync, readFileSync} from "node:fs";
+import {dirname, join} from "node:path";
 import {test} from "node:test";
+import {fileURLToPath} from "node:url";
 import {bundled} from "./scopes/bundled.mjs";
 
 const {Document, difference, differentLines, insertedItem, readFrame, textOf, ChangeSet, EditorState, yaml} = await bundled(
@@ -124,4 +127,12 @@ test("a frame is read in place, and one that is cut or of another kind is refuse
   assert.throws(() => readFrame(bytes.slice(0, 70)), /cut/);
   head.setUint8(4, 2);
   assert.throws(() => readFrame(bytes), /version 1/);
+});
+
+test("no source of the page makes markup of a text", () => {
+  const forbidden = /\b(innerHTML|outerHTML\s*=|insertAdjacentHTML|document\.write|eval\(|new Function|srcdoc|DOMParser\(\)\.parseFromString\((?!text, "image\/svg\+xml"|html, "text\/html"))/;
+  const source = join(dirname(fileURLToPath(import.meta.url)), "../../../engine/app/studio/page/src");
+  const files = readdirSync(source, {recursive: true}).filter((name) => /\.ts$/.test(name));
+  assert.ok(files.length > 50);
+  for (const name of files) assert.doesNotMatch(readFileSync(join(source, name), "utf8").replace(/^\s*(\/\/|\*|\/\*\*).*$/gm, ""), forbidden, name);
 });

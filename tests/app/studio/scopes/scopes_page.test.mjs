@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import {existsSync, readFileSync} from "node:fs";
 import {after, before, test} from "node:test";
+import {contrasts} from "../../../gallery/inspect.mjs";
 import {served} from "./bundled.mjs";
 
 const playwright = await import("playwright-core").then((all) => all.default ?? all, () => undefined);
@@ -311,9 +312,10 @@ test("texts of a diagram are no markup, wherever they are shown", options, () =>
 }));
 
 for (const width of [1400, 1024, 400]) for (const colorScheme of ["light", "dark"])
-  test(`nothing hangs over the page at ${width} px, ${colorScheme}`, options, () => at(1, async (page) => {
+  test(`nothing hangs over the page, and all text stands out, at ${width} px, ${colorScheme}`, options, () => at(1, async (page) => {
     await page.evaluate(() => { studio.board.shared.cursors.put("a", 0.2, 0.001); studio.board.bar.showSignals(true); });
     await page.waitForTimeout(200);
     const {content, window: own} = await page.evaluate(() => ({content: document.documentElement.scrollWidth, window: document.documentElement.clientWidth}));
     assert.ok(content <= own, `${content} in ${own}`);
+    for (const {ratio, text} of await page.evaluate(contrasts)) assert.ok(ratio >= 4.5, `${text}: ${ratio}`);
   }, {viewport: {width, height: 700}, colorScheme}));

@@ -72,6 +72,8 @@ test("a range chosen by hand stays until it shall fit again", () => {
 test("a constant has room above and below", () => {
   assert.deepEqual(m.padded({low: 5, high: 5}), {low: 4.5, high: 5.5});
   assert.deepEqual(m.padded({low: 0, high: 0}), {low: -1, high: 1});
+  const rounding = m.padded({low: 10 - 1e-12, high: 10 + 1e-12});
+  near(rounding.high - rounding.low, 1e-3, 1e-6);
 });
 
 test("time follows the newest, and stands still once it is zoomed", () => {
@@ -126,7 +128,7 @@ test("the pace goes in steps up to as fast as it goes", () => {
   assert.equal(m.nextRate(10, 1), 0);
   assert.equal(m.nextRate(0, 1), 0);
   assert.equal(m.nextRate(0.1, -1), 0.1);
-  assert.equal(m.rateText(0), "as fast as it goes");
+  assert.equal(m.rateText(0), "fastest");
 });
 
 function frameOf(kind, columns) {

@@ -1,9 +1,10 @@
 import {connect, Fault} from "./connection/connection";
 import {DrawingView} from "./drawing/drawing_view";
 import {menuEntries} from "./gallery/menu";
+import {RunBar} from "./run/run_bar";
 import {RunModel} from "./run/run_model";
 import {Bar} from "./shell/bar";
-import type {Context, View, ViewType} from "./shell/context";
+import type {Context} from "./shell/context";
 import {Layout, type Pane} from "./shell/layout";
 import {Notices} from "./shell/notices";
 import {Settings} from "./shell/settings";
@@ -15,16 +16,6 @@ import {Workbench} from "./text/workbench";
 import "./shell/tokens.css";
 import "./shell/shell.css";
 
-const modules = import.meta.glob(["./run/run_bar.ts", "./scopes/scope_board.ts", "./tuning/tuning_list.ts", "./scene/*_view.ts", "./figures/figures_view.ts"]);
-
-/** A view of a module that is loaded when it is seen first. */
-async function made(path: string, name: string, host: HTMLElement, context: Context): Promise<View> {
-  const load = modules[path];
-  if (!load) throw new Error("it is not built yet");
-  const types = (await load()) as Record<string, ViewType>;
-  return new types[name](host, context);
-}
-
 const connection = connect(), notices = new Notices(), settings = new Settings(connection);
 const notify = (text: string, kind?: "note" | "fault") => notices.notify(text, kind);
 const context: Context = {
@@ -34,16 +25,16 @@ const context: Context = {
 const panes: Pane[] = [
   {id: "text", title: "Text", make: async (host) => new TextView(host, context)},
   {id: "drawing", title: "Drawing", make: async (host) => new DrawingView(host, context)},
-  {id: "scopes", title: "Scopes", make: (host) => made("./scopes/scope_board.ts", "ScopeBoard", host, context)},
-  {id: "scene", title: "Scene", make: (host) => made("./scene/scene_view.ts", "SceneView", host, context)},
-  {id: "mechanism", title: "3-D", make: (host) => made("./scene/mechanism_view.ts", "MechanismView", host, context)},
-  {id: "figures", title: "Figures", make: (host) => made("./figures/figures_view.ts", "FiguresView", host, context)},
-  {id: "tuning", title: "Tuning", make: (host) => made("./tuning/tuning_list.ts", "TuningList", host, context)},
+  {id: "scopes", title: "Scopes", make: async (host) => new (await import("./scopes/scope_board")).ScopeBoard(host, context)},
+  {id: "scene", title: "Scene", make: async (host) => new (await import("./scene/scene_view")).SceneView(host, context)},
+  {id: "mechanism", title: "3-D", make: async (host) => new (await import("./scene/mechanism_view")).MechanismView(host, context)},
+  {id: "figures", title: "Figures", make: async (host) => new (await import("./figures/figures_view")).FiguresView(host, context)},
+  {id: "tuning", title: "Tuning", make: async (host) => new (await import("./tuning/tuning_list")).TuningList(host, context)},
 ];
 const bar = new Bar(context), layout = new Layout(panes, settings);
 document.body.append(bar.element, layout.element, notices.element);
 bar.entries.push(...menuEntries(context));
-made("./run/run_bar.ts", "RunBar", bar.run, context).catch((thrown) => bar.run.append(String(thrown.message)));
+new RunBar(bar.run, context);
 
 panes.forEach(({id, title}, i) => context.shortcuts.add({key: String(i + 1), text: title.toLowerCase(), group: "Panes", action: () => layout.show(id, true)}));
 context.shortcuts.add({key: "F6", text: "next pane", group: "Panes", action: () => layout.cycle(1)});

@@ -2,13 +2,8 @@ import type {Context} from "../shell/context";
 import {h, listen} from "../shell/dom";
 import {type BlockType, blockTypes, valueText} from "../palette/reference";
 import {type Field, fieldsOf} from "./fields";
-import type {Shape, TextRange} from "./types";
-
-interface Place {
-  file: number;
-  name: string;
-  range: TextRange;
-}
+import type {Place} from "./places";
+import type {Shape} from "./types";
 
 /** What may be changed of a block: its name and its numbers and words. Enter writes a field into the text. */
 export class BlockCard {

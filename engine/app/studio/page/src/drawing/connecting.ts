@@ -4,8 +4,9 @@ import {Fault} from "../connection/connection";
 import type {Context} from "../shell/context";
 import {listen, svg} from "../shell/dom";
 import {openMenu} from "../shell/menu";
+import type {Places} from "./places";
 import type {Placed, Shapes} from "./shapes";
-import type {End, Shape, TextRange} from "./types";
+import type {End, Shape} from "./types";
 import type {Viewport} from "./viewport";
 
 interface Source {
@@ -34,8 +35,7 @@ export class Connecting {
   private readonly ends: (() => void)[];
 
   constructor(private readonly canvas: HTMLElement, private readonly shapes: Shapes, private readonly viewport: Viewport, private readonly context: Context,
-              private readonly placeOf: (id: string) => {file: number; name: string; range: TextRange} | undefined,
-              private readonly fileOf: () => number) {
+              private readonly places: Places) {
     this.ends = [
       listen(canvas, "pointerdown", (event: PointerEvent) => this.grab(event), {capture: true}),
       listen(document, "keydown", (event: KeyboardEvent) => { if (event.key === "Escape" && this.source) this.stop(); }),
@@ -62,8 +62,8 @@ export class Connecting {
   }
 
   private sourceOf(shape: Shape, port: string): Source | undefined {
-    if (shape.own === "input") return {shape, port, file: this.fileOf(), name: port};
-    const place = this.placeOf(shape.id);
+    if (shape.own === "input") return {shape, port, file: this.places.file, name: port};
+    const place = this.places.place(shape.id);
     return place ? {shape, port, file: place.file, name: shape.outputs.length === 1 && !shape.isPart ? place.name : `${place.name}.${port}`} : undefined;
   }
 
@@ -74,7 +74,7 @@ export class Connecting {
     try {
       const {inputs} = await connection.call<{inputs: {node: string; input: string}[]}>("fits", {file: source.file, version: document.version, from: source.name});
       return inputs.flatMap(({node, input}) => {
-        const placed = here.find(({shape}) => (node === "" ? shape.id === `:output:${input}` : this.placeOf(shape.id)?.name === node));
+        const placed = here.find(({shape}) => (node === "" ? shape.id === `:output:${input}` : this.places.place(shape.id)?.name === node));
         return placed ? [this.targetAt(placed, input)] : [];
       });
     } catch {
@@ -162,7 +162,7 @@ export class Connecting {
   }
 
   private async connect(source: Source, target: Target): Promise<void> {
-    const {shape} = target.placed, to = this.placeOf(shape.id)?.name ?? "";
+    const {shape} = target.placed, to = this.places.place(shape.id)?.name ?? "";
     try {
       await this.context.workbench.splice(source.file, {kind: "connect", from: source.name, to, input: target.port});
       this.context.announce(`${source.name} is connected to ${this.labelOf(target)}`);

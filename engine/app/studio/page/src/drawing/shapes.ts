@@ -56,6 +56,16 @@ export class Shapes {
     return element ? this.placed.get(element.dataset.shape!) : undefined;
   }
 
+  /** Marks blocks by their names as faulty, with why. */
+  markFaulty(faults: Map<string, string>): void {
+    for (const {shape, element} of this.placed.values()) {
+      const message = faults.get(shape.id);
+      element.classList.toggle("faulty", message !== undefined);
+      if (message) element.setAttribute("aria-description", message);
+      else element.removeAttribute("aria-description");
+    }
+  }
+
   wireOf(target: EventTarget | null): Laid | undefined {
     const element = target instanceof Element ? target.closest("[data-wire]") : null;
     return this.laid.find((one) => one.element === element);

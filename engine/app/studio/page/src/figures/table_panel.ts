@@ -6,7 +6,7 @@ import {textWidth, wrapped} from "./text_size";
 const rowHeight = 23, gap = 26, margin = 18, size = 13, noteSize = 12;
 
 /** Is every cell of a column a number, with its spread or unit perhaps? */
-const isNumbers = (cells: readonly string[]) => cells.some((cell) => cell !== "") && cells.every((cell) => /^\s*$|^[<>≤≥~±]?\s*[-−+]?[\d.]/.test(cell));
+const isNumbers = (cells: readonly string[]) => cells.some((cell) => cell !== "") && cells.every((cell) => /^\s*$|^[-–−]$|^[<>≤≥~±]?\s*[-−+]?[\d.]/.test(cell));
 
 /** A table as pieces, and how large it is: numbers to the right, words to the left. */
 export function tablePieces({title, columns, rows, notes}: Table, theme: Theme): {pieces: Piece[]; width: number; height: number} {

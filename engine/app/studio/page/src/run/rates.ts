@@ -1,7 +1,7 @@
 /** What may be chosen as the pace of a run: seconds of it in one of the clock; 0 is as fast as it goes. */
 export const rates = [0.1, 0.2, 0.5, 1, 2, 5, 10, 0];
 
-export const rateText = (rate: number): string => (rate === 0 ? "as fast as it goes" : `${rate}×`);
+export const rateText = (rate: number): string => (rate === 0 ? "fastest" : `${rate}×`);
 
 /** The next faster (1) or slower (-1) one. */
 export function nextRate(rate: number, by: 1 | -1): number {

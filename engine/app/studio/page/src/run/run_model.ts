@@ -40,6 +40,7 @@ export class RunModel {
       connection.on("run", (news: RunNews) => this.take(news)),
       connection.on("set", (echo: SetEcho) => this.takeSet(echo)),
       connection.on("connection", ({state}) => { if (state === "open" && this.loaded) this.markStale(); }),
+      connection.on("fault", (news: {news?: string}) => { if (news.news) this.listeners.emit("fault", Fault.from(news)); }),
       connection.on("claims", (news: {claims: Verdict[]}) => this.listeners.emit("claims", news.claims)),
     ];
   }

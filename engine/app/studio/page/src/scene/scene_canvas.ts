@@ -39,7 +39,8 @@ export class SceneCanvas {
     return [this.info.x[0] + ((x - left) / width) * (this.info.x[1] - this.info.x[0]), this.info.y[1] - ((y - top) / height) * (this.info.y[1] - this.info.y[0])];
   }
 
-  draw(shapes: readonly Shape[], hand: Place | undefined): void {
+  /** `hand` is where somebody pulls, and what they pull. */
+  draw(shapes: readonly Shape[], hand: {at: Place; pulled: Place} | undefined): void {
     const pen = this.element.getContext("2d"), place = {left: 0, top: 0, scale: this.width / (this.info.x[1] - this.info.x[0])};
     if (!pen || this.width < 2) return;
     pen.setTransform(this.density, 0, 0, this.density, 0, 0);
@@ -47,10 +48,12 @@ export class SceneCanvas {
     paint(pen, [groundPiece(this.info, place), ...shapes.flatMap((shape) => shapePieces(shape, this.info, place)), ...this.handPieces(hand, place.scale)]);
   }
 
-  /** A ring where the hand is, seen on any ground. */
-  private handPieces(hand: Place | undefined, scale: number): Piece[] {
+  /** A ring where the hand is, and a band to what it pulls, seen on any ground: where something resists the band is long. */
+  private handPieces(hand: {at: Place; pulled: Place} | undefined, scale: number): Piece[] {
     if (!hand) return [];
-    const at = [scale * (hand[0] - this.info.x[0]), scale * (this.info.y[1] - hand[1])];
-    return [3.5, 1.5].map((width, i): Piece => ({piece: "dots", at, radius: ring.radius, stroke: {color: i === 0 ? ring.edge : ring.color, width}}));
+    const [at, end] = [hand.at, hand.pulled].map(([x, y]) => [scale * (x - this.info.x[0]), scale * (this.info.y[1] - y)]), far = Math.hypot(at[0] - end[0], at[1] - end[1]);
+    const start = [0, 1].map((i) => at[i] + ((end[i] - at[i]) * ring.radius) / Math.max(far, 1e-9)), band: Piece[] = far > 2 * ring.radius
+      ? [{piece: "path", lines: [[...start, ...end]], stroke: {color: ring.color, width: 1.5, dash: [1, 5]}}] : [];
+    return [...band, ...[3.5, 1.5].map((width, i): Piece => ({piece: "dots", at, radius: ring.radius, stroke: {color: i === 0 ? ring.edge : ring.color, width}}))];
   }
 }

@@ -166,7 +166,8 @@ export class SceneView implements View {
     this.frame ??= requestAnimationFrame(() => {
       this.frame = undefined;
       if (!this.canvas || !this.info) return;
-      this.canvas.draw(this.news ? shapesOf(this.info, this.news) : [], this.hand?.held ? this.hand.at : undefined);
+      const at = this.hand?.held ? this.hand.at : undefined;
+      this.canvas.draw(this.news ? shapesOf(this.info, this.news) : [], at && {at, pulled: startOf(this.info, this.news)});
       const took = this.news && this.latency.drawn(this.news, performance.now() / 1000);
       if (took !== undefined) this.context.run.latency.measured(1000 * took);
       this.showState();

@@ -1,10 +1,13 @@
 import type {Wanted} from "../connection/connection";
 import {axisOf, grouped, visible} from "./axis_group";
 import {type Axes, type Content, samplesOf, strokeOf, type Subject} from "./content";
-import {paintAgainst} from "./paint";
+import {dot, paintAgainst, type Plane, type Stroke, xOf, yOf} from "./paint";
 import type {Plot} from "./plot";
-import {extent} from "./samples";
+import {extent, rowsWithin, type Samples} from "./samples";
 import {padded, type Range} from "./y_range";
+
+/** Pixels that are asked for, each of them two samples at most. */
+const fine = 6000;
 
 /** All traces against the first one. */
 export class Against implements Content {
@@ -12,9 +15,9 @@ export class Against implements Content {
 
   constructor(private readonly subject: Subject) {}
 
-  /** Four times as fine, so that short stretches come with every sample: extremes know no pairs. */
-  wanted({low, high}: Range, isFollowing: boolean, pixels: number): Omit<Wanted, "columns"> {
-    return isFollowing ? {follow: high - low, pixels: 4 * pixels} : {from: low, to: high, pixels: 4 * pixels};
+  /** Fine enough for every sample of ten seconds at 1 kHz: extremes know no pairs. */
+  wanted({low, high}: Range, isFollowing: boolean): Omit<Wanted, "columns"> {
+    return isFollowing ? {follow: high - low, pixels: fine} : {from: low, to: high, pixels: fine};
   }
 
   axes(window: Range, at: number): Axes {
@@ -35,9 +38,16 @@ export class Against implements Content {
       const plane = {...plot.box, x: this.x, y: group.range.now};
       for (const trace of group.traces) {
         const ys = samplesOf(this.subject, trace);
-        if (ys && ys.time === xs!.time) paintAgainst(plot.context, xs!, ys, plane, strokeOf(this.subject, trace, plot.ratio), window);
+        if (ys && ys.time === xs!.time) this.paintTrace(plot, plane, xs!, ys, strokeOf(this.subject, trace, plot.ratio), window);
       }
     }
+  }
+
+  /** The curve, and a dot where it is now. */
+  private paintTrace(plot: Plot, plane: Plane, xs: Samples, ys: Samples, stroke: Stroke, window: Range): void {
+    const last = rowsWithin(xs.time, window).to - 1;
+    paintAgainst(plot.context, xs, ys, plane, stroke, window);
+    if (last >= 0) dot(plot.context, xOf(plane, xs.high[last]), yOf(plane, ys.high[last]), 3.5 * plot.ratio, stroke.color);
   }
 
   note(): string {

@@ -41,6 +41,7 @@ export class DifferenceTo implements Content {
   }
 
   note(): string {
+    if (this.subject.feed.isOld) return "comparing …";
     return this.subject.groups.flatMap((group) => group.traces.map((trace) => this.noteOf(trace, group))).join("; ");
   }
 
@@ -51,7 +52,7 @@ export class DifferenceTo implements Content {
 
   private compare(trace: Trace, group: AxisGroup): void {
     const now = samplesOf(this.subject, trace), before = this.pin.samples.get(trace.source), text = this.tolerance(), known = this.results.get(trace);
-    if (!now || !before || (known?.of === now && known.text === text)) return;
+    if (this.subject.feed.isOld || !now || !before || (known?.of === now && known.text === text)) return;
     const range = extent(before, {low: 0, high: this.pin.to}), span = range ? range.high - range.low : 0;
     const tolerance = readTolerance(text, group.unit, span) ?? 0;
     this.results.set(trace, {difference: difference(now, before, tolerance), tolerance, of: now, text});

@@ -20,6 +20,8 @@ export class Feed {
   /** By column, SI. What was there stays until a frame with other columns comes. */
   samples = new Map<number, Samples>();
   frame: Frame | undefined;
+  /** Whether what is there was asked for before `renew`. */
+  isOld = false;
 
   constructor(private readonly connection: Connection, private readonly arrived: () => void) {}
 
@@ -32,6 +34,13 @@ export class Feed {
     const pause = between - (performance.now() - this.sentAt);
     if (!wanted || pause <= 0 || wanted.columns.join() !== this.columns.join()) this.send();
     else this.timer ??= window.setTimeout(() => this.send(), pause);
+  }
+
+  /** From now on another kind of stretch is asked for: what is under way is not taken for it. */
+  renew(): void {
+    this.leave();
+    this.wish = "";
+    this.isOld = true;
   }
 
   stop(): void {
@@ -64,6 +73,7 @@ export class Feed {
 
   private take(frame: Frame): void {
     this.frame = frame;
+    this.isOld = false;
     const all = samplesOf(frame);
     this.samples = new Map(this.columns.map((column, i) => [column, all[i]]));
     this.arrived();

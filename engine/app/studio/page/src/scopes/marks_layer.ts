@@ -4,9 +4,9 @@ import type {Range} from "./y_range";
 
 /** The cursors, the pointer's line and the rectangle of a zoom over the plot of one scope: elements that move, nothing is drawn anew. */
 export class MarksLayer {
-  private readonly a = h("div", {class: "mark mark-a", "aria-hidden": "true"}, h("span", {}, "A"));
-  private readonly b = h("div", {class: "mark mark-b", "aria-hidden": "true"}, h("span", {}, "B"));
-  private readonly hair = h("div", {class: "mark hair", "aria-hidden": "true"});
+  private readonly a = h("div", {class: "mark mark-a", hidden: true, "aria-hidden": "true"}, h("span", {}, "A"));
+  private readonly b = h("div", {class: "mark mark-b", hidden: true, "aria-hidden": "true"}, h("span", {}, "B"));
+  private readonly hair = h("div", {class: "mark hair", hidden: true, "aria-hidden": "true"});
   private readonly chosen = h("div", {class: "chosen", hidden: true, "aria-hidden": "true"});
   private window: Range = {low: 0, high: 1};
   /** Of the plot [px]; known from its axes, as reading it from the page would force a layout. */

@@ -119,6 +119,8 @@ export class Scope implements Subject {
   fill(what: "time" | "against" | Pin): void {
     this.content = what === "time" ? new OverTime(this) : what === "against" ? new Against(this) : new DifferenceTo(this, what, () => this.tolerance.value);
     this.tolerance.hidden = !(this.content instanceof DifferenceTo);
+    this.groups = [];
+    this.feed.renew();
     this.changed();
   }
 
@@ -164,7 +166,7 @@ export class Scope implements Subject {
   }
 
   private isDue({low, high}: Range, at: number): boolean {
-    const moved = (Math.abs(low - this.drawn.low) / (high - low)) * this.plot.box.width;
+    const moved = this.isAgainst ? 0 : (Math.abs(low - this.drawn.low) / (high - low)) * this.plot.box.width;
     return this.isTouched || moved >= leastMove || (this.hasNew && at - this.drawnAt >= newPause) || high - low !== this.drawn.high - this.drawn.low;
   }
 
@@ -179,7 +181,7 @@ export class Scope implements Subject {
   /** While time moves, new values wait for the next move. */
   private arrived(): void {
     this.hasNew = true;
-    if (!this.window.isFollowing || !this.shared.context.run.clock.moves || this.isAgainst) this.isTouched = true;
+    if (!this.window.isFollowing || !this.shared.context.run.clock.moves) this.isTouched = true;
     this.shared.tick();
   }
 

@@ -28,7 +28,7 @@ const spoken = 250;
 export class ScopeBoard implements View, ScopeHost {
   readonly shared: Shared;
   scopes: Scope[] = [];
-  readonly signals = new SignalList((source, inNew) => this.addSource(inNew ? undefined : this.target, source));
+  readonly signals = new SignalList((source, inNew) => this.addSource(inNew ? undefined : this.target, source), () => this.leaveSignals());
   private readonly grid = h("div", {class: "scope-grid"});
   private readonly statistics: StatisticsTable;
   private readonly bar: BoardBar;
@@ -116,6 +116,11 @@ export class ScopeBoard implements View, ScopeHost {
     } catch (thrown) {
       return Fault.from(thrown).message;
     }
+  }
+
+  private leaveSignals(): void {
+    this.bar.showSignals(false);
+    (this.target ?? this.scopes[0])?.element.focus();
   }
 
   /** Back to the newest, as wide as before, with fitting values. */

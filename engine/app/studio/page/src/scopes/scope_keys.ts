@@ -1,6 +1,7 @@
+import {zoomAxis} from "./axis_group";
 import type {Scope} from "./scope";
 
-/** Keys while a scope has the focus. Arrows move cursor A, with Shift cursor B, with Alt by one tick. */
+/** Keys while a scope has the focus. Left and right move cursor A, with Shift cursor B, with Alt by one tick; up and down zoom time, with Alt the values. */
 export function pressed(event: KeyboardEvent, scope: Scope): void {
   if (event.ctrlKey || event.metaKey) return;
   const action = actionOf(event, scope);
@@ -9,13 +10,16 @@ export function pressed(event: KeyboardEvent, scope: Scope): void {
   action();
 }
 
+/** What a key press leaves of what is seen. */
+const nearer = 0.7;
+
 function actionOf(event: KeyboardEvent, scope: Scope): (() => void) | undefined {
   const {window, shared} = scope, newest = shared.now;
   switch (event.key) {
     case "ArrowLeft": return () => move(scope, event, -1);
     case "ArrowRight": return () => move(scope, event, 1);
-    case "ArrowUp": case "+": return () => window.zoom(0.7, center(scope), newest);
-    case "ArrowDown": case "-": return () => window.zoom(1 / 0.7, center(scope), newest);
+    case "ArrowUp": case "+": return () => (event.altKey ? zoomValues(scope, nearer) : window.zoom(nearer, center(scope), newest));
+    case "ArrowDown": case "-": return () => (event.altKey ? zoomValues(scope, 1 / nearer) : window.zoom(1 / nearer, center(scope), newest));
     case "PageUp": return () => window.pan(-0.5, newest);
     case "PageDown": return () => window.pan(0.5, newest);
     case "Home": return () => shared.cursors.put(markOf(event), window.at(newest).low, stepOf(scope));
@@ -27,6 +31,12 @@ function actionOf(event: KeyboardEvent, scope: Scope): (() => void) | undefined 
 
 const stepOf = ({shared}: Scope) => shared.context.run.loaded?.step ?? 0;
 const markOf = ({shiftKey}: KeyboardEvent) => (shiftKey ? "b" : "a");
+
+/** About the middle. */
+function zoomValues({groups, shared}: Scope, factor: number): void {
+  for (const group of groups) zoomAxis(group, factor, 0.5);
+  shared.redraw();
+}
 
 /** Zoom keeps cursor A where it is, if it is in view. */
 function center({window, shared}: Scope): number {

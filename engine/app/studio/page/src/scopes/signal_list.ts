@@ -20,12 +20,13 @@ export class SignalList {
   private readonly fault = h("p", {class: "signal-fault", role: "alert", hidden: true});
   private columns: Column[] = [];
 
-  /** `add` resolves to why it could not; undefined where it did. */
-  constructor(private readonly add: (source: string, inNew: boolean) => Promise<string | undefined>) {
+  /** `add` resolves to why it could not, undefined where it did; `leave` closes the list. */
+  constructor(private readonly add: (source: string, inNew: boolean) => Promise<string | undefined>, leave: () => void) {
     this.element.append(h("div", {class: "signal-search"}, this.search), this.fault, this.list);
     listen(this.search, "input", () => this.show());
     listen(this.search, "keydown", (event: KeyboardEvent) => this.press(event));
     listen(this.list, "keydown", (event: KeyboardEvent) => this.walk(event));
+    listen(this.element, "keydown", (event: KeyboardEvent) => { if (event.key === "Escape") leave(); });
   }
 
   fill(columns: Column[]): void {

@@ -6,7 +6,7 @@ import {swatch} from "./legend";
 import type {Scope} from "./scope";
 import type {Shared} from "./shared";
 import {marksText, reducedText, type Reduction, reductions, type Statistics} from "./statistics";
-import type {Trace} from "./trace";
+import {type Trace, unitOf} from "./trace";
 
 /** How long the cursors must rest before the server is asked [ms]. */
 const quiet = 60;
@@ -69,9 +69,9 @@ export class StatisticsTable {
   }
 
   private cell(scope: Scope, trace: Trace, reduction: Reduction): HTMLElement | string {
-    const statistics = this.known.get(trace.column), unit = scope.groups.find(({traces}) => traces.includes(trace))?.unit;
-    const {a, b} = this.shared.cursors;
-    if (!statistics || !unit || a === undefined) return "–";
+    const statistics = this.known.get(trace.column), {a, b} = this.shared.cursors;
+    if (!statistics || a === undefined) return "–";
+    const seen = scope.groups.find(({traces}) => traces.includes(trace))?.unit, unit = seen ?? unitOf(trace, Math.max(-statistics.min, statistics.max));
     const text = reducedText(statistics, reduction, unit, b !== undefined && b < a);
     if (!mayClaim(reduction)) return text;
     const claim = () => insertText(this.element, this.shared.context, "claims", claimText({...trace, statistics, unit, a, b}, reduction)!);

@@ -3,6 +3,8 @@ export const patience = 2;
 const worthIt = 0.85;
 /** Free above and below, as a share of what data take. */
 const margin = 0.06;
+/** Less is not resolved without being asked for, as a share of the magnitude: labels would not tell it apart, and rounding is no signal. */
+const leastSpan = 1e-4;
 
 export interface Range {
   low: number;
@@ -14,7 +16,8 @@ const width = ({low, high}: Range) => high - low;
 /** A range with room above and below; a constant gets room in proportion to itself. */
 export function padded({low, high}: Range): Range {
   const span = high - low;
-  const room = span > 0 ? span * margin : Math.abs(low) * 0.1 || 1;
+  const size = Math.max(Math.abs(low), Math.abs(high)), least = leastSpan * size;
+  const room = span === 0 ? size * 0.1 || 1 : Math.max(span * margin, (least - span) / 2);
   return {low: low - room, high: high + room};
 }
 

@@ -56,6 +56,12 @@ export class Bar {
     const {theme, settings} = this.context, own = theme.choice;
     const color = (choice: Choice, text: string): [string, () => void] =>
       [`${own === choice ? "● " : ""}${text}`, () => { theme.choose(choice); settings.set("theme", choice); }];
-    openMenu(this.more, [...this.entries, color("system", "Colours of the system"), color("light", "Light"), color("dark", "Dark")]);
+    openMenu(this.more, [...this.drafts(), ...this.entries, color("system", "Colours of the system"), color("light", "Light"), color("dark", "Dark")]);
+  }
+
+  /** Texts that are not saved may be given up. */
+  private drafts(): [string, () => void][] {
+    const {workbench, notify} = this.context;
+    return workbench.changedFiles.map((document) => [`Give up the draft of ${document.name}`, () => void workbench.discard(document).then(() => notify(`${document.name} is as the file has it`), (fault) => notify(fault.message, "fault"))]);
   }
 }

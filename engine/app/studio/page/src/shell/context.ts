@@ -28,5 +28,3 @@ export interface View {
   /** The pane came to the front, or left it. */
   shown?(isShown: boolean): void;
 }
-
-export type ViewType = new (host: HTMLElement, context: Context) => View;

@@ -10,7 +10,7 @@ import {type Connection, type DiagramFault, Fault} from "../connection/connectio
 import {openMenu} from "../shell/menu";
 import type {Document} from "./document";
 import {addressOf, fileOf, LanguageWorkspace} from "./language_workspace";
-import {plainMarkup, plainNodes} from "./markup";
+import {markupNodes} from "./markup";
 import type {Workbench} from "./workbench";
 
 interface Position { line: number; character: number }
@@ -33,6 +33,12 @@ const positionOf = (doc: Text, offset: number): Position => {
   return {line: line.number - 1, character: offset - line.from};
 };
 
+/** The library would make markup of Markdown in completions: it gets them as plain text, which it escapes. */
+function plainDocumentation(message: any): unknown {
+  for (const {documentation} of message.result?.items ?? []) if (documentation?.kind === "markdown") documentation.kind = "plaintext";
+  return message;
+}
+
 export class Language {
   private readonly client: LSPClient;
   /** Does the server speak it? Until then faults of the drawing are shown. */
@@ -41,13 +47,13 @@ export class Language {
 
   constructor(private readonly connection: Connection, private readonly workbench: Workbench, private readonly notify: (text: string, kind?: "fault") => void) {
     this.client = new LSPClient({
-      rootUri: "studio:/", timeout: 10000, sanitizeHTML: plainMarkup, workspace: (client) => new LanguageWorkspace(client, workbench),
+      rootUri: "studio:/", timeout: 10000, workspace: (client) => new LanguageWorkspace(client, workbench),
       notificationHandlers: {
         "textDocument/publishDiagnostics": (_, {uri, diagnostics, version}) => { void this.publish(fileOf(uri), diagnostics, version); return true; },
         "window/showMessage": (_, {message}) => { notify(message); return true; },
       },
     });
-    connection.on("language", ({message}) => { for (const receive of [...this.receivers]) receive(typeof message === "string" ? message : JSON.stringify(message)); });
+    connection.on("language", ({message}) => { for (const receive of [...this.receivers]) receive(JSON.stringify(plainDocumentation(message))); });
     connection.on("connection", ({state}) => (state === "open" ? void this.connect() : this.leave()));
     connection.on("faults", ({file, faults}) => this.showFaults(file, faults));
     workbench.on("changed", () => { if (this.isThere) this.client.sync(); });
@@ -191,7 +197,7 @@ export class Language {
     if (!found) return null;
     const {doc} = view.state, dom = document.createElement("div");
     dom.className = "cm-hover";
-    dom.append(...plainNodes(plugin.docToHTML(found.contents)));
+    dom.append(...(found.contents.kind === "markdown" ? markupNodes(found.contents.value) : [document.createTextNode(found.contents.value)]));
     return {pos: found.range ? offsetOf(doc, found.range.start) : at, end: found.range ? offsetOf(doc, found.range.end) : at, above: true, create: () => ({dom})};
   }
 }

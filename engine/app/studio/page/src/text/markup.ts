@@ -1,24 +1,34 @@
-// Documentation from the language server is markup of texts of diagrams: only plain elements without attributes come into the page.
+// Documentation from the language server is Markdown with texts of diagrams in it: its elements are made one by one, and HTML in it stays text.
 
-const plain = new Set(["P", "CODE", "PRE", "EM", "STRONG", "UL", "OL", "LI", "BR", "HR", "H1", "H2", "H3", "H4", "TABLE", "THEAD", "TBODY", "TR", "TH", "TD", "BLOCKQUOTE", "SPAN", "DIV"]);
-const dropped = new Set(["SCRIPT", "STYLE", "IFRAME", "OBJECT", "TEMPLATE", "SVG", "MATH"]);
+import {lexer, type Token, type Tokens} from "marked";
 
-function copied(node: Node): Node[] {
-  if (node.nodeType === Node.TEXT_NODE) return [document.createTextNode(node.textContent ?? "")];
-  if (!(node instanceof HTMLElement) || dropped.has(node.tagName.toUpperCase())) return [];
-  const children = [...node.childNodes].flatMap(copied);
-  if (!plain.has(node.tagName)) return children;
-  const element = document.createElement(node.tagName.toLowerCase());
-  element.append(...children);
-  return [element];
+const children = (tokens: Token[] | undefined, text = "") => (tokens ? tokens.flatMap(nodesOf) : [document.createTextNode(text)]);
+
+function element(name: string, ...content: Node[]): HTMLElement {
+  const made = document.createElement(name);
+  made.append(...content);
+  return made;
 }
 
-/** What of a markup may be shown. */
-export const plainNodes = (html: string): Node[] => [...new DOMParser().parseFromString(html, "text/html").body.childNodes].flatMap(copied);
+const row = (cells: Tokens.TableCell[], name: "td" | "th") => element("tr", ...cells.map(({tokens}) => element(name, ...children(tokens))));
 
-/** The same as a text, for a library that takes no nodes. */
-export function plainMarkup(html: string): string {
-  const holder = document.createElement("div");
-  holder.append(...plainNodes(html));
-  return new XMLSerializer().serializeToString(holder);
+const makers: Record<string, (token: any) => Node[]> = {
+  heading: ({depth, tokens}: Tokens.Heading) => [element(`h${Math.min(6, depth)}`, ...children(tokens))],
+  paragraph: ({tokens}: Tokens.Paragraph) => [element("p", ...children(tokens))],
+  blockquote: ({tokens}: Tokens.Blockquote) => [element("blockquote", ...children(tokens))],
+  list: ({ordered, items}: Tokens.List) => [element(ordered ? "ol" : "ul", ...items.map(({tokens}) => element("li", ...children(tokens))))],
+  table: ({header, rows}: Tokens.Table) => [element("table", row(header, "th"), ...rows.map((one) => row(one, "td")))],
+  code: ({text}: Tokens.Code) => [element("pre", document.createTextNode(text))],
+  codespan: ({text}: Tokens.Codespan) => [element("code", document.createTextNode(text))],
+  strong: ({tokens}: Tokens.Strong) => [element("strong", ...children(tokens))],
+  em: ({tokens}: Tokens.Em) => [element("em", ...children(tokens))],
+  br: () => [element("br")], hr: () => [element("hr")], space: () => [],
+  text: ({tokens, text}: Tokens.Text) => children(tokens, text), link: ({tokens, text}: Tokens.Link) => children(tokens, text),
+};
+
+function nodesOf(token: Token): Node[] {
+  return makers[token.type]?.(token) ?? [document.createTextNode("text" in token ? String(token.text) : token.raw)];
 }
+
+/** A Markdown text as elements of the page. */
+export const markupNodes = (markdown: string): Node[] => lexer(markdown).flatMap(nodesOf);

@@ -1,11 +1,12 @@
 // The files that are open, their edits, and which of them is seen. Drawing, tuning and palette edit through it, so that all share one undo history.
 
 import {isolateHistory} from "@codemirror/commands";
-import {type ChangeSet, EditorState, type Extension, Transaction, type TransactionSpec} from "@codemirror/state";
+import {EditorState, type Extension, Transaction, type TransactionSpec} from "@codemirror/state";
 import type {EditorView} from "@codemirror/view";
 import {type Connection, type DiagramFault, Fault} from "../connection/connection";
-import {type Change, listed, setOf} from "./differences";
+import {type Change, setOf} from "./differences";
 import {Document, type Opened, textOf} from "./document";
+import {TextSync} from "./text_sync";
 
 export interface FileEntry {
   file: number;
@@ -45,6 +46,7 @@ export interface WorkbenchEvents {
 export class Workbench {
   private readonly documents = new Map<number, Document>();
   private readonly listeners = new Map<keyof WorkbenchEvents, Set<(event: any) => void>>();
+  private readonly sync: TextSync;
   private readonly marks = new Map<number, Mark[]>();
   private view: EditorView | undefined;
   private extensions: (document: Document) => Extension = () => [];
@@ -56,9 +58,10 @@ export class Workbench {
   active: Document | undefined;
 
   constructor(private readonly connection: Connection, private readonly notify: (text: string, kind?: "note" | "fault") => void) {
-    connection.on("edited", (news) => this.takeEdit(news));
+    this.sync = new TextSync(connection, notify, {
+      documents: () => this.documents, dispatch: (document, spec) => this.dispatch(document, spec), synced: (document) => this.emit("synced", document),
+    });
     connection.on("changed", (news) => this.takeChanged(news));
-    connection.on("connection", ({state}) => { if (state === "open" && this.main >= 0) void this.reopen(); });
   }
 
   on<Name extends keyof WorkbenchEvents>(name: Name, listener: (event: WorkbenchEvents[Name]) => void): () => void {
@@ -136,8 +139,12 @@ export class Workbench {
     return this.active?.file === file ? this.view : undefined;
   }
 
+  get openDocuments(): Document[] {
+    return [...this.documents.values()];
+  }
+
   get changedFiles(): Document[] {
-    return [...this.documents.values()].filter((document) => document.isChanged);
+    return this.openDocuments.filter((document) => document.isChanged);
   }
 
   private stateOf(document: Document, text: string): EditorState {
@@ -159,7 +166,7 @@ export class Workbench {
     if (transactions.some((one) => one.selection) || changed.length > 0) this.emitSelection(document);
     if (changed.length === 0) return;
     this.emit("changed", document);
-    void this.send(document);
+    void this.sync.send(document);
   }
 
   private emitSelection(document: Document): void {
@@ -183,7 +190,7 @@ export class Workbench {
   /** A small edit of a diagram by the server: it answers with changes of the text, and refuses what would change more. */
   async splice(file: number, edit: {kind: string; [key: string]: unknown}): Promise<{name?: string}> {
     const document = await this.open(file);
-    await this.synced(document);
+    await this.sync.whenSynced(document);
     const base = document.base;
     const result = await this.connection.call<{changes: (Change & {file?: number})[]; name?: string}>("splice", {file, version: document.version, edit});
     await this.applyListed(result.changes, file, new Map([[file, base]]));
@@ -223,58 +230,6 @@ export class Workbench {
     this.emit("moved", {file, at});
   }
 
-  // --- what the server has ---
-
-  private async send(document: Document): Promise<void> {
-    if (document.isSending || document.isSynced || this.connection.state !== "open") return;
-    const changes = document.take();
-    try {
-      const {version} = await this.connection.call<{version: number}>("edit", {file: document.file, version: document.version, changes: listed(changes)});
-      document.confirm(version);
-    } catch (thrown) {
-      document.refuse();
-      if (!this.recover(document, Fault.from(thrown))) return;
-    }
-    if (document.isSynced) this.emit("synced", document);
-    else void this.send(document);
-  }
-
-  /** Takes the server's text where a stale version was the fault. Returns whether sending again may help. */
-  private recover(document: Document, {text, detail}: Fault): boolean {
-    if (this.connection.state !== "open") return false;
-    const {text: current, version} = (detail.current ?? detail) as {text?: string; version?: number};
-    if (typeof version !== "number" || typeof current !== "string") {
-      this.notify(`${document.name}: the change could not be kept: ${text}`, "fault");
-      return false;
-    }
-    this.applyRemote(document, document.rebaseText(current, version));
-    return true;
-  }
-
-  private applyRemote(document: Document, changes: ChangeSet): void {
-    if (!changes.empty) this.dispatch(document, {changes, annotations: [Transaction.remote.of(true), Transaction.addToHistory.of(false)]});
-  }
-
-  /** Resolves when the server has the text as it is. */
-  private synced(document: Document): Promise<void> {
-    if (document.isSynced) return Promise.resolve();
-    return new Promise((resolve, reject) => {
-      const ends = [
-        this.on("synced", (one) => { if (one === document) { ends.forEach((end) => end()); resolve(); } }),
-        this.connection.on("connection", () => { ends.forEach((end) => end()); reject(new Fault("there is no connection to the studio")); }),
-      ];
-      void this.send(document);
-    });
-  }
-
-  private takeEdit({file, version, changes}: {file: number; version: number; changes: Change[]}): void {
-    const document = this.documents.get(file);
-    if (!document || version <= document.version) return;
-    const remote = document.rebaseListed(changes, version);
-    if (remote) this.applyRemote(document, remote);
-    if (document.isSynced) this.emit("synced", document);
-  }
-
   /** A file was changed by another program: taken at once where there is no draft, else both texts are shown. */
   private takeChanged({file, text, hash}: {file: number; text: string; hash: string}): void {
     const document = this.documents.get(file);
@@ -292,18 +247,6 @@ export class Workbench {
     this.emit("files", this.files);
   }
 
-  private async reopen(): Promise<void> {
-    for (const document of this.documents.values()) {
-      const {text, hash, draft, version} = await this.connection.call<Opened>("open", {file: document.file});
-      document.refuse();
-      this.applyRemote(document, document.rebaseText(draft ?? text, version));
-      document.hash = hash;
-      document.saved = textOf(text);
-      void this.send(document);
-      this.emit("synced", document);
-    }
-  }
-
   // --- the files themselves ---
 
   /** Writes all changed texts to their files; where one was changed elsewhere, both texts are shown. */
@@ -314,7 +257,7 @@ export class Workbench {
   }
 
   private async saveOne(document: Document): Promise<boolean> {
-    await this.synced(document);
+    await this.sync.whenSynced(document);
     return this.write(document, document.hash);
   }
 
@@ -335,7 +278,7 @@ export class Workbench {
   /** Drops the draft of a file. */
   async discard(document: Document): Promise<void> {
     const {text, hash, version} = await this.connection.call<{text: string; hash: string; version: number}>("discard", {file: document.file});
-    this.applyRemote(document, document.rebaseText(text, version));
+    this.sync.applyRemote(document, document.rebaseText(text, version));
     document.saved = textOf(text);
     document.hash = hash;
     this.emit("files", this.files);

@@ -1,0 +1,79 @@
+import type {Context} from "../shell/context";
+import {nextShape} from "./navigation";
+import type {Places} from "./places";
+import {keyOf, type Placed, type Shapes} from "./shapes";
+import type {Wire} from "./types";
+import type {Viewport} from "./viewport";
+
+/** The shape or wire that is selected in the drawing, and with it its text. */
+export class Selection {
+  private key = "";
+  wire: Wire | undefined;
+
+  constructor(private readonly canvas: HTMLElement, private readonly shapes: Shapes, private readonly places: Places, private readonly viewport: Viewport, private readonly context: Context) {}
+
+  get current(): Placed | undefined {
+    return this.shapes.placed.get(this.key);
+  }
+
+  /** The same shape in another picture. */
+  restore(): void {
+    this.select(this.key, false);
+    this.wire = undefined;
+  }
+
+  /** What a pointer is on. */
+  take(target: EventTarget | null): void {
+    const laid = this.shapes.wireOf(target);
+    if (!laid) return this.choose(this.shapes.of(target));
+    this.select("", false);
+    this.selectWire(laid.wire);
+  }
+
+  /** The shape of a place in the text. */
+  follow(file: number, from: number, to: number): void {
+    const found = this.shapes.find(this.places.around(file, from, to));
+    if (!found || keyOf(found.shape) === this.key) return;
+    this.select(keyOf(found.shape), false);
+    this.viewport.reveal(found.shape);
+  }
+
+  /** The shape that lies next in the direction of an arrow key. */
+  step(key: string): void {
+    const next = nextShape([...this.shapes.placed.values()].filter(({shape}) => !shape.isFrame), this.current, key);
+    if (!next) return;
+    this.choose(next);
+    this.viewport.reveal(next.shape);
+  }
+
+  /** Goes through the wires of the selected block. */
+  nextWire(): void {
+    const id = this.current?.shape.id, own = this.shapes.laid.filter(({wire: {from, to}}) => to && (id === undefined || from.node === id || to.node === id));
+    if (own.length > 0) this.selectWire(own[(own.findIndex(({wire}) => wire === this.wire) + 1) % own.length].wire);
+  }
+
+  selectWire(wire: Wire | undefined): void {
+    this.wire = wire;
+    for (const {wire: own, element} of this.shapes.laid) element.classList.toggle("selected", own === wire);
+    if (wire) this.context.announce(`wire from ${wire.from.node} to ${wire.to?.node ?? "nothing"}`);
+  }
+
+  private choose(placed: Placed | undefined): void {
+    this.selectWire(undefined);
+    this.select(placed ? keyOf(placed.shape) : "");
+    const place = placed && this.places.place(placed.shape.id);
+    if (place) void this.context.workbench.reveal(place.range.file, place.range.from, place.range.to);
+  }
+
+  private select(key: string, announce = true): void {
+    this.key = key;
+    for (const [own, {element}] of this.shapes.placed) {
+      element.classList.toggle("selected", own === key);
+      element.setAttribute("aria-selected", String(own === key));
+    }
+    const {current} = this;
+    if (current) this.canvas.setAttribute("aria-activedescendant", current.element.id);
+    else this.canvas.removeAttribute("aria-activedescendant");
+    if (current && announce) this.context.announce(current.element.getAttribute("aria-label") ?? "");
+  }
+}

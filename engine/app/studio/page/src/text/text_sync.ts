@@ -1,0 +1,88 @@
+// Keeps the server's texts and those of the page the same: one edit on its way at a time, those of other pages in between.
+
+import {type ChangeSet, Transaction, type TransactionSpec} from "@codemirror/state";
+import {type Connection, Fault} from "../connection/connection";
+import {type Change, listed} from "./differences";
+import {type Document, type Opened, textOf} from "./document";
+
+interface Owner {
+  documents(): Map<number, Document>;
+  dispatch(document: Document, spec: TransactionSpec): void;
+  /** The server has all changes of a document. */
+  synced(document: Document): void;
+}
+
+export class TextSync {
+  private readonly waiting = new Map<Document, Set<() => void>>();
+
+  constructor(private readonly connection: Connection, private readonly notify: (text: string, kind: "fault") => void, private readonly owner: Owner) {
+    connection.on("edited", (news) => this.takeEdit(news));
+    connection.on("connection", ({state}) => { if (state === "open") void this.reopen(); });
+  }
+
+  /** Sends what was changed; what is changed meanwhile is sent after that. */
+  async send(document: Document): Promise<void> {
+    if (document.isSending || document.isSynced || this.connection.state !== "open") return;
+    const changes = document.take();
+    try {
+      const {version} = await this.connection.call<{version: number}>("edit", {file: document.file, version: document.version, changes: listed(changes)});
+      document.confirm(version);
+    } catch (thrown) {
+      document.refuse();
+      if (!this.recover(document, Fault.from(thrown))) return;
+    }
+    this.goOn(document);
+  }
+
+  /** Resolves when the server has the text as it is; rejects where the connection is lost. */
+  whenSynced(document: Document): Promise<void> {
+    if (document.isSynced) return Promise.resolve();
+    return new Promise((resolve, reject) => {
+      const own = this.waiting.get(document) ?? new Set(), end = this.connection.on("connection", () => reject(new Fault("there is no connection to the studio")));
+      this.waiting.set(document, own.add(() => { end(); resolve(); }));
+      void this.send(document);
+    });
+  }
+
+  /** A change that was made elsewhere: undo here leaves it alone. */
+  applyRemote(document: Document, changes: ChangeSet): void {
+    if (!changes.empty) this.owner.dispatch(document, {changes, annotations: [Transaction.remote.of(true), Transaction.addToHistory.of(false)]});
+  }
+
+  private goOn(document: Document): void {
+    if (!document.isSynced) return void this.send(document);
+    const all = [...(this.waiting.get(document) ?? [])];
+    this.waiting.delete(document);
+    all.forEach((resolve) => resolve());
+    this.owner.synced(document);
+  }
+
+  /** Takes the server's text where a stale version was the fault. Returns whether sending again may help. */
+  private recover(document: Document, {text, detail}: Fault): boolean {
+    if (this.connection.state !== "open") return false;
+    const current = detail.current as {text: string; version: number} | undefined;
+    if (!current) this.notify(`${document.name}: the change could not be kept: ${text}`, "fault");
+    else this.applyRemote(document, document.rebaseText(current.text, current.version));
+    return current !== undefined;
+  }
+
+  private takeEdit({file, version, changes}: {file: number; version: number; changes: Change[]}): void {
+    const document = this.owner.documents().get(file);
+    if (!document || version <= document.version) return;
+    const remote = document.rebaseListed(changes, version);
+    if (remote) this.applyRemote(document, remote);
+    if (document.isSynced) this.owner.synced(document);
+  }
+
+  /** After a lost connection: the server's texts are taken, and the own changes sent again. */
+  private async reopen(): Promise<void> {
+    for (const document of this.owner.documents().values()) {
+      const {text, hash, draft, version} = await this.connection.call<Opened>("open", {file: document.file});
+      document.refuse();
+      this.applyRemote(document, document.rebaseText(draft ?? text, version));
+      document.hash = hash;
+      document.saved = textOf(text);
+      this.goOn(document);
+    }
+  }
+}
