@@ -10,7 +10,7 @@ namespace {
 /// The rows of the table of rooms: "base/io" of "| `base/io` | ...".
 std::set<std::string> rooms_in(const std::string& page) {
   std::set<std::string> rooms;
-  const std::regex row(R"(\n\| `(\w+(?:/\w+)?)` \|)");
+  const std::regex row(R"(\n\| `(\w+(?:/\w+)*)` \|)");
   for (std::sregex_iterator at(page.begin(), page.end(), row), none; at != none; ++at)
     rooms.insert(at->str(1));
   return rooms;
