@@ -8,6 +8,12 @@
 
 namespace stepwire::live {
 
+namespace {
+
+constexpr std::size_t most_waiting = 4096;  // samples: a run that is paused takes none
+
+}  // namespace
+
 LiveInputs::LiveInputs(const plan::Plan& plan) : plan_(plan) {
   const run::Executor start(plan);
   for (const diagram::DiagramInput& input : plan.diagram.inputs) {
@@ -38,6 +44,7 @@ void LiveInputs::push(InputSample sample) {
                                   fmt::format("takes {} numbers, not {}", size, sample.values.size()),
                                   {}});
   const std::lock_guard lock(mutex_);
+  if (waiting_.size() >= most_waiting) waiting_.erase(waiting_.begin());
   writers_[sample.name] = sample.client;
   waiting_.push_back(std::move(sample));
   any_ = true;

@@ -24,7 +24,8 @@ class LiveInputs {
   /// The plan must outlive it.
   explicit LiveInputs(const plan::Plan& plan);
 
-  /// From any thread. Throws Error for an input that is not there, or takes another count of numbers.
+  /// From any thread; of more than 4096 that wait the oldest is dropped. Throws Error for an input that is
+  /// not there, or takes another count of numbers.
   void push(InputSample sample);
   /// From any thread: what this client has written last is to be the default from now on.
   void release(int client);

@@ -12,6 +12,8 @@ namespace stepwire::live {
 
 namespace {
 
+constexpr std::size_t most_formulas = 256;  // each is computed at every tick, and stored
+
 LiveColumn column_of(const query::Series& series) {
   LiveColumn column{series.label, series.formula.dimension, series.unit_text};
   column.scale = series.unit.from_si(1.0) - series.unit.from_si(0.0);
@@ -32,6 +34,8 @@ std::size_t LoadedRun::find(const std::string& expression) {
   if (const auto signal = signals_.find(expression)) return *signal;
   const std::lock_guard lock(mutex_);
   if (const auto known = known_.find(expression); known != known_.end()) return known->second;
+  if (formulas_.size() >= most_formulas)
+    throw std::runtime_error(fmt::format("a run has at most {} expressions; load it again", most_formulas));
   yaml::Node node;
   node.kind = yaml::Node::Kind::scalar;
   node.text = expression;

@@ -10,10 +10,11 @@ namespace {
 
 /// The ticks at which an entry has rows.
 std::vector<std::int64_t> ticks_of(const plan::Plan& plan, const diagram::RecordRequest& request,
-                                   std::int64_t end, bool ended) {
+                                   std::int64_t from, std::int64_t end, bool ended) {
   const std::int64_t every = record::ticks_between_rows(plan, request);
   std::vector<std::int64_t> ticks;
-  for (std::int64_t tick = 0; tick < end; tick += every) ticks.push_back(tick);
+  for (std::int64_t tick = (from + every - 1) / every * every; tick < end; tick += every)
+    ticks.push_back(tick);
   if (ended && end > 0 && (end - 1) % every != 0) ticks.push_back(end - 1);
   return ticks;
 }
@@ -60,14 +61,14 @@ void add_swept(const diagram::Diagram& diagram, RunThread& run, record::Recordin
 }  // namespace
 
 std::vector<record::Recording> recorded_so_far(const session::LoadedModel& model, const SignalList& signals,
-                                               RunThread& run, bool ended) {
+                                               RunThread& run, bool ended, std::int64_t from) {
   const plan::Plan& plan = model.job.plan;
   const std::int64_t end = run.store().end_tick();
   std::vector<record::Recording> recordings;
   for (const diagram::RecordRequest& request : plan.diagram.records) {
     record::Recording& recording = recordings.emplace_back();
     recording.table.columns = record::empty_columns(plan, request);
-    const std::vector<std::int64_t> ticks = ticks_of(plan, request, end, ended);
+    const std::vector<std::int64_t> ticks = ticks_of(plan, request, from, end, ended);
     for (const std::int64_t tick : ticks)
       recording.table.columns.front().values.push_back(plan.time_of(tick));
     for (std::size_t i = 1; i < recording.table.columns.size(); ++i) {

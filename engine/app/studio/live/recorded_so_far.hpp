@@ -9,9 +9,9 @@
 namespace stepwire::live {
 
 /// What the file's entries of `record` have by now, the same bits as `run` writes at its end, with the
-/// present values of what the file sweeps. `ended`: the last tick makes a row, too, where the period skips
-/// it.
+/// present values of what the file sweeps; rows from the tick `from` on. `ended`: the last tick makes a row,
+/// too, where the period skips it.
 std::vector<record::Recording> recorded_so_far(const session::LoadedModel& model, const SignalList& signals,
-                                               RunThread& run, bool ended);
+                                               RunThread& run, bool ended, std::int64_t from = 0);
 
 }  // namespace stepwire::live

@@ -11,7 +11,7 @@ constexpr std::uint64_t none = UINT64_MAX;
 
 }  // namespace
 
-SampleColumn::SampleColumn(SpillFile& file, std::int64_t first_tick, std::size_t in_memory)
+SampleColumn::SampleColumn(SpillFile& file, std::int64_t first_tick, const std::size_t& in_memory)
     : file_(file), in_memory_(in_memory) {
   start(first_tick);
 }
@@ -44,7 +44,7 @@ void SampleColumn::seal() {
   for (std::size_t level = 0; level < levels_.size(); ++level) raise(level);
   std::unique_ptr<Chunk> unused;
   recent_.push_back(std::move(tail_));
-  if (recent_.size() > in_memory_) {
+  while (recent_.size() > in_memory_) {
     unused = std::move(recent_.front());
     recent_.pop_front();
   }

@@ -23,8 +23,9 @@ class SampleColumn {
   static constexpr std::int64_t block = 64;    ///< ticks of the lowest level of extremes
   static constexpr std::size_t factor = 4;     ///< blocks of a level in one of the next
 
-  /// Keeps `in_memory` chunks beside the one that is filled. The file must outlive it.
-  SampleColumn(SpillFile& file, std::int64_t first_tick, std::size_t in_memory);
+  /// Keeps as many chunks as `in_memory` says by then, beside the one that is filled. It and the file must
+  /// outlive the column.
+  SampleColumn(SpillFile& file, std::int64_t first_tick, const std::size_t& in_memory);
 
   std::int64_t first_tick() const { return first_tick_; }
   /// The tick behind the last sample.
@@ -66,7 +67,7 @@ class SampleColumn {
 
   SpillFile& file_;
   std::int64_t first_tick_ = 0, base_ = 0;  ///< of the first sample, and of its chunk
-  std::size_t in_memory_;
+  const std::size_t& in_memory_;
   std::unique_ptr<Chunk> tail_ = std::make_unique<Chunk>();
   std::size_t filled_ = 0;                     ///< of the tail
   std::vector<std::uint64_t> chunks_;          ///< where the full ones lie in the file

@@ -77,12 +77,15 @@ class Sums {
 
 SampleStore::SampleStore(double step, const StoreOptions& options)
     : step_(step),
+      options_(options),
       in_memory_(options.chunks_in_memory),
       file_(folder_of(options), static_cast<std::size_t>(SampleColumn::chunk)) {}
 
 std::size_t SampleStore::add(std::int64_t tick) {
   const std::lock_guard lock(mutex_);
   columns_.emplace_back(file_, tick, in_memory_);
+  const std::size_t room = options_.bytes / (columns_.size() * SampleColumn::chunk * sizeof(double));
+  in_memory_ = std::min(options_.chunks_in_memory, room);
   return columns_.size() - 1;
 }
 

@@ -14,8 +14,10 @@ namespace stepwire::live {
 
 /// How much of a run lies where.
 struct StoreOptions {
-  std::size_t chunks_in_memory = 16;  ///< of each column beside the one that is filled: 65,536 samples
-  std::string folder{};               ///< for the file of all others; empty: that of temporary files
+  std::size_t chunks_in_memory = 16;  ///< of a column beside the one that is filled: 65,536 samples
+  std::size_t bytes = std::size_t{512}
+                      << 20;  ///< for these of all columns, which have fewer if they are many
+  std::string folder{};       ///< for the file of all others; empty: that of temporary files
 };
 
 /// What of some columns is to be seen: the ticks from, from + 1, ..., to - 1.
@@ -76,7 +78,8 @@ class SampleStore {
 
   mutable std::mutex mutex_;
   double step_;
-  std::size_t in_memory_;
+  StoreOptions options_;
+  std::size_t in_memory_;  ///< chunks of each column
   SpillFile file_;
   std::deque<SampleColumn> columns_;
 };

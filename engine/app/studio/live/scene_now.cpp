@@ -1,5 +1,7 @@
 #include "engine/app/studio/live/scene_now.hpp"
 
+#include <algorithm>
+
 #include "engine/app/studio/live/pointer.hpp"
 #include "engine/app/studio/live/recorded_so_far.hpp"
 
@@ -53,7 +55,8 @@ Json pointer_json() {
 }  // namespace
 
 SceneNow::SceneNow(LoadedRun& run) : run_(run), scene_(*run.model().scene) {
-  const auto now = recorded_so_far(run.model(), run.signals(), run.thread(), true);
+  const std::int64_t last = std::max<std::int64_t>(0, run.store().end_tick() - 1);
+  const auto now = recorded_so_far(run.model(), run.signals(), run.thread(), true, last);
   std::vector<std::string> names;
   for (const table::Column& column : now[scene_.recording].table.columns) {
     if (const auto signal = run.signals().find(column.name)) {

@@ -29,6 +29,7 @@ Extremes counted(std::int64_t from, std::int64_t to, std::int64_t spike) {
 }
 
 const StoreOptions small{.chunks_in_memory = 2, .folder = {}};
+const StoreOptions none{.bytes = 0, .folder = {}};
 
 }  // namespace
 
@@ -94,7 +95,7 @@ TEST_CASE("rows of a view that moves on stay where they are") {
 }
 
 TEST_CASE("no sample is lost on the disk, and none comes back that was cut off") {
-  SampleStore store(1e-3, small);
+  SampleStore store(1e-3, GENERATE(small, none));
   store.add(0);
   fill(store, 0, 50'000);
   std::vector<double> all(50'000);
