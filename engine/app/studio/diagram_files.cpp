@@ -48,7 +48,7 @@ void DiagramFiles::trust(const std::string& file) {
   beneath_.add(folder_of(file));
   try {
     for (const NamedFile& named : named_files(yaml::read_document(file)))
-      if (named.is_part)
+      if (named.is_diagram)
         trust(named.path);
       else
         beneath_.add(folder_of(named.path));
@@ -104,7 +104,7 @@ std::vector<yaml::Document> DiagramFiles::documents(const std::string& path) {
     all.push_back(yaml::parse_document(text(one), one));
     require_inside(all.back());
     for (const NamedFile& named : named_files(all.back()))
-      if (named.is_part) read(named.path);
+      if (named.is_diagram) read(named.path);
   };
   read(path);
   return all;

@@ -12,8 +12,8 @@ struct NamedFile {
   std::string path;  ///< absolute where the diagram's is, without "." and ".."
   std::string word;  ///< as the diagram names it
   yaml::Mark mark;
-  bool is_part = false;  ///< a diagram that the blocks of this one use
-  bool is_plain = true;  ///< false where ".." behind a link leads elsewhere than the path says
+  bool is_diagram = false;  ///< a part, or the diagram of a study, by its ending
+  bool is_plain = true;     ///< false where ".." behind a link leads elsewhere than the path says
 };
 
 /// All values of a diagram that name something which is there, from its folder, from the root, or in the data
