@@ -118,6 +118,14 @@ test("the stick of a gamepad and a finger are hands", {skip}, () => withPage(wit
   assert.ok(Math.abs(samplesOf(calls).filter(({name}) => name === "pointer").at(-1).values[0] - 0.01) < 2e-4);
 }));
 
+test("the scene takes the whole screen and gives it back", {skip}, () => withPage(withScene, "scene", {}, async ({page}) => {
+  const width = async () => (await page.locator(".scene-canvas").boundingBox()).width, before = await width();
+  await page.getByRole("button", {name: "Full screen"}).click();
+  await until(async () => (await width()) > 1.2 * before, "it is larger");
+  await page.getByRole("button", {name: "Full screen"}).click();
+  await until(async () => (await width()) === before, "it is as before");
+}));
+
 test("a hand may stay without a button, and the scene says in words what it shows", {skip}, () => withPage(withScene, "scene", {}, async ({page, calls, news}) => {
   news(instant(0.004, 0));
   await page.getByRole("button", {name: "Hold without a button"}).click();

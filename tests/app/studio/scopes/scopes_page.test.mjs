@@ -238,6 +238,11 @@ test("a scope is saved as a picture, its range as CSV, and copied as a figure", 
   assert.match(picture, /^<svg xmlns="http:\/\/www.w3.org\/2000\/svg"/);
   assert.match(picture, /cart.position<\/text>/);
   assert.ok((picture.match(/<path/g) ?? []).length === 3);
+  await menu(page, 0, "Show against the first signal");
+  await page.waitForTimeout(300);
+  const against = await saved("Save the picture as SVG");
+  assert.ok((against.match(/<path/g) ?? []).length === 2 && !against.includes("NaN") && against.includes("cart.position mm"));
+  await menu(page, 0, "Show over time");
   assert.match(await saved("Save the range as CSV"), /^time \[s\]/);
   await menu(page, 0, "Copy as figure:");
   assert.match(await page.evaluate(() => navigator.clipboard.readText()), /^figure: \{plot: lines, x: time in s, y: \[cart.position in mm, /);

@@ -26,7 +26,7 @@ export class BlockCard {
     const document = await this.context.workbench.open(place.file), fields = fieldsOf(document.state, place.range.from, place.range.to);
     const types = await blockTypes(this.context.connection).catch(() => [] as BlockType[]), type = types.find(({name}) => name === shape.type);
     this.close();
-    const inputs = new Set(type?.inputs.map(({name}) => name)), isOwn = (key: string) => key !== "block" && key !== "part" && !inputs.has(key);
+    const inputs = new Set([...(type?.inputs.map(({name}) => name) ?? []), ...shape.inputs.map(({port}) => port.split(".")[0])]), isOwn = (key: string) => key !== "block" && key !== "diagram" && !inputs.has(key);
     const rows = [this.row("name", place.name, "the name, with every use of it", (text) => this.rename(place, text))];
     const given = fields.filter(({key}) => isOwn(key)), rest = (type?.parameters ?? []).filter(({name}) => !fields.some(({key}) => key === name));
     for (const field of given) rows.push(this.field(field, place, type));

@@ -18,6 +18,7 @@ export interface Place {
   scale: number;
 }
 
+const leastLetters = 12; // px, in however small a view
 const usual = 480; // px that a scene is wide in pictures
 
 export const sceneHeight = ({x, y}: SceneView, width: number) => (width * (y[1] - y[0])) / (x[1] - x[0]);
@@ -44,7 +45,7 @@ const strokeOf = (color: string, width: number, opacity: number): Stroke => (opa
 /** A sentence is not cut off: it is as small as it must be, and keeps off the edges. */
 function textPiece(shape: Shape, view: SceneView, place: Place, x: number, y: number): Piece {
   const text = shape.text ?? "", width = place.scale * (view.x[1] - view.x[0]), height = sceneHeight(view, width), edge = 4;
-  const size = fittedSize(text, place.scale * shape.size, width - 2 * edge), half = 0.5 * textWidth(text, size);
+  const size = fittedSize(text, Math.max(leastLetters, place.scale * shape.size), width - 2 * edge), half = 0.5 * textWidth(text, size);
   const within = (value: number, low: number, high: number) => Math.max(low, Math.min(value, high));
   const at = {x: within(x, place.left + edge + half, place.left + width - edge - half), y: within(y, place.top + edge + size, place.top + height - edge - 0.25 * size)};
   return {piece: "text", ...at, text, size, color: shape.color, anchor: "middle"};

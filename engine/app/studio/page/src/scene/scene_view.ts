@@ -25,8 +25,10 @@ export class SceneView implements View {
   private readonly lag = h("span", {class: "scene-lag", title: "From a movement of the pointer to the first picture that shows what it did, median"});
   private readonly stay = h("button", {type: "button", "aria-pressed": "false", title: "The hand follows the pointer without a pressed button; a click or Esc lets go"}, "Hold without a button");
   private readonly tell = h("button", {type: "button", title: "Say what the scene shows (D)"}, "Describe");
+  private readonly whole = h("button", {type: "button", title: "The scene takes the whole screen; Esc ends it"}, "Full screen");
   private readonly empty = h("p", {class: "empty"});
-  private readonly foot = h("div", {class: "scene-foot"}, this.words, this.state, this.lag, this.stay, this.tell);
+  private readonly foot = h("div", {class: "scene-foot"}, this.words, this.state, this.lag, this.stay, this.whole, this.tell);
+  private readonly root = h("div", {class: "scene"}, this.stage, this.empty, this.foot);
   private readonly latency = new HandLatency();
   private readonly sizes = new ResizeObserver(() => { if (this.canvas?.fit()) this.draw(); });
   private readonly ends: (() => void)[];
@@ -42,7 +44,7 @@ export class SceneView implements View {
 
   constructor(host: HTMLElement, private readonly context: Context) {
     const {run, connection, shortcuts} = context;
-    host.append(h("div", {class: "scene"}, this.stage, this.empty, this.foot));
+    host.append(this.root);
     this.sizes.observe(this.stage);
     this.ends = [
       run.on("loaded", () => void this.open()), run.on("state", () => this.showState()),
@@ -50,6 +52,7 @@ export class SceneView implements View {
       connection.on("connection", ({state}) => (state === "open" ? this.watch() : this.letGo())),
       listen(window, "blur", () => this.letGo()), listen(document, "visibilitychange", () => { if (document.hidden) this.letGo(); }),
       listen(this.stay, "click", () => this.toggleStay()), listen(this.tell, "click", () => this.describe()),
+      listen(this.whole, "click", () => void this.fill()),
       shortcuts.add({key: "D", text: "say what the scene shows", group: "Scene", within: () => this.stage.contains(document.activeElement), action: () => this.describe()}),
       shortcuts.add({key: "Left", text: "move the hand over the scene (all arrows; Shift: slowly; Esc lets go)", group: "Scene", within: () => false, action: () => {}}),
     ];
@@ -180,6 +183,12 @@ export class SceneView implements View {
     const lag = this.latency.median, text = parts.filter(Boolean).join(" ");
     if (this.state.textContent !== text) this.state.textContent = text;
     this.lag.textContent = lag === undefined ? "" : `lag ${Math.round(1000 * lag)} ms`;
+  }
+
+  private async fill(): Promise<void> {
+    if (document.fullscreenElement) await document.exitFullscreen();
+    else await this.root.requestFullscreen().catch(() => this.context.notify("this browser does not give a page the whole screen"));
+    this.canvas?.element.focus();
   }
 
   private describe(): void {

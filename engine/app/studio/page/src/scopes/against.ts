@@ -1,6 +1,7 @@
 import type {Wanted} from "../connection/connection";
 import {axisOf, grouped, visible} from "./axis_group";
-import {type Axes, type Content, samplesOf, strokeOf, type Subject} from "./content";
+import {type Axes, type Content, type Curve, curveOver, samplesOf, strokeOf, type Subject} from "./content";
+import {type DisplayUnit, shownOf} from "./display_unit";
 import {dot, paintAgainst, type Plane, type Stroke, xOf, yOf} from "./paint";
 import type {Plot} from "./plot";
 import {extent, rowsWithin, type Samples} from "./samples";
@@ -12,6 +13,7 @@ const fine = 6000;
 /** All traces against the first one. */
 export class Against implements Content {
   private x: Range = {low: 0, high: 1};
+  private unit: DisplayUnit = {text: "", scale: 1, offset: 0};
 
   constructor(private readonly subject: Subject) {}
 
@@ -29,6 +31,7 @@ export class Against implements Content {
     if (!x) return {x: this.x, unitOfX: "", ys};
     x.range.choose(this.x);
     const axis = axisOf(x, undefined, at);
+    this.unit = x.unit;
     return {x: axis.range, unitOfX: `${first.label} ${axis.unit}`, ys};
   }
 
@@ -41,6 +44,16 @@ export class Against implements Content {
         if (ys && ys.time === xs!.time) this.paintTrace(plot, plane, xs!, ys, strokeOf(this.subject, trace, plot.ratio), window);
       }
     }
+  }
+
+  curves(window: Range): Curve[] {
+    const xs = this.subject.traces[0] && samplesOf(this.subject, this.subject.traces[0]);
+    if (!xs) return [];
+    const {from, to} = rowsWithin(xs.time, window), x = xs.high.slice(from, to).map((value) => shownOf(value, this.unit));
+    return this.subject.groups.flatMap(({traces, unit}, axis) => traces.flatMap((trace) => {
+      const samples = samplesOf(this.subject, trace);
+      return samples ? [{...curveOver(trace, axis, unit, samples, window), x}] : [];
+    }));
   }
 
   /** The curve, and a dot where it is now. */

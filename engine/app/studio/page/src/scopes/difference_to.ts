@@ -1,13 +1,16 @@
 import type {Wanted} from "../connection/connection";
 import {axisOf, type AxisGroup, grouped} from "./axis_group";
-import {type Axes, type Content, samplesOf, strokeOf, type Subject} from "./content";
+import {type Axes, type Content, type Curve, curveOver, samplesOf, strokeOf, type Subject} from "./content";
 import {type Difference, difference, differenceText, readTolerance} from "./difference";
 import {paintOverTime, type Plane, xOf, yOf} from "./paint";
 import type {Pin} from "./pins";
-import type {Plot} from "./plot";
+import type {Plot, YAxis} from "./plot";
 import {extent, type Samples} from "./samples";
 import type {Trace} from "./trace";
 import {joined, type Range} from "./y_range";
+
+/** A difference of degrees Celsius is one of kelvins. */
+const withoutOffset = (axis: YAxis, offset: number): YAxis => ({...axis, range: {low: axis.range.low - offset, high: axis.range.high - offset}});
 
 /** Each trace minus itself in a pinned run. */
 export class DifferenceTo implements Content {
@@ -24,7 +27,7 @@ export class DifferenceTo implements Content {
     const {subject} = this;
     subject.groups = grouped(subject.traces, subject.groups);
     for (const group of subject.groups) for (const trace of group.traces) this.compare(trace, group);
-    return {x: window, unitOfX: "s", ys: subject.groups.map((group) => axisOf(group, this.extent(group, window), at))};
+    return {x: window, unitOfX: "s", ys: subject.groups.map((group) => withoutOffset(axisOf(group, this.extent(group, window), at), group.unit.offset))};
   }
 
   paint(plot: Plot, window: Range): void {
@@ -38,6 +41,13 @@ export class DifferenceTo implements Content {
         paintOverTime(plot.context, result.difference.samples, plane, stroke);
       }
     }
+  }
+
+  curves(window: Range): Curve[] {
+    return this.subject.groups.flatMap(({traces, unit}, axis) => traces.flatMap((trace) => {
+      const result = this.results.get(trace);
+      return result ? [curveOver(trace, axis, {...unit, offset: 0}, result.difference.samples, window)] : [];
+    }));
   }
 
   note(): string {

@@ -1,6 +1,6 @@
 import type {Wanted} from "../connection/connection";
 import {axisOf, fanSamples, grouped, visible} from "./axis_group";
-import {type Axes, type Content, samplesOf, strokeOf, type Subject} from "./content";
+import {type Axes, type Content, type Curve, curveOver, samplesOf, strokeOf, type Subject} from "./content";
 import {numberText, quantityText} from "./numbers";
 import {paintOverTime, type Plane} from "./paint";
 import type {Plot} from "./plot";
@@ -34,6 +34,13 @@ export class OverTime implements Content {
       const plane = {...plot.box, x: window, y: group.range.now};
       for (const trace of group.traces) this.paintTrace(plot, plane, trace);
     }
+  }
+
+  curves(window: Range): Curve[] {
+    return this.subject.groups.flatMap(({traces, unit}, axis) => traces.flatMap((trace) => {
+      const samples = samplesOf(this.subject, trace);
+      return samples ? [curveOver(trace, axis, unit, samples, window)] : [];
+    }));
   }
 
   note(): string {

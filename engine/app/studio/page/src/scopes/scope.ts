@@ -2,7 +2,7 @@ import {h, listen} from "../shell/dom";
 import {openMenu} from "../shell/menu";
 import {Against} from "./against";
 import type {AxisGroup} from "./axis_group";
-import type {Content, Subject} from "./content";
+import type {Axes, Content, Curve, Subject} from "./content";
 import {DifferenceTo} from "./difference_to";
 import {takeDrops} from "./drops";
 import {Feed} from "./feed";
@@ -58,6 +58,7 @@ export class Scope implements Subject {
   private legendAt = 0;
   private drawn: Range = {low: 0, high: 0};
   private drawnAt = 0;
+  private axes: Axes = {x: {low: 0, high: 1}, unitOfX: "s", ys: []};
   private isTouched = true;
   private hasNew = false;
   private width = 320;
@@ -170,9 +171,14 @@ export class Scope implements Subject {
     return this.isTouched || moved >= leastMove || (this.hasNew && at - this.drawnAt >= newPause) || high - low !== this.drawn.high - this.drawn.low;
   }
 
+  /** What is seen, for a picture of it: axes in the units shown, and curves. */
+  get picture(): {axes: Axes; curves: Curve[]} {
+    return {axes: this.axes, curves: this.content.curves(this.window.at(this.shared.now))};
+  }
+
   private drawCurves(window: Range, at: number): void {
-    const {x, unitOfX, ys} = this.content.axes(window, at);
-    this.plot.draw(x, ys, unitOfX, this.shared.sides);
+    this.axes = this.content.axes(window, at);
+    this.plot.draw(this.axes.x, this.axes.ys, this.axes.unitOfX, this.shared.sides);
     this.drawn = window;
     this.drawnAt = at;
     this.isTouched = this.hasNew = false;
