@@ -28,19 +28,19 @@ bool is_file(const fs::path& path) {
 class Search {
  public:
   explicit Search(const yaml::Document& document) : folder_(fs::path(document.file).parent_path()) {
-    look(document.root);
+    look(document.root, "");
   }
 
   std::vector<NamedFile> found;
 
  private:
-  void look(const yaml::Node& node) {
-    if (node.is_scalar()) take(node);
-    for (const yaml::Entry& entry : node.entries) look(entry.value);
-    for (const yaml::Node& item : node.items) look(item);
+  void look(const yaml::Node& node, std::string_view key) {
+    if (node.is_scalar()) take(node, key);
+    for (const yaml::Entry& entry : node.entries) look(entry.value, entry.key);
+    for (const yaml::Node& item : node.items) look(item, key);
   }
 
-  void take(const yaml::Node& node) {
+  void take(const yaml::Node& node, std::string_view key) {
     constexpr std::size_t longest = 4096;
     const std::string& text = node.text;
     if (text.empty() || text.size() > longest || text.find_first_of(std::string_view("\n\0", 2)) != text.npos)
@@ -49,7 +49,7 @@ class Search {
     if (!is_file(written) && (text.find("..") == text.npos || !is_file(path))) return;
     std::error_code none;
     const bool is_plain = fs::weakly_canonical(written, none) == fs::weakly_canonical(path, none);
-    const bool is_diagram = path.extension() == ".yaml" || path.extension() == ".yml";
+    const bool is_diagram = key == "diagram" || path.extension() == ".yaml" || path.extension() == ".yml";
     found.push_back({path.string(), text, node.mark, is_diagram, is_plain});
   }
 

@@ -12,7 +12,7 @@ struct NamedFile {
   std::string path;  ///< absolute where the diagram's is, without "." and ".."
   std::string word;  ///< as the diagram names it
   yaml::Mark mark;
-  bool is_diagram = false;  ///< a part, or the diagram of a study, by its ending
+  bool is_diagram = false;  ///< a part, by its key, or a diagram by its ending
   bool is_plain = true;     ///< false where ".." behind a link leads elsewhere than the path says
 };
 
