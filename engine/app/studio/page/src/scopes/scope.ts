@@ -31,7 +31,7 @@ export interface ScopeHost {
 
 /** Curves are drawn anew when they move by this many pixels of the screen, or have waited with new values for so long [s]. */
 const leastMove = 0.5, newPause = 0.05;
-/** Values in the legend change so often [s]. */
+/** Values in the legend change so often while time moves [s]. */
 const legendPause = 0.1;
 /** Wishes are for widths in steps of this many pixels, so that moving a splitter does not ask for each. */
 const pixelStep = 50;
@@ -159,7 +159,7 @@ export class Scope implements Subject {
     const window = this.window.at(this.shared.now);
     if (this.isDue(window, at)) this.drawCurves(window, at);
     if (!this.isAgainst) this.marks?.place(window, this.plot.box.width / this.plot.ratio, this.shared.cursors, this.shared.hover);
-    if (at - this.legendAt < legendPause) return;
+    if (this.shared.context.run.clock.moves && at - this.legendAt < legendPause) return;
     this.legendAt = at;
     this.tell(window);
   }
