@@ -102,7 +102,7 @@ export class DrawingView implements View {
     this.canvas.classList.remove("old");
     this.shapes.show(picture, (shape) => describe(shape, picture), isFirst || this.context.theme.isStill);
     this.viewport.resize(picture.width, picture.height);
-    if (isFirst) this.viewport.fit();
+    if (isFirst) this.viewport.begin();
     if (isFirst && this.places.scope.length > 0) void this.context.workbench.activate(this.places.file);
     this.canvas.setAttribute("aria-label", `Drawing of ${[this.context.workbench.nameOf(this.context.workbench.root), ...this.places.scope].join(", ")}: ${picture.shapes.filter(({own, id}) => !own && !id.startsWith(":")).length} blocks`);
     this.mark();

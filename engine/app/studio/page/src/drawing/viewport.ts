@@ -3,7 +3,7 @@
 import {listen} from "../shell/dom";
 import type {Box} from "./types";
 
-const least = 0.1, most = 4, margin = 12;
+const least = 0.1, readable = 0.35, most = 4, margin = 12;
 
 export class Viewport {
   /** Pixels of the screen for one of the picture, and what of the picture is at the left and top. */
@@ -35,14 +35,25 @@ export class Viewport {
     else this.apply();
   }
 
-  /** The whole picture, not larger than it is; readable rather than whole where it is very wide. */
+  /** The whole picture, not much larger than it is. */
   fit(): void {
+    this.isFitted = true;
+    this.put(least);
+  }
+
+  /** The same, but where its letters would be too small only what lies at the left, where signals begin. */
+  begin(): void {
+    this.isFitted = true;
+    this.put(readable);
+  }
+
+  private put(smallest: number): void {
     const {clientWidth, clientHeight} = this.host;
     if (clientWidth === 0 || clientHeight === 0) return;
-    this.isFitted = true;
     const whole = Math.min((clientWidth - 2 * margin) / this.picture.width, (clientHeight - 2 * margin) / this.picture.height);
-    this.scale = Math.min(1.25, Math.max(least, whole));
-    this.x = (this.picture.width - clientWidth / this.scale) / 2;
+    this.scale = Math.min(1.25, Math.max(smallest, whole));
+    if (whole < smallest) this.isFitted = false;
+    this.x = whole < smallest ? -margin / this.scale : (this.picture.width - clientWidth / this.scale) / 2;
     this.y = (this.picture.height - clientHeight / this.scale) / 2;
     this.apply();
   }

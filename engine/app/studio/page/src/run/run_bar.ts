@@ -17,7 +17,7 @@ export class RunBar implements View {
   private readonly tick = h("button", {type: "button", title: "One tick (.)", "aria-label": "One tick"}, icon("tick"));
   private readonly restart = h("button", {type: "button", title: "From the start (R)", "aria-label": "From the start"}, icon("restart"));
   private readonly rate = h("select", {"aria-label": "Pace: seconds of the run in one of the clock", title: "Pace ([ slower, ] faster)"});
-  private readonly time = h("output", {class: "run-time", "aria-label": "Time of the run"});
+  private readonly time = h("span", {class: "run-time"});
   private readonly facts = h("span", {class: "run-facts"});
   private readonly fault = h("span", {class: "run-fault", role: "alert", hidden: true});
   private readonly stale = h("span", {class: "run-stale", hidden: true, title: "Play and restart load the text as it is now"}, "text changed");

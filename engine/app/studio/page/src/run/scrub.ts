@@ -1,5 +1,6 @@
 import {h, listen} from "../shell/dom";
 import type {RunModel} from "./run_model";
+import {toggleBySpace} from "./toggle_by_space";
 
 const parts = 1000;
 /** A key press moves by this share. */
@@ -15,6 +16,7 @@ export class Scrub {
   constructor(private readonly run: RunModel) {
     listen(this.element, "input", () => this.moved());
     listen(this.element, "change", () => { this.isHeld = false; });
+    toggleBySpace(this.element, run);
   }
 
   /** The run went on. */

@@ -31,7 +31,7 @@ export interface ScopeHost {
 
 /** Curves are drawn anew when they move by this many pixels of the screen, or have waited with new values for so long [s]. */
 const leastMove = 0.5, newPause = 0.05;
-/** Values in the legend change so often [s]. */
+/** Values in the legend change so often while time moves [s]. */
 const legendPause = 0.1;
 /** Wishes are for widths in steps of this many pixels, so that moving a splitter does not ask for each. */
 const pixelStep = 50;
@@ -47,6 +47,7 @@ export class Scope implements Subject {
   private readonly plot: Plot;
   private marks: MarksLayer | undefined;
   private readonly legend = new Legend((trace) => this.removeTrace(trace));
+  private readonly head = h("header", {class: "scope-head"});
   private readonly title = h("span", {class: "scope-title"});
   private readonly chip = h("span", {class: "chip", hidden: true});
   private readonly note = h("p", {class: "scope-note", hidden: true});
@@ -71,11 +72,13 @@ export class Scope implements Subject {
     this.tolerance.hidden = true;
     const more = h("button", {type: "button", class: "plain small", "aria-label": "What may be done with this scope", title: "More", "aria-haspopup": "menu"}, "⋯");
     listen(more, "click", () => openMenu(more, entriesOf(this), `Scope ${name}`));
-    this.element.append(h("header", {class: "scope-head"}, this.title, this.legend.element, this.tolerance, this.chip, more), this.area, this.note);
+    this.head.append(this.title, this.legend.element, this.tolerance, this.chip, more);
+    this.element.append(this.head, this.area, this.note);
     listen(this.tolerance, "input", () => shared.redraw());
     listen(this.element, "keydown", (event: KeyboardEvent) => { if (event.target === this.element) pressed(event, this); });
     takeDrops(this.element, (source) => host.add(this, source));
     this.sizes.observe(this.area);
+    this.sizes.observe(this.head);
     this.list();
   }
 
@@ -156,7 +159,7 @@ export class Scope implements Subject {
     const window = this.window.at(this.shared.now);
     if (this.isDue(window, at)) this.drawCurves(window, at);
     if (!this.isAgainst) this.marks?.place(window, this.plot.box.width / this.plot.ratio, this.shared.cursors, this.shared.hover);
-    if (at - this.legendAt < legendPause) return;
+    if (this.shared.context.run.clock.moves && at - this.legendAt < legendPause) return;
     this.legendAt = at;
     this.tell(window);
   }
@@ -215,6 +218,7 @@ export class Scope implements Subject {
   }
 
   private list(): void {
+    this.head.style.removeProperty("min-height");
     this.legend.list(this.traces);
     this.element.setAttribute("aria-label", `Scope ${this.name}: ${this.traces.map(({label}) => label).join(", ") || "empty"}`);
     this.shared.redraw();
@@ -235,7 +239,10 @@ export class Scope implements Subject {
     if (this.own) this.chip.textContent = this.own.isFollowing ? `own time, following ${this.own.width} s` : `own time, ${window.low.toFixed(3)} to ${window.high.toFixed(3)} s`;
   }
 
+  /** Where values in the legend become wider it may take another line; it keeps that, so that the plot does not jump. */
   private measure(): void {
+    if (this.width !== this.area.clientWidth) this.head.style.removeProperty("min-height");
+    this.head.style.setProperty("min-height", `${this.head.offsetHeight}px`);
     this.width = this.area.clientWidth;
     if (this.width > 0) this.plot.resize(this.width, Math.max(60, this.area.clientHeight));
     this.shared.redraw();

@@ -1,6 +1,7 @@
 import {Fault} from "../connection/connection";
 import {icon} from "../run/icons";
 import type {Parameter, SetEcho} from "../run/run_types";
+import {toggleBySpace} from "../run/toggle_by_space";
 import type {Context} from "../shell/context";
 import {h, listen} from "../shell/dom";
 import {type OwnUnit, ownUnit, placeOf, places, sliderRange, valueAt, valueText} from "./parameter_range";
@@ -40,6 +41,7 @@ export class TuningRow {
       h("div", {class: "tuned-line"}, this.slider, this.field),
       h("div", {class: "tuned-foot"}, this.echo, this.back, this.write, this.button("Fan", `Run it at ${fanRuns} values between the ends, drawn behind the scopes`, () => void this.fan())), this.fault);
     listen(this.slider, "input", () => void this.queue.put(valueAt(Number(this.slider.value), this.range)));
+    toggleBySpace(this.slider, context.run);
     listen(this.field, "keydown", (event: KeyboardEvent) => this.press(event));
     listen(this.field, "change", () => this.enter());
     this.show();
