@@ -27,6 +27,7 @@ interface Owner {
 export class Saving {
   constructor(private readonly connection: Connection, private readonly sync: TextSync, private readonly notify: (text: string) => void, private readonly owner: Owner) {
     connection.on("changed", (news) => this.takeChanged(news));
+    connection.on("saved", (news) => this.takeSaved(news));
   }
 
   /** Writes all changed texts to their files; where one was changed elsewhere, both texts are shown. */
@@ -69,13 +70,20 @@ export class Saving {
     this.owner.kept();
   }
 
-  /** A file was written by another program or page: taken at once where there is no draft of another text, else both are shown. */
-  private takeChanged({file, text, hash}: {file: number; text: string; hash: string}): void {
+  /** Another page saved the file. */
+  private takeSaved({file, hash}: {file: number; hash: string}): void {
     const document = this.owner.document(file);
+    if (document) this.keep(document, document.base, hash);
+  }
+
+  /** A file was written by another program: taken at once where there is no draft of another text, else both are shown. */
+  private takeChanged({file, text, hash, version}: {file: number; text: string; hash: string; version: number}): void {
+    const document = this.owner.document(file), isSame = document?.state.doc.eq(textOf(text));
     if (!document || document.hash === hash) return;
-    if (document.state.doc.eq(textOf(text))) return this.keep(document, textOf(text), hash);
-    if (document.isChanged) return this.owner.conflict({document, text, hash});
-    this.takeText(document, text, hash);
-    this.notify(`${document.name} was changed by another program; the new text is shown`);
+    if (document.isChanged && !isSame) return this.owner.conflict({document, text, hash});
+    if (version > document.version) this.sync.applyRemote(document, document.rebaseText(text, version));
+    this.keep(document, textOf(text), hash);
+    this.owner.synced(document);
+    if (!isSame) this.notify(`${document.name} was changed by another program; the new text is shown`);
   }
 }
