@@ -1,6 +1,7 @@
 // What is typed is not lost when the studio is killed, and two pages on one file see each other's edits.
 
 import assert from "node:assert/strict";
+import {writeFileSync} from "node:fs";
 import {test} from "node:test";
 import {missing, Studio} from "./studio.mjs";
 
@@ -51,5 +52,26 @@ test("two pages on one file have the same text, also where both type, and one un
   await second.keyboard.press("Control+z");
   await first.waitForFunction(() => !document.querySelector(".cm-content").textContent.includes("# from the second"));
   await textHas(first, "# from the first, and more");
+  await first.keyboard.press("Control+s");
+  for (const page of [first, second]) await page.waitForFunction(() => document.querySelector(".bar-file button").disabled);
+  assert.match(studio.file, /# from the first, and more\n/);
+  assert.deepEqual(studio.errors, []);
+}));
+
+test("a file that another program writes is shown at once where nothing is unsaved, else both texts are", {skip: missing, timeout: 120000}, () => withStudio(async (studio) => {
+  const {page} = studio;
+  writeFileSync(studio.path, text.replace("value: 1", "value: 12"));
+  await textHas(page, "value: 12");
+  assert.equal(await page.locator(".bar-file button").isDisabled(), true);
+  await type(page, "  # mine");
+  await page.waitForTimeout(300);
+  writeFileSync(studio.path, text.replace("value: 1", "value: 13"));
+  await page.getByText("was changed by another program").last().waitFor();
+  await page.getByRole("button", {name: /^Take the file/}).click();
+  await textHas(page, "value: 13");
+  await page.locator(".cm-content").focus();
+  await page.keyboard.press("Control+z");
+  await textHas(page, "# mine");
+  assert.equal(studio.file, text.replace("value: 1", "value: 13"));
   assert.deepEqual(studio.errors, []);
 }));

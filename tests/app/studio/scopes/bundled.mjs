@@ -19,13 +19,6 @@ export async function bundled(...paths) {
   return import(pathToFileURL(outfile).href);
 }
 
-/** The same for a module beside this one. */
-export async function bundledHere(path) {
-  const outfile = join(mkdtempSync(join(tmpdir(), "scopes-")), "module.mjs");
-  await esbuild.build({...usual, entryPoints: [join(here, path)], outfile, platform: "node", loader: {".css": "empty"}});
-  return import(pathToFileURL(outfile).href);
-}
-
 const types = {".html": "text/html", ".js": "text/javascript", ".css": "text/css"};
 
 /** Serves the page of the scopes on a free port of this machine. */

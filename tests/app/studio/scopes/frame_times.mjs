@@ -130,6 +130,7 @@ try {
   const zooms = await page.evaluate(zoomed, 40), samples = `zoom in ${Math.round(Number(values["zoom-at"]) * 1e5).toLocaleString("en")} samples`;
   print(samples, "wheel to drawn, p50", "ms", quantile(zooms.map(({all}) => all), 0.5));
   print(samples, "wheel to drawn, p95", "ms", quantile(zooms.map(({all}) => all), 0.95), 50);
+  print(samples, "asked to come, p50", "ms", quantile(zooms.map((one) => one.server), 0.5));
   print(samples, "asked to come, p95", "ms", quantile(zooms.map((one) => one.server), 0.95), 5);
 } finally {
   await browser.close();

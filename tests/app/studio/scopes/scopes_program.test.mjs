@@ -26,9 +26,20 @@ claims:
   - {that: the cart ends where the spring holds the push, final: cart.position, equals: 50 mm, within: 1 %}
 `;
 
+/** Level but for a peak of one tick of 200,000. */
+const peak = `stepwire: 1
+title: One tick
+step: 1 ms
+stop: 200 s
+solver: rk4
+blocks:
+  spike: {block: Pulse, amplitude: 1 N, period: 1000 s, width: 1e-6, delay: 123.456 s}
+record: [spike]
+`;
+
 /** A studio whose run has come to its end. */
-async function ended(action) {
-  const studio = await Studio.opened(cart), {page} = studio;
+async function ended(action, text = cart) {
+  const studio = await Studio.opened(text), {page} = studio;
   try {
     await page.locator(".scope .trace").first().waitFor();
     await page.getByRole("button", {name: "No, thank you"}).click({timeout: 5000}).catch(() => {});
@@ -115,3 +126,20 @@ test("an expression with units is drawn beside, and its fault is said where ther
   await search.press("Enter");
   await page.locator(".signal-fault").getByText("did you mean 'cart.position'?").waitFor();
 }));
+
+test("a peak of one tick is seen among 200,000", options, () => ended(async (studio, page) => {
+  assert.equal(studio.run().spike.filter((value) => value !== 0).length, 1);
+  await page.getByLabel("How much time is seen").selectOption("300");
+  await page.waitForTimeout(2500);
+  const found = await page.evaluate(() => {
+    const canvas = document.querySelector(".scope canvas"), context = canvas.getContext("2d"), over = document.querySelector(".scope .u-over"), ratio = devicePixelRatio;
+    const left = Math.round(over.offsetLeft * ratio), top = Math.round(over.offsetTop * ratio), width = Math.round(over.clientWidth * ratio), height = Math.round(over.clientHeight * ratio);
+    const {data} = context.getImageData(left, top, width, height), columns = [];
+    for (let x = 0; x < width; ++x) {
+      const blue = Array.from({length: height}, (_, y) => 4 * (y * width + x)).filter((at) => data[at + 2] > data[at] + 60).length;
+      if (blue > 0.7 * height) columns.push(x / width);
+    }
+    return columns;
+  });
+  assert.ok(found.length >= 1 && found.every((share) => Math.abs(share - 123.456 / 300) < 0.01), `columns ${found}`);
+}, peak));

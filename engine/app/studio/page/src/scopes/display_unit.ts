@@ -30,9 +30,6 @@ export function prefixed(unit: string, magnitude: number): DisplayUnit {
 /** SI to shown. */
 export const shownOf = (value: number, unit: DisplayUnit): number => value * unit.scale + unit.offset;
 
-/** Shown to SI. */
-export const siOf = (value: number, unit: DisplayUnit): number => (value - unit.offset) / unit.scale;
-
 /** The text of a unit behind a division: "mm/s", "(N s/m)/s". */
 export function perSecond(unit: string): string {
   if (unit === "" || unit === "1") return "1/s";

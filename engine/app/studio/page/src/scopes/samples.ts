@@ -1,5 +1,5 @@
 import type {Frame} from "../connection/frame";
-import {joined, type Range} from "./y_range";
+import type {Range} from "./y_range";
 
 /** Values of one signal in SI: each sample, where `low` and `high` are one array, or what each stretch of time reached. */
 export interface Samples {
@@ -48,13 +48,6 @@ export function extent(samples: Samples, window: Range): Range | undefined {
     if (samples.high[row] > high) high = samples.high[row];
   }
   return low <= high && Number.isFinite(high - low) ? {low, high} : undefined;
-}
-
-export function extentOfAll(all: Samples[], window: Range): Range | undefined {
-  return all.reduce<Range | undefined>((known, samples) => {
-    const own = extent(samples, window);
-    return own ? joined(known, own) : known;
-  }, undefined);
 }
 
 /** What a signal was at a time: one value, or the two that its stretch reached. */

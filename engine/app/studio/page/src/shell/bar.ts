@@ -22,7 +22,7 @@ export class Bar {
       h("div", {class: "bar-file"}, h("span", {class: "brand"}, "Stepwire"), this.files, this.save), this.run,
       h("div", {class: "bar-end"}, this.lost, keys, this.more));
     listen(this.files, "change", () => this.choose());
-    listen(this.save, "click", () => void context.workbench.save().catch((fault) => context.notify(fault.message, "fault")));
+    listen(this.save, "click", () => void context.workbench.saving.save().catch((fault) => context.notify(fault.message, "fault")));
     listen(this.more, "click", () => this.open());
     context.workbench.on("files", () => this.list());
     context.workbench.on("root", () => this.list());
@@ -62,6 +62,6 @@ export class Bar {
   /** Texts that are not saved may be given up. */
   private drafts(): [string, () => void][] {
     const {workbench, notify} = this.context;
-    return workbench.changedFiles.map((document) => [`Give up the draft of ${document.name}`, () => void workbench.discard(document).then(() => notify(`${document.name} is as the file has it`), (fault) => notify(fault.message, "fault"))]);
+    return workbench.changedFiles.map((document) => [`Give up the draft of ${document.name}`, () => void workbench.saving.discard(document).then(() => notify(`${document.name} is as the file has it`), (fault) => notify(fault.message, "fault"))]);
   }
 }

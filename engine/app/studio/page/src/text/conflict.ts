@@ -29,13 +29,13 @@ export function showConflict(context: Context, document: Document, text: string,
   const scrollers = editors.map(({scrollDOM}) => scrollDOM);
   scrollers.forEach((one, i) => one.addEventListener("scroll", () => { scrollers[1 - i].scrollTop = one.scrollTop; }));
   const {workbench, notify} = context;
-  const keep = async () => { if (await workbench.write(document, hash)) notify(`${document.name} is saved with your text`); };
+  const keep = async () => { if (await workbench.saving.write(document, hash)) notify(`${document.name} is saved with your text`); };
   openDialog(`${document.name} was changed by another program`, [
     h("p", {}, `${ours.size} of your lines and ${theirs.size} of the file's lines differ (marked). Nothing has been written.`),
     h("div", {class: "conflict"}, h("h3", {}, "Your text"), h("h3", {}, "The file as it is now"), ...holders),
   ], (close) => [
     h("button", {type: "button", onclick: close}, "Go on editing"),
-    h("button", {type: "button", onclick: () => { close(); workbench.takeText(document, text, hash); }}, "Take the file (undo brings yours back)"),
+    h("button", {type: "button", onclick: () => { close(); workbench.saving.takeText(document, text, hash); }}, "Take the file (undo brings yours back)"),
     h("button", {type: "button", class: "main", onclick: () => { close(); void keep().catch((fault) => notify(fault.message, "fault")); }}, "Write mine over it"),
   ], () => editors.forEach((editor) => editor.destroy()));
 }

@@ -50,6 +50,6 @@ export class TextView implements View {
   }
 
   private save(): void {
-    this.context.workbench.save().catch((fault) => this.context.notify(fault.message, "fault"));
+    this.context.workbench.saving.save().catch((fault) => this.context.notify(fault.message, "fault"));
   }
 }

@@ -6,6 +6,7 @@ import type {EditorView} from "@codemirror/view";
 import {type Connection, type DiagramFault, Fault} from "../connection/connection";
 import {type Change, setOf} from "./differences";
 import {Document, type Opened, textOf} from "./document";
+import {type Conflict, Saving} from "./saving";
 import {TextSync} from "./text_sync";
 
 export interface FileEntry {
@@ -40,13 +41,14 @@ export interface WorkbenchEvents {
   marks: {file: number; marks: Mark[]};
   /** What the checker says of a diagram; [] where it loads. */
   faults: {file: number; faults: DiagramFault[]};
-  conflict: {document: Document; text: string; hash: string};
+  conflict: Conflict;
 }
 
 export class Workbench {
   private readonly documents = new Map<number, Document>();
   private readonly listeners = new Map<keyof WorkbenchEvents, Set<(event: any) => void>>();
   private readonly sync: TextSync;
+  readonly saving: Saving;
   private readonly marks = new Map<number, Mark[]>();
   private view: EditorView | undefined;
   private extensions: (document: Document) => Extension = () => [];
@@ -61,7 +63,10 @@ export class Workbench {
     this.sync = new TextSync(connection, notify, {
       documents: () => this.documents, dispatch: (document, spec) => this.dispatch(document, spec), synced: (document) => this.emit("synced", document),
     });
-    connection.on("changed", (news) => this.takeChanged(news));
+    this.saving = new Saving(connection, this.sync, notify, {
+      document: (file) => this.documents.get(file), changed: () => this.changedFiles, dispatch: (document, spec) => this.dispatch(document, spec),
+      synced: (document) => this.emit("synced", document), kept: () => this.emit("files", this.files), conflict: (conflict) => this.emit("conflict", conflict),
+    });
   }
 
   on<Name extends keyof WorkbenchEvents>(name: Name, listener: (event: WorkbenchEvents[Name]) => void): () => void {
@@ -228,60 +233,5 @@ export class Workbench {
     const {file} = document, at = (position: number, side: number) => transactions.reduce((place, one) => one.changes.mapPos(Math.min(place, one.changes.length), side), position);
     this.marks.set(file, this.marksOf(file).map((mark) => ({...mark, from: at(mark.from, 1), to: at(mark.to, -1)})));
     this.emit("moved", {file, at});
-  }
-
-  /** A file was changed by another program: taken at once where there is no draft, else both texts are shown. */
-  private takeChanged({file, text, hash}: {file: number; text: string; hash: string}): void {
-    const document = this.documents.get(file);
-    if (!document || document.hash === hash) return;
-    if (document.isChanged) return this.emit("conflict", {document, text, hash});
-    this.takeText(document, text, hash);
-    this.notify(`${document.name} was changed by another program; the new text is shown`);
-  }
-
-  /** The text of the file instead of the own one; undo brings that back. */
-  takeText(document: Document, text: string, hash: string): void {
-    document.saved = textOf(text);
-    document.hash = hash;
-    this.dispatch(document, {changes: {from: 0, to: document.state.doc.length, insert: document.saved}, annotations: isolateHistory.of("full")});
-    this.emit("files", this.files);
-  }
-
-  // --- the files themselves ---
-
-  /** Writes all changed texts to their files; where one was changed elsewhere, both texts are shown. */
-  async save(): Promise<void> {
-    const names: string[] = [];
-    for (const document of this.changedFiles) if (await this.saveOne(document)) names.push(document.name);
-    if (names.length > 0) this.notify(`${names.join(", ")} ${names.length === 1 ? "is" : "are"} saved`);
-  }
-
-  private async saveOne(document: Document): Promise<boolean> {
-    await this.sync.whenSynced(document);
-    return this.write(document, document.hash);
-  }
-
-  /** Writes one text over what has the hash. Returns whether it was written. */
-  async write(document: Document, hash: string): Promise<boolean> {
-    const text = document.base;
-    const result = await this.connection.call<{hash?: string; conflict?: {text: string; hash: string}}>("save", {file: document.file, hash});
-    if (result.conflict) {
-      this.emit("conflict", {document, ...result.conflict});
-      return false;
-    }
-    document.hash = result.hash ?? hash;
-    document.saved = text;
-    this.emit("files", this.files);
-    return true;
-  }
-
-  /** Drops the draft of a file. */
-  async discard(document: Document): Promise<void> {
-    const {text, hash, version} = await this.connection.call<{text: string; hash: string; version: number}>("discard", {file: document.file});
-    this.sync.applyRemote(document, document.rebaseText(text, version));
-    document.saved = textOf(text);
-    document.hash = hash;
-    this.emit("files", this.files);
-    this.emit("synced", document);
   }
 }

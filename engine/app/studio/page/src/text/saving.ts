@@ -1,0 +1,89 @@
+// The files themselves: what is written to them, and what others write.
+
+import {isolateHistory} from "@codemirror/commands";
+import type {TransactionSpec} from "@codemirror/state";
+import type {Connection} from "../connection/connection";
+import {type Document, textOf} from "./document";
+import type {TextSync} from "./text_sync";
+
+/** A file that was changed elsewhere while its text was edited here. */
+export interface Conflict {
+  document: Document;
+  text: string;
+  hash: string;
+}
+
+interface Owner {
+  document(file: number): Document | undefined;
+  /** Documents that differ from their files. */
+  changed(): Document[];
+  dispatch(document: Document, spec: TransactionSpec): void;
+  synced(document: Document): void;
+  /** What is saved is another. */
+  kept(): void;
+  conflict(conflict: Conflict): void;
+}
+
+export class Saving {
+  constructor(private readonly connection: Connection, private readonly sync: TextSync, private readonly notify: (text: string) => void, private readonly owner: Owner) {
+    connection.on("changed", (news) => this.takeChanged(news));
+    connection.on("saved", (news) => this.takeSaved(news));
+  }
+
+  /** Writes all changed texts to their files; where one was changed elsewhere, both texts are shown. */
+  async save(): Promise<void> {
+    const names: string[] = [];
+    for (const document of this.owner.changed()) {
+      await this.sync.whenSynced(document);
+      if (await this.write(document, document.hash)) names.push(document.name);
+    }
+    if (names.length > 0) this.notify(`${names.join(", ")} ${names.length === 1 ? "is" : "are"} saved`);
+  }
+
+  /** Writes one text over what has the hash. Returns whether it was written. */
+  async write(document: Document, hash: string): Promise<boolean> {
+    const text = document.base;
+    const result = await this.connection.call<{hash?: string; conflict?: {text: string; hash: string}}>("save", {file: document.file, hash});
+    if (result.conflict) this.owner.conflict({document, ...result.conflict});
+    else this.keep(document, text, result.hash ?? hash);
+    return !result.conflict;
+  }
+
+  /** Drops the draft of a file. */
+  async discard(document: Document): Promise<void> {
+    const {text, hash, version} = await this.connection.call<{text: string; hash: string; version: number}>("discard", {file: document.file});
+    this.sync.applyRemote(document, document.rebaseText(text, version));
+    this.keep(document, textOf(text), hash);
+    this.owner.synced(document);
+  }
+
+  /** The text of the file instead of the own one; undo brings that back. */
+  takeText(document: Document, text: string, hash: string): void {
+    const changes = {from: 0, to: document.state.doc.length, insert: textOf(text)};
+    this.owner.dispatch(document, {changes, annotations: isolateHistory.of("full")});
+    this.keep(document, textOf(text), hash);
+  }
+
+  private keep(document: Document, saved: Document["saved"], hash: string): void {
+    document.saved = saved;
+    document.hash = hash;
+    this.owner.kept();
+  }
+
+  /** Another page saved the file. */
+  private takeSaved({file, hash}: {file: number; hash: string}): void {
+    const document = this.owner.document(file);
+    if (document) this.keep(document, document.base, hash);
+  }
+
+  /** A file was written by another program: taken at once where there is no draft of another text, else both are shown. */
+  private takeChanged({file, text, hash, version}: {file: number; text: string; hash: string; version: number}): void {
+    const document = this.owner.document(file), isSame = document?.state.doc.eq(textOf(text));
+    if (!document || document.hash === hash) return;
+    if (document.isChanged && !isSame) return this.owner.conflict({document, text, hash});
+    if (version > document.version) this.sync.applyRemote(document, document.rebaseText(text, version));
+    this.keep(document, textOf(text), hash);
+    this.owner.synced(document);
+    if (!isSame) this.notify(`${document.name} was changed by another program; the new text is shown`);
+  }
+}
