@@ -63,8 +63,11 @@ std::vector<LiveEvent> LiveInputs::take(double time, std::int64_t tick) {
   std::vector<LiveEvent> events;
   if (!any_.load(std::memory_order_acquire)) return events;
   const std::lock_guard lock(mutex_);
-  for (InputSample& sample : waiting_)
-    if (sample.time <= time) events.push_back({tick, sample.name, "", std::move(sample.values), sample.time});
+  for (InputSample& sample : waiting_) {
+    if (sample.time > time) continue;
+    if (sample.page_time) taken_ = sample.page_time;
+    events.push_back({tick, sample.name, "", std::move(sample.values), sample.time});
+  }
   std::erase_if(waiting_, [&](const InputSample& sample) { return sample.time <= time; });
   any_ = !waiting_.empty();
   return events;

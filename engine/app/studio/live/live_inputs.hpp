@@ -3,6 +3,7 @@
 #include <atomic>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,8 @@ struct InputSample {
   int client = 0;
   double time = 0.0;  ///< of seconds_now() [s]
   std::string name;
-  std::vector<double> values;  ///< SI
+  std::vector<double> values;         ///< SI
+  std::optional<double> page_time{};  ///< the same on the clock of the page, as it sent it
 };
 
 /// Samples for the inputs of a diagram, which wait for the tick of their time.
@@ -31,6 +33,9 @@ class LiveInputs {
   void release(int client);
   /// The events of all samples up to a time, in the order in which they came; `tick` is computed next.
   std::vector<LiveEvent> take(double time, std::int64_t tick);
+  /// The time of the newest sample that was taken, as its page sent it; nothing before the first. For the
+  /// thread that takes.
+  std::optional<double> taken() const { return taken_; }
 
  private:
   std::size_t find(const std::string& name) const;
@@ -41,6 +46,7 @@ class LiveInputs {
   std::vector<InputSample> waiting_;
   std::map<std::string, int> writers_;  ///< who has written an input last
   std::atomic<bool> any_ = false;
+  std::optional<double> taken_;
 };
 
 }  // namespace stepwire::live

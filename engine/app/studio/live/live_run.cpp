@@ -170,14 +170,15 @@ Json LiveRun::input(int page, const Arguments& arguments) {
   const double now = seconds_now();
   for (const Json& item : arguments.list("samples").items()) {
     const Arguments sample(item);
-    double time = sample.number("time");
+    const double shown = sample.number("time");
+    double time = shown;
     {
       const std::lock_guard lock(mutex_);
       PageClock& clock = clocks_[page];
-      clock.came(time, now);
-      time = clock.here(time);
+      clock.came(shown, now);
+      time = clock.here(shown);
     }
-    run->thread().input({page, time, sample.text("name"), sample.numbers("values")});
+    run->thread().input({page, time, sample.text("name"), sample.numbers("values"), shown});
   }
   return {};
 }

@@ -59,7 +59,7 @@ void RunThread::main() {
     try {
       begin_life();
       live();
-      rows_.flush();
+      hand_over();
     } catch (const std::exception& error) {
       fault_ = error.what();
     }
@@ -137,9 +137,14 @@ bool RunThread::wait_for_turn() {
 /// Shows the tick to which somebody had the run go, and says so.
 void RunThread::arrive() {
   if (!arrived_) return;
-  rows_.flush();
+  hand_over();
   tell();
   std::exchange(arrived_, nullptr)->set_value();
+}
+
+void RunThread::hand_over() {
+  rows_.flush();
+  stored_input_ = inputs_.taken();
 }
 
 /// May the next tick be computed by the clock? Waits until then, or until somebody has it do something.
@@ -154,13 +159,13 @@ bool RunThread::is_due() {
   pace_.begun(next_tick(), now);
   if (now - flushed_ < between_flushes) return true;
   flushed_ = now;
-  rows_.flush();
+  hand_over();
   tell();
   return true;
 }
 
 void RunThread::wait_until(std::optional<double> time) {
-  rows_.flush();
+  hand_over();
   tell();
   if (time)
     commands_.wait_until(*time);

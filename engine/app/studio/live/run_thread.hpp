@@ -32,6 +32,8 @@ struct RunStatus {
   double wanted = 1.0;      ///< the same as it should be; 0: as fast as it goes
   std::int64_t missed = 0;  ///< ticks that came more than 20 ms late
   bool compiled = false;
+  /// Of the newest sample of an input that acted by a tick which is stored, as its page sent it [s].
+  std::optional<double> input;
   std::string fault;  ///< that ended it; empty where none did
 };
 
@@ -106,6 +108,7 @@ class RunThread : private run::RunObserver {
   bool wait_for_turn();
   void arrive();
   bool is_due();
+  void hand_over();
   void wait_until(std::optional<double> time);
   void do_events(std::int64_t tick);
   void add_event(LiveEvent event);
@@ -129,6 +132,7 @@ class RunThread : private run::RunObserver {
   std::atomic<bool> quits_ = false;
   bool plays_ = false, ended_ = false;
   bool is_paced_ = false;                ///< does the pace know the next tick?
+  std::optional<double> stored_input_;   ///< RunStatus::input
   double flushed_ = 0.0;                 ///< when rows were handed to the store last
   std::int64_t shown_ = -1;              ///< the tick that was computed last; -1: none
   std::int64_t goal_ = 0;                ///< up to this tick it goes as fast as it goes

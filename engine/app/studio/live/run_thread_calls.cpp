@@ -131,6 +131,7 @@ void RunThread::tell() {
     status_.wanted = pace_.rate();
     status_.missed = pace_.missed();
     status_.compiled = life_ && life_->run.compiled();
+    status_.input = stored_input_;
     status_.fault = fault_;
   }
   if (options_.changed) options_.changed();

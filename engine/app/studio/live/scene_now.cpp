@@ -82,6 +82,7 @@ Json SceneNow::description() const {
 }
 
 std::optional<Json> SceneNow::news() const {
+  const std::optional<double> input = run_.thread().status().input;  // before what it led to
   const std::int64_t tick = run_.store().end_tick() - 1;
   if (tick < 0) return std::nullopt;
   std::vector<double> row = fixed_;
@@ -90,7 +91,11 @@ std::optional<Json> SceneNow::news() const {
     run_.store().read(columns_[i], tick, {&row[places_[i]], 1});
   Json shapes = Json::list();
   for (const scene::SceneShape& shape : view_->shapes(row)) shapes.push(shape_json(shape, scene_));
-  return Json::object().set("news", "scene").set("time", row.front()).set("shapes", std::move(shapes));
+  return Json::object()
+      .set("news", "scene")
+      .set("time", row.front())
+      .set("input", input ? Json(*input) : Json())
+      .set("shapes", std::move(shapes));
 }
 
 }  // namespace stepwire::live

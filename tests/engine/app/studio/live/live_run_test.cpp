@@ -149,11 +149,25 @@ TEST_CASE("a scene is shown as the newest tick has it, to pages that watch") {
     const auto news = studio.received.last("scene");
     return news && news->find("time")->as_number() == 3.0;
   });
+  CHECK(studio.received.last("scene")->find("input")->is_null());
   const Json news = *studio.received.last("scene");
   const Json& ball = at(*news.find("shapes"), 0);
   const Json end = studio.call("data.statistics", R"({"from": 3, "to": 3, "columns": [0]})");
   CHECK(at(at(*ball.find("points"), 0), 0).as_number() ==
         at(*end.find("statistics"), 0).find("last")->as_number());
+}
+
+TEST_CASE("a scene says up to which sample of its page it shows what the hand did") {
+  Studio studio(swing);
+  studio.call("run.load", R"({"file": 1})");
+  studio.call("scene.watch", R"({"on": true})");
+  studio.call("run.input", R"({"samples": [{"time": 77.125, "name": "push", "values": [5]}]})");
+  studio.call("run.tick");
+  wait_until([&] {
+    const auto news = studio.received.last("scene");
+    return news && news->find("input")->as_number() == 77.125;
+  });
+  CHECK(studio.received.last("scene")->find("time")->as_number() == 1e-3);
 }
 
 TEST_CASE("a fan has the run of each value, with what is set beside it") {
