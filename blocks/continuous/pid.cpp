@@ -22,9 +22,11 @@ void declare_parameters(Declare<PID>& is) {
                                           "- wanted) / tracking (back_calculation)",
                                    .words = {"none", "clamping", "back_calculation"}});
   is.parameter<&PID::tracking>({.unit = "s", .doc = "time constant of back_calculation", .above = 0.0});
-  is.parameter<&PID::weight_p>({.doc = "share of the reference that the proportional part sees"});
+  is.parameter<&PID::weight_p>(
+      {.doc = "share of the reference that the proportional part sees", .structural = true});
   is.parameter<&PID::weight_d>(
-      {.doc = "share of the reference that the derivative part sees; 0: no kick at a step"});
+      {.doc = "share of the reference that the derivative part sees; 0: no kick at a step",
+       .structural = true});
 }
 
 }  // namespace

@@ -18,9 +18,11 @@ void declare_gains(Declare<DiscretePID>& is) {
                                              "from the next tick on, backward_euler at "
                                              "once, trapezoidal half of it at once",
                                       .words = {"forward_euler", "backward_euler", "trapezoidal"}});
-  is.parameter<&DiscretePID::weight_p>({.doc = "share of the reference that the proportional part sees"});
+  is.parameter<&DiscretePID::weight_p>(
+      {.doc = "share of the reference that the proportional part sees", .structural = true});
   is.parameter<&DiscretePID::weight_d>(
-      {.doc = "share of the reference that the derivative part sees; 0: no kick at a step"});
+      {.doc = "share of the reference that the derivative part sees; 0: no kick at a step",
+       .structural = true});
 }
 
 void declare_limits(Declare<DiscretePID>& is) {

@@ -59,7 +59,7 @@ void declare_mr_damper(Declare<Damper>& is, const MRDamperUnits& units) {
   is.template parameter<&Damper::c>(
       {.unit = units.c, .doc = "c(i), a polynomial in the current in amperes, highest power first"});
   is.template parameter<&Damper::k0>(
-      {.unit = units.stiffness, .doc = "stiffness beside the damper (a gas spring)"});
+      {.unit = units.stiffness, .doc = "stiffness beside the damper (a gas spring)", .structural = true});
   is.template parameter<&Damper::f0>({.unit = units.resistance, .doc = "constant part of the resistance"});
   is.template parameter<&Damper::current_range>(
       {.unit = "A", .doc = "lowest and highest current at which the polynomials were identified"});

@@ -38,7 +38,8 @@ void Demux::declare(Declare<Demux>& is) {
   is.parameter<&Demux::sizes>({.doc = "elements of each piece, e.g. [1, 1, 2]; together as many as u has",
                                .at_least = 1.0,
                                .at_most = 1e6,
-                               .required = true});
+                               .required = true,
+                               .structural = true});
   is.input<&Demux::u>({.unit = "'u", .shape = "n", .doc = "vector"});
   is.output<&Demux::y1>({.unit = "'u", .shape = "a", .doc = "first piece"});
   is.output<&Demux::y2>({.unit = "'u", .shape = "b", .doc = "second piece"});

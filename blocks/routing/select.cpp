@@ -26,7 +26,8 @@ void Select::declare(Declare<Select>& is) {
   is.parameter<&Select::indices>({.doc = "which elements, the first of u being 1, e.g. [3, 1]",
                                   .at_least = 1.0,
                                   .at_most = 1e6,
-                                  .required = true});
+                                  .required = true,
+                                  .structural = true});
   is.input<&Select::u>({.unit = "'u", .shape = "n", .doc = "vector"});
   is.output<&Select::y>({.unit = "'u", .shape = "m", .doc = "the chosen elements"});
 }

@@ -112,7 +112,8 @@ class Declare {
                        is.doc,
                        {is.above, is.below, is.at_least, is.at_most},
                        is.words,
-                       is.required};
+                       is.required,
+                       is.structural};
     if (Access::kind == ParameterKind::per_element && spec.shape.empty()) spec.shape.assign(1, 'n');
     spec.set = [](void* block, const Value& value) { Access::set(of<member>(block), value); };
     spec.get = [](const void* block) { return Access::get(static_cast<const Block*>(block)->*member); };

@@ -30,6 +30,9 @@ struct ParameterOptions {
   std::optional<double> above{}, below{}, at_least{}, at_most{};
   std::vector<std::string> words{};
   bool required = false;
+  /// Do sizes or connections of the block follow from the number? Another one takes another plan then, and a
+  /// generated program keeps it.
+  bool structural = false;
 };
 
 struct InputOptions {

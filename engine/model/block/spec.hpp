@@ -42,7 +42,8 @@ struct ParameterSpec {
   Range range;
   std::vector<std::string> words;
   bool required = false;
-  int member = -1;  ///< index in BlockType::members; -1 where no run reads it
+  bool structural = false;  ///< another number takes another plan
+  int member = -1;          ///< index in BlockType::members; -1 where no run reads it
   void (*set)(void* block, const Value& value) = nullptr;
   Value (*get)(const void* block) = nullptr;
 };

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "engine/base/yaml/message.hpp"
 #include "engine/model/diagram/variation.hpp"
 
 namespace stepwire::diagram {
@@ -10,7 +11,7 @@ namespace stepwire::diagram {
 /// What a name is in a diagram; nothing where nothing has it.
 std::optional<Variation::Name> find_name(const Diagram& diagram, const std::string& text);
 
-/// The nearest name that something has: "; did you mean 'rig.mass'?"
+/// The nearest name that something has, as the cure: "did you mean 'rig.mass'?"
 yaml::Message nearest_name(const Diagram& diagram, const std::string& text);
 
 /// The value that a diagram has of what a name stands for (a parameter, a value or an initial value of a

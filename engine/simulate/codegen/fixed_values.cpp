@@ -52,6 +52,7 @@ std::string FixedValues::reason_of(const diagram::Target& target) const {
   const ParameterSpec& spec = block.type().parameters[static_cast<std::size_t>(target.index)];
   const std::string name = diagram::name_of(plan_.diagram, target);
   if (!is_numeric(spec.kind)) return fmt::format("{} is no number", name);
+  if (spec.structural) return fmt::format("{} decides on sizes or connections", name);
   const MemberSpec* member = member_from(spec, block.block);
   if (!member)
     return is_finite(spec.get(block.block.get()))
