@@ -140,7 +140,8 @@ void read_stop_condition(const Scope& scope, const Resolver& resolver, Report& r
         condition.variables.push_back({*signal, element});
       }
     }
-    report.diagram().stop_when = std::move(condition);
+    const bool is_whole = condition.variables.size() == condition.expression.variables().size();
+    if (is_whole) report.diagram().stop_when = std::move(condition);
   } catch (const expression::ExpressionError& error) {
     report.add(scope.at(node->mark), "stop_when", error.what());
   }
