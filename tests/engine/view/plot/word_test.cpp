@@ -23,7 +23,7 @@ record::Recording rows_of_conditions() {
 
 std::vector<double> values_of(const std::string& text) {
   yaml::Faults faults;
-  const yaml::Node node{yaml::Node::Kind::scalar, false, {1, 1}, text, {}, {}};
+  const yaml::Node node{yaml::Node::Kind::scalar, false, {1, 1}, {}, text, {}, {}};
   const auto formula = query::read_formula(node, names_with_words(), "where", faults);
   INFO(text);
   REQUIRE(faults.empty());
@@ -32,7 +32,7 @@ std::vector<double> values_of(const std::string& text) {
 
 std::string fault_of(const std::string& text) {
   yaml::Faults faults;
-  const yaml::Node node{yaml::Node::Kind::scalar, false, {1, 1}, text, {}, {}};
+  const yaml::Node node{yaml::Node::Kind::scalar, false, {1, 1}, {}, text, {}, {}};
   query::read_formula(node, names_with_words(), "where", faults);
   REQUIRE(faults.size() == 1);
   return faults.list().front().text();
