@@ -69,6 +69,12 @@ std::size_t place_of_definition(DiagramFiles& files, const std::string& file, co
   refuse_name(name);
 }
 
+/// The place of the fault is one of a text that nobody sees.
+[[noreturn]] void refuse_for(const yaml::Fault& fault) {
+  const std::string words = fault.message.text();
+  throw EditRefused(text::visible(fault.subject.empty() ? words : fault.subject + ": " + words));
+}
+
 using FaultName = std::pair<std::string, std::string>;
 
 FaultName name_of(const yaml::Fault& fault) {
@@ -125,7 +131,7 @@ class Editor {
     connect(edits, files_, file_, *document_, edit);
     check_units(files_, analyse(files_, file_, Depth::draft), file_, edit);
     Edited result = done(edits);
-    if (!result.faults.empty()) throw EditRefused(result.faults.front().text());
+    if (!result.faults.empty()) refuse_for(result.faults.front());
     return result;
   }
   Edited operator()(const Disconnect& edit) {

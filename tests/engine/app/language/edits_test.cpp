@@ -89,6 +89,11 @@ TEST_CASE("a wire is put where units fit, and refused where they do not") {
   CHECK(files.refusal(Connect{"cart.position", "cart", "force"}) ==
         "'cart.position' is in m, and 'cart.force' takes N");
   CHECK_THAT(files.refusal(Connect{"cart.nothing", "cart", "force"}), Contains("nothing"));
+  // The input itself takes any unit, but not so what follows from it.
+  files.open("a.yaml", with("force: turned", "force: held"));
+  CHECK_THAT(files.refusal(Connect{"cart.velocity", "held", "u"}),
+             Contains("cart.force") && !Contains("a.yaml"));
+  files.open("a.yaml", cart);
   CHECK_THAT(files.refusal(Connect{"cart.position", "ghost", "u"}), Contains("no block 'ghost'"));
   CHECK(files.after(Disconnect{"turned", "u"}) == with(", u: rig}", "}"));
   const auto fitting = files.service().inputs_for(files.path("a.yaml"), "cart.position");
