@@ -38,8 +38,10 @@ std::string diagram(const std::string& blocks, const std::string& more = "") {
 std::vector<std::filesystem::path> diagram_files() {
   std::vector<std::filesystem::path> files;
   const auto folder = std::filesystem::path(STEPWIRE_SOURCE_DIR) / "diagrams";
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
-    if (entry.path().extension() == ".yaml") files.push_back(entry.path());
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    const bool is_page = entry.path().parent_path().filename() == "gallery";  // words of pages, no diagrams
+    if (entry.path().extension() == ".yaml" && !is_page) files.push_back(entry.path());
+  }
   std::sort(files.begin(), files.end());
   return files;
 }
