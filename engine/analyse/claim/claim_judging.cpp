@@ -17,6 +17,28 @@ struct Unjudged : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A comparison with a number that is undefined is neither true nor false.
+void leave_undefined(const query::Formula& formula, const record::Recording& recording,
+                     std::vector<double>& values) {
+  for (const std::string& name : formula.columns) {
+    const table::Column& column = *recording.table.find(name);  // evaluate() has found it
+    for (std::size_t row = 0; row < values.size(); ++row)
+      if (std::isnan(column.values[row])) values[row] = query::nothing;
+  }
+}
+
+/// Why a value is none.
+std::string undefined_text(const Rows& rows) {
+  std::size_t all = 0, undefined = 0;
+  for (std::size_t row = 0; row < rows.value.size(); ++row) {
+    if (!rows.selected[row]) continue;
+    ++all;
+    if (std::isnan(rows.value[row])) ++undefined;
+  }
+  if (undefined == 0) return "the value is not a number";
+  return fmt::format("the value is not a number: undefined in {} of {}", undefined, all);
+}
+
 Rows rows_of(const Claim& claim, const record::Recording& recording) {
   Rows rows;
   rows.value = query::evaluate(claim.values.at(0), recording);
@@ -25,6 +47,8 @@ Rows rows_of(const Claim& claim, const record::Recording& recording) {
     rows.time = time->values;
   else
     throw Unjudged("no time was recorded");
+  if (claim.reduction == Reduction::fraction || claim.reduction == Reduction::count)
+    leave_undefined(claim.values[0], recording, rows.value);
   rows.selected.assign(rows.value.size(), true);
   rows.starts = recording.starts;
   rows.free_offset = claim.free_offset;
@@ -139,7 +163,7 @@ Verdict judge(const Claim& claim, std::span<const record::Recording> recordings)
     verdict.value = value_of(claim, rows);
     verdict.shown = shown_text(claim, verdict.value, rows, recordings[claim.recording]);
     verdict.holds = claim.comparison.margin(verdict.value) >= 0.0;
-    if (std::isnan(verdict.value)) verdict.note = "the value is not a number";
+    if (std::isnan(verdict.value)) verdict.note = undefined_text(rows);
   } catch (const Unjudged& reason) {
     verdict.note = reason.what();
   } catch (const std::invalid_argument& missing) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/analyse/claim/claim.hpp"
+#include "engine/analyse/claim/claim_range.hpp"
 #include "engine/analyse/claim/claim_words.hpp"
 #include "engine/analyse/query/number.hpp"
 
@@ -198,7 +199,9 @@ Claim read_claim(const yaml::Node& node, Claim::Kind kind, const query::NamesRea
   Claim claim;
   claim.kind = kind;
   claim.place = {read.names.file, node.mark};
+  const std::size_t faults = read.faults.size();
   if (!claim_table().read(node, claim, read)) return claim;
+  if (read.faults.size() == faults) check_can_fail(node, claim, read);
   claim.each_run = claim.each_run || claim.reduction == Reduction::final || claim.reduction == Reduction::at;
   std::vector<const query::Formula*> all;
   for (const auto& value : claim.values) all.push_back(&value);

@@ -75,8 +75,9 @@ double quantile(std::vector<double> values, double share) {
 
 double rising_edges(const Rows& rows) {
   double count = 0.0;
+  for (std::size_t i = 0; i < rows.value.size(); ++i)
+    if (rows.selected[i] && std::isnan(rows.value[i])) return query::nothing;
   for_each_interval(rows, [&](std::size_t i, std::size_t j) {
-    if (std::isnan(rows.value[i]) || std::isnan(rows.value[j])) count = query::nothing;
     if (rows.value[i] == 0.0 && rows.value[j] != 0.0) count += 1.0;
   });
   return count;

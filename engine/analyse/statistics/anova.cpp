@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/analyse/statistics/equal_variances.hpp"
 #include "engine/analyse/statistics/linear_model.hpp"
 #include "engine/analyse/statistics/no_number.hpp"
+#include "engine/analyse/statistics/rounding.hpp"
 #include "engine/analyse/statistics/statistics_error.hpp"
 #include "engine/analyse/statistics/tail.hpp"
 
@@ -43,30 +45,39 @@ double sum_of_squares(const Eigen::VectorXd& response, const std::vector<TermCol
   return (explained(response, terms) - without).squaredNorm();
 }
 
+/// A sum of squares; 0 where it is but the rounding of scores whose squares sum to `all`.
+double beyond_rounding(double sum, double all) {
+  return is_rounding(std::sqrt(sum), std::sqrt(all)) ? 0.0 : sum;
+}
+
 AnovaRow line(const std::string& name, double freedom, double sum) {
   return {name, freedom, sum, freedom > 0.0 ? sum / freedom : no_number, no_number, no_number, no_number, ""};
 }
 
-/// The sums of squares of all terms, of what they leave and of both.
-void add_rows(Anova& result, const Eigen::VectorXd& response, const std::vector<TermColumns>& model) {
+/// The sums of squares of all terms, of what they leave and of both; `squares` is that of the scores.
+void add_rows(Anova& result, const Eigen::VectorXd& response, double squares,
+              const std::vector<TermColumns>& model) {
   const auto freedom_of_all = static_cast<double>(response.size() - 1);
   std::vector<const TermColumns*> all;
   double left = freedom_of_all;
   for (std::size_t i = 0; i < model.size(); ++i) {
     const auto freedom = static_cast<double>(model[i].columns.cols());
-    const double sum = freedom > 0.0 ? sum_of_squares(response, model, i, result.sums) : no_number;
+    const double sum =
+        freedom > 0.0 ? beyond_rounding(sum_of_squares(response, model, i, result.sums), squares) : no_number;
     result.terms.push_back(line(model[i].term.name(), freedom, sum));
     all.push_back(&model[i]);
     left -= freedom;
   }
   const double rest = left > 0.0 ? (response - explained(response, all)).squaredNorm() : 0.0;
-  result.residual = line("residual", left, rest);
-  result.total = line("total", freedom_of_all, (response.array() - response.mean()).square().sum());
+  result.residual = line("residual", left, beyond_rounding(rest, squares));
+  result.total = line("total", freedom_of_all,
+                      beyond_rounding((response.array() - response.mean()).square().sum(), squares));
 }
 
 void judge(AnovaRow& row, const AnovaRow& error) {
   row.against = error.name;
   if (row.freedom <= 0.0 || error.freedom <= 0.0) return;
+  if (error.sum_of_squares <= 0.0) return;  // nothing to compare with, as a t test of equal differences
   row.f = row.mean_square / error.mean_square;
   row.p = fisher_tail(row.f, row.freedom, error.freedom);
   row.partial_eta_squared = row.sum_of_squares / (row.sum_of_squares + error.sum_of_squares);
@@ -85,6 +96,19 @@ void judge_terms(Anova& result, const std::vector<Term>& terms) {
           fmt::format("'{}' is compared with '{}', which is no term of the model", terms[i].name(), name));
     judge(result.terms[i], *error);
   }
+}
+
+/// Names the terms without F because what they are compared with does not vary.
+void warn_of_missing_f(Anova& result) {
+  std::vector<std::string> names;
+  for (const AnovaRow& row : result.terms) {
+    const AnovaRow* error = row.against == result.residual.name ? &result.residual : result.find(row.against);
+    if (error && row.freedom > 0.0 && error->freedom > 0.0 && std::isnan(row.f)) names.push_back(row.name);
+  }
+  if (!names.empty())
+    result.warnings.push_back(
+        fmt::format("F of {} has no value: what it is compared with varies by no more than rounding",
+                    fmt::join(names, ", ")));
 }
 
 void warn_of_lost_terms(Anova& result, const std::vector<TermColumns>& model) {
@@ -170,14 +194,15 @@ Anova anova(const Observations& observations, const std::vector<Term>& terms, Su
   observations.check();
   const auto count = static_cast<Eigen::Index>(observations.values.size());
   // Squares of the differences from one of the values keep the digits that a large mean would take.
-  const Eigen::VectorXd response =
-      Eigen::Map<const Eigen::VectorXd>(observations.values.data(), count).array() - observations.values[0];
+  const Eigen::Map<const Eigen::VectorXd> scores(observations.values.data(), count);
+  const Eigen::VectorXd response = scores.array() - observations.values[0];
   const auto model = model_columns(observations, terms);
   Anova result;
   result.response = observations.response;
   result.sums = sums;
-  add_rows(result, response, model);
+  add_rows(result, response, scores.squaredNorm(), model);
   judge_terms(result, terms);
+  warn_of_missing_f(result);
   warn_of_lost_terms(result, model);
   const auto names = treatments(observations, terms);
   describe_design(result, observations, names);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/analyse/statistics/contrasts.hpp"
+#include "engine/analyse/statistics/rounding.hpp"
 #include "engine/analyse/statistics/statistics_error.hpp"
 
 namespace stepwire::statistics {
@@ -75,7 +76,7 @@ std::vector<double> ConditionTable::column(std::size_t condition) const {
 std::vector<double> ConditionTable::differences(std::size_t first, std::size_t second) const {
   const Eigen::VectorXd both =
       values.col(static_cast<Eigen::Index>(first)) - values.col(static_cast<Eigen::Index>(second));
-  return {both.begin(), both.end()};
+  return without_rounding({both.begin(), both.end()}, values.cwiseAbs().maxCoeff());
 }
 
 ConditionTable condition_table(const Observations& observations, const std::string& condition,

@@ -16,7 +16,7 @@ struct ConditionTable {
   std::vector<std::string> left_out;  ///< "subject 10 has no value under HV", "nobody has a value under H"
 
   std::vector<double> column(std::size_t condition) const;
-  std::vector<double> differences(std::size_t first, std::size_t second) const;
+  std::vector<double> differences(std::size_t first, std::size_t second) const;  ///< without rounding
 };
 
 /// The conditions are levels of a factor, in an order of names; one that nobody has met is left out, and then

@@ -1,9 +1,11 @@
 #include "engine/analyse/statistics/effect_size.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/analyse/statistics/no_number.hpp"
 #include "engine/analyse/statistics/noncentral.hpp"
+#include "engine/analyse/statistics/rounding.hpp"
 
 namespace stepwire::statistics {
 namespace {
@@ -24,7 +26,8 @@ ConfidenceInterval interval_of(const AnovaRow& row, double error_freedom) {
 PairedEffect paired_effect(const std::vector<double>& first, const std::vector<double>& second) {
   std::vector<double> differences;
   for (std::size_t i = 0; i < first.size(); ++i) differences.push_back(first[i] - second[i]);
-  const PairedTest test = paired_test(differences);
+  const PairedTest test =
+      paired_test(without_rounding(differences, std::max(largest_of(first), largest_of(second))));
   const double root = std::sqrt(test.freedom + 1.0);
   const ConfidenceInterval noncentrality = noncentrality_of_t(test.t, test.freedom);
   const double spread = 0.5 * (paired_test(first).deviation + paired_test(second).deviation);

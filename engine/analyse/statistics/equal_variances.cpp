@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "engine/analyse/statistics/quartiles.hpp"
+#include "engine/analyse/statistics/rounding.hpp"
 #include "engine/analyse/statistics/tail.hpp"
 
 namespace stepwire::statistics {
@@ -26,6 +27,13 @@ std::vector<double> distances(const std::vector<double>& group, Middle middle) {
   return result;
 }
 
+/// Root of the sum of all squares.
+double size_of(const std::vector<std::vector<double>>& groups) {
+  double squares = 0.0;
+  for (const auto& group : groups) squares += squares_about(group, 0.0);
+  return std::sqrt(squares);
+}
+
 }  // namespace
 
 std::optional<VarianceTest> variance_test(const std::vector<std::vector<double>>& groups, Middle middle) {
@@ -43,7 +51,7 @@ std::optional<VarianceTest> variance_test(const std::vector<std::vector<double>>
     between += static_cast<double>(group.size()) * std::pow(mean(group) - centre, 2);
     within += squares_about(group, mean(group));
   }
-  if (between + within <= 0.0) return std::nullopt;
+  if (is_rounding(std::sqrt(within), size_of(groups))) return std::nullopt;
   VarianceTest test;
   test.above = static_cast<double>(kept.size() - 1);
   test.below = static_cast<double>(all.size() - kept.size());

@@ -7,7 +7,7 @@ namespace stepwire::statistics {
 
 /// A one-way analysis of how far values lie from the middle of their group.
 struct VarianceTest {
-  double f = 0.0;                   ///< infinite where the distances vary between groups only
+  double f = 0.0;                   ///< of the distances from the middle
   double above = 0.0, below = 0.0;  ///< degrees of freedom
   double p = 1.0;                   ///< of such an F or a larger one where all variances are equal
 };
@@ -16,8 +16,8 @@ struct VarianceTest {
 /// stands skewed values better.
 enum class Middle { mean, median };
 
-/// Whether groups differ in their variance. Groups of fewer than two values are left out; nothing where fewer
-/// than two groups remain, or no distance varies at all.
+/// Whether groups differ in their variance; groups of fewer than two values are left out. Nothing where fewer
+/// than two remain, or in none the distances vary beyond rounding, as with two values in each.
 std::optional<VarianceTest> variance_test(const std::vector<std::vector<double>>& groups,
                                           Middle middle = Middle::median);
 

@@ -4,24 +4,19 @@
 #include <numeric>
 
 #include "engine/analyse/statistics/no_number.hpp"
+#include "engine/analyse/statistics/rounding.hpp"
 #include "engine/analyse/statistics/student.hpp"
 #include "engine/analyse/statistics/tail.hpp"
 
 namespace stepwire::statistics {
 namespace {
 
-constexpr double equal_within =
-    1e-12;  // of the largest difference: what rounding leaves of equal differences
-
 /// Standard deviation; 0 where only rounding tells the values apart.
 double deviation_of(const std::vector<double>& values, double mean) {
-  double squares = 0.0, largest = 0.0;
-  for (const double value : values) {
-    squares += (value - mean) * (value - mean);
-    largest = std::max(largest, std::abs(value));
-  }
+  double squares = 0.0;
+  for (const double value : values) squares += (value - mean) * (value - mean);
   const double deviation = std::sqrt(squares / static_cast<double>(values.size() - 1));
-  return deviation > equal_within * largest ? deviation : 0.0;
+  return is_rounding(deviation, largest_of(values)) ? 0.0 : deviation;
 }
 
 }  // namespace

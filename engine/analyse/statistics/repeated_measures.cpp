@@ -8,6 +8,7 @@
 
 #include "engine/analyse/statistics/contrasts.hpp"
 #include "engine/analyse/statistics/no_number.hpp"
+#include "engine/analyse/statistics/rounding.hpp"
 #include "engine/analyse/statistics/statistics_error.hpp"
 #include "engine/analyse/statistics/tail.hpp"
 
@@ -15,7 +16,6 @@ namespace stepwire::statistics {
 namespace {
 
 constexpr double doubtful_epsilon = 0.75, significant = 0.05;
-constexpr double equal_scores = 1e-12;  // of their size: what rounding leaves of scores that do not vary
 
 /// The means as observations again: one value of every subject in every cell.
 Observations averaged(const Observations& observations, const Eigen::MatrixXd& means,
@@ -55,14 +55,14 @@ double huynh_feldt(double greenhouse_geisser, double terms, double freedom) {
 }
 
 double corrected_probability(const AnovaRow& row, double error_freedom, double epsilon) {
-  if (std::isnan(epsilon)) return no_number;
+  if (std::isnan(epsilon) || std::isnan(row.f)) return no_number;
   return fisher_tail(row.f, row.freedom * epsilon, error_freedom * epsilon);
 }
 
-/// Nothing where the subjects differ in none of the scores.
-std::optional<Sphericity> sphericity(const Eigen::MatrixXd& scores, const AnovaRow& row) {
+/// Nothing where the subjects differ in none of the contrasts of scores that have a size (their norm).
+std::optional<Sphericity> sphericity(const Eigen::MatrixXd& scores, double size, const AnovaRow& row) {
   const Eigen::MatrixXd centred = scores.rowwise() - scores.colwise().mean();
-  if (centred.norm() <= equal_scores * scores.norm()) return std::nullopt;
+  if (is_rounding(centred.norm(), size)) return std::nullopt;
   const auto freedom = static_cast<double>(scores.rows() - 1);
   const Eigen::MatrixXd covariance = centred.transpose() * centred / freedom;
   const auto p = static_cast<double>(scores.cols());
@@ -99,7 +99,8 @@ Anova repeated_measures(const Observations& observations, const std::vector<std:
     if (term.against.empty()) continue;
     for (AnovaRow& row : result.terms)
       if (row.name == term.name() && row.freedom > 1.0) {
-        row.sphericity = sphericity(means * contrasts_of(term.factors, observations, within), row);
+        row.sphericity =
+            sphericity(means * contrasts_of(term.factors, observations, within), means.norm(), row);
         if (row.sphericity) warn(result, row);
       }
   }

@@ -7,11 +7,12 @@
 #include <numbers>
 #include <numeric>
 
+#include "engine/analyse/statistics/rounding.hpp"
+
 namespace stepwire::statistics {
 namespace {
 
 constexpr std::size_t fewest_values = 3, most_values = 5000;
-constexpr double smallest_range = 1e-12;  // of the largest value: what rounding leaves of equal values
 
 /// Lowest power first.
 double polynomial_at(const std::vector<double>& coefficients, double x) {
@@ -95,8 +96,7 @@ std::optional<Normality> shapiro_wilk(std::vector<double> values) {
   if (values.size() < fewest_values || values.size() > most_values) return std::nullopt;
   std::sort(values.begin(), values.end());
   const double range = values.back() - values.front();
-  if (!(range > smallest_range * std::max(std::abs(values.front()), std::abs(values.back()))))
-    return std::nullopt;
+  if (is_rounding(range, largest_of(values))) return std::nullopt;
   for (double& value : values) value /= range;  // squares neither vanish nor overflow
   const double beyond = std::max(0.0, lack(values));
   return Normality{1.0 - beyond, probability(beyond, values.size())};

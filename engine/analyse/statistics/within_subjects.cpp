@@ -2,6 +2,7 @@
 
 #include "engine/analyse/statistics/holm.hpp"
 #include "engine/analyse/statistics/repeated_measures.hpp"
+#include "engine/analyse/statistics/rounding.hpp"
 
 namespace stepwire::statistics {
 namespace {
@@ -29,7 +30,7 @@ void correct(std::vector<PairComparison>& comparisons) {
 std::vector<double> residuals_of(const Eigen::MatrixXd& values) {
   const Eigen::MatrixXd by_subject = values.colwise() - values.rowwise().mean();
   const Eigen::MatrixXd rest = by_subject.rowwise() - by_subject.colwise().mean();
-  if (rest.norm() <= 1e-12 * values.norm()) return {};  // rounding alone
+  if (is_rounding(rest.norm(), values.norm())) return {};
   return {rest.data(), rest.data() + rest.size()};
 }
 

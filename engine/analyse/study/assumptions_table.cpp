@@ -30,16 +30,20 @@ class AssumptionLines {
 
   void add(const std::string& of, const std::optional<statistics::Normality>& normality,
            const std::string& what, const std::string& read) {
-    if (!normality) {
-      table_.rows.push_back({"normal", of, "–", "–", "–"});
-      table_.notes.push_back(fmt::format(
-          "{}: normality is not judged; Shapiro-Wilk needs three values or more that are not all equal.",
-          of));
-      return;
-    }
+    if (!normality)
+      return add_unjudged(
+          "normal", of,
+          fmt::format(
+              "{}: normality is not judged; Shapiro-Wilk needs three values or more that are not all equal.",
+              of));
     add("normal", of, fmt::format("W = {:.3f}", normality->w), normality->p,
         fmt::format("{} are not normal (Shapiro-Wilk W = {:.2f}, P = {}): {}.", what, normality->w,
                     printed_probability(normality->p), read));
+  }
+
+  void add_unjudged(const std::string& assumption, const std::string& of, const std::string& sentence) {
+    table_.rows.push_back({assumption, of, "–", "–", "–"});
+    table_.notes.push_back(sentence);
   }
 
   bool any() const { return any_; }
@@ -66,7 +70,14 @@ void add_sphericity(const statistics::AnovaRow& row, AssumptionLines& lines) {
 }
 
 void add_variances(const statistics::WithinSubjects& within, AssumptionLines& lines) {
-  if (!within.variances) return;
+  if (!within.variances) {
+    lines.add_unjudged("equal variances", "conditions",
+                       within.table.subjects.size() < 3
+                           ? "Equal variances: not judged, three values per condition are needed."
+                           : "Equal variances: not judged, the values of each condition lie equally far from "
+                             "their median.");
+    return;
+  }
   const statistics::VarianceTest& test = *within.variances;
   const std::string statistic = fmt::format("F({:g}, {:g}) = {:.3g}", test.above, test.below, test.f);
   lines.add("equal variances", "conditions", statistic, test.p,

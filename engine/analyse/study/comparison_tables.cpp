@@ -50,17 +50,28 @@ text::TextTable intervals_table(const statistics::WithinSubjects& within, const 
   return table;
 }
 
+/// For how many comparisons P is corrected: those that have one.
+std::string corrected_for(const statistics::WithinSubjects& within) {
+  std::size_t of_t = 0, of_ranks = 0;
+  for (const statistics::PairComparison& one : within.comparisons) {
+    if (!std::isnan(one.test.p)) ++of_t;
+    if (!std::isnan(one.ranks.p)) ++of_ranks;
+  }
+  if (of_t == of_ranks) return fmt::format("corrected for {} comparison{}", of_t, of_t == 1 ? "" : "s");
+  return fmt::format("corrected for the comparisons that have a P, {} of t and {} of the signed ranks", of_t,
+                     of_ranks);
+}
+
 text::TextTable pairs_table(const statistics::WithinSubjects& within, const std::string& of) {
   text::TextTable table{
       "Comparisons of pairs" + of,
       {"pair", "mean difference", "t", "P", "P (Holm)", "signed-rank V", "P", "P (Holm)"},
       {},
       {fmt::format("First minus second: above 0 the second has the smaller error. Paired t test with {} "
-                   "degrees of freedom, Wilcoxon's signed-rank test ({}); P (Holm): corrected for {} "
-                   "comparisons.",
+                   "degrees of freedom, Wilcoxon's signed-rank test ({}); P (Holm): {}.",
                    within.table.subjects.size() - 1,
                    within.table.subjects.size() > 50 ? "normal approximation" : "exact",
-                   within.comparisons.size())}};
+                   corrected_for(within))}};
   for (const statistics::PairComparison& one : within.comparisons)
     table.rows.push_back({pair_name(one), digits(one.test.mean), digits(one.test.t),
                           printed_probability(one.test.p), printed_probability(one.holm),

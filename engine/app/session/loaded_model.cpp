@@ -61,14 +61,13 @@ std::string number_text(const ParameterSpec& spec, double value) {
   return fmt::format("{}{}", value, name);
 }
 
-/// Signals by their names, since a large diagram has very many.
-using Signals = std::unordered_set<std::string_view>;
+/// What has a name already, recorded or not: a set, since a large diagram has very many.
+using Taken = std::unordered_set<std::string_view>;
 
 /// Adds a number of a block where its name is free.
-void add_number(const std::string& name, const ParameterSpec& spec, double value, const Signals& signals,
+void add_number(const std::string& name, const ParameterSpec& spec, double value, const Taken& taken,
                 query::SymbolTable& names) {
-  const bool is_free = !names.find(name) && !signals.contains(name);
-  if (!std::isfinite(value) || !is_free) return;
+  if (!std::isfinite(value) || taken.contains(name)) return;
   if (std::string text = number_text(spec, value); !text.empty())
     names.drawn.push_back({name, std::move(text)});
 }
@@ -76,17 +75,18 @@ void add_number(const std::string& name, const ParameterSpec& spec, double value
 /// Numbers that blocks were given, by their file, a preset or as defaults: "rig.damper.beta"; of a list
 /// "rig.damper.alpha.2".
 void add_numbers_of_blocks(const diagram::Diagram& diagram, query::SymbolTable& names) {
-  const Signals signals(names.signals.begin(), names.signals.end());
+  Taken taken(names.signals.begin(), names.signals.end());
+  for (const query::RecordedName& column : names.columns) taken.insert(column.name);
   for (const diagram::DiagramBlock& block : diagram.blocks)
     for (const ParameterSpec& spec : block.type().parameters) {
       const Value value = spec.get(block.block.get());
       const std::string name = block.name + "." + spec.name;
       if (const auto* number = std::get_if<double>(&value.content))
-        add_number(name, spec, *number, signals, names);
+        add_number(name, spec, *number, taken, names);
       const auto* list = std::get_if<Eigen::VectorXd>(&value.content);
-      if (list && list->size() == 1) add_number(name, spec, (*list)[0], signals, names);
+      if (list && list->size() == 1) add_number(name, spec, (*list)[0], taken, names);
       for (Eigen::Index k = 0; list && list->size() > 1 && k < list->size(); ++k)
-        add_number(fmt::format("{}.{}", name, k + 1), spec, (*list)[k], signals, names);
+        add_number(fmt::format("{}.{}", name, k + 1), spec, (*list)[k], taken, names);
     }
 }
 

@@ -149,10 +149,25 @@ TEST_CASE("what is not a number never holds") {
   const auto records = record_of({0, 1}, {NAN, 3});
   for (const std::string reduction : {"max", "min", "mean", "rms", "spread", "count"}) {
     INFO(reduction);
-    const Verdict verdict = verdict_of(reduction + ": rig.x/1 m, at_least: -1e300", records);
+    const Verdict verdict = verdict_of(reduction + ": rig.x/1 m, equals: 1", records);
     CHECK_FALSE(verdict.holds);
-    CHECK(verdict.note == "the value is not a number");
+    CHECK_THAT(verdict.note, Catch::StartsWith("the value is not a number"));
   }
+}
+
+TEST_CASE("a comparison with an undefined number is neither true nor false") {
+  const auto none = record_of({0, 0, 0}, {NAN, NAN, NAN}, {0, 1, 2});
+  for (const std::string text : {"fraction: rig.x > 1 m, at_most: 0.5", "fraction: rig.x < 1 m, equals: 0",
+                                 "count: rig.x > 1 m, equals: 0"}) {
+    INFO(text);
+    const Verdict verdict = verdict_of(text, none);
+    CHECK_FALSE(verdict.holds);
+    CHECK_THAT(verdict.note, Catch::Contains("undefined in 3 of 3"));
+  }
+  const auto one = record_of({0, 0, 0}, {NAN, 2, 3}, {0, 1, 2});
+  CHECK_THAT(verdict_of("fraction: rig.x > 1 m, at_least: 0.1", one).note,
+             Catch::Contains("undefined in 1 of 3"));
+  CHECK(verdict_of("fraction: rig.x > 1 m, where: time >= 0 s && rig.x > 0 m, equals: 1", one).holds);
 }
 
 TEST_CASE("a claim that is known not to hold surprises when it holds") {

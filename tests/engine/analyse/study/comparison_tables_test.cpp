@@ -86,6 +86,8 @@ TEST_CASE("four conditions have six comparisons, and the interaction of the feed
   CHECK_FALSE(row_of(comparison_table("power", *analysis.within, "", 1), {"haptic:visual"}).empty());
   CHECK_THAT(shown("comparisons", analysis),
              Contains("NO - HV: the difference is 0 for every subject, so t and d_z have no"));
+  CHECK_THAT(comparison_table("comparisons", *analysis.within, "", 1).notes.at(0),
+             Contains("P (Holm): corrected for 4 comparisons."));
   CHECK_THAT(shown("assumptions", analysis), Contains("NO - HV: normality is not judged"));
 }
 
@@ -101,7 +103,10 @@ TEST_CASE("two subjects have tables in which nothing is printed that does not ex
   const TaskAnalysis analysis = analysed({{"NO", {1.0, 2.0}}, {"H", {0.5, 0.7}}, {"V", {0.2, 0.1}}});
   for (const std::string& name : comparison_table_names()) shown(name, analysis);
   CHECK_THAT(shown("power", analysis), Contains("Power is not simulated: two subjects"));
-  CHECK_THAT(shown("assumptions", analysis), Contains("normality is not judged"));
+  const std::string assumptions = shown("assumptions", analysis);
+  CHECK_THAT(assumptions, Contains("normality is not judged"));
+  CHECK_THAT(assumptions, Contains("Equal variances: not judged, three values per condition are needed."));
+  CHECK_THAT(assumptions, !Contains("variances of the conditions differ"));
 }
 
 TEST_CASE("conditions whose values are all the same have no effect and no power") {
