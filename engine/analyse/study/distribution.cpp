@@ -75,7 +75,7 @@ text::TextTable table_of(const char* of, const std::vector<Distribution>& all, c
                          const StudyRequest& request) {
   text::TextTable table{fmt::format("Task {}: {} in {} experiment{}", request.task, of, experiments.size(),
                                     experiments.size() == 1 ? "" : "s"),
-                        {"value", "thesis", "median", "from (5 %)", "to (95 %)", "below the thesis'"},
+                        {"value", "published", "median", "from (5 %)", "to (95 %)", "below the published"},
                         {},
                         {}};
   for (const Distribution& one : all) table.rows.push_back(line_of(one));

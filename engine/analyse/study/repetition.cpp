@@ -2,35 +2,92 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+#include <optional>
+#include <sstream>
+
+#include "engine/base/hash/hash.hpp"
 #include "engine/base/table/table_file.hpp"
 
 namespace stepwire::study {
 
+namespace {
+
+/// A line with what tells whether it is as it was written.
+std::string checked(const std::string& line) {
+  return line + "," + hash::hash_of(line);
+}
+
+/// The numbers of such a line; nothing where it is not as it was written.
+std::optional<std::vector<double>> numbers_of(const std::string& text) {
+  const std::string line = text.substr(0, text.rfind(','));
+  if (checked(line) != text) return std::nullopt;
+  std::vector<double> numbers;
+  const char* const end = line.data() + line.size();
+  for (const char* at = line.data(); at < end; ++at) {
+    const auto read = std::from_chars(at, end, numbers.emplace_back());
+    if (read.ec != std::errc() || (read.ptr != end && *read.ptr != ',')) return std::nullopt;
+    at = read.ptr;
+  }
+  return numbers;
+}
+
+/// The lines of a file but for one that was cut, which has no end.
+std::istringstream whole_lines(const std::string& path) {
+  const std::string text = io::read_file(path);
+  return std::istringstream(text.substr(0, text.rfind('\n') + 1));
+}
+
+}  // namespace
+
+KeptRows read_kept_rows(const std::string& path) {
+  std::istringstream lines = whole_lines(path);
+  KeptRows kept;
+  std::string line;
+  std::getline(lines, kept.head);
+  for (std::size_t number = 2; std::getline(lines, line); ++number) {
+    const auto numbers = numbers_of(line);
+    if (!numbers || numbers->size() < 2)
+      throw table::TableError(fmt::format(
+          "{}:{}: this experiment is not as it was written: its check does not fit its numbers; delete the "
+          "line; it is performed again",
+          path, number));
+    const std::pair key{static_cast<std::uint64_t>((*numbers)[0]),
+                        static_cast<std::size_t>((*numbers)[1]) - 1};
+    kept.rows[key].assign(numbers->begin() + 2, numbers->end());
+  }
+  return kept;
+}
+
+std::string Repetition::head() const {
+  table::Table table{{{"seed", "", {}}, {"point", "", {}}}};
+  for (const OutcomeColumn& column : columns_) table.columns.push_back({column.name, column.unit, {}});
+  table.columns.push_back({"check", "", {}});
+  std::string text = table::csv_text(table);
+  text.pop_back();
+  return text;
+}
+
 void Repetition::read(const std::string& path) {
-  const table::Table table = table::read_csv(path);
-  std::vector<std::string> wanted{"seed", "point"}, there;
-  for (const OutcomeColumn& column : columns_) wanted.push_back(column.name);
-  for (const table::Column& column : table.columns) there.push_back(column.name);
-  if (there != wanted)
-    throw table::TableError(fmt::format("{}:1: these are no experiments of this study, whose columns are {}",
-                                        path, fmt::join(wanted, ", ")));
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    std::vector<double> values;
-    for (const table::Column& column : table.columns) values.push_back(column.values[row]);
-    const std::pair key{static_cast<std::uint64_t>(values[0]), static_cast<std::size_t>(values[1]) - 1};
-    rows_[key].assign(values.begin() + 2, values.end());
+  KeptRows kept = read_kept_rows(path);
+  if (kept.head.empty()) return;  // cut in its first line
+  if (kept.head != head())
+    throw table::TableError(
+        fmt::format("{}:1: these are no experiments of this study, whose columns are {}", path, head()));
+  for (auto& [key, values] : kept.rows) {
+    values.resize(columns_.size());
+    rows_[key] = std::move(values);
   }
 }
 
 std::string Repetition::csv() const {
-  table::Table table{{{"seed", "", {}}, {"point", "", {}}}};
-  for (const OutcomeColumn& column : columns_) table.columns.push_back({column.name, column.unit, {}});
+  std::string text = head() + "\n", line;
   for (const auto& [key, values] : rows_) {
-    table.columns[0].values.push_back(static_cast<double>(key.first));
-    table.columns[1].values.push_back(static_cast<double>(key.second + 1));
-    for (std::size_t i = 0; i < columns_.size(); ++i) table.columns[2 + i].values.push_back(values[i]);
+    line = fmt::format("{},{}", key.first, key.second + 1);
+    for (const double value : values) table::append_csv_number(line += ",", value);
+    text += checked(line) + "\n";
   }
-  return table::csv_text(table);
+  return text;
 }
 
 bool Repetition::has(std::uint64_t seed, std::size_t points) const {

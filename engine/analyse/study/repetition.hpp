@@ -9,6 +9,19 @@
 
 namespace stepwire::study {
 
+/// By the seed of an experiment and the point of the sweep, from 0.
+using OutcomeRows = std::map<std::pair<std::uint64_t, std::size_t>, std::vector<double>>;
+
+/// The rows of a file of experiments, whatever study they are of.
+struct KeptRows {
+  std::string head;  ///< its first line; empty where the file was cut in it
+  OutcomeRows rows;
+};
+
+/// Each row ends with a hash of its text. A last line without its end was cut, and is left out. Throws
+/// TableError, with the line and the cure, where a row is not as it was written; EnvironmentError.
+KeptRows read_kept_rows(const std::string& path);
+
 /// What came out of many experiments of one study, which differ in the people and the noise: a row for each,
 /// by its seed and the point of the sweep. Kept in a CSV file, so that experiments that were interrupted go
 /// on.
@@ -17,9 +30,10 @@ class Repetition {
   /// The columns of an outcome.
   explicit Repetition(std::vector<OutcomeColumn> columns) : columns_(std::move(columns)) {}
 
-  /// Takes the rows of a file that an earlier call wrote. Throws TableError where it is another study's.
+  /// Takes the rows of a file that an earlier call wrote. Throws TableError where it is another study's, and
+  /// as read_kept_rows() does.
   void read(const std::string& path);
-  /// The file that read() takes: columns seed, point (from 1) and those of the outcome.
+  /// The file that read() takes: columns seed, point (from 1), those of the outcome, check.
   std::string csv() const;
 
   /// Is the experiment there at so many points?
@@ -30,8 +44,10 @@ class Repetition {
   std::size_t size() const { return rows_.size(); }
 
  private:
+  std::string head() const;
+
   std::vector<OutcomeColumn> columns_;
-  std::map<std::pair<std::uint64_t, std::size_t>, std::vector<double>> rows_;
+  OutcomeRows rows_;
 };
 
 }  // namespace stepwire::study

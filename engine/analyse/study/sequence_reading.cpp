@@ -94,6 +94,11 @@ std::size_t size_of(const diagram::DiagramParameter& parameter) {
   return list ? static_cast<std::size_t>(list->size()) : 1;
 }
 
+/// "is in N", "has no unit".
+std::string unit_words(const unit::Dimension& dimension) {
+  return dimension == unit::Dimension{} ? "has no unit" : "is in " + unit::si_name(dimension);
+}
+
 void check_carried(const CarriedValue& carried, const plan::Plan& plan, yaml::Faults& faults) {
   const auto& parameter =
       *std::ranges::find(plan.diagram.parameters, carried.parameter, &diagram::DiagramParameter::name);
@@ -108,8 +113,9 @@ void check_carried(const CarriedValue& carried, const plan::Plan& plan, yaml::Fa
   const auto unit = plan.dimension(signal);
   const unit::Dimension own = parameter.dimension.value_or(unit::Dimension{});
   if (unit && *unit != own)
-    fault(fmt::format("'{}' is in {}, but the parameter in {}; give it a value in {}", carried.signal,
-                      unit::si_name(*unit), unit::si_name(own), unit::si_name(*unit)));
+    fault(fmt::format("'{}' {}, but the parameter {}; give that a value {}", carried.signal,
+                      unit_words(*unit), unit_words(own),
+                      *unit == unit::Dimension{} ? "without a unit" : "in " + unit::si_name(*unit)));
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ constexpr double factor_of_agreement = 2.0;
 constexpr double unpublished = std::numeric_limits<double>::quiet_NaN();
 
 std::string title_of(const std::string& what, const PublishedValues& published) {
-  return published.values.empty() ? what : what + ": the thesis (" + published.source + ") and ours";
+  return published.values.empty() ? what : what + ": published (" + published.source + ") and ours";
 }
 
 /// Names by falling value, those of one value in the order in which they came.
@@ -143,7 +143,7 @@ namespace {
 
 /// What each factor adds to the error, with its sign.
 void add_effects(const std::vector<ComparedValue>& effects, text::TextTable& table) {
-  table.columns.insert(table.columns.end(), {"effect, thesis", "effect, ours"});
+  table.columns.insert(table.columns.end(), {"effect, published", "effect, ours"});
   const auto shown = [](double effect) { return std::isnan(effect) ? "–" : fmt::format("{:+.3f}", effect); };
   for (std::size_t i = 0; i < effects.size(); ++i)
     for (const double effect : {effects[i].published, effects[i].ours})
@@ -167,7 +167,7 @@ std::vector<SideBySide> compare(const PublishedStudy& published, const TaskAnaly
 }
 
 text::TextTable side_by_side_table(const SideBySide& both) {
-  text::TextTable table{both.title, {both.quantity, "thesis", "ours", "ours / thesis"}, {}, {}};
+  text::TextTable table{both.title, {both.quantity, "published", "ours", "ours / published"}, {}, {}};
   for (const ComparedValue& value : both.values)
     table.rows.push_back({value.name, printed_probability(value.published), printed_probability(value.ours),
                           printed_probability(value.ours / value.published)});

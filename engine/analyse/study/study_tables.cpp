@@ -21,7 +21,7 @@ text::TextTable subjects_table(const Experiment& experiment, const StudyRequest&
   text::TextTable table{"Normalised errors of task " + request.task, {"condition"}, {}, {}};
   for (const std::string& subject : request.subject_names()) table.columns.push_back(subject);
   for (const PublishedValues& example : request.published.examples)
-    table.columns.push_back("thesis, " + example.source);
+    table.columns.push_back("published, " + example.source);
   for (const std::string& condition : request.condition_names()) {
     std::vector<std::string> row{condition};
     for (const std::string& subject : request.subject_names()) {
@@ -47,6 +47,9 @@ text::TextTable none(const std::string& title, const std::string& why) {
 text::TextTable table_of(const std::string& name, const Experiment& experiment, const StudyRequest& request) {
   if (name == "errors") return error_summary(experiment.errors);
   if (name == "subjects") return subjects_table(experiment, request);
+  if (name.starts_with("experiments") && experiment.others.empty())
+    return none("Experiments of task " + request.task,
+                "One experiment has no distribution; `experiments: 20` or --repeat 20 performs others.");
   if (name == "experiments") return experiments_table(outcomes(experiment, request), request);
   if (name == "experiments_significance")
     return experiments_significance_table(outcomes(experiment, request), request);
@@ -86,6 +89,9 @@ void fill_study_tables(const Experiment& experiment, const StudyRequest& request
                        std::vector<query::NamedTable>& tables) {
   for (query::NamedTable& one : tables) {
     *one.table = table_of(one.name, experiment, request);
+    if (!experiment.others.empty() && !one.name.starts_with("experiments"))
+      one.table->title +=
+          fmt::format(" of experiment 1 of {} (seed {})", experiment.others.size() + 1, experiment.seed);
     one.table->title += fmt::format(" ({})", whose_trials(request));
   }
 }

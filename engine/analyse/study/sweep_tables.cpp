@@ -40,7 +40,7 @@ void add_head(const Shown& shown, text::TextTable& table) {
   for (const ComparedValue& value : shown.values) table.columns.push_back(value.name);
   for (std::size_t i = 0; i < shown.statements.size(); ++i) {
     table.columns.push_back(fmt::format("({})", i + 1));
-    table.notes.push_back(fmt::format("({}) The thesis: {}.", i + 1, shown.statements[i].that));
+    table.notes.push_back(fmt::format("({}) Published: {}.", i + 1, shown.statements[i].that));
   }
 }
 
@@ -68,7 +68,7 @@ text::TextTable table_of(const std::string& title,
       table.notes.push_back(fmt::format("Not analysed with {}: {}.", run::settings_text(experiment.sets),
                                         experiment.not_analysed));
   }
-  std::vector<std::string> published{"thesis"};
+  std::vector<std::string> published{"published"};
   published.resize(swept);
   for (const ComparedValue& value : first.values) published.push_back(printed_probability(value.published));
   if (has_published(request)) table.rows.push_back(std::move(published));
@@ -80,8 +80,12 @@ text::TextTable table_of(const std::string& title,
 
 void fill_sweep_tables(const Experiments& experiments, const StudyRequest& request,
                        std::vector<query::NamedTable>& tables) {
-  const std::string of = fmt::format(" of task {}, {} subjects ({})", request.task, request.subjects.size(),
-                                     whose_trials(request));
+  const Experiment& first = experiments.front();
+  const std::string which = first.others.empty() ? ""
+                                                 : fmt::format(", of experiment 1 of {} (seed {})",
+                                                               first.others.size() + 1, first.seed);
+  const std::string of = fmt::format(" of task {}, {} subjects{} ({})", request.task, request.subjects.size(),
+                                     which, whose_trials(request));
   for (query::NamedTable& one : tables)
     *one.table = one.name == "means"
                      ? table_of("Mean normalised errors" + of, shown_means, experiments, request)

@@ -5,6 +5,7 @@
 #include "engine/app/cli/guarded.hpp"
 #include "engine/app/cli/interrupt.hpp"
 #include "engine/app/cli/verb.hpp"
+#include "engine/app/session/kept_experiments.hpp"
 #include "engine/app/session/recorded_study.hpp"
 #include "engine/simulate/replay/verify.hpp"
 
@@ -26,6 +27,8 @@ ExitCode verify_folder(const std::string& folder, const Registry& registry) {
   if (verification.interrupted) return ExitCode::interrupted;
   if (verification.difference.empty()) {
     say("{}: {}\n", folder, replay::verification_text(verification));
+    if (const std::string others = session::not_replayed(folder); !others.empty())
+      say("{}: {}\n", folder, others);
     return ExitCode::done;
   }
   say("{}\n", replay::verification_text(verification));

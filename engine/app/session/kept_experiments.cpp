@@ -1,6 +1,9 @@
 #include "engine/app/session/kept_experiments.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
+#include <set>
 
 #include "engine/app/session/studies.hpp"
 #include "engine/base/hash/hash.hpp"
@@ -8,6 +11,29 @@
 #include "engine/simulate/blockset/blockset.hpp"
 
 namespace stepwire::session {
+
+namespace {
+
+/// What is behind a link is not of this folder.
+void refuse_link(const std::string& file) {
+  std::error_code none;
+  if (std::filesystem::is_symlink(std::filesystem::symlink_status(file, none)))
+    throw io::EnvironmentError(fmt::format(
+        "{}: is a link; experiments are kept in a file of this folder: remove the link, and they are "
+        "performed again",
+        file));
+}
+
+/// The seed of the experiment whose trials lie in the folder of a study.
+std::uint64_t performed_seed(const std::string& folder) {
+  const json::Json study = json::Json::parse(io::read_file(folder + "/study.json"));
+  const json::Json* points = study.find("points");
+  const json::Json* seed =
+      (points && !points->items().empty() ? points->items().front() : study).find("seed");
+  return seed ? static_cast<std::uint64_t>(seed->as_number().value_or(0.0)) : 0;
+}
+
+}  // namespace
 
 std::string experiments_note(const LoadedModel& model) {
   static const std::string program = hash::hash_of(io::read_file("/proc/self/exe"));
@@ -24,6 +50,7 @@ KeptExperiments::KeptExperiments(const LoadedModel& model, const std::string& fo
   path_ = folder + "/experiments.csv";
   const std::string note = folder + "/experiments.json";
   const std::string text = experiments_note(model);
+  for (const std::string& file : {path_, note}) refuse_link(file);
   if (std::filesystem::exists(path_)) {
     if (!std::filesystem::exists(note) || io::read_file(note) != text)
       throw yaml::Error(yaml::Fault{
@@ -58,6 +85,22 @@ void KeptExperiments::complete(study::Experiments& first) const {
     for (study::ExperimentOutcome& one : repetition_.outcomes(point))
       if (one.seed > request.seed && one.seed < request.seed + request.experiments)
         first[point].others.push_back(std::move(one));
+}
+
+std::string not_replayed(const std::string& folder) {
+  const std::string path = folder + "/experiments.csv";
+  if (!std::filesystem::exists(path)) return {};
+  refuse_link(path);
+  const std::uint64_t seed = performed_seed(folder);
+  std::set<std::uint64_t> others;
+  for (const auto& [key, values] : study::read_kept_rows(path).rows)
+    if (key.first != seed) others.insert(key.first);
+  if (others.empty()) return {};
+  return fmt::format(
+      "replayed is experiment 1 (seed {}); not replayed {} (seed{} {}) of experiments.csv, whose checks fit "
+      "their numbers",
+      seed, others.size() == 1 ? "is 1 other" : fmt::format("are {} others", others.size()),
+      others.size() == 1 ? "" : "s", fmt::join(others, ", "));
 }
 
 }  // namespace stepwire::session

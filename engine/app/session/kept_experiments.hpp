@@ -12,13 +12,18 @@ namespace stepwire::session {
 /// makes them, and blocks from outside. A line of JSON.
 std::string experiments_note(const LoadedModel& model);
 
+/// Which experiments of a study's folder a replay of its trials leaves out, as a sentence; empty where there
+/// are none. Throws TableError where one of them is not as it was written; EnvironmentError, JsonError.
+std::string not_replayed(const std::string& folder);
+
 /// The experiments of a model's study that are done, kept in a folder as soon as each of them is
 /// (experiments.csv, and experiments.json with the note of what they follow from), so that a call that was
 /// interrupted goes on. Without a folder, or where the study is one experiment alone, nothing is written.
 class KeptExperiments {
  public:
   /// Takes what an earlier call left. Throws Error where that is of another study, TableError,
-  /// EnvironmentError.
+  /// EnvironmentError also
+  /// where a link is in the place of its files.
   KeptExperiments(const LoadedModel& model, const std::string& folder);
 
   /// The seeds that are still to be done: the first one always, since its trials are drawn.

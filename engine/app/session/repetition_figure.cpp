@@ -26,7 +26,7 @@ void draw_value(const study::Distribution& one, plot::FigureBuilder& figure) {
   std::erase_if(values, [](double value) { return !std::isfinite(value); });
   plot::Panel panel{.title = "", .bins = bins};
   if (!std::isnan(one.published)) {
-    panel.title = fmt::format("thesis: {:.3g}", one.published);
+    panel.title = fmt::format("published: {:.3g}", one.published);
     panel.lines = {p ? std::log10(one.published) : one.published};
   }
   plot::PlotBuilder& plot = figure.add(panel);
@@ -41,8 +41,8 @@ plot::FigureSpec repetition_figure(const std::vector<study::ExperimentOutcome>& 
   std::vector<study::Distribution> known = study::distributions_of_errors(experiments, request);
   std::ranges::move(study::distributions_of_p(experiments, request), std::back_inserter(known));
   plot::FigureBuilder figure(
-      {.title = fmt::format("Task {}: {} experiments with simulated operators, and the thesis'", request.task,
-                            experiments.size()),
+      {.title = fmt::format("Task {}: {} experiments with simulated operators, and what is published",
+                            request.task, experiments.size()),
        .columns = 2},
       known.size());
   for (const study::Distribution& one : known) draw_value(one, figure);

@@ -91,9 +91,12 @@ Json experiments_json(const study::Experiment& experiment, const study::StudyReq
   return list;
 }
 
-std::string all_tables(const std::vector<query::NamedTable>& tables) {
+/// Of one experiment alone there is nothing to say about several.
+std::string all_tables(const std::vector<query::NamedTable>& tables, const study::StudyRequest& request) {
   std::string all;
-  for (const query::NamedTable& one : tables) all += (all.empty() ? "" : "\n") + text::text(*one.table);
+  for (const query::NamedTable& one : tables)
+    if (request.experiments > 1 || !one.name.starts_with("experiments"))
+      all += (all.empty() ? "" : "\n") + text::text(*one.table);
   return all;
 }
 
@@ -104,7 +107,7 @@ std::string tables_of_points(const study::StudyRequest& request, const study::Ex
     if (experiment.sets.empty()) continue;
     std::vector<query::NamedTable> tables = study::empty_study_tables(false);
     study::fill_study_tables(experiment, request, tables);
-    all += fmt::format("\n\nWith {}\n\n{}", run::settings_text(experiment.sets), all_tables(tables));
+    all += fmt::format("\n\nWith {}\n\n{}", run::settings_text(experiment.sets), all_tables(tables, request));
   }
   return all;
 }
@@ -191,7 +194,7 @@ std::string errors_text(const LoadedModel& model, const study::Experiments& expe
 }
 
 std::string tables_text(const LoadedModel& model, const study::Experiments& experiments) {
-  return all_tables(model.tables) + tables_of_points(*model.study, experiments);
+  return all_tables(model.tables, *model.study) + tables_of_points(*model.study, experiments);
 }
 
 Json study_json(const LoadedModel& model, const study::Experiments& experiments) {

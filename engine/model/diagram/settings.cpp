@@ -42,10 +42,12 @@ std::vector<std::string> Settings::keys_of(const std::string& prefix) const {
 }
 
 void Settings::report_unused(Report& report) const {
-  for (const auto& [name, entry] : entries_)
-    if (!entry.used)
-      report.add(entry.origin, "",
-                 fmt::format("there is no parameter '{}'", name) + yaml::did_you_mean(name, offered_));
+  for (const auto& [name, entry] : entries_) {
+    if (entry.used) continue;
+    yaml::Message cure = yaml::did_you_mean(name, offered_);
+    if (cure.empty() && !offered_.empty()) cure = yaml::nearest_or_all(name, offered_, "there are");
+    report.add(entry.origin, "", fmt::format("there is no parameter '{}'", name) + cure);
+  }
 }
 
 }  // namespace stepwire::diagram

@@ -54,8 +54,8 @@ TEST_CASE("significance is counted with its sign") {
 TEST_CASE("the picture has a panel with a line for each value that the thesis prints") {
   const std::string svg = render::render(session::repetition_figure(made_up(), task_1())).svg;
   CHECK_THAT(svg,
-             Contains("thesis: 0.698") && Contains("thesis: 2.02e-05") && Contains("log10 of P, haptic"));
-  CHECK_THAT(svg, !Contains("thesis: 0.217"));
+             Contains("published: 0.698") && Contains("published: 2.02e-05") && Contains("log10 of P, haptic"));
+  CHECK_THAT(svg, !Contains("published: 0.217"));
 }
 
 TEST_CASE("a study of which nothing is published has the distributions of its own means") {

@@ -35,6 +35,41 @@ TEST_CASE("experiments are read back from their file to the same bits, sorted by
   CHECK_THROWS_WITH(other.read(folder.path("a.csv")), Contains("no experiments of this study"));
 }
 
+TEST_CASE("an edited number is refused at its line, and a line that was cut is performed again") {
+  const Scratch folder;
+  Repetition repetition(columns);
+  for (std::uint64_t seed = 1; seed < 4; ++seed) repetition.add(made_up(seed));
+  const std::string text = repetition.csv();
+  std::string edited = text;
+  edited.replace(edited.find("0.05"), 4, "0.06");
+  io::write_file(folder.path("edited.csv"), edited);
+  Repetition again(columns);
+  CHECK_THROWS_WITH(again.read(folder.path("edited.csv")),
+                    Contains("edited.csv:3: this experiment is not as it was written") &&
+                        Contains("delete the line; it is performed again"));
+  for (const std::size_t missing : {1, 5, 40}) {
+    io::write_file(folder.path("cut.csv"), text.substr(0, text.size() - missing));
+    Repetition cut(columns);
+    cut.read(folder.path("cut.csv"));
+    CHECK(cut.has(2));
+    CHECK_FALSE(cut.has(3));
+  }
+  io::write_file(folder.path("cut.csv"), text.substr(0, 6));
+  Repetition none(columns);
+  none.read(folder.path("cut.csv"));
+  CHECK(none.size() == 0);
+}
+
+TEST_CASE("numbers that do not exist are kept, too") {
+  const Scratch folder;
+  Repetition repetition(columns), again(columns);
+  repetition.add({7, {{"mean.NO", std::nan("")}, {"deviation.NO", INFINITY}}});
+  io::write_file(folder.path("a.csv"), repetition.csv());
+  again.read(folder.path("a.csv"));
+  CHECK(std::isnan(again.outcomes().at(0).values.at(0).value));
+  CHECK(again.csv() == repetition.csv());
+}
+
 TEST_CASE("an experiment of a sweep is there once all its points are") {
   Repetition repetition(columns);
   repetition.add(made_up(1), 0);

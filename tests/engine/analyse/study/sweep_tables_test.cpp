@@ -48,8 +48,8 @@ TEST_CASE("a swept study has a line for each point, with what is published below
   CHECK(means.rows[0].back() == "holds");
   CHECK(means.rows[1].front() == "5 N");
   CHECK(means.rows[1].back() == "fails");
-  CHECK(means.rows[2] == std::vector<std::string>{"thesis", "0.698", "0.217", "0.114", "0.079", "–"});
-  CHECK(means.notes == std::vector<std::string>{"(1) The thesis: order NO > H > V > HV."});
+  CHECK(means.rows[2] == std::vector<std::string>{"published", "0.698", "0.217", "0.114", "0.079", "–"});
+  CHECK(means.notes == std::vector<std::string>{"(1) Published: order NO > H > V > HV."});
 }
 
 TEST_CASE("whether factors are significant as published is told for each point") {

@@ -95,6 +95,21 @@ TEST_CASE("generate says what of a file it leaves out, and what keeps the bits")
   CHECK_THAT(run_program(folder, {"generate", "one.yaml", "-o", "one"}).out, !Contains("left out"));
 }
 
+TEST_CASE("generate says how a parameter in a formula can be one that changes") {
+  const Scratch folder;
+  const std::string head =
+      "stepwire: 1\nstep: 1 ms\nstop: 10 ms\nparameters: {k: {value: 2, doc: x}}\nrecord: b\n";
+  folder.file("text.yaml",
+              head + "blocks: {a: {block: Sine}, b: {block: Expression, expression: u1*$k, u: a}}\n");
+  CHECK_THAT(run_program(folder, {"generate", "text.yaml", "-o", "text"}).out,
+             Contains("k cannot be changed there: b.expression is a formula; wired as an input of b"));
+  folder.file("wire.yaml",
+              head + "blocks: {a: {block: Sine}, b: {block: Expression, expression: u1*u2, u: [a, $k]}}\n");
+  const Done wired = run_program(folder, {"generate", "wire.yaml", "-o", "wire"});
+  CHECK(wired.code == 0);
+  CHECK_THAT(wired.out, !Contains("cannot be changed"));
+}
+
 TEST_CASE("the struct of a generated program has inputs, outputs and recorded signals as members") {
   const Scratch folder;
   folder.file("rig.yaml", rig_yaml);

@@ -39,6 +39,66 @@ TEST_CASE("each experiment of a file is the study that its seed alone makes") {
   CHECK_THAT(done.out, Contains("Task 1: mean errors in 3 experiments"));
 }
 
+TEST_CASE("an experiment that was edited is refused, and one that was cut is performed again") {
+  const Scratch folder;
+  folder.file("a.yaml", with_experiments(3));
+  const std::vector<std::string> call{"study", "a.yaml", "--out", "out"};
+  REQUIRE(run_program(folder, call).code == 0);
+  const std::string kept = content_of(folder.path("out/experiments.csv"));
+  folder.file("out/experiments.csv", kept.substr(0, kept.size() - 10));
+  REQUIRE(run_program(folder, call).code == 0);
+  CHECK(content_of(folder.path("out/experiments.csv")) == kept);
+  std::string edited = kept;
+  char& digit = edited[edited.find('.', edited.find("\n2,")) + 1];
+  digit = digit == '9' ? '8' : '9';
+  folder.file("out/experiments.csv", edited);
+  for (const std::string verb : {"verify", "study"}) {  // the study removes what the run before left
+    const Done done = run_program(folder, verb == "study" ? call : std::vector<std::string>{"verify", "out"});
+    CHECK(done.code == 2);
+    CHECK_THAT(done.err, Contains("experiments.csv:3: this experiment is not as it was written") &&
+                             Contains("delete the line; it is performed again"));
+  }
+}
+
+TEST_CASE("experiments are not read through a link") {
+  const Scratch folder;
+  folder.file("a.yaml", with_experiments(2));
+  const std::vector<std::string> call{"study", "a.yaml", "--out", "out"};
+  REQUIRE(run_program(folder, call).code == 0);
+  std::filesystem::rename(folder.path("out/experiments.csv"), folder.path("away.csv"));
+  std::filesystem::create_symlink(folder.path("away.csv"), folder.path("out/experiments.csv"));
+  const std::string before = content_of(folder.path("away.csv"));
+  const Done done = run_program(folder, call);
+  CHECK(done.code == 3);
+  CHECK_THAT(done.err, Contains("out/experiments.csv: is a link"));
+  CHECK(content_of(folder.path("away.csv")) == before);
+}
+
+TEST_CASE("a folder of several experiments is replayed by its first, and the others are named") {
+  const Scratch folder;
+  folder.file("a.yaml", with_experiments(3));
+  REQUIRE(run_program(folder, {"study", "a.yaml", "--out", "out"}).code == 0);
+  const Done done = run_program(folder, {"verify", "out"});
+  CHECK(done.code == 0);
+  CHECK_THAT(done.out, Contains("all bits agree") &&
+                           Contains("replayed is experiment 1 (seed 1); not replayed are 2 others (seeds 2, "
+                                    "3) of experiments.csv"));
+  REQUIRE(run_program(folder, {"study", "a.yaml", "--repeat", "1", "--out", "one"}).code == 0);
+  CHECK_THAT(run_program(folder, {"verify", "one"}).out, !Contains("experiment"));
+}
+
+TEST_CASE("the tables of one experiment among several say which it is, and one alone has none of several") {
+  const Scratch folder;
+  folder.file("a.yaml", with_experiments(3));
+  REQUIRE(run_program(folder, {"study", "a.yaml", "--out", "out"}).code == 0);
+  const std::string tables = content_of(folder.path("out/tables.txt"));
+  CHECK_THAT(tables, Contains("Analysis of variance of task 1 of experiment 1 of 3 (seed 1)"));
+  CHECK_THAT(tables, Contains("mean errors in 3 experiments (simulated operators)"));
+  REQUIRE(run_program(folder, {"study", "a.yaml", "--repeat", "1", "--out", "one"}).code == 0);
+  CHECK_THAT(content_of(folder.path("one/tables.txt")),
+             !Contains("in 1 experiment") && !Contains("of experiment 1") && !Contains("other people"));
+}
+
 TEST_CASE("the option says how many experiments there are in place of the file") {
   const Scratch folder;
   folder.file("a.yaml", with_experiments(2));

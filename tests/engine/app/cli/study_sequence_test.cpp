@@ -158,7 +158,8 @@ TEST_CASE("what cannot follow from trial to trial is refused in words") {
   CHECK_THAT(error_of(carrying("{learnt: skil}")), Contains("no signal 'skil'; did you mean 'skill'?"));
   CHECK_THAT(error_of(carrying("{seed: skill}")), Contains("the study sets 'seed' for each trial"));
   CHECK_THAT(error_of(carrying("{visual: skill}")), Contains("the study sets 'visual' for each trial"));
-  CHECK_THAT(error_of(carrying("{pace: far}")), Contains("'far' is in m, but the parameter in s"));
+  CHECK_THAT(error_of(carrying("{pace: far}")),
+             Contains("'far' is in m, but the parameter is in s; give that a value in m"));
   CHECK_THAT(error_of(carrying("{learnt: hand}")), Contains("'hand' has 2 elements, and the parameter 1"));
   CHECK_THAT(error_of(carrying("learnt")), Contains("is a map of parameters and signals"));
   CHECK_THAT(error_of(replaced(bare(), "order: [NO]", "order: [HV]")),

@@ -104,7 +104,7 @@ TEST_CASE("tables of a swept study have the swept values, and say which statemen
   const auto lines = lines_of(tables);
   CHECK_THAT(lines.at(3), Contains("20 mm") && Contains("holds"));
   CHECK_THAT(lines.at(4), Contains("15 mm") && Contains("fails"));
-  CHECK_THAT(lines.at(6), Contains("(1) The thesis: order NO > H > V > HV."));
+  CHECK_THAT(lines.at(6), Contains("(1) Published: order NO > H > V > HV."));
   CHECK_THAT(tables, Contains("With learnt=4, radius=15 mm"));
 }
 

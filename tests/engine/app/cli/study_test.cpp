@@ -146,7 +146,7 @@ TEST_CASE("experiments are repeated with other people; the same call goes on wit
           0);
   CHECK(content_of(folder.path("few/experiments.csv")) == content_of(folder.path("many/experiments.csv")));
   CHECK(lines_of(content_of(folder.path("many/experiments.csv"))).size() == 7);
-  CHECK_THAT(content_of(folder.path("many/experiments.svg")), Contains("thesis: 0.698"));
+  CHECK_THAT(content_of(folder.path("many/experiments.svg")), Contains("published: 0.698"));
   const Done other =
       run_program(folder, {"study", "a.yaml", "--subjects", "3", "--repeat", "6", "--out", "many"});
   CHECK(other.code == 2);

@@ -116,6 +116,9 @@ TEST_CASE("a setting that nothing takes is refused, with the nearest name") {
         "--set c.valeu=2: there is no parameter 'c.valeu'; did you mean 'c.value'?");
   CHECK(fault_of("{}", "1", {{"slover", "rk4"}}) ==
         "--set slover=rk4: there is no parameter 'slover'; did you mean 'solver'?");
+  const std::string far = fault_of("{mass: 1}", "1", {{"nope", "3"}});
+  CHECK_THAT(far, Catch::StartsWith("--set nope=3: there is no parameter 'nope'; there are: ") &&
+                      Catch::Contains("mass"));
 }
 
 TEST_CASE("an expression of parameters has their unit, and adds only what has one") {
