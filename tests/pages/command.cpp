@@ -31,12 +31,14 @@ bool has_placeholder(const std::string& command) {
   return std::regex_search(command, std::regex(R"((^|[ =])[A-Z][A-Z_]+\b)"));
 }
 
-bool takes_minutes(const std::vector<std::string>& words) {
+/// For minutes, or until somebody ends it.
+bool goes_on(const std::vector<std::string>& words) {
   const bool whole_study = has(words, "study") && std::ranges::any_of(words, [](const std::string& word) {
                              return word.starts_with("diagrams/thesis/");
                            });
+  const bool serves = has(words, "studio") || has(words, "lsp") || has(words, "--watch");
   return has(words, "test") || has(words, "install") || (has(words, "thesis") && !has(words, "--only")) ||
-         whole_study;
+         whole_study || serves;
 }
 
 std::string fault_of_own(const std::vector<std::string>& words, const std::string& command) {
@@ -98,7 +100,7 @@ bool is_command(const std::string& code) {
 }
 
 bool is_run(const std::string& command) {
-  return command.starts_with(own + " ") && !has_placeholder(command) && !takes_minutes(words_of(command));
+  return command.starts_with(own + " ") && !has_placeholder(command) && !goes_on(words_of(command));
 }
 
 std::string fault_of(const std::string& command) {
