@@ -13,6 +13,7 @@ const program = process.env.STEPWIRE_PROGRAM;
 export const missing = !program ? "STEPWIRE_PROGRAM names the program"
   : !playwright ? "playwright-core is not installed: npm ci in tests/app/studio"
   : !executablePath ? "chromium is not installed; on Debian it is the package chromium"
+  : process.env.STUDIO_PAGE && !existsSync(join(process.env.STUDIO_PAGE, "index.html")) ? "the page is not built: npm is missing"
   : false;
 
 /** Resolves with the address that the program prints. */
