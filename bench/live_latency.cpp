@@ -103,9 +103,9 @@ int main() {
     while (seen < i && live::seconds_now() - sent < 1.0) std::this_thread::sleep_for(std::chrono::microseconds(200));
     drawn.push_back(live::seconds_now() - sent);
     if (i % 10 == 0) {
-      const double asked = live::seconds_now();
+      const double begin = live::seconds_now();
       call("run.set", fmt::format(R"({{"name": "lag0.tau", "value": {}}})", 0.005 + 1e-6 * i));
-      set.push_back(live::seconds_now() - asked);
+      set.push_back(live::seconds_now() - begin);
     }
   }
   const double share = (processor_seconds() - processor) / (live::seconds_now() - start);

@@ -10,7 +10,7 @@ namespace stepwire {
 /// What the resistance F to a motion tells of the side on which one has left a corridor. F stands out from
 /// the resistance E of a free motion where F > E + just (weber E + threshold). A wall that is felt was
 /// entered with the probability `entered`; else it was there before, and is felt again since the push has
-/// turned (law D2 of thesis 3.4.2 resists no push inward), which tells nothing of its side. With the way r
+/// turned (law D2 of thesis 3.4.2 resists no push inward), which is no evidence of its side. With the way r
 /// that was felt outward since then the odds of the outer side are P/(1 - P) exp(l), where
 ///
 ///     P = 1/2 + entered (1/(1 + exp(-1.702 rate/wrong)) - 1/2)  (a rate with a normal error `wrong`),
