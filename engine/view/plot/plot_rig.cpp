@@ -45,27 +45,14 @@ Json path_of(const RigPoint& point, const record::Recording& recording, const qu
   return points;
 }
 
-Json element_json(const RigElement& element, const record::Recording& recording, const query::RunRows& rows,
-                  std::size_t dimensions) {
+/// Of a path all that it passes, of what else there is the place at the first row.
+Json points_of(const RigElement& element, const record::Recording& recording, const query::RunRows& rows,
+               std::size_t dimensions) {
+  if (element.kind == "path") return path_of(element.points.front(), recording, rows, dimensions);
   Json points = Json::list();
-  if (element.kind == "path")
-    points = path_of(element.points.front(), recording, rows, dimensions);
-  else
-    for (const RigPoint& point : element.points)
-      points.push(PointValues(point, recording).at(rows.first, dimensions));
-  Json json = Json::object().set("kind", element.kind).set("points", std::move(points));
-  if (!element.name.empty()) json.set("name", element.name);
-  if (element.body) json.set("body", *element.body);
-  if (element.offset != 0.0) json.set("offset", element.offset);
-  if (!element.direction.empty()) json.set("direction", Json::list_of(element.direction));
-  return json;
-}
-
-std::size_t dimensions_of(const Rig& rig) {
-  std::size_t most = 2;
-  for (const RigElement& element : rig.elements)
-    for (const RigPoint& point : element.points) most = std::max(most, point.size());
-  return most;
+  for (const RigPoint& point : element.points)
+    points.push(PointValues(point, recording).at(rows.first, dimensions));
+  return points;
 }
 
 DrawnGraph drawn_mechanism(const Rig& rig, const std::string& file,
@@ -74,15 +61,9 @@ DrawnGraph drawn_mechanism(const Rig& rig, const std::string& file,
   const query::RunRows rows = query::rows_of_run(rig.where, recording);
   if (rows.none())
     throw yaml::Error(yaml::Fault{{file, rig.mark}, "figure.where", "no row is left to be drawn", {}});
-  const std::size_t dimensions = dimensions_of(rig);
-  Json elements = Json::list();
-  for (const RigElement& element : rig.elements)
-    elements.push(element_json(element, recording, rows, dimensions));
-  Json drawn = Json::object().set("title", rig.title).set("dimensions", dimensions);
-  drawn.set("axes", Json::list_of(rig.axes));
-  if (rig.z_up) drawn.set("up", "z");
-  if (rig.schematic) drawn.set("schematic", true);
-  return {DrawnGraph::Kind::rig, drawn.set("elements", std::move(elements))};
+  return {DrawnGraph::Kind::rig, rig_json(rig, [&](const RigElement& element, std::size_t dimensions) {
+            return points_of(element, recording, rows, dimensions);
+          })};
 }
 
 PanelContent read_mechanism(const yaml::Node& node, const query::SymbolTable& names, yaml::Faults& faults) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "engine/analyse/query/formula.hpp"
+#include "engine/base/json/json.hpp"
 #include "engine/base/yaml/key.hpp"
 
 namespace stepwire::plot {
@@ -49,6 +51,11 @@ struct Rig {
 
 /// The keys of a figure that a rig has.
 const yaml::Key& rig_form();
+
+/// A mechanism as rig.mjs takes it; `points` gives those of an element, in so many dimensions, as a list.
+json::Json rig_json(
+    const Rig& rig,
+    const std::function<json::Json(const RigElement& element, std::size_t dimensions)>& points);
 
 /// Reads them; what is wrong goes to `faults`.
 Rig read_rig(const yaml::Node& node, const query::SymbolTable& names, yaml::Faults& faults);

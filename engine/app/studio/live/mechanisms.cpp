@@ -20,28 +20,14 @@ Json point_of(const plot::RigPoint& point) {
   return coordinates;
 }
 
-Json element_of(const plot::RigElement& element) {
+Json points_of(const plot::RigElement& element) {
   Json points = Json::list();
   for (const plot::RigPoint& point : element.points) points.push(point_of(point));
-  Json json = Json::object().set("kind", element.kind).set("points", std::move(points));
-  if (!element.name.empty()) json.set("name", element.name);
-  if (element.body) json.set("body", *element.body);
-  if (element.offset != 0.0) json.set("offset", element.offset);
-  if (!element.direction.empty()) json.set("direction", Json::list_of(element.direction));
-  return json;
+  return points;
 }
 
 Json mechanism_of(const plot::Rig& rig) {
-  std::size_t dimensions = 2;
-  Json elements = Json::list();
-  for (const plot::RigElement& element : rig.elements) {
-    for (const plot::RigPoint& point : element.points) dimensions = std::max(dimensions, point.size());
-    elements.push(element_of(element));
-  }
-  Json json = Json::object().set("title", rig.title).set("dimensions", dimensions);
-  json.set("axes", Json::list_of(rig.axes));
-  if (rig.z_up) json.set("up", "z");
-  return json.set("elements", std::move(elements));
+  return plot::rig_json(rig, [](const plot::RigElement& element, std::size_t) { return points_of(element); });
 }
 
 /// All maps of `plot: rig` in a section `figure`, its panels among them.
