@@ -60,7 +60,10 @@ class Search {
 
 std::string data_folder() {
   const char* named = std::getenv("STEPWIRE_DATA");
-  return named ? named : "";
+  if (!named || !*named) return "";
+  std::error_code none;
+  const fs::path folder = fs::weakly_canonical(named, none);
+  return none ? named : folder.string();
 }
 
 std::vector<NamedFile> named_files(const yaml::Document& document) {

@@ -20,7 +20,7 @@ struct NamedFile {
 /// folder; whatever the value is for. No text can name a file in any other way.
 std::vector<NamedFile> named_files(const yaml::Document& document);
 
-/// $STEPWIRE_DATA; empty where there is none.
+/// $STEPWIRE_DATA without links and ".."; empty where there is none.
 std::string data_folder();
 
 }  // namespace stepwire::studio

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cstdlib>
 #include <filesystem>
 
 #include "blocks/register.hpp"
@@ -64,6 +65,16 @@ TEST_CASE("a copy of any entry of the gallery names nothing outside of its own f
         CHECK(lies_in(named.path, folder));
       }
   }
+}
+
+TEST_CASE("the data folder is one folder however its path is written") {
+  const Scratch folder;
+  io::write_file(folder.path("data/record.csv"), "t\n0\n");
+  const std::string before = data_folder();
+  ::setenv("STEPWIRE_DATA", folder.path("else/../data").c_str(), 1);
+  const std::string named = data_folder();
+  before.empty() ? ::unsetenv("STEPWIRE_DATA") : ::setenv("STEPWIRE_DATA", before.c_str(), 1);
+  CHECK(named == fs::canonical(folder.path("data")).string());
 }
 
 TEST_CASE("copies load, with parts in parts, with parts of one name, and beside each other") {
