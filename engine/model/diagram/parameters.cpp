@@ -151,7 +151,7 @@ std::optional<WrittenValue> ValueReader::read_scalar(const yaml::Node& node,
     return WrittenValue{{quantity->value}, quantity->dimension, text};
   if (means_not_finite(text))
     return refuse(node, subject,
-                  yaml::fault_text("'{}' is not a finite number; a bound that is absent is left out", text));
+                  yaml::fault_text("'{}' is not a finite number; give one, or leave the key out", text));
   if (text == "true" || text == "false") return WrittenValue{{text == "true"}, {}, text};
   const auto filled = fill_in(node, subject);  // a path such as data/$name.csv
   return filled ? std::optional(WrittenValue{{*filled}, {}, *filled}) : std::nullopt;

@@ -89,7 +89,7 @@ TEST_CASE("times of the head must be there, above 0, and times") {
 
 TEST_CASE("numbers that are not finite are refused wherever they stand") {
   for (const std::string text : {".nan", ".inf", "-.inf", "1e999", "inf", "NaN"}) {
-    const std::string why = "'" + text + "' is not a finite number; a bound that is absent is left out";
+    const std::string why = "'" + text + "' is not a finite number; give one, or leave the key out";
     CHECK(faults_of("parameters: {p: " + text + "}\nblocks:\n  a: {block: Gain, u: 1}\n") ==
           std::vector<std::string>{"test.yaml:1:17: p: " + why});
     CHECK(faults_of("blocks:\n  a: {block: Gain, u: 1, gain: " + text + "}\n") ==
