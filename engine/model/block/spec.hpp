@@ -115,6 +115,12 @@ struct ClockSpec {
   void (*bind_period)(void* block, double period) = nullptr;     ///< null for the time
 };
 
+/// A member that holds a size of the block, by its letter in the declared shapes.
+struct SizeSpec {
+  std::string symbol;
+  void (*set)(void* block, Eigen::Index elements) = nullptr;
+};
+
 /// A named set of parameter values that a file chooses by `preset:`.
 struct PresetSpec {
   std::string name, doc;
