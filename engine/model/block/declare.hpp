@@ -115,7 +115,8 @@ class Declare {
                        {is.above, is.below, is.at_least, is.at_most},
                        is.words,
                        is.required,
-                       is.structural};
+                       is.structural,
+                       is.formulas};
     if (Access::kind == ParameterKind::per_element && spec.shape.empty()) spec.shape.assign(1, 'n');
     spec.set = [](void* block, const Value& value) { Access::set(of<member>(block), value); };
     spec.get = [](const void* block) { return Access::get(static_cast<const Block*>(block)->*member); };

@@ -42,8 +42,9 @@ struct ParameterSpec {
   Range range;
   std::vector<std::string> words;
   bool required = false;
-  bool structural = false;  ///< another number takes another plan
-  int member = -1;          ///< index in BlockType::members; -1 where no run reads it
+  bool structural = false;            ///< another number takes another plan
+  std::vector<std::string> formulas;  ///< see ParameterOptions
+  int member = -1;                    ///< index in BlockType::members; -1 where no run reads it
   void (*set)(void* block, const Value& value) = nullptr;
   Value (*get)(const void* block) = nullptr;
 };
