@@ -45,6 +45,7 @@ struct BlockType {
   std::vector<PresetSpec> presets;
   std::vector<MemberSpec> members;  ///< that a run reads and never changes
   std::vector<ClockSpec> clocks;
+  std::vector<SizeSpec> sizes;
 
   Kernels run_outputs, run_derivatives, run_update;
   void (*configure)(void* block, Configure& is) = nullptr;

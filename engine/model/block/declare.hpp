@@ -72,8 +72,10 @@ std::optional<std::vector<std::string>> names_of() {
 ///
 /// Units: a unit ("N", "mm/s"; numbers inside are SI all the same), "1" for none, "*" for anything, or with
 /// unit variables, which are what is wired to the block: "'u" (a name after a quote), "'u s", "'k 'u",
-/// "'a/'b", "'u^0.5". Shapes: a number, a letter that stands for the same size in the whole block, or "n x m"
-/// for matrices.
+/// "'a/'b", "'u^0.5". Shapes: a number, a letter that stands for the same size in the whole block, or "m x n"
+/// for matrices of m rows; numbers of a port lie column by column. A port with one letter passes matrices as
+/// their elements, and what has the same letter has the same rows and columns. A list has elements of one
+/// shape; where its shape is "+n", their elements together are n, and where it is "m x +n", their columns.
 template <class Block>
 class Declare {
  public:
@@ -113,7 +115,8 @@ class Declare {
                        {is.above, is.below, is.at_least, is.at_most},
                        is.words,
                        is.required,
-                       is.structural};
+                       is.structural,
+                       is.formulas};
     if (Access::kind == ParameterKind::per_element && spec.shape.empty()) spec.shape.assign(1, 'n');
     spec.set = [](void* block, const Value& value) { Access::set(of<member>(block), value); };
     spec.get = [](const void* block) { return Access::get(static_cast<const Block*>(block)->*member); };
@@ -136,6 +139,15 @@ class Declare {
                              },
                              {},
                              detail::names_of<from...>()});
+  }
+
+  /// A member of type Index that holds a size, by its letter in the declared shapes: the rows m of a port
+  /// "m x n", whose numbers lie column by column. It is set before prepare().
+  template <auto member>
+  void size(std::string symbol) {
+    derived<member, From::no_number>();
+    type_.sizes.push_back(
+        {std::move(symbol), [](void* block, Eigen::Index elements) { of<member>(block) = elements; }});
   }
 
   /// A derived member that prepare() computes inline, in the header: so generated code computes it again

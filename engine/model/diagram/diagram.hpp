@@ -32,7 +32,16 @@ struct ScopeInfo {
   Origin used_at;      ///< the block that uses it; unused for scope 0
 };
 
-/// What feeds an input: an output of a block, or constant numbers.
+/// One element of a signal as it is written, "v.2" or "R.2.3", from 1; row 0: the whole signal.
+struct ElementIndex {
+  Eigen::Index row = 0;
+  Eigen::Index column = 0;  ///< 0: of a vector
+
+  bool is_whole() const { return row == 0; }
+  bool operator==(const ElementIndex&) const = default;
+};
+
+/// What feeds an input: an output of a block or an element of one, or constant numbers.
 struct Source {
   int block = -1;  ///< -1: the constant
   int output = -1;
@@ -40,6 +49,8 @@ struct Source {
   std::optional<unit::Dimension> dimension;  ///< of the constant, if it was written with a unit
   Origin origin;
   std::shared_ptr<const Binding> text;  ///< of a constant that follows from parameters
+  ElementIndex element{};
+  Eigen::Index columns = 1;  ///< of a constant that is a matrix, column by column
 };
 
 /// An initial value that the file gives to a state.
@@ -48,6 +59,7 @@ struct InitialValue {
   Eigen::VectorXd value;
   std::optional<unit::Dimension> dimension;
   Origin origin;
+  Eigen::Index columns = 1;  ///< of a matrix, column by column
 };
 
 /// One block after parts are opened.
@@ -61,22 +73,26 @@ struct DiagramBlock {
   std::vector<yaml::Mark> input_marks;
   std::vector<yaml::Mark> parameter_marks;
   std::vector<std::optional<unit::Dimension>>
-      parameter_dimensions;         ///< of each parameter, where written with a unit
+      parameter_dimensions;  ///< of each parameter, where written with a unit
+  std::vector<std::pair<std::size_t, Eigen::Index>>
+      matrices;                     ///< numbers for each element that are a matrix: parameter, columns
   std::vector<std::size_t> spread;  ///< parameters whose one number the plan repeats for every element
   std::vector<InitialValue> initial;
   std::vector<std::pair<std::string, unit::Dimension>>
       known_units;              ///< unit variables that the block itself fixes: ("'u", mm)
   std::optional<double> every;  ///< period [s]
   yaml::Mark every_mark;
+  std::string copy_of;  ///< the block of the file, full, of which this is the copy for one field of a bus
 
   const BlockType& type() const { return block.type(); }
 };
 
-/// An output of a block, or one of its states.
+/// An output of a block, or one of its states, or an element of these.
 struct SignalRef {
   int block = -1;
   int output = -1;
   int state = -1;  ///< where output is -1
+  ElementIndex element{};
 
   bool operator==(const SignalRef&) const = default;
 };
@@ -85,6 +101,12 @@ struct SignalRef {
 struct PartPort {
   std::string name;  ///< full: "rig.force"
   SignalRef signal;
+};
+
+/// A bus: signals with names. Those of buses inside are dotted, "pose.position". The plan knows none.
+struct DiagramBus {
+  std::string name;  ///< full: "rig.wrench"
+  std::vector<std::pair<std::string, SignalRef>> fields;
 };
 
 struct RecordedSignal {
@@ -193,6 +215,7 @@ struct Diagram {
   std::vector<DiagramInput> inputs;
   std::vector<DiagramOutput> outputs;
   std::vector<PartPort> part_ports;  ///< but for those that are fed by constants
+  std::vector<DiagramBus> buses;     ///< but for fields that are fed by constants
   std::vector<RecordRequest> records;
   std::vector<DiagramParameter> parameters;
   std::shared_ptr<const Bindings> bindings;  ///< how its values follow from the parameters

@@ -26,6 +26,7 @@ struct WrittenValue {
   std::string text;     ///< as written, for messages
   bool failed = false;  ///< stands for a definition that was refused; what uses it stays silent
   std::optional<GivenBy> given{};
+  Eigen::Index columns = 1;  ///< of a matrix that is read as its elements, column by column
 };
 
 /// Parameters that a value was read from, by their index in Diagram::parameters.

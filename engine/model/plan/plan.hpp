@@ -52,6 +52,9 @@ struct Layout {
 struct SignalSlot {
   std::size_t offset = 0;
   Eigen::Index size = 1;
+  Eigen::Index columns = 1;  ///< of a matrix, whose numbers lie column by column
+
+  Eigen::Index rows() const { return size / columns; }
 };
 
 /// One block as it is run.
@@ -63,6 +66,7 @@ struct PlannedBlock {
   std::vector<SignalSlot> derivatives;  ///< parallel to states; unused for discrete ones
   std::vector<SignalSlot> diagnostics;
   std::vector<std::vector<SignalSlot>> inputs;
+  std::vector<Eigen::Index> sizes;  ///< parallel to BlockType::sizes
   bool slope_is_input = false;      ///< its input lies in the place of its slope: derivatives() is not called
   std::optional<AnyBlock> written;  ///< as its file gives it, where configure() or prepare() change it
   std::shared_ptr<const Configuration> configuration;  ///< what configure() answered, where it has one
