@@ -81,7 +81,9 @@ struct DiagramBlock {
   std::vector<std::pair<std::string, unit::Dimension>>
       known_units;              ///< unit variables that the block itself fixes: ("'u", mm)
   std::optional<double> every;  ///< period [s]
-  yaml::Mark every_mark;
+  Origin every_origin;
+  bool every_of_part = false;  ///< is the period that of the part around it?
+  int guard = -1;              ///< the block that decides whether this one is active; -1: it always is
   std::string copy_of;  ///< the block of the file, full, of which this is the copy for one field of a bus
 
   const BlockType& type() const { return block.type(); }

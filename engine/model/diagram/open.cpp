@@ -190,7 +190,7 @@ void Opener::read_initial(const Scope& scope, const yaml::Node& node, DiagramBlo
 void Opener::read_period(const Scope& scope, const yaml::Node& node, DiagramBlock& block) {
   const ValueReader reader(scope.parameters, report_, scope.index);
   const auto period = reader.read_number(node, unit::parse_unit("s")->dimension, block.name + ".every");
-  block.every_mark = node.mark;
+  block.every_origin = scope.at(node.mark);
   if (!period) return;
   if (*period <= 0.0)
     return report_.add(scope.at(node.mark), block.name + ".every",

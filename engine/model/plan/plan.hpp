@@ -25,6 +25,36 @@ struct KernelCall {
   std::size_t first, end;  ///< offsets of the first block and behind the last in the memory of blocks [bytes]
   std::size_t count;
   int period;  ///< index in Plan::periods
+  std::ptrdiff_t active =
+      -1;          ///< place of what its blocks are active by, which is 0 while they are not; -1: always
+  int guard = -1;  ///< index in Plan::guards of the guard that it runs; -1: none
+};
+
+/// Where a signal lies, for recording and for messages.
+struct SignalSlot {
+  std::size_t offset = 0;
+  Eigen::Index size = 1;
+  Eigen::Index columns = 1;  ///< of a matrix, whose numbers lie column by column
+
+  Eigen::Index rows() const { return size / columns; }
+};
+
+/// Numbers that are copied from one place of the workspace to another.
+struct Copied {
+  std::size_t from, to, size;
+};
+
+/// What happens as a guard changes (see engine/model/diagram/guard.hpp). While it is off, nothing that it
+/// guards is called, and slopes are 0.
+struct PlannedGuard {
+  std::size_t block = 0;
+  std::size_t active = 0;      ///< place of its output
+  bool once_per_edge = false;  ///< is it active at single ticks, each of which is a beginning of its own?
+  std::vector<int> inside;     ///< guards that it guards, by their index in Plan::guards
+  std::vector<Copied> keep;    ///< outputs that solver stages write, at a tick, for what reads them while off
+  std::vector<SignalSlot> slopes;  ///< of states that it guards
+  std::vector<Copied> reset;       ///< initial values of all states inside; none where these are held
+  std::vector<std::size_t> start;  ///< blocks inside that have start(), where states are reset
 };
 
 /// Where the numbers of a run lie in its workspace; offsets in doubles. Signals and continuous states lie
@@ -48,15 +78,6 @@ struct Layout {
   std::size_t size = first;
 };
 
-/// Where a signal lies, for recording and for messages.
-struct SignalSlot {
-  std::size_t offset = 0;
-  Eigen::Index size = 1;
-  Eigen::Index columns = 1;  ///< of a matrix, whose numbers lie column by column
-
-  Eigen::Index rows() const { return size / columns; }
-};
-
 /// One block as it is run.
 struct PlannedBlock {
   std::size_t memory = 0;  ///< offset in the memory of blocks [bytes]
@@ -66,6 +87,8 @@ struct PlannedBlock {
   std::vector<SignalSlot> derivatives;  ///< parallel to states; unused for discrete ones
   std::vector<SignalSlot> diagnostics;
   std::vector<std::vector<SignalSlot>> inputs;
+  std::vector<SignalSlot> initial;  ///< values of states, where a guard resets these; else empty
+  std::vector<SignalSlot> kept;     ///< outputs as they were at the tick, see PlannedGuard; else empty
   std::vector<Eigen::Index> sizes;  ///< parallel to BlockType::sizes
   bool slope_is_input = false;      ///< its input lies in the place of its slope: derivatives() is not called
   std::optional<AnyBlock> written;  ///< as its file gives it, where configure() or prepare() change it
@@ -90,7 +113,8 @@ struct Plan {
       stage;  ///< outputs on which derivatives depend, at the solver's stages between ticks
   std::vector<KernelCall> derivatives;
   std::vector<KernelCall> updates;
-  bool updates_continuous = false;  ///< may an update change a continuous state?
+  std::vector<PlannedGuard> guards;  ///< each behind the one that guards it
+  bool updates_continuous = false;   ///< may an update change a continuous state?
 
   SignalSlot slot(const diagram::SignalRef& signal) const;
   std::optional<unit::Dimension> dimension(const diagram::SignalRef& signal) const;

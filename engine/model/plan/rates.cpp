@@ -79,14 +79,13 @@ class Rates {
 
   void give_period(std::size_t index, const diagram::DiagramBlock& block) {
     rate(index) = {Rate::Kind::discrete, 1};
-    const diagram::Origin origin{block.origin.scope, block.every_mark};
     if (block.type().has_continuous_state())
       return draft_.report.add(
-          origin, block.name + ".every",
+          block.every_origin, block.name + ".every",
           fmt::format(
               "{} has a continuous state and follows the solver; leave 'every' out, or use its discrete kind",
               block.type().name));
-    require_whole(draft_, *block.every, origin, block.name + ".every", rate(index).ticks);
+    require_whole(draft_, *block.every, block.every_origin, block.name + ".every", rate(index).ticks);
   }
 
   void raise(std::size_t index) {
