@@ -101,6 +101,7 @@ class Declare {
     type_.source = std::move(options.source);
     type_.not_real_time = std::move(options.not_real_time);
     type_.symbol = std::move(options.symbol);
+    type_.steady = options.steady;
     if (options.timing != Timing::inherited) type_.timing = options.timing;
   }
 
@@ -243,6 +244,12 @@ class Declare {
       };
   }
 
+  /// A function that passes through zero where the block begins to do something else from one instant to the
+  /// next, with as many elements as `shape` has: crossings() adds its numbers, row by row.
+  void crossing(std::string doc, std::string shape = "n") {
+    type_.crossings.push_back({std::move(doc), std::move(shape)});
+  }
+
   /// Gives the block the time, or the time between its updates.
   template <auto member>
   void clock() {
@@ -282,6 +289,11 @@ class Declare {
       type_.run_derivatives = detail::kernels_of<Block, &Block::derivatives>();
     if constexpr (requires(Block b) { b.update(); })
       type_.run_update = detail::kernels_of<Block, &Block::update>();
+    if constexpr (requires(const Block b, Crossings& zero) { b.crossings(zero); })
+      type_.run_crossings = [](const void* block, double* numbers) {
+        Crossings zero(numbers);
+        static_cast<const Block*>(block)->crossings(zero);
+      };
     if constexpr (requires(Block b, Configure & is) { b.configure(is); })
       type_.configure = [](void* block, Configure& is) { static_cast<Block*>(block)->configure(is); };
     if constexpr (requires(Block b) { b.prepare(); })

@@ -18,6 +18,8 @@ struct BlockOptions {
   /// locks, calls the system, or takes a time that nothing bounds.
   std::string not_real_time = "";
   Symbol symbol{};
+  /// Are the outputs constant between crossings?
+  bool steady = false;
   /// The header that declares the struct, from the folder of the source that declares the block; needed where
   /// it has another name, or lies in another folder.
   std::string header = "";

@@ -109,6 +109,11 @@ struct DiagnosticSpec {
   std::string (*detail)(const void* block) = nullptr;  ///< names and numbers of the case, once it is raised
 };
 
+/// How a function is declared that passes through zero where the block begins to do something else.
+struct CrossingSpec {
+  std::string doc, shape;
+};
+
 /// How a member that tells the time, or the time between updates, is bound.
 struct ClockSpec {
   std::string member;                                            ///< its name in C++

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -191,6 +192,19 @@ struct StopCondition {
   Origin origin;
 };
 
+/// What becomes of outputs that depend on themselves at the same instant.
+struct AlgebraicLoops {
+  bool solve = false;                 ///< else they are refused
+  double tolerance = 1e-9;            ///< largest correction that is none, in sizes of its signal
+  std::int64_t max_iterations = 500;  ///< passes through a loop at one instant
+};
+
+/// What becomes of crossings between two ticks.
+struct Events {
+  bool locate = false;             ///< else blocks find them at the next tick
+  std::int64_t max_per_step = 50;  ///< beyond, the run ends
+};
+
 /// What of the thesis a diagram shows.
 struct ThesisReference {
   std::optional<int> figure, table;
@@ -209,6 +223,8 @@ struct Diagram {
   std::string solver;  ///< empty if the file names none
   Origin solver_origin;
   double tolerance = 1.0;  ///< largest error of a step of an implicit solver, in sizes of its state
+  AlgebraicLoops algebraic_loops;
+  Events events;
   ThesisReference thesis;
 
   std::vector<ScopeInfo> scopes;

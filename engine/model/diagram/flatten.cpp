@@ -62,7 +62,18 @@ class Flattener {
     if (!diagram_.solver.empty()) add_key(root, "solver", written_text(diagram_.solver));
     if (diagram_.tolerance != Diagram{}.tolerance)
       add_key(root, "tolerance", written_numbers(one(diagram_.tolerance), std::nullopt));
+    if (diagram_.algebraic_loops.solve) add_key(root, "algebraic_loops", algebraic_loops());
     if (diagram_.stop_when) add_key(root, "stop_when", stop_condition(*diagram_.stop_when));
+  }
+
+  yaml::Node algebraic_loops() const {
+    const AlgebraicLoops& loops = diagram_.algebraic_loops;
+    yaml::Node keys;
+    if (loops.tolerance != AlgebraicLoops{}.tolerance)
+      add_key(keys, "tolerance", written_numbers(one(loops.tolerance), std::nullopt));
+    if (loops.max_iterations != AlgebraicLoops{}.max_iterations)
+      add_key(keys, "max_iterations", written_text(std::to_string(loops.max_iterations)));
+    return keys.entries.empty() ? written_text("solve") : keys;
   }
 
   static void add_if_any(yaml::Node& map, const char* key, yaml::Node value) {

@@ -47,6 +47,36 @@ const ThesisTable& thesis_table() {
   return table;
 }
 
+using LoopsTable = yaml::KeyTable<AlgebraicLoops, HeadReading>;
+
+const LoopsTable& loops_table() {
+  static const LoopsTable table(
+      "algebraic loops", "{tolerance: 1e-12, max_iterations: 50}",
+      {{"tolerance",
+        "largest correction of a signal, in sizes of it, with which a loop counts as solved where rounding "
+        "allows no better",
+        form::above_zero(form::number()), &AlgebraicLoops::tolerance},
+       {"max_iterations",
+        "passes through a loop's blocks at one instant, beyond which the run ends; in a real-time loop it goes "
+        "on, and the tick is reported",
+        form::whole(2), &AlgebraicLoops::max_iterations}});
+  return table;
+}
+
+/// The form of `algebraic_loops`: a word, or how they are solved.
+const yaml::Key& loops_form() {
+  static const yaml::Key words =
+      form::words({{"refuse", "an error that names every block of the loop"},
+                   {"solve", "solved at every tick, and at every stage of the solver"}});
+  static const yaml::Key form = form::either({words, loops_table().form});
+  return form;
+}
+
+void read_loops(Diagram& diagram, const yaml::Node& node, const HeadReading& read) {
+  if (node.is_scalar()) return read.take(node, loops_form().of.front(), diagram.algebraic_loops.solve);
+  diagram.algebraic_loops.solve = loops_table().read(node, diagram.algebraic_loops, read);
+}
+
 std::vector<HeadRow> run_rows() {
   return {
       time_row("step", "time between ticks: 1 ms", &Diagram::step, &Diagram::step_origin),
@@ -59,6 +89,11 @@ std::vector<HeadRow> run_rows() {
        }},
       {"tolerance", "error of a step, in sizes of its state, beyond which rosenbrock and sdirk end the run",
        form::above_zero(form::number()), &Diagram::tolerance},
+      yaml::otherwise("refuse",
+                      HeadRow{"algebraic_loops",
+                              "what becomes of outputs that depend on themselves at the same instant: solve, "
+                              "or how: {tolerance: 1e-12}",
+                              loops_form(), read_loops}),
       {"stop_when", "ends the run early where this is true: rig.x > 5 mm, rig.position.1 > 5 mm",
        form::expression()},
       {"record", "signals that figures and claims read", form::one_or_list(form::section("record"))},

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 
 #include "engine/model/plan/draft.hpp"
 
@@ -53,7 +54,9 @@ class LayoutMaker {
     layout.constants = end_;
     each([&](std::size_t b) { place_inputs(b); });
     layout.report = end_;
-    layout.size = layout.report + Layout::report_count;
+    layout.loops = layout.report + Layout::report_count;
+    layout.events = layout.loops;
+    layout.size = layout.events;
   }
 
  private:
@@ -142,11 +145,26 @@ class LayoutMaker {
   std::size_t end_ = Layout::first;
 };
 
+/// Behind all else: what is known of each loop in a run, and room for what its blocks have to report.
+void place_loops(Plan& plan, const CallOrder& order) {
+  for (const CallOrder::Loop& from : order.loops) {
+    SolvedLoop loop{from.path, from.tears, {}, plan.layout.size};
+    std::set<int> blocks(order.blocks.begin() + static_cast<std::ptrdiff_t>(from.first),
+                         order.blocks.begin() + static_cast<std::ptrdiff_t>(from.end));
+    for (const int block : blocks)
+      for (const SignalSlot& slot : plan.blocks[static_cast<std::size_t>(block)].diagnostics)
+        loop.diagnostics.push_back(slot.offset);
+    plan.layout.size += Layout::loop_count + loop.diagnostics.size();
+    plan.loops.push_back(std::move(loop));
+  }
+  plan.layout.events = plan.layout.size;
+}
+
 }  // namespace
 
-void plan_layout(Draft& draft, const std::vector<int>& order) {
+void plan_layout(Draft& draft, const CallOrder& order) {
   Plan& plan = draft.plan;
-  plan.memory_order = memory_order(draft, order);
+  plan.memory_order = memory_order(draft, order.blocks);
   for (int b : plan.memory_order) {
     const BlockType& type = draft.type(static_cast<std::size_t>(b));
     plan.block_bytes = (plan.block_bytes + type.alignment - 1) / type.alignment * type.alignment;
@@ -154,6 +172,7 @@ void plan_layout(Draft& draft, const std::vector<int>& order) {
     plan.block_bytes += type.bytes;
   }
   LayoutMaker(draft).run();
+  place_loops(plan, order);
 }
 
 }  // namespace stepwire::plan

@@ -17,6 +17,16 @@ std::optional<unit::Dimension> Plan::dimension(const diagram::SignalRef& signal)
                             : diagram.state_dimensions[block][static_cast<std::size_t>(signal.state)];
 }
 
+const std::vector<LoopCall>& Plan::loops_of(const std::vector<KernelCall>& table) const {
+  static const std::vector<LoopCall> none;
+  const std::pair<const std::vector<KernelCall>*, const std::vector<LoopCall>*> all[] = {
+      {&once, &once_loops},     {&timed, &timed_loops}, {&outputs, &output_loops},
+      {&stage, &stage_loops},   {&crossing_outputs, &crossing_loops}, {&event_outputs, &event_loops}};
+  for (const auto& [calls, loops] : all)
+    if (calls == &table) return *loops;
+  return none;
+}
+
 bool Draft::depends(std::size_t block, std::size_t input, std::size_t output) const {
   const InputSpec& in = type(block).inputs[input];
   if (blocks[block].says.feedthrough.empty()) return in.feedthrough;
@@ -41,7 +51,7 @@ Plan make_plan(diagram::Diagram diagram) {
   draft.report.faults().throw_if_any();
   prepare_blocks(draft);
   find_timed(draft);
-  const std::vector<int> order = plan_order(draft);
+  const CallOrder order = plan_order(draft);
   draft.report.faults().throw_if_any();
   plan_layout(draft, order);
   check_stop_and_safe_values(draft);

@@ -57,13 +57,45 @@ struct PlannedGuard {
   std::vector<std::size_t> start;  ///< blocks inside that have start(), where states are reset
 };
 
+/// Where a signal lies, for recording and for messages.
+struct SignalSlot {
+  std::size_t offset = 0;
+  Eigen::Index size = 1;
+  Eigen::Index columns = 1;  ///< of a matrix, whose numbers lie column by column
+
+  Eigen::Index rows() const { return size / columns; }
+};
+
+/// A loop of outputs that feed each other at the same instant, torn so that its blocks can be called in a row.
+struct SolvedLoop {
+  std::string path;                      ///< "error -> half -> twice -> error"
+  std::vector<diagram::SignalRef> tears;
+  std::vector<std::size_t> diagnostics;  ///< of its blocks, where they lie in the workspace
+  std::size_t report = 0;                ///< where what is known of it in a run lies (solve::LoopReport)
+};
+
+/// Calls of a table that are made again and again until their loop is solved.
+struct LoopCall {
+  std::size_t first, end;  ///< calls of the table
+  std::size_t loop;        ///< index in Plan::loops
+  /// Of the signals that these calls compute those at which the loop is torn: guesses stand in their places.
+  std::vector<SignalSlot> tears;
+};
+
+/// The crossings of one block.
+struct CrossingCall {
+  std::size_t block;   ///< index in Plan::blocks
+  std::size_t first;   ///< index of its first number
+  std::size_t count;
+};
+
 /// Where the numbers of a run lie in its workspace; offsets in doubles. Signals and continuous states lie
 /// side by side, so that one sweep over them finds what is not finite.
 struct Layout {
   static constexpr std::size_t time = 0;
   static constexpr std::size_t timed = 1;  ///< for which time Plan::timed was computed last
   static constexpr std::size_t first = 2;  ///< of what blocks have
-  static constexpr std::size_t report_count = 3;
+  static constexpr std::size_t report_count = 3, loop_count = 7, event_count = 4;
   static constexpr double never = -1.0;  ///< stands at `timed` before the start
   std::size_t signals = first;
   std::size_t states = first;
@@ -74,7 +106,9 @@ struct Layout {
   std::size_t diagnostics = first;
   std::size_t diagnostic_count = 0;
   std::size_t constants = first;
-  std::size_t report = first;  ///< of an implicit solver; lies behind all else
+  std::size_t report = first;  ///< of an implicit solver
+  std::size_t loops = first;   ///< what is known of loops in a run
+  std::size_t events = first;  ///< and of located events; lies behind all else
   std::size_t size = first;
 };
 
@@ -115,6 +149,20 @@ struct Plan {
   std::vector<KernelCall> updates;
   std::vector<PlannedGuard> guards;  ///< each behind the one that guards it
   bool updates_continuous = false;   ///< may an update change a continuous state?
+
+  std::vector<SolvedLoop> loops;
+  std::vector<LoopCall> once_loops, timed_loops, output_loops, stage_loops;  ///< of the tables above
+
+  /// The loops in one of the tables above.
+  const std::vector<LoopCall>& loops_of(const std::vector<KernelCall>& table) const;
+
+  // Where events are located; empty otherwise.
+  std::vector<CrossingCall> crossings;
+  std::size_t crossing_count = 0;
+  std::vector<KernelCall> crossing_outputs;  ///< what crossings depend on, of the stage
+  std::vector<KernelCall> event_outputs;     ///< of what follows at every instant
+  std::vector<KernelCall> event_updates;
+  std::vector<LoopCall> crossing_loops, event_loops;
 
   SignalSlot slot(const diagram::SignalRef& signal) const;
   std::optional<unit::Dimension> dimension(const diagram::SignalRef& signal) const;

@@ -45,13 +45,14 @@ Kernel kernel_of(const Draft& draft, std::size_t block, const Kernels& kernels) 
              : kernels[Specialization::one_element];
 }
 
-/// Appends a call, or lengthens the last one where the block lies right behind.
-void append(std::vector<KernelCall>& batches, const Draft& draft, std::size_t block, const Kernels& kernels) {
+/// Appends a call, or lengthens the last one where the block lies right behind; none before `closed`.
+void append(std::vector<KernelCall>& batches, const Draft& draft, std::size_t block, const Kernels& kernels,
+            std::size_t closed = 0) {
   Plan& plan = draft.plan;
   const Kernel kernel = kernel_of(draft, block, kernels);
   const std::size_t bytes = draft.type(block).bytes, memory = plan.blocks[block].memory;
   const int period = period_index(plan, plan.blocks[block].rate.ticks);
-  if (!batches.empty()) {
+  if (batches.size() > closed) {
     KernelCall& last = batches.back();
     if (last.run == kernel && last.period == period && last.end == memory) {
       ++last.count;
@@ -62,14 +63,68 @@ void append(std::vector<KernelCall>& batches, const Draft& draft, std::size_t bl
   batches.push_back({kernel, memory, memory + bytes, 1, period});
 }
 
-void append_outputs(Draft& draft, std::size_t block) {
-  Plan& plan = draft.plan;
-  const Kernels& kernels = draft.type(block).run_outputs;
-  if (plan.blocks[block].rate.kind == Rate::Kind::constant) return append(plan.once, draft, block, kernels);
-  if (draft.blocks[block].timed) return append(plan.timed, draft, block, kernels);
-  append(plan.outputs, draft, block, kernels);
-  if (draft.blocks[block].in_stages) append(plan.stage, draft, block, kernels);
-}
+/// A table of outputs while it is made.
+struct OutputTable {
+  std::vector<KernelCall>& calls;
+  std::vector<LoopCall>& loops;
+  std::size_t closed = 0;  ///< calls that no block may join
+
+  void close() { closed = calls.size(); }
+};
+
+/// Puts the outputs of blocks into the tables, and loops around them.
+class OutputTables {
+ public:
+  explicit OutputTables(Draft& draft) : draft_(draft) {}
+
+  void run(const CallOrder& order) {
+    auto loop = order.loops.begin();
+    for (std::size_t i = 0; i < order.blocks.size(); ++i) {
+      if (loop != order.loops.end() && i == loop->first) close();
+      append(static_cast<std::size_t>(order.blocks[i]));
+      if (loop == order.loops.end() || i + 1 < loop->end) continue;
+      end_loop(static_cast<std::size_t>(loop - order.loops.begin()));
+      ++loop;
+    }
+  }
+
+ private:
+  void close() {
+    for (OutputTable& table : tables_) table.close();
+  }
+
+  void append(std::size_t block) {
+    const Rate& rate = draft_.plan.blocks[block].rate;
+    if (rate.kind == Rate::Kind::constant) return append(once_, block);
+    if (draft_.blocks[block].timed) return append(timed_, block);
+    append(outputs_, block);
+    if (draft_.blocks[block].in_stages) append(stage_, block);
+  }
+  void append(OutputTable& table, std::size_t block) {
+    plan::append(table.calls, draft_, block, draft_.type(block).run_outputs, table.closed);
+  }
+
+  /// The calls since the loop began are its own.
+  void end_loop(std::size_t loop) {
+    for (OutputTable& table : tables_) {
+      LoopCall call{table.closed, table.calls.size(), loop, {}};
+      table.close();
+      if (call.first == call.end) continue;
+      for (const diagram::SignalRef& tear : draft_.plan.loops[loop].tears)
+        if (&table != &stage_ || draft_.blocks[static_cast<std::size_t>(tear.block)].in_stages)
+          call.tears.push_back(draft_.plan.slot(tear));
+      if (!call.tears.empty()) table.loops.push_back(std::move(call));
+    }
+  }
+
+  Draft& draft_;
+  Plan& plan_ = draft_.plan;
+  OutputTable tables_[4] = {{plan_.once, plan_.once_loops},
+                            {plan_.timed, plan_.timed_loops},
+                            {plan_.outputs, plan_.output_loops},
+                            {plan_.stage, plan_.stage_loops}};
+  OutputTable &once_ = tables_[0], &timed_ = tables_[1], &outputs_ = tables_[2], &stage_ = tables_[3];
+};
 
 void append_derivatives(Draft& draft, std::size_t block) {
   const BlockType& type = draft.type(block);
@@ -86,9 +141,9 @@ void append_updates(Draft& draft, std::size_t block) {
 
 }  // namespace
 
-void make_schedule(Draft& draft, const std::vector<int>& order) {
+void make_schedule(Draft& draft, const CallOrder& order) {
   draft.plan.periods = {1};
-  for (int block : order) append_outputs(draft, static_cast<std::size_t>(block));
+  OutputTables(draft).run(order);
   // Updates of continuous states come last: a discrete block that reads such a state still sees its value at
   // the tick.
   for (const bool continuous : {false, true})

@@ -35,7 +35,7 @@ class Maker {
         names_(plan),
         statements_(plan, names_, variable, literals_),
         small_(calls(plan.stage) + calls(plan.derivatives) <= max_inlined &&
-               !solve::find_implicit(plan.diagram.solver)),
+               !solve::find_implicit(plan.diagram.solver) && plan.loops.empty()),
         functions_(small_) {}
 
   void add_steps() {

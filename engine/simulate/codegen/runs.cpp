@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <span>
 #include <utility>
 
 #include "engine/model/diagram/external_input.hpp"
+#include "engine/simulate/codegen/cpp_words.hpp"
 
 namespace stepwire::codegen {
 
@@ -185,8 +188,12 @@ class BatchCode {
 
 }  // namespace
 
-std::vector<Code> calls_of(const plan::Plan& plan, const Statements& statements,
-                           const std::vector<plan::KernelCall>& batches, Phase phase, const Places& places) {
+namespace {
+
+/// The calls from `first` to `end - 1` of a table, as if there were no loops.
+std::vector<Code> calls_between(const plan::Plan& plan, const Statements& statements,
+                                std::span<const plan::KernelCall> batches, Phase phase,
+                                const Places& places) {
   std::map<std::size_t, std::size_t> at_memory;
   for (std::size_t b = 0; b < plan.blocks.size(); ++b) at_memory[plan.blocks[b].memory] = b;
   std::vector<Code> code;
@@ -197,6 +204,62 @@ std::vector<Code> calls_of(const plan::Plan& plan, const Statements& statements,
     BatchCode(plan, statements, blocks, phase, places, plan.periods[static_cast<std::size_t>(batch.period)])
         .append_to(code);
   }
+  return code;
+}
+
+/// Calls that are made until they agree.
+Code loop_code(const plan::Plan& plan, const plan::LoopCall& call, const std::vector<Code>& calls) {
+  const plan::SolvedLoop& loop = plan.loops[call.loop];
+  const diagram::AlgebraicLoops& options = plan.diagram.algebraic_loops;
+  std::string tears, diagnostics;
+  Eigen::Index unknowns = 0;
+  for (const plan::SignalSlot& tear : call.tears) {
+    tears += fmt::format("{{{}, {}}}, ", tear.offset, tear.size);
+    unknowns += tear.size;
+  }
+  for (const std::size_t place : loop.diagnostics) diagnostics += fmt::format("{}, ", place);
+  return {fmt::format(
+      "  {{  // {0}\n    static constexpr solve::Tear tears[] = {{{1}}};\n"
+      "    static constexpr std::size_t diagnostics[] = {{{2}0}};\n"
+      "    static constexpr solve::LoopTask task{{tears, {3}, diagnostics, {4}, {5}, at::time, {6}, {7}}};\n"
+      "    solve::LoopSolver<{8}>({8}).solve(task, w, [&] {{\n{9}    }});\n  }}\n",
+      cpp_comment(loop.path), tears, diagnostics, call.tears.size(), loop.diagnostics.size(), loop.report,
+      number_text(options.tolerance), options.max_iterations, unknowns,
+      with_conditions(calls, 0, calls.size()))};
+}
+
+}  // namespace
+
+std::string with_conditions(const std::vector<Code>& code, std::size_t first, std::size_t last) {
+  std::string text;
+  std::int64_t period = 1;
+  for (std::size_t i = first; i < last; ++i) {
+    if (code[i].period != period) {
+      if (period > 1) text += "  }\n";
+      period = code[i].period;
+      if (period > 1) text += fmt::format("  if (tick % {} == 0) {{\n", period);
+    }
+    text += code[i].text;
+  }
+  return period > 1 ? text + "  }\n" : text;
+}
+
+std::vector<Code> calls_of(const plan::Plan& plan, const Statements& statements,
+                           const std::vector<plan::KernelCall>& batches, Phase phase, const Places& places) {
+  std::vector<Code> code;
+  const auto between = [&](std::size_t first, std::size_t end) {
+    return calls_between(plan, statements, std::span(batches).subspan(first, end - first), phase, places);
+  };
+  const auto append = [&](std::vector<Code> more) {
+    std::move(more.begin(), more.end(), std::back_inserter(code));
+  };
+  std::size_t next = 0;
+  for (const plan::LoopCall& loop : plan.loops_of(batches)) {
+    append(between(next, loop.first));
+    code.push_back(loop_code(plan, loop, between(loop.first, loop.end)));
+    next = loop.end;
+  }
+  append(between(next, batches.size()));
   return code;
 }
 

@@ -84,11 +84,12 @@ Executor::Executor(const plan::Plan& plan)
     : plan_(plan),
       solver_(solver_of(plan)),
       blocks_(static_cast<std::byte*>(::operator new(plan.block_bytes + 1, block_alignment))),
-      timed_(plan.timed, blocks_.get()),
-      outputs_(plan.outputs, blocks_.get()),
-      stage_(plan.stage, blocks_.get()),
-      derivatives_(plan.derivatives, blocks_.get()),
-      updates_(plan.updates, blocks_.get()) {
+      once_(plan, plan.once, blocks_.get()),
+      timed_(plan, plan.timed, blocks_.get()),
+      outputs_(plan, plan.outputs, blocks_.get()),
+      stage_(plan, plan.stage, blocks_.get()),
+      derivatives_(plan, plan.derivatives, blocks_.get()),
+      updates_(plan, plan.updates, blocks_.get()) {
   workspace_.values.assign(plan.layout.size, 0.0);
   constants_ = plan.constants;
   due_.assign(plan.periods.size(), 1);
@@ -175,7 +176,7 @@ void Executor::write_constants() {
 }
 
 void Executor::compute_once() {
-  for (const plan::KernelCall& batch : plan_.once) call(batch);
+  run_range(once_, 0, once_.calls.size());
 }
 
 void Executor::restore(const Workspace& workspace) {
@@ -192,13 +193,18 @@ void Executor::write_input(std::size_t input, const double* numbers) {
   std::copy_n(numbers, slot.size, workspace_.values.begin() + static_cast<std::ptrdiff_t>(slot.offset));
 }
 
-Executor::Table::Table(const std::vector<plan::KernelCall>& batches, std::byte* blocks) : batches(batches) {
+Executor::Table::Table(const plan::Plan& plan, const std::vector<plan::KernelCall>& batches,
+                       std::byte* blocks)
+    : batches(batches) {
   for (const plan::KernelCall& batch : batches)
     calls.push_back({batch.run, blocks + batch.first, blocks + batch.end});
+  loops.reserve(plan.loops_of(batches).size());  // none is moved: its task points into it
+  for (const plan::LoopCall& loop : plan.loops_of(batches)) loops.emplace_back(plan, loop);
 }
 
-void Executor::run(const Table& table) {
+void Executor::run(Table& table) {
   if (watcher_ && watcher_->phase == &table.batches) return run_watched(table);
+  if (!table.loops.empty()) return run_range(table, 0, table.calls.size());
   const Table::Call* call = table.calls.data();
   const Table::Call* const end = call + table.calls.size();
   // Four at a time: most calls do so little that counting them is felt.
@@ -218,20 +224,20 @@ void Executor::follow_time() {
   run(timed_);
 }
 
-void Executor::run_due(const Table& table) {
+void Executor::run_due(Table& table) {
   if (due_.size() == 1) return run(table);  // nothing is slower than the step
   if (watcher_ && watcher_->phase == &table.batches) return run_watched(table);
   run_range(table, 0, table.calls.size());
 }
 
-void Executor::run_range(const Table& table, std::size_t first, std::size_t end) {
+void Executor::run_calls(const Table& table, std::size_t first, std::size_t end) {
   for (std::size_t i = first; i < end; ++i)
     if (due_[static_cast<std::size_t>(table.batches[i].period)])
       table.calls[i].run(table.calls[i].first, table.calls[i].end);
 }
 
 /// What runs between ticks is continuous, and what is continuous is due at every tick.
-void Executor::run_watched(const Table& table) {
+void Executor::run_watched(Table& table) {
   run_range(table, 0, watcher_->first);
   watcher_->enter();
   run_range(table, watcher_->first, watcher_->end);
@@ -252,7 +258,7 @@ void Executor::evaluate() {
     find_due();
     run_due(outputs_);
   }
-  healthy_ = healthy_ && is_finite();
+  healthy_ = healthy_ && is_finite() && loops_solved();
 }
 
 void Executor::advance() {
@@ -262,7 +268,7 @@ void Executor::advance() {
     take_step();
   }
   if (!ending_diagnostics_.empty() && diagnostic_ends_run()) healthy_ = false;
-  if (workspace_.values[plan_.layout.report] != solve::StepReport::fine) healthy_ = false;
+  if (workspace_.values[plan_.layout.report] != solve::StepReport::fine || !loops_solved()) healthy_ = false;
   ++workspace_.tick;
 }
 
