@@ -1,6 +1,6 @@
 #include "blocks/nonlinear/backlash.hpp"
 
-#include "engine/model/block/declare.hpp"
+#include "engine/model/block/declare_reset.hpp"
 
 namespace stepwire {
 
@@ -16,6 +16,11 @@ void Backlash::declare(Declare<Backlash>& is) {
   is.input<&Backlash::u>({.unit = "'u", .doc = "position of the driving side"});
   is.output<&Backlash::y>({.unit = "'u", .doc = "position of the driven side"});
   is.state<&Backlash::last>({.unit = "'u", .doc = "output at the last tick"});
+  declare_reset(is, "'u", "the driven side");
+}
+
+void Backlash::configure(Configure& is) {
+  configure_reset(*this, is);
 }
 
 }  // namespace stepwire

@@ -12,12 +12,27 @@ struct Saturation {
   Input<> u{};
   Output<> y{};
 
+  bool wired = false;  // is a limit a signal?
+  Input<> lower_{}, upper_{};
+
   void outputs() {
-    y.each([&](Index i) { return std::clamp(u[i], lower[i], upper[i]); });
+    if (wired) {
+      limit_by_signals();
+    } else {
+      y.each([&](Index i) { return std::clamp(u[i], lower[i], upper[i]); });
+    }
   }
 
   void configure(Configure& is);
   static void declare(Declare<Saturation>& is);
+
+ private:
+  /// Signals may cross: the upper one holds then.
+  STEPWIRE_RARE void limit_by_signals() {
+    for (Index i = 0; i < y.size(); ++i)
+      y[i] = std::min(std::max(u[i], lower_.connected() ? lower_[i] : lower[i]),
+                      upper_.connected() ? upper_[i] : upper[i]);
+  }
 };
 
 }  // namespace stepwire

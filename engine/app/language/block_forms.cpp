@@ -52,7 +52,8 @@ yaml::Key preset_form(const BlockType& type) {
 
 std::vector<yaml::Key> keys_of_type(const BlockType& type) {
   std::vector<yaml::Key> keys{yaml::needed(yaml::key("block", type.doc, words_form({type.name})))};
-  for (const InputSpec& input : type.inputs) keys.push_back(source_form(input));
+  for (const InputSpec& input : type.inputs)
+    if (!diagram::has_value(type, input.name)) keys.push_back(source_form(input));
   for (const ParameterSpec& parameter : type.parameters) keys.push_back(parameter_form_of(type, parameter));
   for (const StateSpec& state : type.states)
     if (state.settable)

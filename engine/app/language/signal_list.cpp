@@ -4,6 +4,7 @@
 #include <map>
 
 #include "engine/base/yaml/document.hpp"
+#include "engine/model/diagram/output_names.hpp"
 
 namespace stepwire::language {
 
@@ -30,7 +31,7 @@ void add_block(const diagram::Diagram& diagram, std::size_t index, const std::st
   const BlockType& type = diagram.blocks[index].type();
   const int block = static_cast<int>(index);
   for (std::size_t i = 0; i < type.outputs.size(); ++i)
-    signals.push_back({type.outputs.size() == 1 ? name : name + "." + type.outputs[i].name,
+    signals.push_back({diagram::output_name(name, type, i),
                        at(diagram.output_dimensions, block, static_cast<int>(i)), type.name});
   for (std::size_t i = 0; states && i < type.states.size(); ++i)
     if (type.output(type.states[i].name) < 0)

@@ -41,6 +41,12 @@ Json initial_schema(const StateSpec& state) {
                                value_text(number, {state.initial})));
 }
 
+/// Of a key that takes a value, and a signal in its place where an input has its name.
+Json or_signal(const BlockType& type, const std::string& key, Json value) {
+  if (type.input(key) < 0) return value;
+  return Json::object().set("anyOf", Json::list({std::move(value), schema_ref("source")}));
+}
+
 Json type_schema(const BlockType& type) {
   Json properties = Json::object().set("block", Json::object().set("const", type.name));
   std::vector<std::string> required{"block"};
@@ -49,11 +55,12 @@ Json type_schema(const BlockType& type) {
     if (!input.optional) required.push_back(input.name);
   }
   for (const ParameterSpec& parameter : type.parameters) {
-    properties.set(parameter.name, parameter_schema(type, parameter));
+    properties.set(parameter.name, or_signal(type, parameter.name, parameter_schema(type, parameter)));
     if (parameter.required) required.push_back(parameter.name);
   }
   for (const StateSpec& state : type.states)
-    if (state.settable) properties.set(diagram::initial_key(type, state), initial_schema(state));
+    if (const std::string key = diagram::initial_key(type, state); state.settable)
+      properties.set(key, or_signal(type, key, initial_schema(state)));
   if (!type.presets.empty()) properties.set("preset", preset_schema(type));
   if (!type.has_continuous_state())
     properties.set("every", explained(schema_ref("time"),

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/base/text/characters.hpp"
+#include "engine/model/diagram/output_names.hpp"
 
 namespace stepwire::report {
 
@@ -53,8 +54,7 @@ std::string units_text(const diagram::Diagram& diagram) {
     const diagram::DiagramBlock& block = diagram.blocks[b];
     for (std::size_t o = 0; o < block.type().outputs.size(); ++o) {
       const auto& dimension = diagram.output_dimensions[b][o];
-      const std::string port =
-          block.type().outputs.size() == 1 ? block.name : block.name + "." + block.type().outputs[o].name;
+      const std::string port = diagram::output_name(block.name, block.type(), o);
       text += fmt::format("  {:<40} {}\n", text::visible(port),
                           dimension ? unit::si_name(*dimension) : "not known");
     }

@@ -11,6 +11,7 @@
 #include "engine/analyse/study/study_columns.hpp"
 #include "engine/analyse/study/study_tables.hpp"
 #include "engine/model/diagram/flatten.hpp"
+#include "engine/model/diagram/output_names.hpp"
 #include "engine/simulate/record/recorder.hpp"
 #include "engine/simulate/run/pooling.hpp"
 #include "engine/view/drawing/draw.hpp"
@@ -39,7 +40,7 @@ void add_swept_names(const run::Job& job, query::SymbolTable& names) {
 void add_signals(const diagram::Diagram& diagram, query::SymbolTable& names) {
   for (const diagram::DiagramBlock& block : diagram.blocks) {
     const auto& outputs = block.type().outputs;
-    if (outputs.size() == 1) names.signals.push_back(block.name);
+    if (diagram::has_one_output(block.type())) names.signals.push_back(block.name);
     for (const OutputSpec& output : outputs) names.signals.push_back(block.name + "." + output.name);
   }
 }

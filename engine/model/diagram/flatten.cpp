@@ -12,6 +12,7 @@
 #include "engine/base/yaml/yaml_text.hpp"
 #include "engine/model/diagram/block_keys.hpp"
 #include "engine/model/diagram/external_input.hpp"
+#include "engine/model/diagram/output_names.hpp"
 #include "engine/model/diagram/written.hpp"
 
 namespace stepwire::diagram {
@@ -92,8 +93,7 @@ class Flattener {
     const DiagramBlock& owner = block(signal.block);
     const BlockType& type = owner.type();
     if (signal.output < 0) return owner.name + "." + type.states[static_cast<std::size_t>(signal.state)].name;
-    if (type.outputs.size() == 1) return owner.name;
-    return owner.name + "." + type.outputs[static_cast<std::size_t>(signal.output)].name;
+    return output_name(owner.name, type, static_cast<std::size_t>(signal.output));
   }
 
   yaml::Node stop_condition(const StopCondition& condition) const {
@@ -164,7 +164,8 @@ class Flattener {
     for (std::size_t i = 0; i < block.inputs.size(); ++i)
       if (!block.inputs[i].empty()) add_key(map, type.inputs[i].name, input(type.inputs[i], block.inputs[i]));
     for (std::size_t i = 0; i < type.parameters.size(); ++i)
-      if (auto value = parameter(block, i, unit(block.parameter_dimensions[i])))
+      if (auto value = parameter(block, i, unit(block.parameter_dimensions[i]));
+          value && !map.find(type.parameters[i].name))  // a signal stands in its place
         add_key(map, type.parameters[i].name, std::move(*value));
     for (const InitialValue& initial : block.initial)
       add_key(map, initial_key(type, type.states[static_cast<std::size_t>(initial.state)]),

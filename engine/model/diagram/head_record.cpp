@@ -5,6 +5,7 @@
 #include "engine/model/diagram/head.hpp"
 #include "engine/model/diagram/head_keys.hpp"
 #include "engine/model/diagram/keys.hpp"
+#include "engine/model/diagram/output_names.hpp"
 
 namespace stepwire::diagram {
 
@@ -19,10 +20,9 @@ void record_all(const Scope& scope, const std::string& prefix, const Origin& ori
     }
     const BlockType& type = diagram.blocks[static_cast<std::size_t>(named.block)].type();
     for (std::size_t i = 0; i < type.outputs.size(); ++i)
-      request.signals.push_back(
-          {type.outputs.size() == 1 ? prefix + name : prefix + name + "." + type.outputs[i].name,
-           {named.block, static_cast<int>(i), -1},
-           origin});
+      if (!is_bare_state(type, i))
+        request.signals.push_back(
+            {output_name(prefix + name, type, i), {named.block, static_cast<int>(i), -1}, origin});
   }
 }
 

@@ -10,6 +10,7 @@
 #include "engine/base/yaml/message.hpp"
 #include "engine/model/diagram/block_keys.hpp"
 #include "engine/model/diagram/keys.hpp"
+#include "engine/model/diagram/resolve.hpp"
 
 namespace stepwire::diagram {
 
@@ -97,18 +98,23 @@ void Opener::apply_preset(Scope& scope, const yaml::Node& map, DiagramBlock& blo
           yaml::did_you_mean(*wanted, names, fmt::format("{} has: {}", type.name, fmt::join(names, ", "))));
 }
 
-int Opener::state_of_key(const BlockType& type, const std::string& key) const {
-  if (!key.starts_with("initial")) return -1;
-  for (std::size_t i = 0; i < type.states.size(); ++i)
-    if (type.states[i].settable && initial_key(type, type.states[i]) == key) return static_cast<int>(i);
-  return -1;
+/// A key that may have a value or a signal, as `lower: -1` and `lower: floor`, feeds an input where it names
+/// a signal.
+bool Opener::is_fed(const Scope& scope, const yaml::Entry& key, const BlockType& type) const {
+  if (!has_value(type, key.key)) return true;
+  if (!names_signal(key.value)) return false;
+  const yaml::Node* blocks = scope.document->root.find("blocks");
+  for (std::string name = key.value.text; !name.empty();
+       name.resize(name.find('.') == std::string::npos ? 0 : name.rfind('.')))
+    if (scope.inputs.contains(name) || (blocks && blocks->is_map() && blocks->find(name))) return true;
+  return false;
 }
 
 void Opener::read_key(Scope& scope, const yaml::Entry& key, DiagramBlock& block, int index) {
   const BlockType& type = block.type();
   if (key.key == "block" || (key.key == "preset" && !type.presets.empty())) return;
   if (key.key == "every") return read_period(scope, key.value, block);
-  if (const int input = type.input(key.key); input >= 0) {
+  if (const int input = type.input(key.key); input >= 0 && is_fed(scope, key, type)) {
     block.input_marks[static_cast<std::size_t>(input)] = key.value.mark;
     pending_.push_back({index, input, &key.value, &scope});
     return;

@@ -61,7 +61,7 @@ class Opener {
   void bind(const Target& target, ValueText text, ParameterUses uses);
   void read_period(const Scope& scope, const yaml::Node& node, DiagramBlock& block);
   void require_parameters(const Scope& scope, const yaml::Node& map, const DiagramBlock& block);
-  int state_of_key(const BlockType& type, const std::string& key) const;
+  bool is_fed(const Scope& scope, const yaml::Entry& key, const BlockType& type) const;
 
   Loader& loader_;
   Settings& settings_;

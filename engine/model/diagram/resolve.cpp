@@ -1,4 +1,5 @@
 #include "engine/model/diagram/resolve.hpp"
+#include "engine/model/diagram/output_names.hpp"
 
 #include <fmt/format.h>
 
@@ -155,7 +156,7 @@ std::optional<Source> Resolver::of_block(const std::string& rest, int block, con
   source.block = block;
   source.origin = query.wire;
   if (rest.empty()) {
-    if (type.outputs.size() != 1) return refuse(query, no_single_output(found));
+    if (!has_one_output(type)) return refuse(query, no_single_output(found));
     source.output = 0;
     return source;
   }

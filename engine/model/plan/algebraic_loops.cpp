@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 
+#include "engine/model/diagram/output_names.hpp"
 #include "engine/model/plan/tearing.hpp"
 
 namespace stepwire::plan {
@@ -45,8 +46,7 @@ class CycleText {
 
   std::string output_name(std::size_t node) const {
     const diagram::DiagramBlock& block = block_of(node);
-    const auto& outputs = block.type().outputs;
-    return outputs.size() == 1 ? block.name : block.name + "." + outputs[graph_.owners[node].second].name;
+    return diagram::output_name(block.name, block.type(), graph_.owners[node].second);
   }
 
   /// By which input the cycle comes to its i-th node; empty where the block has but one.

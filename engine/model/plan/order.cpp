@@ -42,9 +42,11 @@ class Order {
 
   /// The node that computes a source, or nothing for states and constants.
   std::optional<std::size_t> node_of(const diagram::Source& source) const {
-    if (source.block < 0 || !draft_.blocks[static_cast<std::size_t>(source.block)].computes)
-      return std::nullopt;
-    return graph_.first[static_cast<std::size_t>(source.block)] + static_cast<std::size_t>(source.output);
+    if (source.block < 0) return std::nullopt;
+    const auto block = static_cast<std::size_t>(source.block),
+               output = static_cast<std::size_t>(source.output);
+    if (!draft_.blocks[block].computes || draft_.is_state(block, output)) return std::nullopt;
+    return graph_.first[block] + output;
   }
 
   /// Is a block called before another in any case, from a table of its own?

@@ -1,5 +1,6 @@
 #include "engine/model/plan/plan.hpp"
 
+#include "engine/model/diagram/output_names.hpp"
 #include "engine/model/diagram/units.hpp"
 #include "engine/model/plan/draft.hpp"
 
@@ -35,7 +36,8 @@ bool Draft::depends(std::size_t block, std::size_t input, std::size_t output) co
 }
 
 bool Draft::is_state(std::size_t block, std::size_t output) const {
-  return !blocks[block].computes && !type(block).outputs[output].state.empty();
+  return diagram::is_bare_state(type(block), output) ||
+         (!blocks[block].computes && !type(block).outputs[output].state.empty());
 }
 
 Plan make_plan(diagram::Diagram diagram) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "engine/model/diagram/output_names.hpp"
 #include "engine/model/plan/configuring.hpp"
 #include "engine/model/plan/infer_list_widths.hpp"
 
@@ -100,9 +101,7 @@ class Shapes {
 
   std::string name_of(const diagram::Source& source) const {
     const diagram::DiagramBlock& block = draft_.plan.diagram.blocks[static_cast<std::size_t>(source.block)];
-    const auto& outputs = block.type().outputs;
-    return outputs.size() == 1 ? block.name
-                               : block.name + "." + outputs[static_cast<std::size_t>(source.output)].name;
+    return diagram::output_name(block.name, block.type(), static_cast<std::size_t>(source.output));
   }
 
   /// At the end, since an element's own size may come to be known only after that of its list.
