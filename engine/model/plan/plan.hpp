@@ -57,15 +57,6 @@ struct PlannedGuard {
   std::vector<std::size_t> start;  ///< blocks inside that have start(), where states are reset
 };
 
-/// Where a signal lies, for recording and for messages.
-struct SignalSlot {
-  std::size_t offset = 0;
-  Eigen::Index size = 1;
-  Eigen::Index columns = 1;  ///< of a matrix, whose numbers lie column by column
-
-  Eigen::Index rows() const { return size / columns; }
-};
-
 /// A loop of outputs that feed each other at the same instant, torn so that its blocks can be called in a row.
 struct SolvedLoop {
   std::string path;                      ///< "error -> half -> twice -> error"
