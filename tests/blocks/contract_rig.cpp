@@ -186,6 +186,15 @@ std::vector<Wiring> wirings_of(const BlockType& type) {
   return wirings;
 }
 
+Wiring guarded(const Wiring& wiring, const std::string& enable) {
+  Wiring made = wiring;
+  const std::string tested = "  tested: {";
+  made.text.replace(
+      made.text.rfind(tested), tested.size(),
+      "  gate: {block: Pulse, period: 5 ms, width: 3 ms}\n" + tested + "enable: " + enable + ", ");
+  return made;
+}
+
 std::optional<plan::Plan> plan_of(const Wiring& wiring) {
   diagram::Loader loader(library());
   const auto beside = std::filesystem::path(STEPWIRE_SOURCE_DIR) / "tests" / "blocks" / "contract.yaml";

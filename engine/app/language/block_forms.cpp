@@ -1,9 +1,12 @@
 // Keys of blocks, from their declarations.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "engine/app/language/forms.hpp"
 #include "engine/app/reference/words.hpp"
 #include "engine/model/diagram/block_keys.hpp"
+#include "engine/model/diagram/guard_keys.hpp"
 
 namespace stepwire::language {
 
@@ -50,6 +53,14 @@ yaml::Key preset_form(const BlockType& type) {
                    form::words(std::move(words)));
 }
 
+/// What any block or part may have, where that is none of its own keys.
+void add_guard_keys(std::vector<yaml::Key>& keys) {
+  for (const yaml::Key& guard : diagram::guard_keys())
+    if (guard.name != "within" &&
+        std::ranges::none_of(keys, [&](const yaml::Key& key) { return key.name == guard.name; }))
+      keys.push_back(guard);
+}
+
 std::vector<yaml::Key> keys_of_type(const BlockType& type) {
   std::vector<yaml::Key> keys{yaml::needed(yaml::key("block", type.doc, words_form({type.name})))};
   for (const InputSpec& input : type.inputs)
@@ -63,6 +74,7 @@ std::vector<yaml::Key> keys_of_type(const BlockType& type) {
   if (!type.presets.empty()) keys.push_back(preset_form(type));
   if (!type.has_continuous_state())
     keys.push_back(yaml::key("every", "time between two runs of this block", form::number("s")));
+  add_guard_keys(keys);
   return keys;
 }
 
@@ -113,6 +125,11 @@ yaml::Key part_form(const yaml::Node& part) {
       keys.back().otherwise =
           parameter.value.is_scalar() ? parameter.value.text : text_under(parameter.value, "value");
     }
+  const bool has_every = std::ranges::any_of(keys, [](const yaml::Key& key) { return key.name == "every"; });
+  if (!has_every)
+    keys.push_back(yaml::key("every", "time between two runs of its blocks that have none of their own",
+                             form::number("s")));
+  add_guard_keys(keys);
   return form::keys("a part", "", std::move(keys));
 }
 

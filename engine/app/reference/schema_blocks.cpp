@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "engine/app/reference/key_schema.hpp"
 #include "engine/app/reference/schema_values.hpp"
 #include "engine/app/reference/words.hpp"
 #include "engine/model/diagram/block_keys.hpp"
+#include "engine/model/diagram/guard_keys.hpp"
 
 namespace stepwire::reference {
 
@@ -14,6 +16,10 @@ namespace {
 
 std::string definition_of(const BlockType& type) {
   return "block." + type.name;
+}
+
+std::string definition_of(const yaml::Key& guard) {
+  return "guard." + guard.name;
 }
 
 Json preset_schema(const BlockType& type) {
@@ -65,12 +71,19 @@ Json type_schema(const BlockType& type) {
   if (!type.has_continuous_state())
     properties.set("every", explained(schema_ref("time"),
                                       "time between two runs of this block; " + timing_text(type.timing)));
+  for (const yaml::Key& key : diagram::guard_keys())
+    if (key.name != "within" && type.input(key.name) < 0 && !type.parameter(key.name))
+      properties.set(key.name, schema_ref(definition_of(key)));
   return explained(closed_map(std::move(properties), required), type.doc);
 }
 
 /// The keys of a part are its inputs and parameters, which stand in its own file.
 Json part_schema() {
   Json properties = Json::object().set("diagram", schema_ref("file"));
+  properties.set("every",
+                 explained(schema_ref("time"), "time between two runs of its blocks that have no period"));
+  for (const yaml::Key& key : diagram::guard_keys())
+    if (key.name != "within") properties.set(key.name, schema_ref(definition_of(key)));
   return Json::object()
       .set("type", "object")
       .set("properties", std::move(properties))
@@ -93,6 +106,7 @@ void add_block_definitions(const Registry& registry, Json& definitions) {
     choices.push(
         Json::object().set("if", when_block_is(type->name)).set("then", schema_ref(definition_of(*type))));
   }
+  for (const yaml::Key& key : diagram::guard_keys()) definitions.set(definition_of(key), key_schema(key));
   definitions.set("part", part_schema());
   const Json kind = Json::object()
                         .set("anyOf", std::move(names))

@@ -30,6 +30,8 @@ std::vector<std::string> keys_of(const BlockType& type) {
     if (state.settable) keys.push_back(initial_key(type, state));
   if (!type.presets.empty()) keys.push_back("preset");
   if (!type.has_continuous_state()) keys.push_back("every");
+  for (const char* key : {"enable", "trigger"})
+    if (type.input(key) < 0 && !type.parameter(key)) keys.push_back(key);
   return keys;
 }
 

@@ -1,7 +1,11 @@
 // What a file asks to be recorded, and the condition that ends its run.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "engine/base/yaml/message.hpp"
+#include "engine/model/diagram/condition.hpp"
+#include "engine/model/diagram/guard_types.hpp"
 #include "engine/model/diagram/head.hpp"
 #include "engine/model/diagram/head_keys.hpp"
 #include "engine/model/diagram/keys.hpp"
@@ -164,6 +168,36 @@ void check_stop_condition(Report& report) {
     static_cast<void>(diagram.stop_when->expression.measure(measures));
   } catch (const expression::ExpressionError& error) {
     report.add(diagram.stop_when->origin, "stop_when", error.what());
+  }
+}
+
+void check_conditions(Report& report) {
+  const Diagram& diagram = report.diagram();
+  for (const DiagramBlock& block : diagram.blocks) {
+    if (&block.type() != &condition_type()) continue;
+    const auto& condition = *static_cast<const Condition*>(block.block.get());
+    const auto& sources = block.inputs.front();
+    const auto dimension_of = [&](const std::string& name) -> std::optional<unit::Dimension> {
+      const auto found = std::ranges::find(condition.variables, name);
+      const auto index = static_cast<std::size_t>(found - condition.variables.begin());
+      if (found == condition.variables.end() || index >= sources.size())
+        return unit::parse_unit("s")->dimension;
+      const Source& source = sources[index];
+      return source.block < 0 ? source.dimension
+                              : diagram.output_dimensions[static_cast<std::size_t>(source.block)]
+                                                         [static_cast<std::size_t>(source.output)];
+    };
+    try {
+      const expression::Expression formula(condition.expression.view());
+      std::vector<expression::Measure> measures;
+      for (const std::string& name : formula.variables()) {
+        const auto dimension = dimension_of(name);
+        measures.push_back({dimension, dimension.has_value()});
+      }
+      static_cast<void>(formula.measure(measures));
+    } catch (const expression::ExpressionError& error) {
+      report.add(block.origin, block.name, error.what());
+    }
   }
 }
 

@@ -1,4 +1,5 @@
-// More than 300 lines with its header: what one pass over a file and its parts finds, for programs and for editors.
+// More than 300 lines with its header: what one pass over a file and its parts finds, for programs and for
+// editors.
 #include "engine/model/diagram/load.hpp"
 
 #include <fmt/format.h>
@@ -112,9 +113,12 @@ void name_ports(const Scope& scope, const Resolver& resolver, Diagram& diagram) 
       diagram.part_ports.push_back({scope.prefix + port, *signal});
   };
   if (scope.parent) {
+    const std::string part = scope.prefix.substr(scope.parent->prefix.size());
     for (const auto& [port, in] : scope.inputs) name(port, port);
     for (const auto& [port, out] : scope.outputs)
-      if (out.signal) name(port, out.signal->text);
+      if (out.signal)
+        if (const auto signal = resolver.signal(part + port, *scope.parent, {}, port))
+          diagram.part_ports.push_back({scope.prefix + port, *signal});
   }
   for (const auto& [part, named] : scope.names)
     if (named.part) name_ports(*named.part, resolver, diagram);
@@ -132,6 +136,7 @@ enum class Extent { whole_file, one_run };
 /// Reads the blocks of a file and of its parts, and all that refers to them.
 void read_sections(Scope& root, Opener& opener, Settings& settings, Report& report, Extent extent) {
   opener.open(root, {});
+  opener.join_guards();
   read_head(root, settings, report);
   if (extent == Extent::whole_file) read_head_of_file(root, report);
   const Resolver resolver(report);

@@ -9,6 +9,8 @@
 
 #include "engine/base/yaml/message.hpp"
 #include "engine/model/diagram/block_keys.hpp"
+#include "engine/model/diagram/guard_keys.hpp"
+#include "engine/model/diagram/guard_types.hpp"
 #include "engine/model/diagram/keys.hpp"
 #include "engine/model/diagram/resolve.hpp"
 
@@ -42,20 +44,22 @@ void Opener::open_block(Scope& scope, const yaml::Entry& entry) {
     return fail(
         scope, entry, entry.mark,
         "is no name for a block; use letters, digits and '_' ('time' and 'all' have a meaning of their own)");
-  if (const std::string rival = scope.rival_of(entry.key); !rival.empty())
+  const yaml::Node* kind = map.find("block");
+  const bool is_hidden = kind && find_guard_type(kind->text);  // in a flattened file beside what it guards
+  if (const std::string rival = scope.rival_of(entry.key); !rival.empty() && !is_hidden)
     return fail(scope, entry, entry.mark,
                 fmt::format("and '{}' cannot stand side by side: one would be a signal of the other", rival));
   if (!map.is_map())
     return fail(scope, entry, map.mark, "must be a map such as {block: Gain, gain: 2, u: source}");
   if (scope.inputs.contains(entry.key))
     return fail(scope, entry, entry.mark, "is also the name of an input of this part; choose another");
-  const yaml::Node* kind = map.find("block");
   const yaml::Node* part = map.find("diagram");
   if (part && !kind) return open_part(scope, entry, *part);
   if (!kind || part)
     return fail(scope, entry, map.mark, "needs either 'block:' (a type) or 'diagram:' (a file)");
   if (!kind->is_scalar()) return fail(scope, entry, kind->mark, "'block:' names one type, as Gain");
   const BlockType* type = loader_.registry().find(kind->text);
+  if (!type) type = find_guard_type(kind->text);
   if (!type)
     return fail(
         scope, entry, kind->mark,
@@ -66,18 +70,28 @@ void Opener::open_block(Scope& scope, const yaml::Entry& entry) {
 
 void Opener::make_block(Scope& scope, const yaml::Entry& entry, const BlockType& type) {
   Diagram& diagram = report_.diagram();
+  const Guarding guarding = open_guard(
+      scope, entry,
+      [&](const char* key) {
+        return type.input(key) >= 0 || type.parameter(key) || find_guard_type(type.name) == &type;
+      },
+      "active");
   const int index = static_cast<int>(diagram.blocks.size());
   scope.names[entry.key] = {index, nullptr, entry.mark};
   DiagramBlock& block = diagram.blocks.emplace_back(scope.prefix + entry.key, type);
   block.origin = scope.at(entry.value.mark);
-  block.inputs.resize(type.inputs.size());
-  block.input_marks.resize(type.inputs.size());
-  block.parameter_marks.resize(type.parameters.size());
-  block.parameter_dimensions.resize(type.parameters.size());
+  make_room(block);
+  block.guard = guarding.guard >= 0 ? guarding.guard : scope.guard;
   apply_preset(scope, entry.value, block);
   for (const yaml::Entry& key : entry.value.entries) read_key(scope, key, block, index);
   read_settings(scope, block, block.name);
   require_parameters(scope, entry.value, block);
+  take_period_of_part(scope, block);
+  if (guarding.guard < 0) return;
+  DiagramBlock& guard = diagram.blocks[static_cast<std::size_t>(guarding.guard)];
+  guard.every = block.every;
+  guard.every_origin = block.every_origin;
+  show_outputs(scope, entry, guarding, index);
 }
 
 void Opener::apply_preset(Scope& scope, const yaml::Node& map, DiagramBlock& block) {
@@ -124,6 +138,8 @@ void Opener::read_key(Scope& scope, const yaml::Entry& key, DiagramBlock& block,
                           static_cast<std::size_t>(parameter - type.parameters.data()));
   if (const int state = state_of_key(type, key.key); state >= 0)
     return read_initial(scope, key.value, block, state);
+  if (key.key == "within") return within_.push_back({index, &key.value, &scope});
+  if (is_guard_key(key.key)) return;
   const auto known = keys_of(type);
   const std::string all = fmt::format("It has: {}", fmt::join(known, ", "));
   report_.add(
@@ -194,14 +210,18 @@ void Opener::read_initial(const Scope& scope, const yaml::Node& node, DiagramBlo
 }
 
 void Opener::read_period(const Scope& scope, const yaml::Node& node, DiagramBlock& block) {
-  const ValueReader reader(scope.parameters, report_, scope.index);
-  const auto period = reader.read_number(node, unit::parse_unit("s")->dimension, block.name + ".every");
   block.every_origin = scope.at(node.mark);
-  if (!period) return;
-  if (*period <= 0.0)
-    return report_.add(scope.at(node.mark), block.name + ".every",
-                       yaml::fault_text("{} is not allowed; it must be above 0", node.text));
-  block.every = *period;
+  block.every = read_time(scope, node, block.name + ".every");
+}
+
+std::optional<double> Opener::read_time(const Scope& scope, const yaml::Node& node,
+                                        const std::string& subject) {
+  const ValueReader reader(scope.parameters, report_, scope.index);
+  const auto time = reader.read_number(node, unit::parse_unit("s")->dimension, subject);
+  if (!time || *time > 0.0) return time;
+  report_.add(scope.at(node.mark), subject,
+              yaml::fault_text("{} is not allowed; it must be above 0", node.text));
+  return std::nullopt;
 }
 
 void Opener::require_parameters(const Scope& scope, const yaml::Node& map, const DiagramBlock& block) {

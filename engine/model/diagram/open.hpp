@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <memory>
 #include <set>
 #include <string>
@@ -30,8 +31,18 @@ class Opener {
 
   void open(Scope& scope, const Overrides& overrides);
   const std::deque<PendingInput>& pending() const { return pending_; }
+  /// Gives each block that names its Guard the block that this is, once all names are known.
+  void join_guards();
 
  private:
+  /// What `enable` and `trigger` of a part or block say.
+  struct Guarding {
+    int guard = -1;  ///< the block that they make; -1: there is none of them
+    int edge = 0, states = 0;
+    const yaml::Node* outputs = nullptr;  ///< see GuardOptions
+  };
+  /// Is a key one of the part's or block's own?
+  using KeyTaken = std::function<bool(const char* key)>;
   void declare_ports(Scope& scope);
   /// Reports what is wrong with a block or part that cannot be made, and keeps silent about what is wired to
   /// it.
@@ -63,10 +74,35 @@ class Opener {
   void require_parameters(const Scope& scope, const yaml::Node& map, const DiagramBlock& block);
   bool is_fed(const Scope& scope, const yaml::Entry& key, const BlockType& type) const;
 
+  /// A block that no file names.
+  int add_hidden(const Scope& scope, const std::string& name, const BlockType& type, const yaml::Mark& mark);
+  static void make_room(DiagramBlock& block);
+  void feed_hidden(int block, int input, int from, const Origin& origin);
+  /// `active` is what the guard is called behind the name of its part or block.
+  Guarding open_guard(Scope& scope, const yaml::Entry& entry, const KeyTaken& is_own, const char* active);
+  void feed_guard(Scope& scope, const std::string& owner, const char* key, const yaml::Node& node, int guard);
+  int add_condition(Scope& scope, const std::string& name, const yaml::Node& node);
+  int show_output(Scope& scope, const std::string& owner, const std::string& output, const Guarding& guarding,
+                  const yaml::Mark& mark);
+  void show_outputs(Scope& scope, const yaml::Entry& entry, const Guarding& guarding, int block);
+  void show_outputs(Scope& scope, const yaml::Entry& entry, const Guarding& guarding, Scope& part);
+  /// `every` of a part, which its blocks without one have.
+  void read_period_of_part(const Scope& scope, const yaml::Entry& entry, const KeyTaken& is_own, Scope& part);
+  void take_period_of_part(const Scope& scope, DiagramBlock& block);
+  void require_multiple(double every, const Scope& scope, const Origin& origin, const std::string& subject);
+  std::optional<double> read_time(const Scope& scope, const yaml::Node& node, const std::string& subject);
+
   Loader& loader_;
   Settings& settings_;
   Report& report_;
   std::deque<PendingInput> pending_;
+  struct Within {
+    int block;
+    const yaml::Node* node;
+    const Scope* scope;
+  };
+  std::vector<Within> within_;
+  std::deque<yaml::Node> made_;  ///< what is wired to hidden blocks
   std::vector<std::string> open_files_;
 };
 

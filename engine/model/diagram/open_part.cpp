@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "engine/model/diagram/external_input.hpp"
+#include "engine/model/diagram/guard_keys.hpp"
 #include "engine/model/diagram/head.hpp"
 #include "engine/model/diagram/head_keys.hpp"
 #include "engine/model/diagram/open.hpp"
@@ -137,8 +138,23 @@ void Opener::open_part(Scope& scope, const yaml::Entry& entry, const yaml::Node&
   diagram.scopes.push_back({file, part.prefix, scope.at(path.mark)});
   if (!read_part(scope, entry, path, part)) return;
   scope.names[entry.key] = {-1, std::move(named), entry.mark};
+  const auto is_own = [&](const char* key) {
+    const yaml::Node& root = part.document->root;
+    return contains(keys_of_map(root, "inputs"), key) || contains(keys_of_map(root, "parameters"), key);
+  };
+  const Guarding guarding =
+      open_guard(scope, entry, is_own,
+                 contains(keys_of_map(part.document->root, "blocks"), "active") ? "active_guard" : "active");
+  part.guard = guarding.guard >= 0 ? guarding.guard : scope.guard;
+  read_period_of_part(scope, entry, is_own, part);
+  if (guarding.guard >= 0) {
+    DiagramBlock& guard = diagram.blocks[static_cast<std::size_t>(guarding.guard)];
+    guard.every = part.every;
+    guard.every_origin = part.every_origin;
+  }
   const Overrides overrides = feed(scope, entry, path, part);
   open(part, overrides);
+  show_outputs(scope, entry, guarding, part);
   for (const auto& [name, port] : part.inputs)
     if (!port.fed_by && !port.fallback)
       report_.add(scope.at(entry.value.mark), scope.prefix + entry.key,
@@ -173,7 +189,7 @@ Overrides Opener::feed(const Scope& scope, const yaml::Entry& entry, const yaml:
       part.inputs[key.key].fed_by = &key.value;
     } else if (contains(parameters, key.key)) {
       overrides.values[key.key] = &key.value;
-    } else {
+    } else if (key.key != "every" && (!is_guard_key(key.key) || key.key == "within")) {
       std::vector<std::string> all = parameters;
       all.insert(all.end(), inputs.begin(), inputs.end());
       report_.add(scope.at(key.mark), scope.prefix + entry.key,

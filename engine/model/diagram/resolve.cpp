@@ -117,13 +117,40 @@ std::optional<Source> Resolver::reference(const std::string& text, const Scope& 
     return refuse(query,
                   fmt::format("'{}' is wired to itself through ports only, with no block in between", text));
   if (scope.inputs.contains(text)) return port(scope, text, std::move(query));
-  const std::string_view name = scope.start_of(text);
+  // In a flattened file what is hidden elsewhere stands beside what it guards: ctrl, ctrl.active.
+  const std::string_view name = scope.names.contains(text) ? std::string_view(text) : scope.start_of(text);
   if (name.empty()) return refuse(query, no_block(text, scope));
   const auto found = scope.names.find(name);
   if (found == scope.names.end()) return std::nullopt;  // it could not be made, which has been told
   const std::string rest = name.size() == text.size() ? "" : text.substr(name.size() + 1);
-  if (found->second.part) return of_part(rest, *found->second.part, std::move(query));
-  return of_block(rest, found->second.block, query);
+  const auto of_named = [&]() -> std::optional<Source> {
+    if (found->second.part) return of_part(rest, *found->second.part, std::move(query));
+    return of_block(rest, found->second.block, query);
+  };
+  const auto guarded = scope.guarded.find(name);
+  if (guarded == scope.guarded.end()) return of_named();
+  const std::string output = output_of(rest, found->second);
+  if (output.empty() && rest == "active") return output_source(guarded->second.guard, query);
+  const auto shown = guarded->second.outputs.find(output);
+  return shown == guarded->second.outputs.end() ? of_named() : output_source(shown->second, query);
+}
+
+std::string Resolver::output_of(const std::string& rest, const Scope::Named& named) const {
+  std::vector<std::string> outputs;
+  if (named.part)
+    for (const auto& [name, out] : named.part->outputs) outputs.push_back(name);
+  else
+    outputs = output_names(report_.diagram().blocks[static_cast<std::size_t>(named.block)].type());
+  if (rest.empty()) return outputs.size() == 1 ? outputs.front() : "";
+  return std::ranges::find(outputs, rest) == outputs.end() ? "" : rest;
+}
+
+std::optional<Source> Resolver::output_source(int block, const Query& query) {
+  Source source;
+  source.block = block;
+  source.output = 0;
+  source.origin = query.wire;
+  return source;
 }
 
 std::optional<Source> Resolver::port(const Scope& scope, const std::string& name, Query query) const {

@@ -37,6 +37,10 @@ class Resolver {
   std::optional<Source> port(const Scope& scope, const std::string& name, Query query) const;
   std::optional<Source> of_block(const std::string& rest, int block, const Query& query) const;
   std::optional<Source> of_part(const std::string& rest, const Scope& part, Query query) const;
+  /// The output of a block or part that is meant; empty where none is.
+  std::string output_of(const std::string& rest, const Scope::Named& named) const;
+  /// The only output of a block.
+  static std::optional<Source> output_source(int block, const Query& query);
   std::nullopt_t refuse(const Query& query, yaml::Message message) const;
 
   Report& report_;

@@ -42,6 +42,16 @@ struct Scope {
   };
   std::map<std::string, Port, std::less<>> inputs;
 
+  int guard = -1;               ///< the block by which the blocks of this part are active; -1: always
+  std::optional<double> every;  ///< period of this part's blocks [s]
+  Origin every_origin;
+  /// What `enable` and `trigger` add to a block or part of this file.
+  struct Guarded {
+    int guard = -1;                                   ///< the block whose output is `NAME.active`
+    std::map<std::string, int, std::less<>> outputs;  ///< blocks that others read in the place of an output
+  };
+  std::map<std::string, Guarded, std::less<>> guarded;  ///< by the name of the block or part
+
   /// An output of this part: the signal that it is, written in this part's file.
   struct Out {
     const yaml::Node* signal = nullptr;

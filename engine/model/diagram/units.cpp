@@ -229,12 +229,14 @@ class Inference {
 void infer_units(Report& report) {
   Inference(report).run();
   check_stop_condition(report);
+  check_conditions(report);
 }
 
 PortUnits infer_input_units(Report& report) {
   Inference inference(report);
   inference.run();
   check_stop_condition(report);
+  check_conditions(report);
   return inference.inputs();
 }
 

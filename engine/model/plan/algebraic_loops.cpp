@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 
+#include "engine/model/diagram/guard_types.hpp"
 #include "engine/model/diagram/output_names.hpp"
 #include "engine/model/plan/tearing.hpp"
 
@@ -116,8 +117,7 @@ class TornOrder {
       if (const auto found = waiting_.find(node); found != waiting_.end() && found->second == 0)
         ready.push_back(node);
     for (const std::size_t node : ready) waiting_.erase(node);
-    for (const std::size_t node : ready)
-      each_reader(node, [&](std::size_t reader) { --waiting_[reader]; });
+    for (const std::size_t node : ready) each_reader(node, [&](std::size_t reader) { --waiting_[reader]; });
   }
 
   const OrderGraph& graph_;
@@ -166,12 +166,21 @@ std::string loop_path(const Draft& draft, const OrderGraph& graph, const LoopNod
 
 void refuse_loop(Draft& draft, const OrderGraph& graph, const LoopNodes& nodes) {
   const diagram::DiagramBlock& block = draft.diagram().blocks[graph.owners[nodes.front()].first];
-  draft.report.add(
-      block.origin, block.name,
-      fmt::format("algebraic loop: each of these feeds the next at the same instant: {}; break it with a "
-                  "block whose output does not follow its input at once (a Lag, an Integrator, a UnitDelay), "
-                  "or have it solved at every instant: 'algebraic_loops: solve' in the head of the file",
-                  CycleText(draft, graph, shortest_cycle(graph, nodes)).text(true)));
+  std::string cure =
+      "break it with a block whose output does not follow its input at once (a Lag, an Integrator, a "
+      "UnitDelay), "
+      "or have it solved at every instant: 'algebraic_loops: solve' in the head of the file";
+  for (const std::size_t node : nodes)
+    if (const diagram::DiagramBlock& guard = draft.diagram().blocks[graph.owners[node].first];
+        &guard.type() == &diagram::guard_type())
+      cure = fmt::format(
+          "{} decides whether what it guards runs, so it cannot follow from that; feed its condition from "
+          "outside, "
+          "or through a UnitDelay that stands outside",
+          guard.name);
+  draft.report.add(block.origin, block.name,
+                   fmt::format("algebraic loop: each of these feeds the next at the same instant: {}; {}",
+                               CycleText(draft, graph, shortest_cycle(graph, nodes)).text(true), cure));
 }
 
 LoopOrder order_loop(const Draft& draft, const OrderGraph& graph, const LoopNodes& nodes) {

@@ -2,6 +2,7 @@
 #include <set>
 
 #include "engine/model/plan/draft.hpp"
+#include "engine/model/plan/guards.hpp"
 
 namespace stepwire::plan {
 
@@ -20,7 +21,11 @@ std::vector<int> memory_order(const Draft& draft, const std::vector<int>& order)
   for (std::size_t b = 0; b < draft.blocks.size(); ++b)
     if (!placed[b]) result.push_back(static_cast<int>(b));
   std::stable_sort(result.begin() + called, result.end(), [&](int a, int b) {
-    return draft.type(static_cast<std::size_t>(a)).name < draft.type(static_cast<std::size_t>(b)).name;
+    const auto key = [&](int block) {
+      return std::pair(draft.plan.diagram.blocks[static_cast<std::size_t>(block)].guard,
+                       std::string_view(draft.type(static_cast<std::size_t>(block)).name));
+    };
+    return key(a) < key(b);
   });
   return result;
 }
@@ -51,8 +56,10 @@ class LayoutMaker {
         plan_.blocks[b].diagnostics.push_back(take(1));
     });
     layout.diagnostic_count = end_ - layout.diagnostics;
+    each([&](std::size_t b) { place_kept(b); });
     layout.constants = end_;
     each([&](std::size_t b) { place_inputs(b); });
+    each([&](std::size_t b) { place_initial(b); });
     layout.report = end_;
     layout.loops = layout.report + Layout::report_count;
     layout.events = layout.loops;
@@ -77,7 +84,8 @@ class LayoutMaker {
     const auto from = static_cast<std::size_t>(source.block),
                output = static_cast<std::size_t>(source.output);
     const Draft::Block& feeding = draft_.blocks[from];
-    if (!feeding.computes || feeding.timed ||
+    const auto guard_of = [&](std::size_t block) { return draft_.diagram().blocks[block].guard; };
+    if (!feeding.computes || feeding.timed || guard_of(from) >= 0 || guard_of(b) >= 0 ||
         feeding.output_sizes[output] != draft_.blocks[b].state_sizes[state])
       return;
     plan_.blocks[b].slope_is_input = slopes_.try_emplace({from, output}, std::pair{b, state}).second;
@@ -125,6 +133,26 @@ class LayoutMaker {
     for (std::size_t i = 0; i < block.inputs.size(); ++i)
       for (const diagram::Source& source : block.inputs[i])
         plan_.blocks[b].inputs[i].push_back(slot_of(b, i, source));
+  }
+
+  /// Outputs that solver stages write, where they can be off.
+  void place_kept(std::size_t b) {
+    if (draft_.diagram().blocks[b].guard < 0 || !draft_.blocks[b].in_stages) return;
+    for (const Eigen::Index size : draft_.blocks[b].output_sizes) plan_.blocks[b].kept.push_back(take(size));
+  }
+
+  void place_initial(std::size_t b) {
+    if (!is_reset(draft_.diagram(), b)) return;
+    const diagram::DiagramBlock& block = draft_.diagram().blocks[b];
+    for (std::size_t s = 0; s < block.type().states.size(); ++s) {
+      const SignalSlot slot = take(plan_.blocks[b].states[s].size);
+      plan_.blocks[b].initial.push_back(slot);
+      const auto given = std::ranges::find(block.initial, static_cast<int>(s), &diagram::InitialValue::state);
+      for (Eigen::Index k = 0; k < slot.size; ++k)
+        plan_.constants.push_back(given == block.initial.end()
+                                      ? block.type().states[s].initial
+                                      : given->value[given->value.size() == 1 ? 0 : k]);
+    }
   }
 
   SignalSlot slot_of(std::size_t b, std::size_t input, const diagram::Source& source) {

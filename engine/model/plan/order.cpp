@@ -3,7 +3,9 @@
 #include <map>
 #include <optional>
 
+#include "engine/model/diagram/guard_types.hpp"
 #include "engine/model/plan/algebraic_loops.hpp"
+#include "engine/model/plan/guards.hpp"
 
 namespace stepwire::plan {
 
@@ -23,6 +25,7 @@ class Order {
     waiting_.assign(graph_.owners.size(), 0);
     loop_of_.assign(graph_.owners.size(), -1);
     for (std::size_t b = 0; b < draft.blocks.size(); ++b) add_edges(b);
+    for (std::size_t b = 0; b < draft.blocks.size(); ++b) add_guard_edges(b);
   }
 
   CallOrder run() {
@@ -66,6 +69,21 @@ class Order {
             if (draft_.depends(block, i, o)) add_edge(*from, graph_.first[block] + o);
   }
 
+  /// A guard comes before what it guards, and before what reads states that it resets.
+  void add_guard_edges(std::size_t block) {
+    if (draft_.plan.blocks[block].rate.kind == Rate::Kind::constant) return;
+    const auto wait_for = [&](int guard) {
+      for (std::size_t n = graph_.first[block]; n < graph_.first[block + 1]; ++n)
+        add_edge(graph_.first[static_cast<std::size_t>(guard)], n);
+    };
+    if (const int guard = draft_.diagram().blocks[block].guard; guard >= 0) wait_for(guard);
+    for (const auto& sources : draft_.diagram().blocks[block].inputs)
+      for (const diagram::Source& source : sources)
+        if (source.block >= 0 && !node_of(source))
+          for (const int guard : guards_of(draft_.diagram(), static_cast<std::size_t>(source.block)))
+            if (resets(draft_.diagram(), guard)) wait_for(guard);
+  }
+
   void add_edge(std::size_t from, std::size_t to) {
     boost::add_edge(from, to, graph_.edges);
     ++waiting_[to];
@@ -73,7 +91,10 @@ class Order {
 
   void take_loops() {
     for (const LoopNodes& nodes : find_loops(graph_)) {
-      if (!draft_.diagram().algebraic_loops.solve) {
+      const bool decides = std::ranges::any_of(nodes, [&](std::size_t node) {
+        return &draft_.type(graph_.owners[node].first) == &diagram::guard_type();
+      });
+      if (!draft_.diagram().algebraic_loops.solve || decides) {
         refuse_loop(draft_, graph_, nodes);
         continue;
       }
@@ -115,13 +136,14 @@ class Order {
   }
 
   /// Blocks that can share one call: same type, same ticks, both or neither between ticks, both or neither by
-  /// the time alone.
-  using Group = std::tuple<const BlockType*, int, std::int64_t, bool, bool>;
+  /// the time alone, and one guard.
+  using Group = std::tuple<const BlockType*, int, std::int64_t, bool, bool, int>;
 
   Group group(std::size_t block) const {
     const Rate& rate = draft_.plan.blocks[block].rate;
     const Draft::Block& known = draft_.blocks[block];
-    return {&draft_.type(block), static_cast<int>(rate.kind), rate.ticks, known.in_stages, known.timed};
+    return {&draft_.type(block), static_cast<int>(rate.kind),         rate.ticks, known.in_stages,
+            known.timed,         draft_.diagram().blocks[block].guard};
   }
 
   /// How many calls, one waiting for the other, each block begins.
@@ -136,7 +158,8 @@ class Order {
     std::vector<int> heights(draft_.blocks.size(), 0);
     for (auto n = order.rbegin(); n != order.rend(); ++n)
       for (const std::size_t next : graph_.readers(*n))
-        heights[graph_.owners[*n].first] = std::max(heights[graph_.owners[*n].first], heights[graph_.owners[next].first] + 1);
+        heights[graph_.owners[*n].first] =
+            std::max(heights[graph_.owners[*n].first], heights[graph_.owners[next].first] + 1);
     return heights;
   }
 
@@ -174,8 +197,11 @@ class Order {
   /// The bucket to go on with; where no block is ready as a whole, one that is in part.
   Bucket* next_bucket() {
     Bucket* best = nullptr;
+    const auto rank = [&](const Bucket& bucket) {
+      return std::pair(draft_.diagram().blocks[bucket.blocks.front()].guard == guard_, bucket.rank());
+    };
     for (auto& bucket : buckets_)
-      if (!bucket.blocks.empty() && (!best || bucket.rank() > best->rank())) best = &bucket;
+      if (!bucket.blocks.empty() && (!best || rank(bucket) > rank(*best))) best = &bucket;
     if (best) return best;
     for (Loop& loop : loops_)
       if (loop.waiting == 0) {
@@ -233,6 +259,7 @@ class Order {
 
   void emit(std::size_t block) {
     order_.blocks.push_back(static_cast<int>(block));
+    guard_ = draft_.diagram().blocks[block].guard;
     for (std::size_t n = graph_.first[block]; n < graph_.first[block + 1]; ++n) {
       if (emitted_[n] || waiting_[n] > 0 || loop_of_[n] >= 0) continue;
       emitted_[n] = true;
@@ -249,6 +276,7 @@ class Order {
   std::vector<int> heights_;  ///< of blocks
   std::vector<bool> emitted_;
   CallOrder order_;
+  int guard_ = -1;  ///< of the block that was listed last: what is off is passed over in one go
   std::map<Group, std::size_t> bucket_of_;
   std::deque<Bucket> buckets_;  // a deque: growing keeps references valid
   std::deque<std::size_t> partly_ready_;

@@ -3,6 +3,7 @@
 #include "engine/model/diagram/output_names.hpp"
 #include "engine/model/diagram/units.hpp"
 #include "engine/model/plan/draft.hpp"
+#include "engine/model/plan/guards.hpp"
 
 namespace stepwire::plan {
 
@@ -21,8 +22,12 @@ std::optional<unit::Dimension> Plan::dimension(const diagram::SignalRef& signal)
 const std::vector<LoopCall>& Plan::loops_of(const std::vector<KernelCall>& table) const {
   static const std::vector<LoopCall> none;
   const std::pair<const std::vector<KernelCall>*, const std::vector<LoopCall>*> all[] = {
-      {&once, &once_loops},     {&timed, &timed_loops}, {&outputs, &output_loops},
-      {&stage, &stage_loops},   {&crossing_outputs, &crossing_loops}, {&event_outputs, &event_loops}};
+      {&once, &once_loops},
+      {&timed, &timed_loops},
+      {&outputs, &output_loops},
+      {&stage, &stage_loops},
+      {&crossing_outputs, &crossing_loops},
+      {&event_outputs, &event_loops}};
   for (const auto& [calls, loops] : all)
     if (calls == &table) return *loops;
   return none;
@@ -58,6 +63,7 @@ Plan make_plan(diagram::Diagram diagram) {
   plan_layout(draft, order);
   check_stop_and_safe_values(draft);
   draft.report.faults().throw_if_any();
+  plan_guards(draft);
   make_schedule(draft, order);
   return plan;
 }

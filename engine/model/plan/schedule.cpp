@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "engine/model/diagram/guard_types.hpp"
 #include "engine/model/plan/draft.hpp"
 
 namespace stepwire::plan {
@@ -45,6 +46,20 @@ Kernel kernel_of(const Draft& draft, std::size_t block, const Kernels& kernels) 
              : kernels[Specialization::one_element];
 }
 
+/// The place of what a block is active by; -1 where it always is, as what is computed but once.
+std::ptrdiff_t active_of(const Plan& plan, std::size_t block) {
+  const int guard = plan.diagram.blocks[block].guard;
+  if (guard < 0 || plan.blocks[block].rate.kind == Rate::Kind::constant) return -1;
+  return static_cast<std::ptrdiff_t>(plan.blocks[static_cast<std::size_t>(guard)].outputs.front().offset);
+}
+
+/// The index of a guard in Plan::guards; -1 for other blocks.
+int guard_of(const Plan& plan, std::size_t block) {
+  if (&plan.diagram.blocks[block].type() != &diagram::guard_type()) return -1;
+  const auto found = std::ranges::find(plan.guards, block, &PlannedGuard::block);
+  return found == plan.guards.end() ? -1 : static_cast<int>(found - plan.guards.begin());
+}
+
 /// Appends a call, or lengthens the last one where the block lies right behind; none before `closed`.
 void append(std::vector<KernelCall>& batches, const Draft& draft, std::size_t block, const Kernels& kernels,
             std::size_t closed = 0) {
@@ -52,15 +67,19 @@ void append(std::vector<KernelCall>& batches, const Draft& draft, std::size_t bl
   const Kernel kernel = kernel_of(draft, block, kernels);
   const std::size_t bytes = draft.type(block).bytes, memory = plan.blocks[block].memory;
   const int period = period_index(plan, plan.blocks[block].rate.ticks);
+  const std::ptrdiff_t active = active_of(plan, block);
+  const bool evaluates_guard = &batches == &plan.outputs && guard_of(plan, block) >= 0;
   if (batches.size() > closed) {
     KernelCall& last = batches.back();
-    if (last.run == kernel && last.period == period && last.end == memory) {
+    if (last.run == kernel && last.period == period && last.end == memory && last.active == active &&
+        last.guard < 0 && !evaluates_guard) {
       ++last.count;
       last.end += bytes;
       return;
     }
   }
-  batches.push_back({kernel, memory, memory + bytes, 1, period});
+  batches.push_back(
+      {kernel, memory, memory + bytes, 1, period, active, evaluates_guard ? guard_of(plan, block) : -1});
 }
 
 /// A table of outputs while it is made.

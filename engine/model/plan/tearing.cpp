@@ -60,9 +60,12 @@ class Remaining {
   /// The node with the most ways through it.
   std::size_t busiest() const {
     const auto ways = [](const auto& one) { return one.second.from.size() * one.second.to.size(); };
-    return std::max_element(nodes_.begin(), nodes_.end(), [&](const auto& a, const auto& b) {
-             return ways(a) < ways(b) || (ways(a) == ways(b) && a.second.size > b.second.size);
-           })->first;
+    return std::max_element(nodes_.begin(), nodes_.end(),
+                            [&](const auto& a, const auto& b) {
+                              return ways(a) < ways(b) ||
+                                     (ways(a) == ways(b) && a.second.size > b.second.size);
+                            })
+        ->first;
   }
 
  private:

@@ -34,6 +34,7 @@ class TimedBlocks {
 
   bool may_be_timed(std::size_t block) const {
     return draft_.blocks[block].computes && draft_.type(block).states.empty() &&
+           draft_.diagram().blocks[block].guard < 0 &&
            draft_.plan.blocks[block].rate.kind == Rate::Kind::continuous;
   }
 

@@ -7,6 +7,7 @@
 
 #include "engine/model/diagram/external_input.hpp"
 #include "engine/simulate/codegen/functions.hpp"
+#include "engine/simulate/codegen/guard_text.hpp"
 #include "engine/simulate/codegen/headers.hpp"
 #include "engine/simulate/codegen/literals.hpp"
 #include "engine/simulate/codegen/solver_text.hpp"
@@ -40,6 +41,7 @@ class Maker {
 
   void add_steps() {
     if (!plan_.timed.empty()) add_timed();
+    for (std::size_t guard = plan_.guards.size(); guard-- > 0;) add_guard(guard);  // inner ones are called
     add_outputs();
     add_updates();
     if (plan_.layout.state_count > 0) add_slopes();
@@ -52,7 +54,7 @@ class Maker {
       const auto b = static_cast<std::size_t>(block);
       add_initial(b, code);
     }
-    append(code, starts_of(plan_, statements_, at_tick()));
+    append(code, starts_of(plan_, statements_, at_tick(), plan_.memory_order));
     const std::string parameters = "[[maybe_unused]] double* w, [[maybe_unused]] const double* numbers";
     functions_.add("start", parameters, "w, numbers", code);
     functions_.add("once", parameters, "w, numbers",
@@ -116,6 +118,17 @@ class Maker {
                     functions_.attribute(), parameters));
   }
 
+  /// What happens as a guard goes off, and on.
+  void add_guard(std::size_t guard) {
+    const plan::PlannedGuard& of = plan_.guards[guard];
+    functions_.add_text(fmt::format("inline void off_{}([[maybe_unused]] double* w) {{\n{}}}\n\n", guard,
+                                    off_text(names_, plan_, guard)));
+    std::vector<Code> code{{reset_text(of)}};
+    append(code, starts_of(plan_, statements_, at_tick(), {of.start.begin(), of.start.end()}));
+    functions_.add(fmt::format("reset_{}", guard),
+                   "[[maybe_unused]] double* w, [[maybe_unused]] const double* numbers", "w, numbers", code);
+  }
+
   void add_outputs() {
     std::vector<Code> code{{"  w[at::time] = static_cast<double>(tick) * step;\n"}};
     if (!plan_.timed.empty()) code.front().text += "  follow_time(w, numbers);\n";
@@ -145,7 +158,7 @@ class Maker {
     for (std::size_t i = plan_.layout.states; i < plan_.layout.derivatives; ++i) places.is_fresh[i] = true;
     for (const plan::KernelCall& batch : plan_.stage)
       for (const plan::PlannedBlock& block : plan_.blocks)
-        if (block.memory >= batch.first && in(batch, block))
+        if (batch.active < 0 && block.memory >= batch.first && in(batch, block))
           for (const plan::SignalSlot& slot : block.outputs)
             std::fill_n(places.is_fresh.begin() + static_cast<std::ptrdiff_t>(slot.offset), slot.size, true);
     return places;
@@ -164,6 +177,7 @@ class Maker {
     Places tick = at_tick();
     tick.dot = "dot";
     std::vector<Code> at_start = given_slopes();
+    if (small_ && !plan_.guards.empty()) at_start.push_back({zero_slopes_text(plan_)});
     append(at_start, calls_of(plan_, statements_, plan_.derivatives, Phase::derivatives, tick));
     functions_.add("derivatives", before + after, "w, numbers, dot", at_start);
     Places at_stage = stage_places();
@@ -193,9 +207,11 @@ class Maker {
       body +=
           "  const double now = static_cast<double>(tick) * step;\n"
           "  const double end = static_cast<double>(tick + 1) * step;\n";
-      if (plan_.updates_continuous)
-        for (const Code& code : calls_of(plan_, statements_, plan_.stage, Phase::outputs, {}))
-          body += code.text;
+      body += keep_text(names_, plan_);
+      if (plan_.updates_continuous) {
+        const std::vector<Code> stage = calls_of(plan_, statements_, plan_.stage, Phase::outputs, {});
+        body += with_conditions(stage, 0, stage.size());
+      }
       body += solver_text(plan_, small_);
     }
     functions_.add_text(

@@ -10,6 +10,7 @@
 
 #include "engine/model/diagram/external_input.hpp"
 #include "engine/simulate/codegen/cpp_words.hpp"
+#include "engine/simulate/codegen/guard_text.hpp"
 
 namespace stepwire::codegen {
 
@@ -139,13 +140,13 @@ std::size_t even_row(const SetUps& set_ups, std::size_t from) {
 class BatchCode {
  public:
   BatchCode(const plan::Plan& plan, const Statements& statements, const std::vector<std::size_t>& blocks,
-            Phase phase, const Places& places, std::int64_t period)
+            Phase phase, const Places& places, Code made)
       : plan_(plan),
         statements_(statements),
         blocks_(blocks),
         phase_(phase),
         places_(places),
-        period_(period) {}
+        made_(std::move(made)) {}
 
   void append_to(std::vector<Code>& code) {
     if (blocks_.size() < places_.min_in_loop) return add(0, blocks_.size(), code);
@@ -171,10 +172,14 @@ class BatchCode {
     };
     if (last - first >= places_.min_in_loop) {
       Loop loop(plan_, part(blocks_), part(set_ups_));
-      if (loop.possible()) return code.push_back({loop.text(phase_), period_});
+      if (loop.possible()) return push(loop.text(phase_), code);
     }
-    for (std::size_t i = first; i < last; ++i)
-      code.push_back({statements_.call(blocks_[i], phase_, places_), period_});
+    for (std::size_t i = first; i < last; ++i) push(statements_.call(blocks_[i], phase_, places_), code);
+  }
+
+  void push(std::string text, std::vector<Code>& code) const {
+    code.push_back(made_);
+    code.back().text = std::move(text);
   }
 
   const plan::Plan& plan_;
@@ -182,7 +187,7 @@ class BatchCode {
   const std::vector<std::size_t>& blocks_;
   Phase phase_;
   const Places& places_;
-  std::int64_t period_;
+  Code made_;  ///< when it is called
   SetUps set_ups_;
 };
 
@@ -194,6 +199,7 @@ namespace {
 std::vector<Code> calls_between(const plan::Plan& plan, const Statements& statements,
                                 std::span<const plan::KernelCall> batches, Phase phase,
                                 const Places& places) {
+  const PlaceNames& names = statements.names();
   std::map<std::size_t, std::size_t> at_memory;
   for (std::size_t b = 0; b < plan.blocks.size(); ++b) at_memory[plan.blocks[b].memory] = b;
   std::vector<Code> code;
@@ -201,10 +207,20 @@ std::vector<Code> calls_between(const plan::Plan& plan, const Statements& statem
     std::vector<std::size_t> blocks;
     const std::size_t bytes = plan.diagram.blocks[at_memory.at(batch.first)].type().bytes;
     for (std::size_t i = 0; i < batch.count; ++i) blocks.push_back(at_memory.at(batch.first + i * bytes));
-    BatchCode(plan, statements, blocks, phase, places, plan.periods[static_cast<std::size_t>(batch.period)])
-        .append_to(code);
+    const Code when{"", plan.periods[static_cast<std::size_t>(batch.period)],
+                    active_text(names, batch.active)};
+    BatchCode(plan, statements, blocks, phase, places, when).append_to(code);
+    if (batch.guard >= 0)
+      code.back().text = guard_call(names, plan, static_cast<std::size_t>(batch.guard), code.back().text);
   }
   return code;
+}
+
+/// "tick % 4 == 0 && w[at::pump_active] != 0.0"; empty for what is called at every tick.
+std::string condition_of(const Code& code) {
+  std::string text = code.period > 1 ? fmt::format("tick % {} == 0", code.period) : "";
+  if (!code.active.empty()) text += fmt::format("{}{} != 0.0", text.empty() ? "" : " && ", code.active);
+  return text;
 }
 
 /// Calls that are made until they agree.
@@ -231,17 +247,16 @@ Code loop_code(const plan::Plan& plan, const plan::LoopCall& call, const std::ve
 }  // namespace
 
 std::string with_conditions(const std::vector<Code>& code, std::size_t first, std::size_t last) {
-  std::string text;
-  std::int64_t period = 1;
+  std::string text, condition;
   for (std::size_t i = first; i < last; ++i) {
-    if (code[i].period != period) {
-      if (period > 1) text += "  }\n";
-      period = code[i].period;
-      if (period > 1) text += fmt::format("  if (tick % {} == 0) {{\n", period);
+    if (std::string own = condition_of(code[i]); own != condition) {
+      if (!condition.empty()) text += "  }\n";
+      condition = std::move(own);
+      if (!condition.empty()) text += fmt::format("  if ({}) {{\n", condition);
     }
     text += code[i].text;
   }
-  return period > 1 ? text + "  }\n" : text;
+  return condition.empty() ? text : text + "  }\n";
 }
 
 std::vector<Code> calls_of(const plan::Plan& plan, const Statements& statements,
@@ -263,15 +278,16 @@ std::vector<Code> calls_of(const plan::Plan& plan, const Statements& statements,
   return code;
 }
 
-std::vector<Code> starts_of(const plan::Plan& plan, const Statements& statements, const Places& places) {
+std::vector<Code> starts_of(const plan::Plan& plan, const Statements& statements, const Places& places,
+                            const std::vector<int>& of) {
   std::vector<Code> code;
   std::vector<std::size_t> blocks;
   const auto type_of = [&](std::size_t block) { return &plan.diagram.blocks[block].type(); };
   const auto flush = [&] {
-    if (!blocks.empty()) BatchCode(plan, statements, blocks, Phase::start, places, 1).append_to(code);
+    if (!blocks.empty()) BatchCode(plan, statements, blocks, Phase::start, places, {}).append_to(code);
     blocks.clear();
   };
-  for (int index : plan.memory_order) {
+  for (const int index : of) {
     const auto b = static_cast<std::size_t>(index);
     if (!blocks.empty() && type_of(blocks.front()) != type_of(b)) flush();
     if (type_of(b)->start && type_of(b) != &diagram::external_input_type()) blocks.push_back(b);

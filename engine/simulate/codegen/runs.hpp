@@ -11,6 +11,7 @@ namespace stepwire::codegen {
 struct Code {
   std::string text;
   std::int64_t period = 1;  ///< [ticks] between two calls
+  std::string active{};     ///< the number that is 0 while it is not called; empty: it always is
 };
 
 /// Some of these pieces, in which code of the same period stands behind one condition.
@@ -21,7 +22,8 @@ std::string with_conditions(const std::vector<Code>& code, std::size_t first, st
 std::vector<Code> calls_of(const plan::Plan& plan, const Statements& statements,
                            const std::vector<plan::KernelCall>& batches, Phase phase, const Places& places);
 
-/// The same for start(), of all blocks that have it, in the order in which they lie in memory.
-std::vector<Code> starts_of(const plan::Plan& plan, const Statements& statements, const Places& places);
+/// The same for start(), of all of these blocks that have it, in their order.
+std::vector<Code> starts_of(const plan::Plan& plan, const Statements& statements, const Places& places,
+                            const std::vector<int>& blocks);
 
 }  // namespace stepwire::codegen

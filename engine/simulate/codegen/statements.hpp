@@ -30,6 +30,7 @@ class Statements {
   Statements(const plan::Plan& plan, const PlaceNames& names,
              const std::vector<plan::VariableBlock>& variable, Literals& literals);
 
+  const PlaceNames& names() const { return names_; }
   /// The call of one block.
   std::string call(std::size_t block, Phase phase, const Places& places) const;
 

@@ -174,6 +174,8 @@ class Tuner {
         is_state ? planned.states[index] : planned.inputs[index][static_cast<std::size_t>(target.element)];
     for (std::size_t k = 0; k < static_cast<std::size_t>(slot.size); ++k) {
       tuning_.places[slot.offset + k] = tuning_.numbers.size();
+      if (is_state && !planned.initial.empty())  // a guard puts it back
+        tuning_.places[planned.initial[index].offset + k] = tuning_.numbers.size();
       tuning_.copies.push_back({tuning_.numbers.size(), i, k});
       tuning_.numbers.push_back(is_state ? initial(target, k)
                                          : plan_.constants[slot.offset - plan_.layout.constants + k]);

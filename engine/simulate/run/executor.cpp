@@ -99,6 +99,12 @@ Executor::Executor(const plan::Plan& plan)
     from.type().copy(memory(index), from.block.get());
   }
   equations_ = std::make_unique<Equations>(*this);
+  if (!plan.guards.empty()) {
+    guards_.emplace(plan, workspace_.values.data(),
+                    [this](std::size_t block) { plan_.diagram.blocks[block].type().start(memory(block)); });
+    for (Table* table : {&timed_, &outputs_, &stage_, &derivatives_, &updates_})
+      table->add_gates(workspace_.values.data());
+  }
   bind();
   reset();
 }
@@ -202,9 +208,34 @@ Executor::Table::Table(const plan::Plan& plan, const std::vector<plan::KernelCal
   for (const plan::LoopCall& loop : plan.loops_of(batches)) loops.emplace_back(plan, loop);
 }
 
+/// What a guard leaves out lies in a row, as far as the order lets it, and is passed over in one go.
+void Executor::Table::add_gates(const double* values) {
+  static constexpr double always = 1.0;
+  gates.resize(batches.size());
+  for (std::size_t i = batches.size(); i-- > 0;) {
+    const bool goes_on = i + 1 < batches.size() && batches[i + 1].active == batches[i].active;
+    gates[i] = {batches[i].active < 0 ? &always : values + batches[i].active,
+                goes_on ? gates[i + 1].next : i + 1};
+  }
+}
+
+void Executor::run_guarded(const Table& table, std::size_t first, std::size_t end) {
+  for (std::size_t i = first; i < end; ++i) {
+    if (*table.gates[i].active == 0.0) {
+      i = table.gates[i].next - 1;
+      continue;
+    }
+    const plan::KernelCall& batch = table.batches[i];
+    if (!due_[static_cast<std::size_t>(batch.period)]) continue;
+    const bool was = batch.guard >= 0 && guards_->active(static_cast<std::size_t>(batch.guard));
+    table.calls[i].run(table.calls[i].first, table.calls[i].end);
+    if (batch.guard >= 0) guards_->changed(static_cast<std::size_t>(batch.guard), was);
+  }
+}
+
 void Executor::run(Table& table) {
   if (watcher_ && watcher_->phase == &table.batches) return run_watched(table);
-  if (!table.loops.empty()) return run_range(table, 0, table.calls.size());
+  if (!table.loops.empty() || !table.gates.empty()) return run_range(table, 0, table.calls.size());
   const Table::Call* call = table.calls.data();
   const Table::Call* const end = call + table.calls.size();
   // Four at a time: most calls do so little that counting them is felt.
@@ -231,6 +262,7 @@ void Executor::run_due(Table& table) {
 }
 
 void Executor::run_calls(const Table& table, std::size_t first, std::size_t end) {
+  if (!table.gates.empty()) return run_guarded(table, first, end);
   for (std::size_t i = first; i < end; ++i)
     if (due_[static_cast<std::size_t>(table.batches[i].period)])
       table.calls[i].run(table.calls[i].first, table.calls[i].end);
@@ -275,6 +307,7 @@ void Executor::advance() {
 void Executor::take_step() {
   run_due(updates_);
   if (!solver_) return;
+  if (guards_) guards_->keep();
   if (plan_.updates_continuous) run(stage_);
   run(derivatives_);
   solver_->advance(*equations_, {time(), plan_.time_of(workspace_.tick + 1), plan_.diagram.step});

@@ -11,6 +11,7 @@
 #include "engine/model/plan/change.hpp"
 #include "engine/model/plan/compiled_plan.hpp"
 #include "engine/model/signal/input.hpp"
+#include "engine/simulate/run/guards.hpp"
 #include "engine/simulate/run/loop_cost.hpp"
 #include "engine/simulate/run/run_fault.hpp"
 #include "engine/simulate/run/schedule_probe.hpp"
@@ -89,7 +90,8 @@ class Executor {
   /// Returns to a kept moment (as it was between advance() and evaluate()), with the values that are set now.
   void restore(const Workspace& workspace);
 
-  /// From now on the run goes on where a loop is not solved within its iterations, as a loop by the clock must.
+  /// From now on the run goes on where a loop is not solved within its iterations, as a loop by the clock
+  /// must.
   void go_on_unsolved() { goes_on_unsolved_ = true; }
   /// What the loops of the plan have cost up to now.
   std::vector<LoopCost> loop_costs() const;
@@ -111,6 +113,7 @@ class Executor {
 
   void apply(plan::PlanChange& change);
   void replace(plan::RebuiltBlock& rebuilt);
+  void write_initial(const plan::SignalSlot& state, const Eigen::VectorXd& value);
   /// Lets the code read a block that was set anew, or leaves the code that cannot.
   void read_numbers(std::size_t block);
   void write_constants();
@@ -127,6 +130,11 @@ class Executor {
       Kernel run;
       std::byte *first, *end;
     };
+    /// Whether a call is made, in plans with guards.
+    struct Gate {
+      const double* active;  ///< 0 while it is not
+      std::size_t next;      ///< the call to go on with then
+    };
     /// Calls that are made until they agree.
     struct Loop {
       Loop(const plan::Plan& plan, const plan::LoopCall& call);
@@ -137,9 +145,11 @@ class Executor {
       solve::LoopSolver<> solver;
     };
     Table(const plan::Plan& plan, const std::vector<plan::KernelCall>& batches, std::byte* blocks);
+    void add_gates(const double* values);
 
     const std::vector<plan::KernelCall>& batches;
     std::vector<Call> calls;
+    std::vector<Gate> gates;  ///< of each call; empty where the plan has no guard
     std::vector<Loop> loops;
   };
 
@@ -154,6 +164,7 @@ class Executor {
   void solve_loop(const Table& table, Table::Loop& loop);
   bool loops_solved() const;
   std::optional<RunFault> unsolved_loop() const;
+  void run_guarded(const Table& table, std::size_t first, std::size_t end);
   void find_due();
   void take_step();
   bool diagnostic_ends_run() const;
@@ -176,7 +187,8 @@ class Executor {
   std::unique_ptr<std::byte, FreeBlocks> blocks_;
   Table once_, timed_, outputs_, stage_, derivatives_, updates_;
   std::unique_ptr<Equations> equations_;
-  std::vector<char> due_;  ///< for each of the plan's periods
+  std::optional<Guards> guards_;  ///< none where the plan has none
+  std::vector<char> due_;         ///< for each of the plan's periods
   std::vector<std::size_t> ending_diagnostics_;
   ScheduleProbe* watcher_ = nullptr;
   bool healthy_ = true, goes_on_unsolved_ = false;

@@ -160,14 +160,17 @@ class GraphWriter {
 
   Json inputs_of(const Hierarchy& hierarchy, const BlockReference& child, int depth) const {
     std::vector<std::string> names;
-    for (const ReferenceInput& input : child.inputs) names.push_back(input.name);
+    for (const ReferenceInput& input : child.inputs)
+      if (!input.is_condition) names.push_back(input.name);
     const bool labelled = child.part || are_telling(names, block_of(child).type().inputs.size());
     const std::string signs = child.part ? "" : signs_of(block_of(child));
     const bool has_signs = !child.part && !block_of(child).type().symbol.signs.empty();
     Json inputs = Json::list();
     for (const auto& [input, i] : selection_.feeds(hierarchy, child, depth)) {
-      Json drawn = port(input_name(*input, i), labelled ? input->name : "");
-      if (has_signs) drawn.set("sign", std::string(1, i < signs.size() ? signs[i] : '+'));
+      Json drawn = port(input_name(*input, i), (input->is_condition ? i == 0 : labelled) ? input->name : "");
+      if (input->is_condition) drawn.set("condition", true);
+      if (has_signs && !input->is_condition)
+        drawn.set("sign", std::string(1, i < signs.size() ? signs[i] : '+'));
       inputs.push(std::move(drawn));
     }
     return inputs;
@@ -196,7 +199,8 @@ class GraphWriter {
     node.set("lines", Json::list());
     if (!selection_.is_open(id, depth)) return;
     std::vector<std::string> inputs;
-    for (const auto& feed : selection_.feeds(hierarchy, child, depth)) inputs.push_back(feed.input->name);
+    for (const auto& feed : selection_.feeds(hierarchy, child, depth))
+      if (!feed.input->is_condition) inputs.push_back(feed.input->name);
     node.set("graph", graph(*child.part, inputs, shown, depth + 1));
   }
 

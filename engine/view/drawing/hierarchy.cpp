@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "engine/model/diagram/guard_keys.hpp"
+#include "engine/model/diagram/guard_types.hpp"
 #include "engine/model/diagram/resolve.hpp"
 #include "engine/view/drawing/symbol_text.hpp"
 
@@ -54,10 +56,17 @@ class OutlineReader {
     if (const auto scope = scopes_.find(prefix + entry.key + "."); scope != scopes_.end()) {
       child.part = read(scope->second);
       child.outputs = child.part->outputs;
-      return child;
+    } else {
+      child.block = blocks_.at(prefix + entry.key);
+      for (const OutputSpec& output : type_of(child).outputs) child.outputs.push_back(output.name);
     }
-    child.block = blocks_.at(prefix + entry.key);
-    for (const OutputSpec& output : type_of(child).outputs) child.outputs.push_back(output.name);
+    const auto guard = blocks_.find(prefix + entry.key + ".active");
+    const bool is_guard =
+        guard != blocks_.end() &&
+        &diagram_.blocks[static_cast<std::size_t>(guard->second)].type() == &diagram::guard_type();
+    if (!is_guard) return child;
+    child.guard = guard->second;
+    child.outputs.push_back("active");
     return child;
   }
 
@@ -79,6 +88,8 @@ class OutlineReader {
         for (const InputSpec& input : type_of(child).inputs)
           add_input(hierarchy, names, child, input.name, input.list);
       }
+      if (child.guard >= 0)
+        for (const char* key : {"enable", "trigger"}) add_condition(hierarchy, names, child, key);
     }
     for (const std::string& output : hierarchy.outputs) {
       const yaml::Node& port = *root.find("outputs")->find(output);
@@ -97,6 +108,21 @@ class OutlineReader {
     } else {
       input.feeds.push_back(feed(hierarchy, names, *node));
     }
+    child.inputs.push_back(std::move(input));
+  }
+
+  /// What decides when a child is active: the signals of its formula.
+  void add_condition(const Hierarchy& hierarchy, const diagram::Scope& names, BlockReference& child,
+                     const char* key) {
+    const bool is_own =
+        std::ranges::any_of(child.inputs, [&](const auto& input) { return input.name == key; });
+    const yaml::Node* node = is_own ? nullptr : child.written->find(key);
+    const yaml::Node* when = node && node->is_map() ? node->find("when") : node;
+    if (!when || !when->is_scalar()) return;
+    ReferenceInput input{key, {}, true};
+    for (const std::string& signal : diagram::signals_of_condition(*when))
+      if (const auto found = source(hierarchy, names, signal)) input.feeds.push_back({found, {}});
+    if (input.feeds.empty()) input.feeds.push_back({{}, when->text});
     child.inputs.push_back(std::move(input));
   }
 
@@ -154,6 +180,7 @@ std::optional<diagram::SignalRef> Hierarchy::signal(const WireSource& source) co
   const auto port = static_cast<std::size_t>(source.port);
   if (source.child >= 0) {
     const BlockReference& from = children[static_cast<std::size_t>(source.child)];
+    if (from.is_active(source.port)) return diagram::SignalRef{from.guard, 0, -1};
     if (!from.part) return diagram::SignalRef{from.block, source.port, -1};
     const auto& inner = from.part->output_sources[port];
     return inner ? from.part->signal(*inner) : std::nullopt;

@@ -25,6 +25,7 @@ struct WireFeed {
 struct ReferenceInput {
   std::string name;
   std::vector<WireFeed> feeds;
+  bool is_condition = false;  ///< `enable` or `trigger`
 };
 
 struct Hierarchy;
@@ -37,6 +38,10 @@ struct BlockReference {
   const yaml::Node* written = nullptr;  ///< its keys
   std::vector<ReferenceInput> inputs;   ///< those that are fed, in the order of the declaration
   std::vector<std::string> outputs;
+  int guard = -1;  ///< the block in Diagram::blocks by which it is active, the last of its outputs; -1: none
+
+  /// Is this output not one of its own?
+  bool is_active(int port) const { return guard >= 0 && port + 1 == static_cast<int>(outputs.size()); }
 };
 
 /// One file at one place of a diagram as it is written: with its parts as parts, and wires between ports.

@@ -54,7 +54,8 @@ bool Selection::hides(const Hierarchy& hierarchy, const WireSource& source) cons
   const BlockReference& from = hierarchy.children[static_cast<std::size_t>(source.child)];
   const std::string name = name_in(hierarchy, from.name);
   if (hides(name) || hides(name + "." + from.outputs[port])) return true;
-  const auto inner = from.part ? from.part->output_sources[port] : std::nullopt;
+  const auto inner =
+      from.part && !from.is_active(source.port) ? from.part->output_sources[port] : std::nullopt;
   return inner && inner->child >= 0 && hides(*from.part, *inner);
 }
 
@@ -114,7 +115,7 @@ std::vector<int> Selection::outputs_of(const Hierarchy& hierarchy, int child,
   std::vector<int> some, all;
   for (int i = 0; i < count; ++i) {
     if (hides(hierarchy, WireSource{child, i})) continue;
-    all.push_back(i);
+    if (!hierarchy.children[static_cast<std::size_t>(child)].is_active(i)) all.push_back(i);
     if (used.contains({child, i}) || is_recorded(hierarchy, {child, i})) some.push_back(i);
   }
   return some.empty() ? all : some;

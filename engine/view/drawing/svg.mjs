@@ -73,6 +73,7 @@ function portTexts(block) {
       return text(x + 7 * dx, y + 7 * dy, sign, {size: sizes.sign});
     }
     if (!port.label) return "";
+    if (port.side === "NORTH") return text(x, y + 8, port.label, {size: sizes.port, fill: "#444"});
     return text(x + 5 * dx, y, port.label, {size: sizes.port, anchor: dx > 0 ? "start" : "end", fill: "#444"});
   }).join("");
 }
