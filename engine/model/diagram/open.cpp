@@ -46,7 +46,8 @@ void Opener::open_block(Scope& scope, const yaml::Entry& entry) {
         "is no name for a block; use letters, digits and '_' ('time' and 'all' have a meaning of their own)");
   const yaml::Node* kind = map.find("block");
   const bool is_hidden = kind && find_guard_type(kind->text);  // in a flattened file beside what it guards
-  if (const std::string rival = scope.rival_of(entry.key); !rival.empty() && !is_hidden)
+  if (const std::string rival = scope.rival_of(entry.key);
+      !rival.empty() && !is_hidden && !hidden(scope, rival))
     return fail(scope, entry, entry.mark,
                 fmt::format("and '{}' cannot stand side by side: one would be a signal of the other", rival));
   if (!map.is_map())
@@ -66,6 +67,13 @@ void Opener::open_block(Scope& scope, const yaml::Entry& entry) {
         fmt::format("there is no block '{}'", kind->text) +
             yaml::did_you_mean(kind->text, loader_.registry().names(), "'stepwire blocks' lists them"));
   make_block(scope, entry, *type);
+}
+
+/// Is this a block that other files have for an `enable` or `trigger`?
+bool Opener::hidden(const Scope& scope, const std::string& name) const {
+  const auto found = scope.names.find(name);
+  return found != scope.names.end() && found->second.block >= 0 &&
+         find_guard_type(report_.about().blocks[static_cast<std::size_t>(found->second.block)].type().name);
 }
 
 void Opener::make_block(Scope& scope, const yaml::Entry& entry, const BlockType& type) {

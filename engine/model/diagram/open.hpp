@@ -74,6 +74,7 @@ class Opener {
   void require_parameters(const Scope& scope, const yaml::Node& map, const DiagramBlock& block);
   bool is_fed(const Scope& scope, const yaml::Entry& key, const BlockType& type) const;
 
+  bool hidden(const Scope& scope, const std::string& name) const;
   /// A block that no file names.
   int add_hidden(const Scope& scope, const std::string& name, const BlockType& type, const yaml::Mark& mark);
   static void make_room(DiagramBlock& block);

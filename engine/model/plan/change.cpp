@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "engine/model/diagram/guard_types.hpp"
 #include "engine/model/plan/configuring.hpp"
 #include "engine/model/plan/member_items.hpp"
 
@@ -85,6 +86,8 @@ class Changing {
     const diagram::DiagramBlock& known = block_of(value.target);
     const ParameterSpec& spec = known.type().parameters[index];
     if (!diagram::demanded_dimension(spec)) check_unit(value, known.parameter_dimensions[index], spec.name);
+    if (&known.type() == &diagram::guard_type() && spec.structural)
+      refuse_structure(block, spec.name, "the plan has other states that are reset");
     if (known.type().file_output) refuse_structure(block, spec.name, "the block writes a file");
     spec.set(written(block).get(), value.value.value);
   }
