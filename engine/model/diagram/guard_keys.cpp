@@ -80,8 +80,13 @@ bool is_guard_key(std::string_view key) {
   return std::ranges::find(guard_keys(), key, &yaml::Key::name) != guard_keys().end();
 }
 
-bool is_wire(const std::string& text) {
-  return std::ranges::all_of(text, [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '.'; });
+bool is_formula(const yaml::Node& condition) {
+  const std::string& text = condition.text;
+  if (text.starts_with('=')) return true;
+  const std::string name = text.starts_with('$') ? text.substr(1) : text;
+  const bool is_name =
+      std::ranges::all_of(name, [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '.'; });
+  return !is_name && (text.starts_with('$') || names_signal(condition));
 }
 
 std::string plain_formula(std::string text) {
@@ -91,9 +96,8 @@ std::string plain_formula(std::string text) {
 }
 
 std::vector<std::string> signals_of_condition(const yaml::Node& condition) {
-  const bool is_number = !names_signal(condition) && !condition.text.starts_with('=');
-  if (is_number) return {};
-  if (is_wire(condition.text)) return {condition.text};
+  if (!is_formula(condition))
+    return names_signal(condition) ? std::vector{condition.text} : std::vector<std::string>{};
   try {
     return expression::Expression(plain_formula(condition.text)).variables();
   } catch (const expression::ExpressionError&) {

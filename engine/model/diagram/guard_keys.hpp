@@ -25,8 +25,8 @@ struct GuardOptions {
 
 /// The names in a condition as it is written: of its signals, and of the parameters that it names bare.
 std::vector<std::string> signals_of_condition(const yaml::Node& condition);
-/// Is the text the name of a signal, "door" or "rig.force.2", and no formula?
-bool is_wire(const std::string& text);
+/// Is it a formula, and neither the name of a signal ("door", "rig.force.2") nor a number or parameter?
+bool is_formula(const yaml::Node& condition);
 /// A formula without the '=' before it, and without the '$' before names of parameters.
 std::string plain_formula(std::string text);
 

@@ -63,8 +63,7 @@ void Opener::feed_guard(Scope& scope, const std::string& owner, const char* key,
   if (!node.is_scalar())
     return report_.add(scope.at(node.mark), subject,
                        "is a signal or a formula of signals: 'door.angle > 5 deg'");
-  const bool is_number = !names_signal(node) && !node.text.starts_with('=');
-  if (is_number || is_wire(node.text)) {
+  if (!is_formula(node)) {
     report_.diagram().blocks[static_cast<std::size_t>(guard)].input_marks[static_cast<std::size_t>(input)] =
         node.mark;
     return pending_.push_back({guard, input, &node, &scope});

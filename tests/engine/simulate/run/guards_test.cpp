@@ -173,12 +173,14 @@ TEST_CASE("conditions are formulas of signals, parameters and the time, with uni
   const table::Table run = rig.run(
       "  x: {block: Ramp, slope: 10 mm/s}\n"
       "  a: {diagram: counter.yaml, enable: \"x > 4 mm && time < $until\"}\n"
-      "  b: {diagram: counter.yaml, enable: \"= x > from\"}\n  c: {diagram: counter.yaml, enable: $is}\n",
-      "[a.count, b.count, c.count]", "parameters: {until: 0.8 s, from: 5 mm, is: 0}\n");
+      "  b: {diagram: counter.yaml, enable: \"= x > from\"}\n  c: {diagram: counter.yaml, enable: $is}\n"
+              "  d: {diagram: counter.yaml, enable: $is < 1 && x > 5 mm}\n",
+      "[a.count, b.count, c.count, d.count]", "parameters: {until: 0.8 s, from: 5 mm, is: 0}\n");
   // x > 4 mm from tick 41 on; time < 0.8 s until tick 79.
   CHECK(column(run, "a.count").back() == 39.0);
   CHECK(column(run, "b.count").back() == 50.0);
   CHECK(column(run, "c.count").back() == 0.0);
+  CHECK(column(run, "d.count").back() == 50.0);
   const auto faults = rig.faults(
       "  x: {block: Ramp, slope: 10 mm/s}\n"
       "  a: {diagram: counter.yaml, enable: \"x > 4 kg\"}\n");
