@@ -191,7 +191,7 @@ Wiring guarded(const Wiring& wiring, const std::string& enable) {
   const std::string tested = "  tested: {";
   made.text.replace(
       made.text.rfind(tested), tested.size(),
-      "  gate: {block: Pulse, period: 5 ms, width: 3 ms}\n" + tested + "enable: " + enable + ", ");
+      "  gate: {block: Pulse, period: 5 ms, width: 60 %}\n" + tested + "enable: " + enable + ", ");
   return made;
 }
 

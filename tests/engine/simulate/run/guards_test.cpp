@@ -47,7 +47,7 @@ struct Rig {
 
   static std::string text(const std::string& blocks, const std::string& record, const std::string& head) {
     return "stepwire: 1\ntitle: all\nstep: 10 ms\nstop: 1 s\nsolver: rk4\n" + head + "blocks:\n" +
-           "  on: {block: Pulse, period: 0.4 s, width: 0.2 s, delay: 0.1 s}\n" + blocks +
+           "  on: {block: Pulse, period: 0.4 s, width: 50 %, delay: 0.1 s}\n" + blocks +
            "record: " + record + "\n";
   }
 };
@@ -94,7 +94,7 @@ TEST_CASE("continuous states stand still while they are off, to the last bit, wi
     INFO(solver);
     rig.folder.write("all.yaml",
                      "stepwire: 1\ntitle: t\nstep: 10 ms\nstop: 1 s\nsolver: " + std::string(solver) +
-                         "\nblocks:\n  on: {block: Pulse, period: 0.4 s, width: 0.2 s, delay: 0.1 s}\n"
+                         "\nblocks:\n  on: {block: Pulse, period: 0.4 s, width: 50 %, delay: 0.1 s}\n"
                          "  flow: {block: Sine, amplitude: 1, frequency: 1 Hz, bias: 3}\n"
                          "  t: {diagram: tank.yaml, flow: flow, enable: on}\n"
                          "  lag: {block: Lag, u: t.twice, tau: 0.1 s}\n"
@@ -129,7 +129,7 @@ TEST_CASE("a trigger runs a part once for each edge, and never at the first tick
   const Rig rig;
   const auto counts = [&](const std::string& edge) {
     const table::Table run = rig.run(
-        "  off: {block: Logic, u: [on], function: not}\n"
+        "  off: {block: Logic, u: on, operator: not}\n"
         "  c: {diagram: counter.yaml, trigger: {when: off, edge: " +
             edge + "}}\n",
         "[c.count, c.active]");
