@@ -10,12 +10,15 @@
 #include "blocks/math/inverse_polynomial.hpp"
 #include "blocks/math/lookup_table.hpp"
 #include "blocks/math/lookup_table_2d.hpp"
+#include "blocks/math/lookup_table_nd.hpp"
 #include "blocks/math/matrix_gain.hpp"
 #include "blocks/math/min_max.hpp"
 #include "blocks/math/norm.hpp"
 #include "blocks/math/polynomial.hpp"
 #include "blocks/math/product.hpp"
+#include "blocks/math/quaternion_product.hpp"
 #include "blocks/math/rotate.hpp"
+#include "blocks/math/rotate_3d.hpp"
 #include "blocks/math/sign.hpp"
 #include "blocks/math/sqrt.hpp"
 #include "blocks/math/sum.hpp"
@@ -44,6 +47,9 @@ void register_math(Registry& registry) {
   registry.add<Rotate>("math");
   registry.add<LookupTable>("math");
   registry.add<LookupTable2D>("math");
+  registry.add<LookupTableND>("math");
+  registry.add<Rotate3D>("math");
+  registry.add<QuaternionProduct>("math");
 }
 
 }  // namespace stepwire

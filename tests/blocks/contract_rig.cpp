@@ -62,7 +62,29 @@ const std::map<std::string, std::string> contract_values{
     {"Region.shape", "{union: [{center: [0.5, 0.7], radius: 0.1}, {polygon: [[2, 0], [4, 0], [4, 1]]}]}"},
     {"StateMachine.states",
      "{idle: {output: [1], to: {busy: \"after >= 3 ms\"}}, "
-     "busy: {output: [2], to: {idle: \"after >= 6 ms || u1 > 1.2\"}}}"},
+     "busy: {output: [2], history: true, enter: {n: n + 1}, to: {idle: \"after >= 6 ms || u1 > 1.2\"}, "
+     "states: {slow: {to: {fast: \"after >= 2 ms\"}}, fast: {each: {n: n + u1}, to: {slow: \"after >= 50 "
+     "ms\"}}}}}"},
+    {"StateMachine.counters", "{n: 0}"},
+    {"DiscreteStateSpace.A", "[[0.5, 0.2], [0, 0.3]]"},
+    {"DiscreteStateSpace.B", "[[1], [1]]"},
+    {"DiscreteStateSpace.C", "[[1, 1]]"},
+    {"KalmanFilter.A", "[[0.5, 0.2], [0, 0.3]]"},
+    {"KalmanFilter.B", "[[1], [1]]"},
+    {"KalmanFilter.C", "[[1, 1]]"},
+    {"KalmanFilter.Q", "[[1, 0.1], [0.1, 2]]"},
+    {"KalmanFilter.R", "[[0.5]]"},
+    {"KalmanFilter.P0", "[[2, 0], [0, 2]]"},
+    {"DiscreteLuenbergerObserver.A", "[[0.5, 0.2], [0, 0.3]]"},
+    {"DiscreteLuenbergerObserver.B", "[[1], [1]]"},
+    {"DiscreteLuenbergerObserver.C", "[[1, 1]]"},
+    {"DiscreteLuenbergerObserver.L", "[[0.1], [0.2]]"},
+    {"LuenbergerObserver.A", "[[-1, 2], [0, -3]]"},
+    {"LuenbergerObserver.B", "[[1], [1]]"},
+    {"LuenbergerObserver.C", "[[1, 1]]"},
+    {"LuenbergerObserver.L", "[[0.1], [0.2]]"},
+    {"LookupTableND.points", "[[0, 1], [0, 1, 2]]"},
+    {"LookupTableND.values", "[[1, 2, 4], [3, 5, 7]]"},
     {"StateSpace.A", "[[-1, 2], [0, -3]]"},
     {"StateSpace.B", "[[1], [1]]"},
     {"StateSpace.C", "[[1, 1]]"},
@@ -73,6 +95,25 @@ const std::map<std::string, std::string> contract_values{
 /// Sizes that an input needs where nothing else fixes them.
 const std::map<std::string, int> contract_sizes{{"Cross.u", 3},
                                                 {"Demux.u", 3},
+                                                {"DiscreteLuenbergerObserver.initial", 2},
+                                                {"DiscreteLuenbergerObserver.value", 2},
+                                                {"DiscreteStateSpace.initial", 2},
+                                                {"DiscreteStateSpace.value", 2},
+                                                {"KalmanFilter.initial", 2},
+                                                {"KalmanFilter.value", 2},
+                                                {"LuenbergerObserver.initial", 2},
+                                                {"LuenbergerObserver.value", 2},
+                                                {"QuaternionIntegrator.initial", 4},
+                                                {"QuaternionIntegrator.rate", 3},
+                                                {"QuaternionIntegrator.value", 4},
+                                                {"QuaternionProduct.left", 4},
+                                                {"QuaternionProduct.right", 4},
+                                                {"Rotate3D.angles", 3},
+                                                {"Rotate3D.axis", 3},
+                                                {"Rotate3D.quaternion", 4},
+                                                {"Rotate3D.u", 3},
+                                                {"StateSpace.initial", 2},
+                                                {"StateSpace.value", 2},
                                                 {"DrivenLinkage.acceleration", 2},
                                                 {"DrivenLinkage.force", 3},
                                                 {"DrivenLinkage.position", 2},
@@ -93,7 +134,7 @@ const std::map<std::string, double> contract_starts{{"Interlock.faults", -1.9}};
 
 /// Optional inputs that the values above need.
 const std::set<std::string> contract_inputs{"Directionality.force", "LayerActivator.regions",
-                                            "StateMachine.u"};
+                                            "Rotate3D.angles", "StateMachine.u"};
 
 std::string value_given(const BlockType& type, const ParameterSpec& spec) {
   const std::string name = type.name + "." + spec.name;

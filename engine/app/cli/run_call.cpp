@@ -181,6 +181,7 @@ ExitCode run_models(const RunCall& call, const Registry& registry) {
   if (!folders_differ(call)) return ExitCode::wrong;
   FileRuns runs(call, registry);
   return each_model(call.models, registry, [&](session::LoadedModel& model, Json& results) {
+    if (!call.models.json) print_notes(model);
     return runs.carry_out(model, results);
   });
 }

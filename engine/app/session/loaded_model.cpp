@@ -12,6 +12,7 @@
 #include "engine/analyse/study/study_tables.hpp"
 #include "engine/model/diagram/flatten.hpp"
 #include "engine/model/diagram/output_names.hpp"
+#include "engine/model/diagram/signal_words.hpp"
 #include "engine/simulate/record/recorder.hpp"
 #include "engine/simulate/run/pooling.hpp"
 #include "engine/view/drawing/draw.hpp"
@@ -101,6 +102,9 @@ query::SymbolTable names_of(const run::Job& job) {
     const auto columns = record::recorded_columns(job.plan, diagram.records[r]);
     for (std::size_t i = 1; i < columns.size(); ++i)
       names.columns.push_back({columns[i].name, columns[i].dimension, r});
+    for (const diagram::RecordedSignal& signal : diagram.records[r].signals)
+      for (query::RecordedName& column : names.columns)
+        if (column.name == signal.name) column.words = diagram::signal_words(diagram, signal.signal);
   }
   for (const diagram::DiagramParameter& parameter : diagram.parameters)
     if (const double* number = std::get_if<double>(&parameter.value.content))

@@ -89,13 +89,26 @@ class Lexer {
     skip_blanks();
     const std::string_view rest = text_.substr(at_);
     const bool apart = at_ > before || peek() != '1';
-    const std::size_t length = apart ? unit::unit_prefix(rest, known_) : 0;
+    std::size_t length = apart ? unit::unit_prefix(rest, known_) : 0;
     if (length == 0) {
       at_ = before;
       return std::nullopt;
     }
+    // A blank multiplies units, as in "0.4 N s/m"; between values it would be an error.
+    for (std::size_t more = next_unit(rest, length); more > length; more = next_unit(rest, length))
+      length = more;
     at_ += length;
     return unit::parse_unit(rest.substr(0, length));
+  }
+
+  /// Where a unit ends that stands behind blanks; `end` where there is none.
+  std::size_t next_unit(std::string_view rest, std::size_t end) const {
+    const std::size_t next = rest.find_first_not_of(' ', end);
+    if (next == std::string_view::npos || next == end || !is_letter(rest[next])) return end;
+    const std::size_t length = unit::unit_prefix(rest.substr(next), known_);
+    const bool called = next + length < rest.size() && rest[next + length] == '(';
+    if (length == 0 || called || !unit::parse_unit(rest.substr(0, next + length))) return end;
+    return next + length;
   }
 
   Token name() {

@@ -57,12 +57,13 @@ class Csv {
   Csv(const std::string& path, std::string_view text, ColumnWords& words, bool tolerant = false)
       : path_(path), at_(text.data()), end_(at_ + text.size()), words_(words), tolerant_(tolerant) {
     if (text.starts_with("\xEF\xBB\xBF")) at_ += 3;
+    if (tolerant_) begin_behind_comments();
     separator_ = separator();
   }
 
   Table read() {
     header();
-    for (; !only_blanks_left(); ++rows_) row();
+    for (skip_comments(); !only_blanks_left(); ++rows_, skip_comments()) row();
     return std::move(table_);
   }
 
@@ -90,6 +91,34 @@ class Csv {
 
   bool only_blanks_left() const {
     return std::all_of(at_, end_, [](char c) { return is_blank(c) || c == '\n' || c == '\r'; });
+  }
+
+  /// Lines that begin with '#'.
+  void skip_comments() {
+    while (tolerant_ && at_ != end_ && *at_ == '#') {
+      while (!at_line_end()) ++at_;
+      skip_line_end();
+    }
+  }
+
+  /// Where only numbers follow, the last comment names the columns: "# time, force".
+  void begin_behind_comments() {
+    const char* last = nullptr;
+    std::size_t last_line = line_;
+    while (at_ != end_ && *at_ == '#') {
+      last = at_ + 1;
+      last_line = line_;
+      while (!at_line_end()) ++at_;
+      skip_line_end();
+    }
+    if (!last || at_ == end_) return;
+    const char* const here = at_;
+    const std::size_t line = line_;
+    separator_ = separator();
+    const std::vector<std::string> titles = fields();
+    const bool numbers = std::ranges::all_of(titles, [](const auto& t) { return csv_number(t).has_value(); });
+    at_ = numbers ? last : here;
+    line_ = numbers ? last_line : line;
   }
 
   /// Tab, semicolon or comma: the first of these that the header has outside of quotes.

@@ -16,7 +16,7 @@ struct ResetInput {
   bool resets = false;
 
   /// Is this tick one of a reset? The same answer until remember_reset().
-  bool resetting() const { return resets && reset.connected() && triggered(); }
+  bool resetting() const { return resets && reset.connected() && fires(trigger, side, reset > 0.0); }
   /// Does a level hold the states between ticks?
   bool held() const { return resets && trigger == Trigger::level && reset.connected() && reset > 0.0; }
   /// The last thing in update().
@@ -24,11 +24,10 @@ struct ResetInput {
     if (resets) side = reset.connected() && reset > 0.0 ? 1.0 : -1.0;
   }
 
- private:
-  bool triggered() const {
-    const bool high = reset > 0.0;
+  /// Does a signal that was `before` (-1 false, 1 true, 0 none yet) and is now `high` trigger?
+  static bool fires(Trigger trigger, double before, bool high) {
     if (trigger == Trigger::level) return high;
-    const bool rose = side < 0.0 && high, fell = side > 0.0 && !high;
+    const bool rose = before < 0.0 && high, fell = before > 0.0 && !high;
     return (rose && trigger != Trigger::falling) || (fell && trigger != Trigger::rising);
   }
 };

@@ -13,8 +13,19 @@
 #include "engine/model/diagram/guard_types.hpp"
 #include "engine/model/diagram/keys.hpp"
 #include "engine/model/diagram/resolve.hpp"
+#include "engine/model/diagram/simulink_names.hpp"
 
 namespace stepwire::diagram {
+
+namespace {
+
+yaml::Message no_block_type(const std::string& name, const Registry& registry) {
+  const std::string message = fmt::format("there is no block '{}'", name);
+  if (const std::string answer = answer_to_simulink(name); !answer.empty()) return message + "; " + answer;
+  return message + yaml::did_you_mean(name, registry.names(), "'stepwire blocks' lists them");
+}
+
+}  // namespace
 
 void Opener::open(Scope& scope, const Overrides& overrides) {
   const yaml::Node& root = scope.document->root;
@@ -61,11 +72,7 @@ void Opener::open_block(Scope& scope, const yaml::Entry& entry) {
   if (!kind->is_scalar()) return fail(scope, entry, kind->mark, "'block:' names one type, as Gain");
   const BlockType* type = loader_.registry().find(kind->text);
   if (!type) type = find_guard_type(kind->text);
-  if (!type)
-    return fail(
-        scope, entry, kind->mark,
-        fmt::format("there is no block '{}'", kind->text) +
-            yaml::did_you_mean(kind->text, loader_.registry().names(), "'stepwire blocks' lists them"));
+  if (!type) return fail(scope, entry, kind->mark, no_block_type(kind->text, loader_.registry()));
   make_block(scope, entry, *type);
 }
 

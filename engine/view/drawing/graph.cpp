@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "engine/view/drawing/chart_graph.hpp"
 #include "engine/view/drawing/selection.hpp"
 #include "engine/view/drawing/symbol_text.hpp"
 
@@ -128,8 +129,9 @@ class GraphWriter {
       add_part(node, hierarchy, child, id, shown, depth);
     else
       add_block(node, child);
-    node.set("inputs", inputs_of(hierarchy, child, depth));
-    return node.set("outputs", outputs_of(hierarchy, index, id, shown));
+    Json inputs = inputs_of(hierarchy, child, depth), outputs = outputs_of(hierarchy, index, id, shown);
+    if (!child.part && selection_.is_open(id, depth)) add_chart(node, child, id, inputs, outputs);
+    return node.set("inputs", std::move(inputs)).set("outputs", std::move(outputs));
   }
 
   Json outputs_of(const Hierarchy& hierarchy, std::size_t index, const std::string& id,
@@ -190,6 +192,15 @@ class GraphWriter {
     if (!symbol.curve.empty()) node.set("curve", symbol.curve);
     if (symbol.axes) node.set("axes", true);
     if (block.type().has_continuous_state()) node.set("state", true);
+  }
+
+  /// The states of a block that has some, in a frame with its ports.
+  void add_chart(Json& node, const BlockReference& child, const std::string& id, const Json& inputs,
+                 const Json& outputs) const {
+    const auto states = chart_of(block_of(child));
+    if (!states) return;
+    node.set("part", true).set("lines", Json::list());
+    node.set("graph", chart_graph(*states, id).set("inputs", inputs).set("outputs", outputs));
   }
 
   void add_part(Json& node, const Hierarchy& hierarchy, const BlockReference& child, const std::string& id,

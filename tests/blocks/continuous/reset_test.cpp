@@ -56,9 +56,8 @@ record: [tested]
 
 TEST_CASE("initial may be a signal: the state starts there, and a reset goes to where it is then") {
   for (const char* const type : {"Lag", "Integrator", "UnitDelay", "DiscreteIntegrator"}) {
-    const table::Table table =
-        run_reset(fmt::format("block: {}, u: 0, initial: from, reset: r", type),
-                  "  from: {block: Ramp, slope: 2, initial: 7}");
+    const table::Table table = run_reset(fmt::format("block: {}, u: 0, initial: from, reset: r", type),
+                                         "  from: {block: Ramp, slope: 2, initial: 7}");
     INFO(type);
     CHECK(column(table, "tested")[0] == 7.0);
     CHECK(column(table, "tested")[1000] == Approx(9.0).epsilon(1e-12));
@@ -89,9 +88,10 @@ record: [tested]
 }
 
 TEST_CASE("Two integrators in a row, a transfer function and a state space start anew alike") {
-  const auto one = run_reset("block: TransferFunction, u: 1, numerator: [2], denominator: [1, 0.5, 4], reset: r");
-  const auto two = run_reset(
-      "block: StateSpace, u: 1, A: [[-0.5, -4], [1, 0]], B: [[1], [0]], C: [[0, 2]], reset: r");
+  const auto one =
+      run_reset("block: TransferFunction, u: 1, numerator: [2], denominator: [1, 0.5, 4], reset: r");
+  const auto two =
+      run_reset("block: StateSpace, u: 1, A: [[-0.5, -4], [1, 0]], B: [[1], [0]], C: [[0, 2]], reset: r");
   for (std::size_t k = 0; k < 1000; ++k) {
     CHECK(column(one, "tested")[k + 1000] == Approx(column(one, "tested")[k]).margin(1e-14));
     CHECK(column(two, "tested")[k] == Approx(column(one, "tested")[k]).margin(1e-14));
@@ -109,10 +109,10 @@ TEST_CASE("What has a reset repeats itself after one, whatever it is") {
         "DiscreteTransferFunction, u: saw, numerator: [1, 0.5], denominator: [1, -0.9]"}) {
     INFO(block);
     // What they are fed repeats itself, too: a saw that falls back at each second.
-    const table::Table table = run_reset(
-        fmt::format("block: {}, reset: r", block),
-        "  back: {block: Pulse, period: 1 s, width: 0.5}\n"
-        "  saw: {block: Integrator, u: 1, reset: back}\n  ramp: {block: Gain, gain: 2, u: saw}");
+    const table::Table table =
+        run_reset(fmt::format("block: {}, reset: r", block),
+                  "  back: {block: Pulse, period: 1 s, width: 0.5}\n"
+                  "  saw: {block: Integrator, u: 1, reset: back}\n  ramp: {block: Gain, gain: 2, u: saw}");
     const auto& y = column(table, "tested");
     bool moves = false;
     for (std::size_t k = 0; k < 1000; ++k) {
