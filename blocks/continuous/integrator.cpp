@@ -25,6 +25,9 @@ void Integrator::declare(Declare<Integrator>& is) {
   is.state<&Integrator::stop>(
       {.doc = "1 at the upper and -1 at the lower limit at the last tick, 0 between", .settable = false});
   declare_reset(is, "'u s", "the integral");
+  is.crossing("the integral reaches its lower limit");
+  is.crossing("it reaches its upper limit");
+  is.crossing("the reset signal becomes true or false", "1");
   is.derived<&Integrator::slope_is_input, From::no_number>();
   is.derived<&Integrator::limited, From::no_number>();
 }
@@ -37,6 +40,7 @@ void Integrator::configure(Configure& is) {
   if (!slope_is_input) return;
   is.skip_outputs();
   is.skip_update();
+  is.skip_crossings();
   is.slope_is_input<&Integrator::x, &Integrator::u>();
 }
 

@@ -39,6 +39,14 @@ struct Integrator : Resettable {
     remember_reset();
   }
 
+  void crossings(Crossings& zero) const {
+    for (Index i = 0; i < x.size(); ++i) {
+      zero.add(x[i] - lower[i]);
+      zero.add(x[i] - upper[i]);
+    }
+    zero.add(reset.connected() ? reset : 0.0);
+  }
+
   void configure(Configure& is);
   void start() { home = x; }
   static void declare(Declare<Integrator>& is);

@@ -23,6 +23,13 @@ struct DeadZone {
     }
   }
 
+  void crossings(Crossings& zero) const {
+    for (Index i = 0; i < u.size(); ++i) {
+      zero.add(u[i] - (lower_.connected() ? lower_[i] : lower[i]));
+      zero.add(u[i] - (upper_.connected() ? upper_[i] : upper[i]));
+    }
+  }
+
   void configure(Configure& is);
   static void declare(Declare<DeadZone>& is);
 

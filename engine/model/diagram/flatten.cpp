@@ -64,6 +64,7 @@ class Flattener {
     if (diagram_.tolerance != Diagram{}.tolerance)
       add_key(root, "tolerance", written_numbers(one(diagram_.tolerance), std::nullopt));
     if (diagram_.algebraic_loops.solve) add_key(root, "algebraic_loops", algebraic_loops());
+    if (diagram_.events.locate) add_key(root, "events", events());
     if (diagram_.stop_when) add_key(root, "stop_when", stop_condition(*diagram_.stop_when));
   }
 
@@ -75,6 +76,13 @@ class Flattener {
     if (loops.max_iterations != AlgebraicLoops{}.max_iterations)
       add_key(keys, "max_iterations", written_text(std::to_string(loops.max_iterations)));
     return keys.entries.empty() ? written_text("solve") : keys;
+  }
+
+  yaml::Node events() const {
+    if (diagram_.events.max_per_step == Events{}.max_per_step) return written_text("locate");
+    yaml::Node keys;
+    add_key(keys, "max_per_step", written_text(std::to_string(diagram_.events.max_per_step)));
+    return keys;
   }
 
   static void add_if_any(yaml::Node& map, const char* key, yaml::Node value) {

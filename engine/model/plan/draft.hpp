@@ -29,8 +29,11 @@ struct Draft {
     Configuration says;     ///< what configure() answered
     bool computes = false;  ///< has outputs() to call
     bool updates = false;
-    bool in_stages = false;  ///< do derivatives depend on its outputs?
-    bool timed = false;      ///< do its outputs follow from the time and constants alone?
+    bool in_stages = false;      ///< do derivatives depend on its outputs?
+    bool timed = false;          ///< do its outputs follow from the time and constants alone?
+    Eigen::Index crossings = 0;  ///< numbers that may cross zero
+    bool for_crossings = false;  ///< do crossings depend on its outputs between ticks?
+    bool at_events = false;      ///< does it act where an event is located?
     std::vector<Eigen::Index> output_sizes, state_sizes, input_sizes;
   };
 
@@ -60,6 +63,8 @@ void prepare_blocks(Draft& draft);
 void find_timed(Draft& draft);
 /// Order of outputs; refuses algebraic loops, or tears them.
 CallOrder plan_order(Draft& draft);
+/// What crosses, and what acts where it does.
+void find_events(Draft& draft);
 /// Memory of blocks, numbers and loops.
 void plan_layout(Draft& draft, const CallOrder& order);
 /// Refuses conditions over signals of several elements, and safe values that do not fit their outputs.

@@ -201,6 +201,7 @@ void plan_layout(Draft& draft, const CallOrder& order) {
   }
   LayoutMaker(draft).run();
   place_loops(plan, order);
+  if (plan.crossing_count > 0) plan.layout.size += Layout::event_count;
 }
 
 }  // namespace stepwire::plan

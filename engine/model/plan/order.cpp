@@ -119,6 +119,8 @@ class Order {
       const std::size_t block = graph_.owners[*node].first;
       if (draft_.blocks[block].in_stages || draft_.plan.blocks[block].rate.kind != Rate::Kind::continuous)
         return;
+      // Between events it is constant; what it would be beyond the next one must not count.
+      if (draft_.type(block).steady && draft_.diagram().events.locate) return;
       draft_.blocks[block].in_stages = true;
       stack.push_back(block);
     };

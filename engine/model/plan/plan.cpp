@@ -60,6 +60,7 @@ Plan make_plan(diagram::Diagram diagram) {
   find_timed(draft);
   const CallOrder order = plan_order(draft);
   draft.report.faults().throw_if_any();
+  find_events(draft);
   plan_layout(draft, order);
   check_stop_and_safe_values(draft);
   draft.report.faults().throw_if_any();

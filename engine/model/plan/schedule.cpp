@@ -86,7 +86,8 @@ void append(std::vector<KernelCall>& batches, const Draft& draft, std::size_t bl
 struct OutputTable {
   std::vector<KernelCall>& calls;
   std::vector<LoopCall>& loops;
-  std::size_t closed = 0;  ///< calls that no block may join
+  bool (*has)(const Draft::Block& block);  ///< does it call this block, which is neither constant nor timed?
+  std::size_t closed = 0;                  ///< calls that no block may join
 
   void close() { closed = calls.size(); }
 };
@@ -116,8 +117,8 @@ class OutputTables {
     const Rate& rate = draft_.plan.blocks[block].rate;
     if (rate.kind == Rate::Kind::constant) return append(once_, block);
     if (draft_.blocks[block].timed) return append(timed_, block);
-    append(outputs_, block);
-    if (draft_.blocks[block].in_stages) append(stage_, block);
+    for (OutputTable& table : tables_)
+      if (table.has(draft_.blocks[block])) append(table, block);
   }
   void append(OutputTable& table, std::size_t block) {
     plan::append(table.calls, draft_, block, draft_.type(block).run_outputs, table.closed);
@@ -130,19 +131,28 @@ class OutputTables {
       table.close();
       if (call.first == call.end) continue;
       for (const diagram::SignalRef& tear : draft_.plan.loops[loop].tears)
-        if (&table != &stage_ || draft_.blocks[static_cast<std::size_t>(tear.block)].in_stages)
+        if (&table == &once_ || &table == &timed_ ||
+            table.has(draft_.blocks[static_cast<std::size_t>(tear.block)]))
           call.tears.push_back(draft_.plan.slot(tear));
       if (!call.tears.empty()) table.loops.push_back(std::move(call));
     }
   }
 
+  static bool never(const Draft::Block&) { return false; }
+  static bool always(const Draft::Block&) { return true; }
+  static bool in_stages(const Draft::Block& block) { return block.in_stages; }
+  static bool for_crossings(const Draft::Block& block) { return block.for_crossings; }
+  static bool at_events(const Draft::Block& block) { return block.at_events; }
+
   Draft& draft_;
   Plan& plan_ = draft_.plan;
-  OutputTable tables_[4] = {{plan_.once, plan_.once_loops},
-                            {plan_.timed, plan_.timed_loops},
-                            {plan_.outputs, plan_.output_loops},
-                            {plan_.stage, plan_.stage_loops}};
-  OutputTable &once_ = tables_[0], &timed_ = tables_[1], &outputs_ = tables_[2], &stage_ = tables_[3];
+  OutputTable tables_[6] = {{plan_.once, plan_.once_loops, never},
+                            {plan_.timed, plan_.timed_loops, never},
+                            {plan_.outputs, plan_.output_loops, always},
+                            {plan_.stage, plan_.stage_loops, in_stages},
+                            {plan_.crossing_outputs, plan_.crossing_loops, for_crossings},
+                            {plan_.event_outputs, plan_.event_loops, at_events}};
+  OutputTable &once_ = tables_[0], &timed_ = tables_[1];
 };
 
 void append_derivatives(Draft& draft, std::size_t block) {
@@ -155,6 +165,8 @@ void append_updates(Draft& draft, std::size_t block) {
   if (!draft.blocks[block].updates) return;
   const BlockType& type = draft.type(block);
   append(draft.plan.updates, draft, block, type.run_update);
+  if (draft.blocks[block].at_events && (draft.blocks[block].crossings > 0 || type.has_continuous_state()))
+    append(draft.plan.event_updates, draft, block, type.run_update);
   draft.plan.updates_continuous = draft.plan.updates_continuous || type.has_continuous_state();
 }
 

@@ -149,6 +149,8 @@ class Shapes {
     };
     for (const OutputSpec& spec : block.type().outputs) made.output_sizes.push_back(size(spec.shape));
     for (const StateSpec& spec : block.type().states) made.state_sizes.push_back(size(spec.shape));
+    if (!made.says.skips_crossings)
+      for (const CrossingSpec& spec : block.type().crossings) made.crossings += size(spec.shape);
     for (const InputSpec& spec : block.type().inputs)
       made.input_sizes.push_back(
           size(spec.list && spec.shape.starts_with('+') ? spec.shape.substr(1) : spec.shape));

@@ -9,6 +9,7 @@
 #include "engine/simulate/codegen/literals.hpp"
 #include "engine/simulate/codegen/names.hpp"
 #include "engine/simulate/codegen/tuning_text.hpp"
+#include "engine/simulate/solve/event_locator.hpp"
 #include "engine/simulate/solve/loop_task.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
@@ -154,6 +155,9 @@ std::string fault_text(const plan::Plan& plan) {
                             plan.blocks[b].diagnostics[n].offset,
                             cpp_string(comment_of(plan, b) + ": " + block.type().diagnostics[n].doc));
   }
+  if (plan.crossing_count > 0)
+    text += fmt::format("  if (w_[{}] != 0.0) return \"too many events in a step\";\n",
+                        plan.layout.events + solve::EventReport::end);
   if (plan.layout.state_count > 0 && solve::find_implicit(plan.diagram.solver))
     text += fmt::format("  if (w_[{}] != 0.0) return \"the step is too large for the solver\";\n",
                         plan.layout.report);

@@ -11,6 +11,7 @@
 #include "engine/simulate/codegen/headers.hpp"
 #include "engine/simulate/codegen/literals.hpp"
 #include "engine/simulate/codegen/solver_text.hpp"
+#include "engine/simulate/solve/event_locator.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
 namespace stepwire::codegen {
@@ -36,7 +37,7 @@ class Maker {
         names_(plan),
         statements_(plan, names_, variable, literals_),
         small_(calls(plan.stage) + calls(plan.derivatives) <= max_inlined &&
-               !solve::find_implicit(plan.diagram.solver) && plan.loops.empty()),
+               !solve::find_implicit(plan.diagram.solver) && plan.loops.empty() && plan.crossing_count == 0),
         functions_(small_) {}
 
   void add_steps() {
@@ -45,7 +46,12 @@ class Maker {
     add_outputs();
     add_updates();
     if (plan_.layout.state_count > 0) add_slopes();
-    add_advance();
+    if (plan_.crossing_count > 0) {
+      add_events();
+      add_located_advance();
+    } else {
+      add_advance();
+    }
   }
 
   void add_reset() {
@@ -216,6 +222,50 @@ class Maker {
     }
     functions_.add_text(
         fmt::format("[[gnu::flatten]] inline void advance({}) {{\n{}}}\n\n", state_parameters, body));
+  }
+
+  /// What happens at events, and what is looked at for them.
+  void add_events() {
+    const auto add = [&](const char* name, const std::vector<plan::KernelCall>& table, Phase phase) {
+      functions_.add(name, state_parameters, state_arguments,
+                     calls_of(plan_, statements_, table, phase, at_tick()));
+    };
+    add("crossing_outputs", plan_.crossing_outputs, Phase::outputs);
+    add("event_outputs", plan_.event_outputs, Phase::outputs);
+    add("event_updates", plan_.event_updates, Phase::update);
+    std::string looks = "  Crossings zero(z);\n";
+    for (const plan::CrossingCall& call : plan_.crossings)
+      looks += statements_.call(call.block, Phase::crossings, at_tick());
+    functions_.add_text(fmt::format("inline void look({}, double* z) {{\n{}}}\n\n", state_parameters, looks));
+  }
+
+  void add_located_advance() {
+    const bool moves = plan_.layout.state_count > 0;
+    const std::string follow = std::string(plan_.timed.empty() ? "" : "    follow_time(w, numbers);\n") +
+                               "    crossing_outputs(w, numbers, tick);\n";
+    const std::string slopes = moves ? "    slopes(w, w, numbers, w + first_derivative);\n" : "";
+    functions_.add_text(fmt::format(
+        "[[gnu::flatten]] inline void advance({0}) {{\n  update(w, numbers, tick);\n{1}{2}"
+        "  double scratch[{3}];\n"
+        "  const solve::EventTask task{{at::time, states, first_derivative, {4}, {5}, {6}, {7}, scratch}};\n"
+        "  const auto go = [&]([[maybe_unused]] double now, [[maybe_unused]] double end, "
+        "[[maybe_unused]] double step) {{\n{8}  }};\n"
+        "  const auto follow = [&] {{\n{9}  }};\n"
+        "  const auto look_here = [&](double* z) {{ look(w, numbers, tick, z); }};\n"
+        "  const auto act = [&] {{\n{10}"
+        "    for (int round = 0; round < {11}; ++round) {{\n      event_outputs(w, numbers, tick);\n"
+        "      event_updates(w, numbers, tick);\n    }}\n{12}    crossing_outputs(w, numbers, tick);\n  }};\n"
+        "  solve::EventLocator(task, w, go, follow, look_here, act)\n"
+        "      .advance(static_cast<double>(tick) * step, static_cast<double>(tick + 1) * step, "
+        "step);\n}}\n\n",
+        state_parameters,
+        plan_.updates_continuous ? slopes + "    crossing_outputs(w, numbers, tick);\n" : "",
+        moves && !plan_.updates_continuous ? "  derivatives(w, numbers, w + first_derivative);\n" : "",
+        std::max<std::size_t>(1,
+                              solve::EventTask::scratch_size(plan_.layout.state_count, plan_.crossing_count)),
+        plan_.layout.state_count, plan_.crossing_count, plan_.layout.events,
+        plan_.diagram.events.max_per_step, moves ? solver_text(plan_, small_, false) : "", follow,
+        plan_.timed.empty() ? "" : "    follow_time(w, numbers);\n", solve::EventTask::rounds, slopes));
   }
 
   std::string constants_text() {

@@ -20,7 +20,7 @@ struct Places {
 };
 
 /// A function of a block that a plan calls.
-enum class Phase { outputs, derivatives, update, start };
+enum class Phase { outputs, derivatives, update, start, crossings };
 
 /// Writes calls of blocks as C++: each block is an object of its own, set up and called on the spot, which
 /// the compiler sees through.

@@ -94,6 +94,7 @@ std::optional<RunFault> Executor::fault() const {
   }
   if (!loops_solved())
     if (auto unsolved = unsolved_loop()) return unsolved;
+  if (auto many = too_many_events()) return many;
   if (auto wrong = wrong_step()) return wrong;
   return not_finite();
 }

@@ -89,7 +89,11 @@ Executor::Executor(const plan::Plan& plan)
       outputs_(plan, plan.outputs, blocks_.get()),
       stage_(plan, plan.stage, blocks_.get()),
       derivatives_(plan, plan.derivatives, blocks_.get()),
-      updates_(plan, plan.updates, blocks_.get()) {
+      updates_(plan, plan.updates, blocks_.get()),
+      crossing_outputs_(plan, plan.crossing_outputs, blocks_.get()),
+      event_outputs_(plan, plan.event_outputs, blocks_.get()),
+      event_updates_(plan, plan.event_updates, blocks_.get()),
+      event_scratch_(solve::EventTask::scratch_size(plan.layout.state_count, plan.crossing_count)) {
   workspace_.values.assign(plan.layout.size, 0.0);
   constants_ = plan.constants;
   due_.assign(plan.periods.size(), 1);
@@ -301,16 +305,23 @@ void Executor::advance() {
   }
   if (!ending_diagnostics_.empty() && diagnostic_ends_run()) healthy_ = false;
   if (workspace_.values[plan_.layout.report] != solve::StepReport::fine || !loops_solved()) healthy_ = false;
+  if (plan_.crossing_count > 0 && workspace_.values[plan_.layout.events + solve::EventReport::end] != 0.0)
+    healthy_ = false;
   ++workspace_.tick;
 }
 
 void Executor::take_step() {
   run_due(updates_);
+  if (plan_.crossing_count > 0) return take_located_step();
   if (!solver_) return;
   if (guards_) guards_->keep();
   if (plan_.updates_continuous) run(stage_);
   run(derivatives_);
-  solver_->advance(*equations_, {time(), plan_.time_of(workspace_.tick + 1), plan_.diagram.step});
+  step_states({time(), plan_.time_of(workspace_.tick + 1), plan_.diagram.step});
+}
+
+void Executor::step_states(const solve::TimeStep& step) {
+  solver_->advance(*equations_, step);
 }
 
 bool Executor::is_finite() const {

@@ -15,6 +15,7 @@
 #include "engine/simulate/run/loop_cost.hpp"
 #include "engine/simulate/run/run_fault.hpp"
 #include "engine/simulate/run/schedule_probe.hpp"
+#include "engine/simulate/solve/event_locator.hpp"
 #include "engine/simulate/solve/loop_solver.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
@@ -165,8 +166,14 @@ class Executor {
   bool loops_solved() const;
   std::optional<RunFault> unsolved_loop() const;
   void run_guarded(const Table& table, std::size_t first, std::size_t end);
+  /// The solver's step, from event to event.
+  void take_located_step();
+  void look_for_crossings(double* numbers) const;
+  void act_at_event();
+  std::optional<RunFault> too_many_events() const;
   void find_due();
   void take_step();
+  void step_states(const solve::TimeStep& step);
   bool diagnostic_ends_run() const;
   std::optional<RunFault> wrong_step() const;
   std::optional<RunFault> not_finite() const;
@@ -185,7 +192,9 @@ class Executor {
   std::vector<Inputs::Element> list_elements_;   ///< of all list inputs, in the order of blocks in memory
   std::vector<std::size_t> first_list_element_;  ///< of each block
   std::unique_ptr<std::byte, FreeBlocks> blocks_;
-  Table once_, timed_, outputs_, stage_, derivatives_, updates_;
+  Table once_, timed_, outputs_, stage_, derivatives_, updates_, crossing_outputs_, event_outputs_,
+      event_updates_;
+  std::vector<double> event_scratch_;
   std::unique_ptr<Equations> equations_;
   std::optional<Guards> guards_;  ///< none where the plan has none
   std::vector<char> due_;         ///< for each of the plan's periods

@@ -31,7 +31,8 @@ template <class May, class Function>
 bool find_sign_change(double around, const May& may, const Function& function, Sample& low, Sample& high) {
   low = {around, function(around)};
   double reach = std::max({std::abs(low.value), 1e-3 * std::abs(around), 1e-9});
-  for (; may() && std::isfinite(reach); reach *= 4.0)
+  const double end = 1e12 * std::max(reach, 1.0);
+  for (; may() && reach < end; reach *= 4.0)
     for (const double side : {low.value, -low.value}) {
       high.at = around + std::copysign(reach, side);
       high.value = function(high.at);

@@ -7,17 +7,16 @@
 #include <limits>
 
 #include "engine/simulate/solve/bracket.hpp"
-#include "engine/simulate/solve/forward_differences.hpp"
 #include "engine/simulate/solve/loop_task.hpp"
 
 namespace stepwire::solve {
 
-/// Solves z = g(z), where z are the torn numbers of a loop and one pass through its blocks computes g: Newton's
-/// method from the last solution, each correction damped until the next is smaller (Deuflhard 2011, Newton
-/// Methods for Nonlinear Problems, 3.3), with a Jacobian by differences that is kept while corrections fall
-/// tenfold: for a linear loop once. Where that fails, a loop of one number is closed in between two guesses,
-/// and it all begins once more at 0, or at 1. With `max_unknowns` nothing is ever allocated; the results are the same to the
-/// last bit.
+/// Solves z = g(z), where z are the torn numbers of a loop and one pass through its blocks computes g:
+/// Newton's method from the last solution, each correction damped until the next is smaller (Deuflhard 2011,
+/// Newton Methods for Nonlinear Problems, 3.3), with a Jacobian by differences that is kept while corrections
+/// fall tenfold: for a linear loop once. Where that fails, a loop of one number is closed in between two
+/// guesses, and it all begins once more at 0, or at 1. With `max_unknowns` nothing is ever allocated; the
+/// results are the same to the last bit.
 template <int max_unknowns = Eigen::Dynamic>
 class LoopSolver {
  public:
@@ -28,7 +27,8 @@ class LoopSolver {
   }
 
   /// pass() computes the outputs of the loop's blocks from what stands in the workspace. The torn numbers and
-  /// all that follows from them end as they solve the loop; where nothing does, that is written to the report.
+  /// all that follows from them end as they solve the loop; where nothing does, that is written to the
+  /// report.
   template <class Pass>
   void solve(const LoopTask& loop, double* values, const Pass& pass) {
     passes_ = 0;
@@ -40,7 +40,7 @@ class LoopSolver {
     };
     save_diagnostics(loop, values);
     read(loop, values);
-    scale_ = guess_.cwiseAbs();
+    scale_ = guess_.cwiseAbs().cwiseMax(small_size);
     const bool solved = search(loop, evaluate);
     if (take_back_diagnostics(loop, values)) evaluate();
     put(loop, values);
@@ -52,10 +52,11 @@ class LoopSolver {
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_unknowns, max_unknowns>;
 
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  static constexpr double smallest = 1e-20;    // part of a signal's size that is as good as 0
+  static constexpr double smallest = 1e-20;      // part of a signal's size that is as good as 0
   static constexpr double smallest_size = 1e-9;  // of a signal at rest at 0, in its own SI unit
-  static constexpr double shortest = 1e-12;    // part of a correction
-  static constexpr double keeps_matrix = 0.1;  // of a correction, the next
+  static constexpr double small_size = 1e-3;     // the same, where rounding allows no smaller corrections
+  static constexpr double shortest = 1e-12;      // part of a correction
+  static constexpr double keeps_matrix = 0.1;    // of a correction, the next
 
   template <class Visit>
   static void each_number(const LoopTask& loop, double* values, const Visit& visit) {
@@ -93,6 +94,7 @@ class LoopSolver {
   bool search(const LoopTask& loop, const Evaluate& evaluate) {
     const bool from_zero = guess_.isZero(0.0);
     if (search_from_here(loop, evaluate)) return true;
+    if (!may_close_in(loop)) return false;
     guess_.setConstant(from_zero ? 1.0 : 0.0);
     return search_from_here(loop, evaluate);
   }
@@ -105,10 +107,13 @@ class LoopSolver {
     if (!residual_.allFinite()) return false;
     const double start = guess_[0];
     if (newton(loop, evaluate)) return true;
-    if (guess_.size() > 1) return false;
+    if (guess_.size() > 1 || !may_close_in(loop)) return false;
     guess_[0] = start;
     return close_in(loop, evaluate);
   }
+
+  /// Are there passes left for more than the last ones of a search?
+  bool may_close_in(const LoopTask& loop) const { return passes_ + 4 < loop.max_passes; }
 
   /// Is the guess as good as a pass can tell?
   bool is_rounding() const {
@@ -146,16 +151,28 @@ class LoopSolver {
   void renew(const Evaluate& evaluate) {
     point_ = guess_;
     base_ = residual_;
-    forward_differences(jacobian_, guess_, residual_, point_, base_, 1.0, evaluate);
+    differentiate(evaluate);
     residual_ = base_;
     // What nobody computes at this instant stays as it is.
     for (Eigen::Index i = 0; i < guess_.size(); ++i)
-      if (jacobian_.row(i).isZero(0.0)) jacobian_(i, i) = -1.0;
+      if (base_[i] == 0.0 && jacobian_.row(i).isZero(0.0)) jacobian_(i, i) = -1.0;
     factors_.compute(jacobian_);
     step_ = factors_.solve(base_);
     step_ = -step_;
-    scale_ = scale_.cwiseMax(guess_.cwiseAbs());
     size_ = point_.cwiseAbs().cwiseMax(step_.cwiseAbs()).cwiseMax(smallest_size);
+  }
+
+  /// By forward differences. Where a signal is 0, its residual says how far it may go.
+  template <class Evaluate>
+  void differentiate(const Evaluate& evaluate) {
+    const double part = std::sqrt(epsilon);
+    for (Eigen::Index j = 0; j < guess_.size(); ++j) {
+      const double size = std::max({std::abs(point_[j]), std::min(std::abs(base_[j]), 1.0), smallest_size});
+      guess_[j] = point_[j] + part * size;
+      evaluate();
+      jacobian_.col(j) = (residual_ - base_) / (guess_[j] - point_[j]);
+      guess_[j] = point_[j];
+    }
   }
 
   /// Goes from the point along the correction, as far as the next one is smaller. Returns which part of it; 0
@@ -207,8 +224,8 @@ class LoopSolver {
       evaluate();
       return residual_[0];
     };
-    const Bracket found =
-        bracket_root(guess_[0], loop.tolerance, [&] { return passes_ < loop.max_passes; }, residual_at);
+    const Bracket found = bracket_root(
+        guess_[0], loop.tolerance, [&] { return may_close_in(loop); }, residual_at);
     residual_at(found.root);
     return found.solved;
   }
@@ -230,10 +247,10 @@ class LoopSolver {
     report[LoopReport::number] = static_cast<double>(worst);
   }
 
-  Vector guess_, residual_;      ///< z, and g(z) - z
-  Vector point_, base_, step_;   ///< where the matrix was used last, its residual, and the correction there
-  Vector next_;                  ///< the correction at the guess, by the same matrix
-  Vector size_, scale_;          ///< of the signals: where the matrix was made; at this instant so far
+  Vector guess_, residual_;     ///< z, and g(z) - z
+  Vector point_, base_, step_;  ///< where the matrix was used last, its residual, and the correction there
+  Vector next_;                 ///< the correction at the guess, by the same matrix
+  Vector size_, scale_;         ///< of the signals: where the matrix was made; at the start
   Matrix jacobian_;
   Eigen::PartialPivLU<Matrix> factors_;
   std::int64_t passes_ = 0;
