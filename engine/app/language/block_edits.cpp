@@ -6,6 +6,7 @@
 #include <cctype>
 #include <filesystem>
 
+#include "engine/app/language/wire_edits.hpp"
 #include "engine/app/reference/example.hpp"
 #include "engine/app/reference/words.hpp"
 #include "engine/base/text/characters.hpp"
@@ -79,6 +80,26 @@ TreeEdits::Keys keys_of(DiagramFiles& files, const std::string& type) {
   return {{"diagram", type}};
 }
 
+/// The signals of each input under its name; of a list all in one value.
+TreeEdits::Keys feeds_of(DiagramFiles& files, const std::string& file, const yaml::Document& document,
+                         const Insert& edit) {
+  TreeEdits::Keys feeds;
+  for (const auto& [input, signal] : edit.inputs) {
+    const std::string key = input_place(input).key, source = source_text(files, file, document, signal);
+    const BlockType* type = files.registry().find(edit.type);
+    if (type && type->input(key) < 0)
+      throw EditRefused(fmt::format("{} has no input '{}'", edit.type, text::visible(input)));
+    const auto known = std::ranges::find(feeds, key, &TreeEdits::Keys::value_type::first);
+    if (known == feeds.end())
+      feeds.emplace_back(key, source);
+    else
+      known->second += ", " + source;
+  }
+  for (auto& [key, sources] : feeds)
+    if (sources.find(',') != std::string::npos) sources = "[" + sources + "]";
+  return feeds;
+}
+
 std::string usual_name(DiagramFiles& files, const std::string& type) {
   return files.registry().find(type) ? reference::snake_case(type)
                                      : std::filesystem::path(type).stem().string();
@@ -99,9 +120,10 @@ void remove(TreeEdits& edits, DiagramFiles& files, const std::string& file, cons
     if (one.key != "blocks" && one.key != "parameters") uses.forget(one.value);
 }
 
-std::string insert(TreeEdits& edits, DiagramFiles& files, const yaml::Document& document,
-                   const Insert& edit) {
-  const TreeEdits::Keys keys = keys_of(files, edit.type);
+std::string insert(TreeEdits& edits, DiagramFiles& files, const std::string& file,
+                   const yaml::Document& document, const Insert& edit) {
+  TreeEdits::Keys keys = keys_of(files, edit.type);
+  std::ranges::move(feeds_of(files, file, document, edit), std::back_inserter(keys));
   if (!edit.name.empty() && (!diagram::is_dotted_name(edit.name) || is_taken(document, edit.name)))
     throw EditRefused(fmt::format("'{}' is no name, or is taken", text::visible(edit.name)));
   const std::string name = edit.name.empty() ? free_name(document, usual_name(files, edit.type)) : edit.name;

@@ -12,7 +12,9 @@ namespace stepwire::language {
 void remove(TreeEdits& edits, DiagramFiles& files, const std::string& file, const yaml::Document& document,
             const Remove& edit);
 
-/// Adds a block with what it requires, and returns its name. Throws EditRefused for a type that is not known.
-std::string insert(TreeEdits& edits, DiagramFiles& files, const yaml::Document& document, const Insert& edit);
+/// Adds a block with what it requires and what feeds it, and returns its name. Throws EditRefused for a type
+/// that is not known, and for wires from or to what is not there.
+std::string insert(TreeEdits& edits, DiagramFiles& files, const std::string& file,
+                   const yaml::Document& document, const Insert& edit);
 
 }  // namespace stepwire::language

@@ -31,7 +31,11 @@ Edit value_edit(const json::Json& edit) {
 
 Edit insert_edit(const json::Json& edit) {
   const json::Json* name = edit.find("name");
-  return Insert{text_under(edit, "type"), name && !name->is_null() ? text_under(edit, "name") : ""};
+  Insert insert{text_under(edit, "type"), name && !name->is_null() ? text_under(edit, "name") : ""};
+  if (const json::Json* inputs = edit.find("inputs"))
+    for (const json::Json& fed : inputs->items())
+      insert.inputs.emplace_back(text_under(fed, "input"), text_under(fed, "from"));
+  return insert;
 }
 
 using Reading = std::function<Edit(const json::Json&)>;

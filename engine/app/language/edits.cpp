@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "engine/app/language/block_edits.hpp"
+#include "engine/app/language/known_faults.hpp"
 #include "engine/app/language/tree_edits.hpp"
 #include "engine/app/language/tree_place.hpp"
 #include "engine/app/language/wire_edits.hpp"
@@ -75,34 +76,6 @@ std::size_t place_of_definition(DiagramFiles& files, const std::string& file, co
   throw EditRefused(text::visible(fault.subject.empty() ? words : fault.subject + ": " + words));
 }
 
-using FaultName = std::pair<std::string, std::string>;
-
-FaultName name_of(const yaml::Fault& fault) {
-  return {fault.subject, fault.message.text()};
-}
-
-}  // namespace
-
-std::vector<yaml::Fault> new_faults(DiagramFiles& files, const std::string& file,
-                                    const FileSplices& changes) {
-  DiagramFiles after(files.registry());
-  after.texts() = files.texts();
-  for (const auto& [path, splices] : changes)
-    after.texts().open(path, spliced(*files.texts().text(path), splices));
-  std::vector<FaultName> before;
-  for (const yaml::Fault& fault : analyse(files, file, Depth::draft).faults) before.push_back(name_of(fault));
-  std::vector<yaml::Fault> now = analyse(after, file, Depth::draft).faults;
-  std::erase_if(now, [&](const yaml::Fault& fault) {
-    const auto known = std::ranges::find(before, name_of(fault));
-    if (known == before.end()) return false;
-    before.erase(known);
-    return true;
-  });
-  return now;
-}
-
-namespace {
-
 /// Makes the splices of one file.
 class Editor {
  public:
@@ -146,9 +119,10 @@ class Editor {
   }
   Edited operator()(const Insert& edit) {
     TreeEdits edits(*text_, *document_);
-    const std::string name = insert(edits, files_, *document_, edit);
+    const std::string name = insert(edits, files_, file_, *document_, edit);
     Edited result = done(edits);
     result.name = name;
+    if (!edit.inputs.empty()) refuse_wires(result.faults, (*this)(Insert{edit.type, edit.name}).faults);
     return result;
   }
 
@@ -164,8 +138,18 @@ class Editor {
   Edited done(const TreeEdits& edits) {
     Edited result;
     result.changes[file_] = edits.checked();
-    result.faults = new_faults(files_, file_, result.changes);
+    result.faults = KnownFaults(files_, file_).added_by(result.changes);
     return result;
+  }
+
+  /// A block that is not whole yet may be inserted; what is wrong only with its wires is refused.
+  static void refuse_wires(const std::vector<yaml::Fault>& with, const std::vector<yaml::Fault>& without) {
+    for (const yaml::Fault& fault : with) {
+      const bool is_of_block = std::ranges::any_of(without, [&](const yaml::Fault& one) {
+        return one.subject == fault.subject && one.message.text() == fault.message.text();
+      });
+      if (!is_of_block) refuse_for(fault);
+    }
   }
 
   DiagramFiles& files_;

@@ -38,6 +38,8 @@ struct Remove {
 /// A kind of block, or the file of a part as the diagram would name it. Without a name one is made.
 struct Insert {
   std::string type, name;
+  std::vector<std::pair<std::string, std::string>>
+      inputs{};  ///< with the signals that feed them; "u.2" of lists
 };
 
 using Edit = std::variant<SetValue, SetValueAt, Rename, Connect, Disconnect, Remove, Insert>;
@@ -61,7 +63,7 @@ struct InputName {
   bool operator==(const InputName&) const = default;
 };
 
-/// The inputs of a file to which a signal may be connected: all whose unit is not known to be another one.
+/// The inputs of a file to which a signal may be connected: all for which the edit would not be refused.
 std::vector<InputName> inputs_for(DiagramFiles& files, const Analysis& analysis, const std::string& file,
                                   const std::string& from);
 /// Throws EditRefused for a wire between two units that are known and are not the same.

@@ -1,8 +1,9 @@
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <map>
 
 #include "engine/app/language/edits.hpp"
+#include "engine/app/language/known_faults.hpp"
 #include "engine/app/language/signal_list.hpp"
 #include "engine/app/language/wire_edits.hpp"
 
@@ -20,7 +21,8 @@ Unit unit_text(const yaml::Node& declared) {
 
 struct InputUnit {
   InputName name;
-  Unit wanted;  ///< none where any will do, or it is not known
+  Unit wanted;              ///< none where any will do, or it is not known
+  const yaml::Node* fed{};  ///< the signal that feeds it; nullptr for none
 };
 
 /// Gathers all inputs of a file.
@@ -38,8 +40,9 @@ class Inputs {
   }
 
  private:
-  void add(const std::string& block, const std::string& input, const Unit& wanted) {
-    found_.push_back({{block, input}, wanted});
+  void add(const std::string& block, const std::string& input, const Unit& wanted,
+           const yaml::Node* fed = nullptr) {
+    found_.push_back({{block, input}, wanted, fed});
   }
 
   void add_block(const yaml::Entry& block) {
@@ -60,10 +63,13 @@ class Inputs {
     const yaml::Node* fed = block.value.find(input.name);
     const Unit wanted = wanted_unit(block, input, fed != nullptr);
     const std::size_t count = !fed ? 0 : fed->is_list() ? fed->items.size() : 1;
-    if (!input.list || count == 0) return add(block.key, input.name, wanted);
-    if (count == 1) add(block.key, input.name, wanted);
+    if (!input.list || count == 0) return add(block.key, input.name, wanted, fed);
+    const auto item = [&](std::size_t i) {
+      return i >= count ? nullptr : fed->is_list() ? &fed->items[i] : fed;
+    };
+    if (count == 1) add(block.key, input.name, wanted, item(0));
     for (std::size_t i = count == 1 ? 2 : 1; i <= count + 1; ++i)
-      add(block.key, input.name + "." + std::to_string(i), wanted);
+      add(block.key, input.name + "." + std::to_string(i), wanted, item(i - 1));
   }
 
   /// What feeds an input now says nothing about what may feed it, unless its block declares the unit.
@@ -79,16 +85,53 @@ class Inputs {
   std::vector<InputUnit> found_;
 };
 
-Unit unit_of(const Analysis& analysis, DiagramFiles& files, const std::string& file,
-             const std::string& source) {
-  const auto signals = signals_of(analysis, files, file, false);
-  const auto known = std::ranges::find(signals, source, &KnownSignal::name);
-  return known == signals.end() ? std::nullopt : known->dimension;
-}
+/// The units of the signals of a file.
+class Signals {
+ public:
+  Signals(const Analysis& analysis, DiagramFiles& files, const std::string& file) {
+    for (const KnownSignal& signal : signals_of(analysis, files, file, false))
+      units_.emplace(signal.name, signal.dimension);
+  }
+  Unit unit(const std::string& name) const {
+    const auto known = units_.find(name);
+    return known == units_.end() ? std::nullopt : known->second;
+  }
+
+ private:
+  std::map<std::string, Unit> units_;
+};
 
 bool fits(const Unit& unit, const Unit& wanted) {
   return !unit || !wanted || *unit == *wanted;
 }
+
+/// Looks whether a file with another wire is as right as it is: units of gains, of what follows and of ways
+/// back, and parameters that become useless are known only to the whole.
+class Trials {
+ public:
+  Trials(DiagramFiles& files, const std::string& file, const yaml::Document& document)
+      : files_(files),
+        file_(file),
+        document_(document),
+        known_(files, file),
+        text_(files.texts().text(file)) {}
+
+  bool is_right(const Connect& wire) const try {
+    TreeEdits edits(*text_, document_);
+    connect(edits, files_, file_, document_, wire);
+    if (text_->find('&') != std::string::npos) edits.checked();  // an anchor may carry the change elsewhere
+    return known_.added_by(edits.tree()).empty();
+  } catch (const EditRefused&) {
+    return false;
+  }
+
+ private:
+  DiagramFiles& files_;
+  const std::string& file_;
+  const yaml::Document& document_;
+  const KnownFaults known_;
+  const std::shared_ptr<const std::string> text_;
+};
 
 }  // namespace
 
@@ -96,10 +139,15 @@ std::vector<InputName> inputs_for(DiagramFiles& files, const Analysis& analysis,
                                   const std::string& from) {
   const auto document = files.tree(file);
   if (!document) return {};
-  const Unit unit = unit_of(analysis, files, file, source_text(files, file, *document, from));
+  const Signals signals(analysis, files, file);
+  const Unit unit = signals.unit(source_text(files, file, *document, from));
+  const Trials trials(files, file, *document);
   std::vector<InputName> found;
-  for (const InputUnit& input : Inputs(files, analysis, file).all(*document))
-    if (fits(unit, input.wanted)) found.push_back(input.name);
+  for (const auto& [name, wanted, fed] : Inputs(files, analysis, file).all(*document)) {
+    const bool is_same = unit && fed && signals.unit(fed->text) == unit;  // then nothing that follows changes
+    if (fits(unit, wanted) && (is_same || trials.is_right({from, name.block, name.input})))
+      found.push_back(name);
+  }
   return found;
 }
 
@@ -107,8 +155,8 @@ void check_units(DiagramFiles& files, const Analysis& analysis, const std::strin
                  const Connect& edit) {
   const auto document = files.tree(file);
   if (!document) return;
-  const Unit unit = unit_of(analysis, files, file, source_text(files, file, *document, edit.from));
-  for (const auto& [name, wanted] : Inputs(files, analysis, file).all(*document))
+  const Unit unit = Signals(analysis, files, file).unit(source_text(files, file, *document, edit.from));
+  for (const auto& [name, wanted, fed] : Inputs(files, analysis, file).all(*document))
     if (name == InputName{edit.to, edit.input} && !fits(unit, wanted))
       throw EditRefused(fmt::format("'{}' is in {}, and '{}' takes {}", edit.from, unit::si_name(*unit),
                                     edit.to.empty() ? edit.input : edit.to + "." + edit.input,

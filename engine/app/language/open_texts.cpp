@@ -14,6 +14,11 @@ void OpenTexts::open(const std::string& path, std::string text) {
   ++changes_;
 }
 
+void OpenTexts::open_tree(const std::string& path, std::shared_ptr<const yaml::Document> document) {
+  open_[path] = {std::nullopt, text(path), std::move(document)};
+  ++changes_;
+}
+
 void OpenTexts::close(const std::string& path) {
   open_.erase(path);
   last_.erase(path);

@@ -29,6 +29,8 @@ class OpenTexts {
   explicit OpenTexts(FileAccess access = {}) : access_(std::move(access)) {}
 
   void open(const std::string& path, std::string text);
+  /// A file of which the tree is known before its text.
+  void open_tree(const std::string& path, std::shared_ptr<const yaml::Document> document);
   void close(const std::string& path);
   bool is_open(const std::string& path) const { return open_.contains(path); }
   std::vector<std::string> open_paths() const;

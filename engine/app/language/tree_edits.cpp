@@ -1,3 +1,4 @@
+// More than 300 lines with its header: splices of the text and the tree that they lead to are noted together.
 #include "engine/app/language/tree_edits.hpp"
 
 #include <algorithm>
@@ -194,14 +195,22 @@ void TreeEdits::add_removals(const yaml::Node& node, std::vector<Splice>& splice
 }
 
 yaml::Node TreeEdits::expected(const yaml::Node& node) const {
-  if (const auto put = replaced_.find(&node); put != replaced_.end()) return put->second;
-  yaml::Node now{.kind = node.kind, .quoted = node.quoted, .text = node.text};
+  if (const auto put = replaced_.find(&node); put != replaced_.end()) {
+    yaml::Node now = put->second;
+    now.mark = node.mark;
+    now.end = node.end;
+    return now;
+  }
+  yaml::Node now{
+      .kind = node.kind, .quoted = node.quoted, .mark = node.mark, .end = node.end, .text = node.text};
   for (const yaml::Node& item : node.items)
     if (!removed_.contains(&item)) now.items.push_back(expected(item));
   for (const yaml::Entry& entry : node.entries)
-    if (!removed_.contains(&entry)) now.entries.push_back(entry_of(entry.key, expected(entry.value)));
+    if (!removed_.contains(&entry))
+      now.entries.push_back({entry.key, entry.mark, expected(entry.value), entry.end});
   if (const auto more = added_.find(&node); more != added_.end())
-    std::ranges::copy(more->second, std::back_inserter(now.entries));
+    for (const yaml::Entry& entry : more->second)
+      now.entries.push_back({entry.key, node.end, entry.value, node.end});
   if (const auto more = added_items_.find(&node); more != added_items_.end())
     std::ranges::copy(more->second, std::back_inserter(now.items));
   return now;

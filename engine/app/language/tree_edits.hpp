@@ -36,6 +36,8 @@ class TreeEdits {
   /// The splices, once the text with them was read again. Throws EditRefused where it is not the tree that it
   /// is to be: where an anchor carries a change elsewhere, or the text would be no YAML any more.
   std::vector<Splice> checked() const;
+  /// What is to be read from the changed text, but for the places of what is new.
+  yaml::Document tree() const { return {document_.file, expected(document_.root)}; }
 
  private:
   struct Child {

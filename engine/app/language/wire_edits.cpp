@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <optional>
 
 #include "engine/app/language/signal_list.hpp"
 #include "engine/base/text/characters.hpp"
@@ -11,22 +10,6 @@
 namespace stepwire::language {
 
 namespace {
-
-/// "u", or of a list "u.2".
-struct InputPlace {
-  std::string key;
-  std::optional<std::size_t> item{};  ///< from 0
-};
-
-InputPlace input_place(const std::string& input) {
-  const std::size_t dot = input.rfind('.');
-  std::size_t number = 0;
-  const char* const end = input.data() + input.size();
-  if (dot != std::string::npos && std::from_chars(input.data() + dot + 1, end, number).ptr == end &&
-      number > 0)
-    return {input.substr(0, dot), number - 1};
-  return {input};
-}
 
 const yaml::Entry& block_of(const yaml::Document& document, const std::string& name) {
   const yaml::Entry* block = DiagramFiles::entry(document, "blocks", name);
@@ -56,6 +39,16 @@ void connect_item(TreeEdits& edits, const yaml::Node& list, std::optional<std::s
 }
 
 }  // namespace
+
+InputPlace input_place(const std::string& input) {
+  const std::size_t dot = input.rfind('.');
+  std::size_t number = 0;
+  const char* const end = input.data() + input.size();
+  if (dot != std::string::npos && std::from_chars(input.data() + dot + 1, end, number).ptr == end &&
+      number > 0)
+    return {input.substr(0, dot), number - 1};
+  return {input};
+}
 
 std::string source_text(DiagramFiles& files, const std::string& file, const yaml::Document& document,
                         const std::string& from) {

@@ -1,11 +1,20 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "engine/app/language/edits.hpp"
 #include "engine/app/language/tree_edits.hpp"
 
 namespace stepwire::language {
+
+/// "u", or of a list "u.2".
+struct InputPlace {
+  std::string key;
+  std::optional<std::size_t> item{};  ///< from 0
+};
+
+InputPlace input_place(const std::string& input);
 
 /// How a file writes a signal: "lag" for "lag.y", where a block has one output; "x" for ".x", an input of the
 /// file. Throws EditRefused where the file has no such block or input.

@@ -57,6 +57,19 @@ function elkNode(node) {
   return {id: node.id, width: node.width, height: node.height, ports, labels, layoutOptions, individualSpacings: close[node.outline]};
 }
 
+/** With these elk keeps nodes in the columns, and there in the order, in which their hints are. */
+const steady = {
+  "elk.layered.layering.strategy": "INTERACTIVE", "elk.layered.cycleBreaking.strategy": "INTERACTIVE",
+  "elk.layered.crossingMinimization.semiInteractive": "true", "elk.layered.considerModelOrder.strategy": "NONE",
+};
+
+/** A node with its hint, of which only what was there before has a height. */
+function hinted(node, {x, y} = {}) {
+  if (x === undefined) return node;
+  const layoutOptions = y === undefined ? node.layoutOptions : {...node.layoutOptions, "elk.position": `(${x},${y})`};
+  return {...node, x, y: y ?? 0, layoutOptions};
+}
+
 const isWord = (node) => node.own && node.outline === "text";
 
 /** The words for the inputs of a frame, or for its outputs, as one node at its edge that keeps their order. */
@@ -76,10 +89,10 @@ function edgeNode(kind, words) {
   return {id: `:${kind}s`, width, height: words.length * portPitch, ports, layoutOptions};
 }
 
-function elkNodes(nodes) {
+function elkNodes(nodes, hints) {
   const words = (kind) => nodes.filter((node) => isWord(node) && node.own === kind);
   const edges = ["input", "output"].filter((kind) => words(kind).length > 0).map((kind) => edgeNode(kind, words(kind)));
-  return [...nodes.filter((node) => !isWord(node)).map(elkNode), ...edges];
+  return [...nodes.filter((node) => !isWord(node)).map((node) => hinted(elkNode(node), hints?.get(node.id))), ...edges];
 }
 
 /** Ports lie at whole places on their nodes, so that what met before it was moved to whole pixels still meets. */
@@ -124,8 +137,11 @@ function linesOf(laid, wires, reversed) {
 /** Does a wire lie between blocks, neither at a port of the file nor at a constant? */
 const isInner = ({from, to}) => ![from, to].some(({node}) => node.startsWith(":"));
 
-/** One layout: the place of each node and the corners of each wire, but for those that are led below afterwards. */
-export async function layOut({nodes, wires, reversed}, elk, style, apart = new Set(), abreast = Math.min(1, apart.size)) {
+/**
+ * One layout: the place of each node and the corners of each wire, but for those that are led below afterwards. With `hints`
+ * (steady.mjs) it keeps to an earlier one.
+ */
+export async function layOut({nodes, wires, reversed, hints}, elk, style, apart = new Set(), abreast = Math.min(1, apart.size)) {
   const {straightChain, ...placing} = style;
   const edges = wires.map((wire, i) => {
     const ends = [outputId(wire.from), inputId(wire.to)], [source, target] = reversed.has(wire) ? ends.reverse() : ends;
@@ -134,13 +150,13 @@ export async function layOut({nodes, wires, reversed}, elk, style, apart = new S
   });
   const between = {"elk.layered.spacing.edgeNodeBetweenLayers": String(clearance(abreast))};
   const laid = await elk.layout({
-    id: "picture", layoutOptions: {...options, ...placing, ...between},
-    children: elkNodes(nodes), edges: edges.filter((_, i) => !apart.has(wires[i])),
+    id: "picture", layoutOptions: {...options, ...placing, ...between, ...(hints ? steady : {})},
+    children: elkNodes(nodes, hints), edges: edges.filter((_, i) => !apart.has(wires[i])),
   });
   const places = placesOf(nodes, laid), lines = linesOf(laid, wires, reversed);
   reachWords(nodes, places, lines);
   const bounds = routeFeedback(nodes, places, lines, [...apart], {width: Math.ceil(laid.width), height: Math.ceil(laid.height)});
-  if (bounds.abreast > abreast) return layOut({nodes, wires, reversed}, elk, style, apart, bounds.abreast);
+  if (bounds.abreast > abreast) return layOut({nodes, wires, reversed, hints}, elk, style, apart, bounds.abreast);
   for (const [wire, points] of lines) lines.set(wire, straightened(points));
   alignPorts(nodes, wires, places, lines);
   removeJogs(nodes, wires, places, lines);

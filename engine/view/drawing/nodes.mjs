@@ -12,9 +12,9 @@ function ownPort(port, kind, isRoot) {
   };
 }
 
-/** A number that is written at an input as a node of its own. */
-function constantNode(wire, index, nodes) {
-  const id = `:constant:${index}`;
+/** A number that is written at an input as a node of its own, which keeps its name as long as the input has. */
+function constantNode(wire, nodes) {
+  const {node, port} = wire.to, id = `:constant:${node.slice(node.lastIndexOf(".") + 1)}.${port}`;
   nodes.push({id, name: "", outline: "text", lines: [wire.from.constant], inputs: [], outputs: [{port: "y"}]});
   return {node: id, port: "y"};
 }
@@ -29,9 +29,9 @@ export function nodesAndWires(whole, isRoot) {
     ...graph.outputs.map((port) => ownPort(port, "output", isRoot)),
   ];
   const end = (place, kind) => (place.node === "" ? {node: `:${kind}:${place.port}`, port: place.port} : place);
-  const wires = graph.wires.map((wire, i) => ({
+  const wires = graph.wires.map((wire) => ({
     ...wire,
-    from: wire.from.constant === undefined ? end(wire.from, "input") : constantNode(wire, i, nodes),
+    from: wire.from.constant === undefined ? end(wire.from, "input") : constantNode(wire, nodes),
     to: end(wire.to, "output"),
   }));
   const fed = new Set(wires.map(({from}) => `${from.node} ${from.port}`));

@@ -6,6 +6,7 @@ import {outputId} from "./layout.mjs";
 import {mirrored} from "./mirror.mjs";
 import {nodesAndWires} from "./nodes.mjs";
 import {rowsOf, secondRow, stacked} from "./rows.mjs";
+import {keptOf} from "./steady.mjs";
 import {openLength, sizeOf, sizes} from "./symbol.mjs";
 import {widthOf} from "./text.mjs";
 import {straightened} from "./wires.mjs";
@@ -18,6 +19,7 @@ const hopeless = 3;
 /** Two rows are drawn where they are that much less wide than one. */
 const worthwhile = 0.85;
 const band = {width: 1000, ratio: 3.5};
+const unbounded = {whole: Infinity, frame: Infinity};
 
 /** What is recorded and fed to nothing ends in an arrow; no wire turns that close to a block. */
 function openEnds(nodes) {
@@ -36,7 +38,7 @@ async function pictureOf(node, elk, known, room) {
     if (picture.width <= room.frame) return picture;  // and so is every frame in it
   }
   const key = keyOf(room.frame);
-  if (!known.has(key)) known.set(key, general(await arrangeIn(node.graph, elk, false, known, room)));
+  if (!known.has(key)) known.set(key, general(await arrangeIn(node.graph, elk, false, known, room.like ? {...room, like: room.like.parts?.[node.id] ?? {}} : room)));
   return drawn(key);
 }
 
@@ -115,8 +117,11 @@ async function inOneRow({nodes, wires}, elk, like) {
   for (const node of nodes)
     for (const port of node.outputs) port.noteAt = laid.notes.get(outputId({node: node.id, port: port.port}));
   const ends = openEnds(nodes), right = Math.max(...ends.map(({points}) => points[1][0] + 8));
-  const {style, flips, cost} = laid;
-  const picture = {width: Math.max(laid.width, right), height: laid.height, blocks, wires: [...laid.wires, ...ends], style, flips, cost: cost.total};
+  const parts = Object.fromEntries(nodes.filter(({inner}) => inner).map(({id, inner}) => [id, inner.picture.like]));
+  const picture = {
+    width: Math.max(laid.width, right), height: laid.height, blocks, wires: [...laid.wires, ...ends],
+    like: {...keptOf(nodes, laid), parts}, cost: laid.cost.total,
+  };
   for (const block of [...blocks]) if (block.inner) embed(block, picture);
   return picture;
 }
@@ -138,9 +143,9 @@ const isTooWide = ({width, height}, room) => width > room || (width > band.width
  * Frames that become wider than `room.frame` are drawn in two rows, and so is the whole beyond `room.whole`.
  */
 async function arrangeIn(graph, elk, isRoot, known, room) {
-  if (room.like) return inOneRow(await sizedNodes(graph, isRoot, elk, known, room), elk, isRoot ? room.like : {});
+  if (room.like) return inOneRow(await sizedNodes(graph, isRoot, elk, known, room), elk, room.like);
   const whole = grouped(graph), sized = () => sizedNodes(whole, isRoot, elk, known, room);
-  const limit = isRoot ? Math.min(room.whole, band.width) : room.frame, task = await sized();
+  const limit = room.whole === Infinity ? Infinity : isRoot ? Math.min(room.whole, band.width) : room.frame, task = await sized();
   if (widthAtMost(task.nodes) > limit) {
     const size = await sizeOfLayout(task.nodes, task.wires, elk);
     if (isRoot ? isTooWide(size, room.whole) : size.width > room.frame) {
@@ -164,8 +169,11 @@ export async function arrange(graph, elk, known = new Map()) {
   return best;
 }
 
+/** The best picture in one row, for who can move it about and look closer. */
+export const arrangeRow = (graph, elk, known = new Map()) => arrangeIn(graph, elk, true, known, unbounded);
+
 /**
- * A picture without a search, soon enough for who edits: in the way of an earlier picture of nearly the same graph, of which
- * only {style, flips} is needed, or of none ({}).
+ * A picture without a search, soon enough for who edits: close to an earlier picture of nearly the same graph, of which only
+ * its `like` is needed, or of none ({}).
  */
-export const arrangeLike = (like, graph, elk, known = new Map()) => arrangeIn(graph, elk, true, known, {whole: Infinity, frame: Infinity, like});
+export const arrangeLike = (like, graph, elk, known = new Map()) => arrangeIn(graph, elk, true, known, {...unbounded, like});

@@ -3,6 +3,7 @@
 import {feedbackEdges} from "./feedback_edges.mjs";
 import {inputId, layOut, outputId, portsOf} from "./layout.mjs";
 import {enterSums, nameSide, placePorts} from "./ports.mjs";
+import {steadied} from "./steady.mjs";
 import {costOf} from "./wires.mjs";
 
 const placement = "elk.layered.nodePlacement.strategy", alignment = "elk.layered.nodePlacement.bk.fixedAlignment";
@@ -28,6 +29,12 @@ const patience = 2;
 /** Ways back that are led below seldom help where the first such layout costs so many times the best one. */
 const hopeless = 1.1;
 
+/** Wires back from the right of a block to the left of another, which can be led below. */
+function backAround({nodes, back}) {
+  const sides = new Map(nodes.flatMap(portsOf).map(({id, side}) => [id, side]));
+  return [...back].filter(({from, to}) => sides.get(outputId(from)) === "EAST" && sides.get(inputId(to)) === "WEST");
+}
+
 /** A layout with what it costs a reader. */
 async function judged(task, elk, style, led) {
   const laid = await layOut(task, elk, style, led);
@@ -39,8 +46,7 @@ const isPerfect = ({cost}) => cost.faults + cost.crossed === 0;
 
 /** The best of several layouts; first all wires are laid out alike, then what leads back to a box is led below. */
 async function bestLayout(task, elk) {
-  const sides = new Map(task.nodes.flatMap(portsOf).map(({id, side}) => [id, side]));
-  const apart = [...task.back].filter(({from, to}) => sides.get(outputId(from)) === "EAST" && sides.get(inputId(to)) === "WEST");
+  const apart = backAround(task);
   let best = await judged(task, elk, styles[0], new Set());
   const attempt = async (led) => {
     let vain = 0;
@@ -68,14 +74,14 @@ function settleSums({nodes, wires, reversed}, laid) {
 }
 
 /** The ports of all nodes, once it is known which wires lead back and which nodes are drawn from right to left. */
-async function settlePorts(task, elk) {
+async function settlePorts(task, elk, style = styles[0]) {
   for (const node of task.nodes) {
     node.flipped = task.flipped.has(node.id);
     for (const port of node.inputs) delete port.side;
     placePorts(node);
   }
   chooseNameSides(task.nodes);
-  if (task.nodes.some((node) => node.outline === "circle")) settleSums(task, await layOut(task, elk, styles[0]));
+  if (task.nodes.some((node) => node.outline === "circle")) settleSums(task, await layOut(task, elk, style));
 }
 
 /** Puts the ports back to where they are now. */
@@ -114,16 +120,17 @@ export async function sizeOfLayout(nodes, wires, elk) {
   return {width, height};
 }
 
-/** One layout in the style that was best for a picture like this one, or in one that is quick. */
-async function layOutQuickly(nodes, wires, elk, {style = nodes.length > few ? quick : styles[0], flips = true}) {
-  const task = {nodes, wires, ...feedbackEdges(nodes, wires, flips)};
-  await settlePorts(task, elk);
-  return {...await judged(task, elk, {...style, ...sketched}, new Set()), style, flips};
+/** One layout in the style of an earlier one, and close to it where it was one of nearly the same nodes; of none in a quick style. */
+async function layOutQuickly(nodes, wires, elk, kept) {
+  const {style = nodes.length > few ? quick : styles[0], flips = true, led = false} = kept, soon = {...style, ...sketched};
+  const task = {nodes, wires, ...(steadied(nodes, wires, kept) ?? feedbackEdges(nodes, wires, flips))};
+  await settlePorts(task, elk, soon);
+  return {...await judged(task, elk, soon, new Set(led ? backAround(task) : [])), style, flips};
 }
 
 /**
  * Lays out with ways back from right to left; where these find no good place, also without, and takes the better. With
- * `like`, the {style, flips} of an earlier layout or {}, there is no search.
+ * `like`, what is kept of an earlier layout (keptOf) or {}, there is no search.
  */
 export async function searchLayout(nodes, wires, elk, like) {
   if (like) return layOutQuickly(nodes, wires, elk, like);

@@ -134,6 +134,25 @@ TEST_CASE("a block is deleted with its line, its names in lists go, and what els
   CHECK_THAT(files.after(Remove{"mass"}), !Contains("mass: 2 kg") && Contains("mass: $mass"));
 }
 
+TEST_CASE("a block is inserted with what feeds it in one edit, or not at all where a wire does not fit") {
+  Cart files;
+  CHECK_THAT(files.after(Insert{"Gain", "twice", {{"u", "cart.position"}}}),
+             Contains("  twice: {block: Gain") && Contains("u: cart.position}\n"));
+  CHECK_THAT(files.after(Insert{"MinMax", "most", {{"u.1", "held"}, {"u.2", "rig.force"}}}),
+             Contains("u: [held, rig]"));
+  CHECK_THAT(files.after(Insert{"spring.yaml", "second", {{"x", "cart.position"}}}),
+             Contains("  second: {diagram: spring.yaml, x: cart.position}\n"));
+  CHECK_THAT(files.refusal(Insert{"Mass", "second", {{"force", "cart.position"}}}), Contains("force"));
+  CHECK_THAT(files.refusal(Insert{"Gain", "twice", {{"v", "held"}}}), Contains("Gain has no input 'v'"));
+  CHECK_THAT(files.refusal(Insert{"Gain", "twice", {{"u", "nothing"}}}), Contains("no signal 'nothing'"));
+  CHECK_THAT(files.refusal(Insert{"spring.yaml", "second", {{"z", "held"}}}), Contains("z"));
+  // One of two inputs: the block is not whole yet, but the wire is right.
+  CHECK_THAT(files.after(Insert{"Atan2", "angle", {{"adjacent", "held"}}}), Contains("adjacent: held"));
+  const std::string text =
+      R"({"kind": "insert", "type": "Gain", "inputs": [{"input": "u", "from": "held"}]})";
+  CHECK_THAT(files.after(edit_of(json::Json::parse(text))), Contains("u: held}"));
+}
+
 TEST_CASE("a block of any kind is inserted with a free name and what it requires") {
   Cart files;
   const Registry registry = blocks();

@@ -27,7 +27,10 @@ export class GraphSource {
   private latest = 0;
   private graph = "";
   private timer: number | undefined;
-  private like: Picture["like"] = {};
+  /** The picture that is shown, to which the next one keeps. */
+  private like = 0;
+  /** Is it known that the search finds nothing much better for what is shown? */
+  private isSettled = false;
   shown: Shown | undefined;
 
   constructor(private readonly connection: Connection, private readonly listener: {
@@ -42,7 +45,7 @@ export class GraphSource {
   /** Draws something else: nothing of the way of the last picture is kept. */
   show(shown: Shown): void {
     this.shown = shown;
-    this.like = {};
+    this.like = 0;
     this.graph = "";
     void this.refresh();
   }
@@ -55,7 +58,7 @@ export class GraphSource {
     this.isDue = false;
     try {
       const drawn = await this.connection.call<Drawn>("graph", {...shown});
-      if (shown === this.shown) this.take(drawn);
+      if (shown === this.shown) this.draw(drawn);
     } catch (thrown) {
       if (shown === this.shown) this.listener.fault(Fault.from(thrown));
     }
@@ -63,7 +66,7 @@ export class GraphSource {
     if (this.isDue) void this.refresh();
   }
 
-  private take(drawn: Drawn): void {
+  private draw(drawn: Drawn): void {
     const text = JSON.stringify(drawn.graph);
     this.listener.drawn(drawn);
     if (text === this.graph) return;
@@ -78,8 +81,9 @@ export class GraphSource {
     try {
       const picture = await this.layouter.sketch(graph, this.like);
       if (!picture || number !== this.latest) return;
-      this.listener.picture(picture);
-      this.timer = window.setTimeout(() => void this.search(graph, picture, number), idle);
+      this.isSettled &&= picture.isRelabeled;
+      this.take(picture);
+      if (!this.isSettled) this.timer = window.setTimeout(() => void this.search(graph, picture, number), idle);
     } catch (thrown) {
       this.listener.fault(new Fault(`the drawing cannot be laid out: ${Fault.from(thrown).message}`));
     } finally {
@@ -90,8 +94,13 @@ export class GraphSource {
   /** Looks for a better picture while nothing else is to do. */
   private async search(graph: Graph, quick: Picture, number: number): Promise<void> {
     const picture = await this.layouter.search(graph).catch(() => null);
-    if (!picture || number !== this.latest || picture.cost > worthwhile * quick.cost) return;
-    this.like = picture.like;
+    if (!picture || number !== this.latest) return;
+    this.isSettled = true;
+    if (picture.cost <= worthwhile * quick.cost) this.take(picture);
+  }
+
+  private take(picture: Picture): void {
+    this.like = picture.id;
     this.listener.picture(picture);
   }
 }

@@ -2,8 +2,8 @@
 
 import ELK from "elkjs/lib/elk-api.js";
 import elkAddress from "elkjs/lib/elk-worker.min.js?url";
-import {arrange, arrangeLike, draw, piecesOf} from "../../../../../view/drawing/draw.mjs";
-import type {Answer, Order, Picture, Shape, Wire} from "./types";
+import {arrangeLike, arrangeRow, draw, piecesOf, relabeled} from "../../../../../view/drawing/draw.mjs";
+import type {Answer, Graph, Order, Picture, Shape, Wire} from "./types";
 
 class Stopped extends Error {}
 
@@ -32,17 +32,38 @@ function wireOf({wire, svg}: {wire: any; svg: string}): Wire {
   return {from: wire.from, to: wire.to ?? null, within: wire.within ?? [], unit: wire.unit ?? "", points: wire.points, svg};
 }
 
-function pictureOf(arranged: any): Picture {
-  const {frames, wires, forks, blocks} = piecesOf(arranged) as any, {width, height, style, flips, cost = Infinity} = arranged;
-  return {width, height, shapes: [...frames, ...blocks].map(shapeOf), wires: wires.map(wireOf), forks: forks as string, like: {style, flips}, cost};
+function pictureOf(id: number, arranged: any, isRelabeled: boolean): Picture {
+  const {frames, wires, forks, blocks} = piecesOf(arranged) as any, {width, height, cost = Infinity} = arranged;
+  return {id, isRelabeled, width, height, shapes: [...frames, ...blocks].map(shapeOf), wires: wires.map(wireOf), forks: forks as string, cost};
+}
+
+/** The newest pictures with their graphs, of which the page shows one. */
+const kept = new Map<number, {graph: Graph; picture: any}>();
+const mostKept = 4;
+
+function keep(id: number, graph: Graph, picture: any): void {
+  kept.set(id, {graph, picture});
+  for (const old of kept.keys()) if (kept.size > mostKept) kept.delete(old);
+}
+
+/** The picture before with other words where only these changed; else one close to it. */
+async function sketched({id, graph, like}: Order & {want: "sketch"}): Promise<Picture> {
+  const before = kept.get(like), same = before && relabeled(before, graph as any), picture = same ?? await arrangeLike(before?.picture.like ?? {}, graph as any, elkOf(id), known);
+  keep(id, graph, picture);
+  return pictureOf(id, picture, same !== undefined);
+}
+
+async function best(id: number, graph: Graph): Promise<Picture> {
+  const picture = await arrangeRow(graph as any, elkOf(id), known);
+  keep(id, graph, picture);
+  return pictureOf(id, picture, false);
 }
 
 async function done(order: Order): Promise<Answer> {
-  const {id, graph} = order, own = elkOf(id);
+  const {id, graph, want} = order;
   if (known.size > mostKnown) known = new Map();
-  if (order.want === "text") return {id, text: await draw(graph, own)};
-  const arranged = order.like ? await arrangeLike(order.like, graph as any, own, known) : await arrange(graph as any, own, known);
-  return {id, picture: pictureOf(arranged)};
+  if (want === "text") return {id, text: await draw(graph, elkOf(id))};
+  return {id, picture: want === "sketch" ? await sketched(order) : await best(id, graph)};
 }
 
 self.onmessage = async ({data}: MessageEvent<Order>) => {

@@ -3,7 +3,7 @@ import type {Answer, Graph, Order, Picture} from "./types";
 /** How long an older layout may go on beside a newer order before its worker is ended [ms]. */
 const patience = 400;
 
-type Wish = {graph: Graph} & ({want: "picture"; like: Picture["like"] | null} | {want: "text"});
+type Wish = {graph: Graph} & ({want: "sketch"; like: number} | {want: "best"} | {want: "text"});
 
 /** Orders layouts of a worker, one after the other: a newer order ends an older one, whose promise gives null. */
 export class Layouter {
@@ -12,14 +12,14 @@ export class Layouter {
   private readonly waiting = new Map<number, {order: Order; resolve: (answer: Answer | null) => void}>();
   private timer: number | undefined;
 
-  /** A picture soon, in the way of an earlier one ({} for none); null where a newer order came. Throws where there is none. */
-  async sketch(graph: Graph, like: Picture["like"]): Promise<Picture | null> {
-    return (await this.order({graph, want: "picture", like}))?.picture ?? null;
+  /** A picture soon, close to an earlier one by its id (0 for none); null where a newer order came. Throws where there is none. */
+  async sketch(graph: Graph, like: number): Promise<Picture | null> {
+    return (await this.order({graph, want: "sketch", like}))?.picture ?? null;
   }
 
   /** The best picture that is found, which may take seconds. */
   async search(graph: Graph): Promise<Picture | null> {
-    return (await this.order({graph, want: "picture", like: null}))?.picture ?? null;
+    return (await this.order({graph, want: "best"}))?.picture ?? null;
   }
 
   /** The text of an SVG file. */

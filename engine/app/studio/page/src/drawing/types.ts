@@ -51,14 +51,17 @@ export interface Wire {
   svg: string;
 }
 
-/** What a layout gives: the picture in pieces, and in which way it was laid out. */
+/** What a layout gives: the picture in pieces, and what the next layout needs to keep to it. */
 export interface Picture {
+  /** By which the worker knows it. */
+  id: number;
+  /** Are only words other than in the picture before? */
+  isRelabeled: boolean;
   width: number;
   height: number;
   shapes: Shape[];
   wires: Wire[];
   forks: string;
-  like: {style?: object; flips?: boolean};
   cost: number;
 }
 
@@ -68,6 +71,6 @@ export interface TextRange {
   to: number;
 }
 
-/** What the page orders of the worker, and what it answers. */
-export type Order = {id: number; graph: Graph} & ({want: "picture"; like: Picture["like"] | null} | {want: "text"});
+/** What the page orders of the worker: a sketch close to a picture by its id (0 for none), the best picture, or the text of a file. */
+export type Order = {id: number; graph: Graph} & ({want: "sketch"; like: number} | {want: "best"} | {want: "text"});
 export type Answer = {id: number; picture?: Picture; text?: string; stopped?: boolean; fault?: string};

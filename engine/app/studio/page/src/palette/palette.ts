@@ -89,10 +89,9 @@ class Palette {
   private async insert(): Promise<void> {
     const type = this.shown[this.chosen], {file} = this.target, {workbench} = this.context;
     if (!type) return;
-    const fed = [...this.feeds.querySelectorAll("select")].filter(({value}) => value !== "");
+    const fed = [...this.feeds.querySelectorAll("select")].filter(({value}) => value !== "").map(({dataset, value}) => ({input: dataset.input, from: value}));
     try {
-      const {name = type.name} = await workbench.splice(file, {kind: "insert", type: type.name});
-      for (const {dataset, value} of fed) await workbench.splice(file, {kind: "connect", from: value, to: name, input: dataset.input});
+      const {name = type.name} = await workbench.splice(file, {kind: "insert", type: type.name, inputs: fed});
       this.dialog?.close();
       this.context.announce(`${name} is inserted`);
     } catch (thrown) {
