@@ -65,23 +65,33 @@ async function bestLayout(task, elk) {
 
 const chooseNameSides = (nodes) => nodes.forEach((node) => { node.nameSide = node.name && !node.inner ? nameSide(node) : ""; });
 
-/** Lets signals enter sums from where they begin in a layout. */
-function settleSums({nodes, wires, reversed}, laid) {
+/** How high each wire begins in a layout. */
+const startsOf = (wires, laid) => new Map(wires.map((wire, i) => [wire, laid.wires[i].points[0][1]]));
+const startsIn = async (task, elk, style) => startsOf(task.wires, await layOut(task, elk, style));
+
+/** The same as an earlier layout had it. */
+function startsAsHinted({nodes, wires, hints}) {
+  const byId = new Map(nodes.map((node) => [node.id, node]));
+  return new Map(wires.map((wire) => [wire, (hints.get(wire.from.node).y ?? 0) + byId.get(wire.from.node).outputs.find(({port}) => port === wire.from.port).y]));
+}
+
+/** Lets signals enter sums from where they begin. */
+function settleSums({nodes, wires, reversed}, heights) {
   for (const node of nodes) for (const port of node.inputs) delete port.side;
-  enterSums(nodes, wires, reversed, new Map(wires.map((wire, i) => [wire, laid.wires[i].points[0][1]])));
+  enterSums(nodes, wires, reversed, heights);
   nodes.forEach(placePorts);
   chooseNameSides(nodes);
 }
 
-/** The ports of all nodes, once it is known which wires lead back and which nodes are drawn from right to left. */
-async function settlePorts(task, elk, style = styles[0]) {
+/** The ports of all nodes, once it is known which wires lead back and which nodes are drawn from right to left; sums by where wires begin. */
+async function settlePorts(task, startsOfTask) {
   for (const node of task.nodes) {
     node.flipped = task.flipped.has(node.id);
     for (const port of node.inputs) delete port.side;
     placePorts(node);
   }
   chooseNameSides(task.nodes);
-  if (task.nodes.some((node) => node.outline === "circle")) settleSums(task, await layOut(task, elk, style));
+  if (task.nodes.some((node) => node.outline === "circle")) settleSums(task, await startsOfTask(task));
 }
 
 /** Puts the ports back to where they are now. */
@@ -102,7 +112,7 @@ const sidesOf = ({nodes}) => nodes.flatMap((node) => node.inputs.map((port) => p
 /** In the best layout signals may begin elsewhere than in the first one: where that is better, sums are entered anew. */
 async function reenterSums(task, elk, laid) {
   const restore = keepPorts(task.nodes), sides = sidesOf(task);
-  settleSums(task, laid);
+  settleSums(task, startsOf(task.wires, laid));
   if (sidesOf(task) === sides) return laid;
   const best = better(laid, await judged(task, elk, laid.style, laid.led));
   if (best === laid) restore();
@@ -115,7 +125,7 @@ const forwardCost = 4;
 /** How large a picture becomes, by one layout. */
 export async function sizeOfLayout(nodes, wires, elk) {
   const task = {nodes, wires, ...feedbackEdges(nodes, wires, true)};
-  await settlePorts(task, elk);
+  await settlePorts(task, (sized) => startsIn(sized, elk, styles[0]));
   const {width, height} = await layOut(task, elk, styles[0]);
   return {width, height};
 }
@@ -124,7 +134,7 @@ export async function sizeOfLayout(nodes, wires, elk) {
 async function layOutQuickly(nodes, wires, elk, kept) {
   const {style = nodes.length > few ? quick : styles[0], flips = true, led = false} = kept, soon = {...style, ...sketched};
   const task = {nodes, wires, ...(steadied(nodes, wires, kept) ?? feedbackEdges(nodes, wires, flips))};
-  await settlePorts(task, elk, soon);
+  await settlePorts(task, (sized) => (task.hints ? startsAsHinted(sized) : startsIn(sized, elk, soon)));
   return {...await judged(task, elk, soon, new Set(led ? backAround(task) : [])), style, flips};
 }
 
@@ -136,7 +146,7 @@ export async function searchLayout(nodes, wires, elk, like) {
   if (like) return layOutQuickly(nodes, wires, elk, like);
   const attempt = async (flip) => {
     const task = {nodes, wires, ...feedbackEdges(nodes, wires, flip)};
-    await settlePorts(task, elk);
+    await settlePorts(task, (sized) => startsIn(sized, elk, styles[0]));
     return {flipped: task.flipped, laid: {...await reenterSums(task, elk, await bestLayout(task, elk)), flips: flip}};
   };
   const {flipped, laid: first} = await attempt(true);

@@ -34,8 +34,8 @@ function addressOf(server) {
 export class Studio {
   errors = [];
 
-  /** `state` is a folder for what the studio keeps for its user, so that nothing of who runs the test is read. */
-  static async opened(text, {width = 1400, height = 900, colorScheme = "light", name = "diagram.yaml"} = {}) {
+  /** What the studio keeps for its user lies in the folder, so that nothing of who runs the test is read. `seen` runs in the page first. */
+  static async opened(text, {width = 1400, height = 900, colorScheme = "light", name = "diagram.yaml", seen} = {}) {
     const studio = new Studio();
     studio.folder = mkdtempSync(join(tmpdir(), "studio-"));
     studio.path = join(studio.folder, name);
@@ -43,6 +43,7 @@ export class Studio {
     await studio.start();
     studio.browser = await playwright.chromium.launch({executablePath, args: ["--no-sandbox", "--disable-gpu"]});
     const context = await studio.browser.newContext({viewport: {width, height}, colorScheme});
+    if (seen) await context.addInitScript(seen);
     studio.page = await studio.visit(context);
     return studio;
   }

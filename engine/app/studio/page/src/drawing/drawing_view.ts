@@ -34,12 +34,14 @@ export class DrawingView implements View {
   private readonly edits: ShapeEdits;
   private readonly opened = new Set<string>();
   private picture: Picture | undefined;
+  /** The newest one, which may still be made. */
+  private latest: Picture | undefined;
   private pressed = [0, 0];
 
   constructor(host: HTMLElement, private readonly context: Context) {
     const {workbench, connection} = context;
     this.source = new GraphSource(connection, {
-      drawn: ({ranges}) => this.take(ranges), picture: (picture) => this.show(picture), fault: (fault) => this.complain(fault),
+      drawn: ({ranges}) => this.take(ranges), picture: (picture) => void this.show(picture), fault: (fault) => this.complain(fault),
       busy: (isBusy) => { this.busy.hidden = !isBusy || this.picture !== undefined; },
     });
     this.crumbs = new Crumbs((depth) => this.enter(this.places.scope.slice(0, depth)));
@@ -80,7 +82,7 @@ export class DrawingView implements View {
     const {workbench} = this.context;
     this.places.scope = scope;
     this.places.root = workbench.root;
-    this.picture = undefined;
+    this.picture = this.latest = undefined;
     this.canvas.classList.add("old");
     this.busy.hidden = false;
     this.card.close();
@@ -96,11 +98,14 @@ export class DrawingView implements View {
     this.mark();
   }
 
-  private show(picture: Picture): void {
+  private async show(picture: Picture): Promise<void> {
+    this.latest = picture;
+    const groups = await this.shapes.made(picture);
+    if (picture !== this.latest) return;
     const isFirst = this.picture === undefined;
     this.picture = picture;
     this.canvas.classList.remove("old");
-    this.shapes.show(picture, (shape) => describe(shape, picture), isFirst || this.context.theme.isStill);
+    this.shapes.show(picture, groups, (shape) => describe(shape, picture), isFirst || this.context.theme.isStill);
     this.viewport.resize(picture.width, picture.height);
     if (isFirst) this.viewport.begin();
     if (isFirst && this.places.scope.length > 0) void this.context.workbench.activate(this.places.file);

@@ -7,17 +7,20 @@ import type {Answer, Graph, Order, Picture, Shape, Wire} from "./types";
 
 class Stopped extends Error {}
 
-const elk = new ELK({workerFactory: () => new Worker(elkAddress)});
+const newElk = () => new ELK({workerFactory: () => new Worker(elkAddress)});
+/** What is drawn while somebody edits does not wait for the search. */
+const elk = newElk();
+let searching: ReturnType<typeof newElk> | undefined;
 /** Pictures of parts, by their graphs: they seldom change. */
 let known = new Map<string, string>();
 const mostKnown = 400;
 let newest = 0;
 
-/** elk for one order. */
-const elkOf = (id: number) => ({
+/** elk for one order, which ends before its next layout once there is a newer one. */
+const elkOf = (id: number, own = elk) => ({
   layout: (graph: any) => {
     if (id < newest) throw new Stopped();
-    return elk.layout(graph);
+    return own.layout(graph);
   },
 });
 
@@ -54,7 +57,7 @@ async function sketched({id, graph, like}: Order & {want: "sketch"}): Promise<Pi
 }
 
 async function best(id: number, graph: Graph): Promise<Picture> {
-  const picture = await arrangeRow(graph as any, elkOf(id), known);
+  const picture = await arrangeRow(graph as any, elkOf(id, searching ??= newElk()), known);
   keep(id, graph, picture);
   return pictureOf(id, picture, false);
 }
@@ -65,6 +68,17 @@ async function done(order: Order): Promise<Answer> {
   if (want === "text") return {id, text: await draw(graph, elkOf(id))};
   return {id, picture: want === "sketch" ? await sketched(order) : await best(id, graph)};
 }
+
+/** elk's code becomes fast by being run: that happens while the page still waits for its first graph. */
+async function warmUp(): Promise<void> {
+  const names = Array.from({length: 24}, (_, i) => `w${i}`), node = (id: string) => ({id, name: id, outline: "box", lines: ["w"], inputs: [{port: "u"}], outputs: [{port: "y"}]});
+  const wires = names.slice(1).map((id, i) => ({from: {node: names[i % 3 === 0 ? i >> 1 : i], port: "y"}, to: {node: id, port: "u"}}));
+  const graph = {inputs: [], outputs: [], nodes: names.map(node), wires} as any, isIdle = () => newest === 0;
+  let like: object = {};
+  for (let turn = 0; turn < 6 && isIdle(); ++turn) like = (await arrangeLike(like, graph, elk) as any).like;
+}
+
+void warmUp();
 
 self.onmessage = async ({data}: MessageEvent<Order>) => {
   newest = data.id;

@@ -1,7 +1,7 @@
 import type {Answer, Graph, Order, Picture} from "./types";
 
-/** How long an older layout may go on beside a newer order before its worker is ended [ms]. */
-const patience = 400;
+/** How long an older sketch may go on beside a newer order before its worker is ended: it can loop for ever [ms]. */
+const patience = 3000;
 
 type Wish = {graph: Graph} & ({want: "sketch"; like: number} | {want: "best"} | {want: "text"});
 
@@ -11,6 +11,10 @@ export class Layouter {
   private nextId = 1;
   private readonly waiting = new Map<number, {order: Order; resolve: (answer: Answer | null) => void}>();
   private timer: number | undefined;
+
+  constructor() {
+    this.started();  // it loads and warms up before the first graph comes
+  }
 
   /** A picture soon, close to an earlier one by its id (0 for none); null where a newer order came. Throws where there is none. */
   async sketch(graph: Graph, like: number): Promise<Picture | null> {
@@ -39,6 +43,7 @@ export class Layouter {
   }
 
   private async order(wish: Wish): Promise<Answer | null> {
+    this.stopSearch();
     const order = {id: this.nextId++, ...wish} as Order, hasOlder = this.waiting.size > 0;
     const answer = await new Promise<Answer | null>((resolve) => {
       this.waiting.set(order.id, {order, resolve});
@@ -47,6 +52,15 @@ export class Layouter {
     });
     if (answer?.fault) throw new Error(answer.fault);
     return answer?.stopped ? null : answer;
+  }
+
+  /** A search is of no use beside a newer order; the worker ends it before its next layout. */
+  private stopSearch(): void {
+    for (const [id, {order, resolve}] of this.waiting) {
+      if (order.want !== "best") continue;
+      this.waiting.delete(id);
+      resolve(null);
+    }
   }
 
   private started(): Worker {

@@ -5,6 +5,8 @@ import {svgElement} from "./svg_guard";
 import type {Picture, Shape, Wire} from "./types";
 
 const moveTime = 150;  // ms
+/** So many pieces are made at a time, and for so long without a pause [ms]. */
+const slice = 12, longest = 8;
 const frame = (pieces: string[]) => `<svg xmlns="http://www.w3.org/2000/svg" font-family="Helvetica, Arial, sans-serif">${pieces.map((piece) => `<g>${piece}</g>`).join("")}</svg>`;
 const idOf = (prefix: string, id: string) => `${prefix}-${[...id].map((letter) => (/[\w-]/.test(letter) ? letter : `_${letter.codePointAt(0)!.toString(16)}_`)).join("")}`;
 
@@ -27,10 +29,21 @@ export class Shapes {
   laid: Laid[] = [];
   private readonly over = svg("g", {class: "over"});
 
-  /** Shows a picture; what was there before moves to its new place unless `isStill`. */
-  show(picture: Picture, describe: (shape: Shape) => string, isStill: boolean): void {
-    const before = this.placed, parsed = svgElement(frame([...picture.wires, ...picture.shapes].map(({svg: text}) => text).concat(picture.forks)));
-    const groups = [...parsed.children] as SVGGElement[], count = picture.wires.length;
+  /** Makes the elements of a picture, some at a time, so that the page answers meanwhile: of its wires, its shapes, its forks. */
+  async made(picture: Picture): Promise<SVGGElement[]> {
+    const texts = [...picture.wires, ...picture.shapes].map(({svg: text}) => text).concat(picture.forks), groups: SVGGElement[] = [];
+    for (let from = 0, begin = performance.now(); from < texts.length; from += slice) {
+      groups.push(...[...svgElement(frame(texts.slice(from, from + slice))).children] as SVGGElement[]);
+      if (performance.now() - begin < longest) continue;
+      await new Promise((resolve) => setTimeout(resolve));
+      begin = performance.now();
+    }
+    return groups;
+  }
+
+  /** Shows a picture by its elements; what was there before moves to its new place unless `isStill`. */
+  show(picture: Picture, groups: SVGGElement[], describe: (shape: Shape) => string, isStill: boolean): void {
+    const before = this.placed, count = picture.wires.length;
     this.root.setAttribute("font-family", "Helvetica, Arial, sans-serif");
     this.laid = picture.wires.map((wire, i) => ({wire, element: this.wire(wire, groups[i])}));
     this.placed = new Map(picture.shapes.map((shape, i) => [keyOf(shape), {shape, element: this.shape(shape, groups[count + i], describe(shape))}]));

@@ -1,0 +1,60 @@
+// How long it takes from a key in a text of 100 blocks to the new drawing, in Chromium on the program's own page; and for how long the page
+// does not answer meanwhile. Prints lines of JSON with the goals; bench/studio makes a table of them.
+
+import {Studio} from "./studio.mjs";
+
+const quantile = (list, share) => [...list].sort((a, b) => a - b)[Math.floor(share * (list.length - 1))];
+const print = (workload, by, unit, value, goal) => console.log(JSON.stringify({workload, by, unit, value: Number(value.toPrecision(3)), goal}));
+
+/** 100 blocks in which each hears one or two that stand before it. */
+function hundredBlocks() {
+  let seed = 1;
+  const below = (limit) => Math.floor(((seed = (seed * 1103515245 + 12345) % 2147483648) / 2147483648) * limit);
+  const block = (i) => {
+    const near = Math.max(0, i - 1 - below(6)), any = below(i);
+    return i % 5 === 0 ? `{block: Sum, u: [b${near}, b${any}]}` : i % 3 === 0 ? `{block: Lag, u: b${near}, tau: 0.1 s}` : `{block: Gain, gain: 2, u: b${near}}`;
+  };
+  const lines = Array.from({length: 99}, (_, i) => `  b${i + 1}: ${block(i + 1)}\n`);
+  return `stepwire: 1\ntitle: many\nstep: 1 ms\nstop: 1 s\nsolver: rk4\nrecord: [b9]\nblocks:\n  b0: {block: Sine, amplitude: 1, frequency: 1 Hz}\n${lines.join("")}`;
+}
+
+/** In the page: notes long tasks, and when the drawing became another one. */
+function observe() {
+  window.seen = {long: [], drawn: 0};
+  new PerformanceObserver((list) => { for (const {duration} of list.getEntries()) window.seen.long.push(duration); }).observe({entryTypes: ["longtask"]});
+  const watch = setInterval(() => {
+    const picture = document.querySelector(".picture");
+    if (!picture) return;
+    clearInterval(watch);
+    new MutationObserver(() => { window.seen.drawn = performance.now(); }).observe(picture, {childList: true});
+  }, 20);
+}
+
+/** Types a line at the end of the text; resolves to the time from its last key until the block is drawn [ms]. */
+async function typed(page, line, name) {
+  await page.keyboard.press("Control+End");
+  await page.keyboard.insertText(line.slice(0, -1));
+  await page.waitForTimeout(1500);
+  const before = await page.evaluate(() => performance.now());
+  await page.keyboard.insertText(line.slice(-1));
+  await page.waitForFunction((one) => document.querySelector(`[data-shape="${one}"]`), name, {polling: 5, timeout: 30000});
+  await page.keyboard.insertText("\n");
+  return await page.evaluate(() => window.seen.drawn) - before;
+}
+
+const studio = await Studio.opened(hundredBlocks(), {seen: observe});
+try {
+  const {page} = studio, times = [];
+  await page.waitForSelector("[data-shape='b99']", {timeout: 60000});
+  await page.getByRole("button", {name: "No, thank you"}).click({timeout: 5000}).catch(() => {});  // the tour, at a first visit
+  await page.waitForTimeout(12000);  // until the search for the best layout is over
+  await page.locator(".cm-content").focus();
+  await page.evaluate(() => { window.seen.long.length = 0; });
+  for (let i = 0; i < 12; ++i) times.push(await typed(page, `  n${i}: {block: Gain, gain: 2, u: b${(37 * i) % 100}}`, `n${i}`));
+  const workload = "a block is typed into a diagram of 100", long = await page.evaluate(() => window.seen.long);
+  print(workload, "key to drawing, p50", "ms", quantile(times, 0.5), 300);
+  print(workload, "key to drawing, p95", "ms", quantile(times, 0.95));
+  print(workload, "page does not answer, at most", "ms", Math.max(0, ...long), 50);
+} finally {
+  await studio.close();
+}
