@@ -29,6 +29,7 @@ const panes: Pane[] = [
   {id: "scene", title: "Scene", make: async (host) => new (await import("./scene/scene_view")).SceneView(host, context)},
   {id: "mechanism", title: "3-D", make: async (host) => new (await import("./scene/mechanism_view")).MechanismView(host, context)},
   {id: "figures", title: "Figures", make: async (host) => new (await import("./figures/figures_view")).FiguresView(host, context)},
+  {id: "loop", title: "Loop", isKept: true, make: async (host) => new (await import("./loop/loop_view")).LoopView(host, context)},
   {id: "tuning", title: "Tuning", make: async (host) => new (await import("./tuning/tuning_list")).TuningList(host, context)},
 ];
 const bar = new Bar(context), layout = new Layout(panes, settings);
@@ -63,6 +64,7 @@ connection.on("connection", async ({state, hello, fault}) => {
   isStarted = true;
   try {
     await settings.load();
+    if (hello.loop) layout.offer("loop");
     await context.workbench.start(hello.file);
     const {tourOnFirstVisit} = await import("./tour/tour");
     await tourOnFirstVisit(context);

@@ -2,6 +2,7 @@ import "./run.css";
 import type {Context, View} from "../shell/context";
 import {h, listen} from "../shell/dom";
 import {icon} from "./icons";
+import type {Loaded} from "./run_types";
 import {measuredText, nextRate, rates, rateText} from "./rates";
 import {Scrub} from "./scrub";
 import {Verdicts} from "./verdicts";
@@ -38,7 +39,7 @@ export class RunBar implements View {
     listen(this.restart, "click", () => void run.restart());
     listen(this.rate, "change", () => void run.setRate(Number(this.rate.value)));
     this.ends = [
-      run.on("loaded", (loaded) => { this.verdicts.load(loaded); this.scrub.reset(); }), run.on("claims", (verdicts) => this.verdicts.judge(verdicts)),
+      run.on("loaded", (loaded) => { this.verdicts.load(loaded); this.scrub.reset(); this.offer(loaded); }), run.on("claims", (verdicts) => this.verdicts.judge(verdicts)),
       run.on("state", () => this.show()), run.on("fault", (fault) => context.notify(fault.message, "fault")),
       run.on("stale", (isStale) => { this.stale.hidden = !isStale; }), ...this.keys(),
     ];
@@ -63,6 +64,11 @@ export class RunBar implements View {
       shortcuts.add({key: "Left", text: "back in time; in a scope: cursor A (Shift: B, Alt: by a tick)", group, action: () => this.scrub.step(-1)}),
       shortcuts.add({key: "Right", text: "forward to where the run was", group, action: () => this.scrub.step(1)}),
     ];
+  }
+
+  /** A real-time loop goes at its own pace, and not back. */
+  private offer({loop}: Loaded): void {
+    for (const element of [this.tick, this.rate, this.scrub.element]) element.hidden = loop !== undefined;
   }
 
   /** What changes with every picture, ten times a second; what was done, at once. */

@@ -34,6 +34,8 @@ export class RunModel {
   /** What `play` uses; 0 is as fast as it goes. */
   rate = 1;
   stale = false;
+  /** Is whoever sits at the page the hand of a scene, or the file's own? */
+  hasHand = true;
 
   constructor(private readonly connection: Connection) {
     this.ends = [
@@ -60,7 +62,7 @@ export class RunModel {
 
   /** Loads a file; rejects with the faults of its text. */
   async load(file: number): Promise<Loaded> {
-    const loaded = await this.connection.call<Loaded>("run.load", {file});
+    const loaded = await this.connection.call<Loaded>("run.load", {file, hand: this.hasHand});
     this.file = file;
     this.loaded = loaded;
     this.news = {...rest, run: loaded.run, wanted: this.rate};

@@ -55,6 +55,8 @@ export interface Loaded {
   scene: boolean;
   figures: number;
   claims: {that: string}[];
+  /** Of a run that is a real-time loop; times in s. */
+  loop?: {rate: number; period: number; policy: string; overrun: string};
 }
 
 export type RunState = "playing" | "paused" | "ended";

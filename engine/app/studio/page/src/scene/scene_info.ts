@@ -17,6 +17,8 @@ export interface PointerInfo {
   name: string;
   held: string;
   text: string;
+  /** Does the page's hand move it now, or the file's own? */
+  hand?: boolean;
 }
 
 export interface SceneInfo {

@@ -12,6 +12,7 @@ import "./scene.css";
 
 /** What every scene with a hand says, whatever its diagram adds. */
 function wordsOf({pointer}: SceneInfo): string {
+  if (pointer?.hand === false) return "The file's own hand moves: the scene shows only.";
   if (!pointer) return "The hand of this diagram is its own: the scene shows only.";
   const {text} = pointer, seen = /seen.*not felt/i.test(text) ? "" : "The resistance is seen, not felt.";
   return ["Press and move over the scene, or use arrow keys or a gamepad.", text, seen].filter(Boolean).join(" ");
@@ -24,10 +25,11 @@ export class SceneView implements View {
   private readonly state = h("span", {class: "scene-state", role: "status"});
   private readonly lag = h("span", {class: "scene-lag", title: "From a movement of the pointer to the first picture that shows what it did, median"});
   private readonly stay = h("button", {type: "button", "aria-pressed": "false", title: "The hand follows the pointer without a pressed button; a click or Esc lets go"}, "Hold without a button");
+  private readonly own = h("button", {type: "button", "aria-pressed": "false", title: "Begins anew with the hand that the file has, and shows what it does; again: your hand"}, "Watch the file's own hand");
   private readonly tell = h("button", {type: "button", title: "Say what the scene shows (D)"}, "Describe");
   private readonly whole = h("button", {type: "button", title: "The scene takes the whole screen; Esc ends it"}, "Full screen");
   private readonly empty = h("p", {class: "empty"});
-  private readonly foot = h("div", {class: "scene-foot"}, this.words, this.state, this.lag, this.stay, this.whole, this.tell);
+  private readonly foot = h("div", {class: "scene-foot"}, this.words, this.state, this.lag, this.stay, this.own, this.whole, this.tell);
   private readonly root = h("div", {class: "scene"}, this.stage, this.empty, this.foot);
   private readonly latency = new HandLatency();
   private readonly sizes = new ResizeObserver(() => { if (this.canvas?.fit()) this.draw(); });
@@ -51,7 +53,7 @@ export class SceneView implements View {
       connection.on("scene", (news: SceneNews) => this.take(news)),
       connection.on("connection", ({state}) => (state === "open" ? this.watch() : this.letGo())),
       listen(window, "blur", () => this.letGo()), listen(document, "visibilitychange", () => { if (document.hidden) this.letGo(); }),
-      listen(this.stay, "click", () => this.toggleStay()), listen(this.tell, "click", () => this.describe()),
+      listen(this.stay, "click", () => this.toggleStay()), listen(this.tell, "click", () => this.describe()), listen(this.own, "click", () => void this.change()),
       listen(this.whole, "click", () => void this.fill()),
       shortcuts.add({key: "D", text: "say what the scene shows", group: "Scene", within: () => this.stage.contains(document.activeElement), action: () => this.describe()}),
       shortcuts.add({key: "Left", text: "move the hand over the scene (all arrows; Shift: slowly; Esc lets go)", group: "Scene", within: () => false, action: () => {}}),
@@ -110,10 +112,13 @@ export class SceneView implements View {
     this.stage.append(canvas.element);
     canvas.fit();
     this.words.textContent = wordsOf(info);
-    this.stay.hidden = !info.pointer;
-    canvas.element.classList.toggle("scene-playable", Boolean(info.pointer));
-    canvas.element.setAttribute("aria-label", `Scene${info.title ? ` of ${info.title}` : ""}${info.pointer ? "; arrows move the hand, Esc lets go" : ""}; D says what it shows`);
-    if (info.pointer) this.attach(canvas, info);
+    const isPlayable = Boolean(info.pointer) && info.pointer!.hand !== false;
+    this.stay.hidden = !isPlayable;
+    this.own.hidden = !info.pointer;
+    this.own.setAttribute("aria-pressed", String(info.pointer?.hand === false));
+    canvas.element.classList.toggle("scene-playable", isPlayable);
+    canvas.element.setAttribute("aria-label", `Scene${info.title ? ` of ${info.title}` : ""}${isPlayable ? "; arrows move the hand, Esc lets go" : ""}; D says what it shows`);
+    if (isPlayable) this.attach(canvas, info);
     this.watch();
     this.showState();
     this.draw();
@@ -127,6 +132,21 @@ export class SceneView implements View {
     this.parts = [pointer, steering, new ClockSync(this.context.connection), {dispose: listen(canvas.element, "blur", () => { if (!pointer.stays) this.letGo(); })}];
     pointer.stays = this.stay.getAttribute("aria-pressed") === "true";
     this.pointer = pointer;
+  }
+
+  /** Another hand: the run begins anew, and goes on if it went. */
+  private async change(): Promise<void> {
+    const {run} = this.context, isPlaying = run.news.state === "playing";
+    if (run.file === null) return;
+    this.letGo();
+    run.hasHand = !run.hasHand;
+    try {
+      await run.load(run.file);
+      if (isPlaying || !run.hasHand) await run.play();
+    } catch (thrown) {
+      run.hasHand = !run.hasHand;
+      this.context.notify((thrown as Fault).message, "fault");
+    }
   }
 
   private toggleStay(): void {

@@ -8,6 +8,8 @@ import {Splitter} from "./splitter";
 export interface Pane {
   id: string;
   title: string;
+  /** Is it kept back until it is offered? */
+  isKept?: boolean;
   /** Makes the view when the pane comes to the front first. */
   make(host: HTMLElement): Promise<View>;
 }
@@ -30,7 +32,8 @@ export class Layout {
 
   constructor(panes: Pane[], private readonly settings: Settings) {
     this.panes = panes.map((pane) => this.place(pane));
-    this.front = settings.get("pane", "scopes");
+    const kept = settings.get("pane", "scopes");
+    this.front = panes.some(({id, isKept}) => id === kept && !isKept) ? kept : "scopes";
     this.element.append(...this.panes.map(({section}) => section), this.tabs, ...this.splitters());
     this.tabs.append(...this.panes.map(({tab}) => tab));
     listen(this.tabs, "keydown", (event: KeyboardEvent) => this.press(event));
@@ -42,13 +45,21 @@ export class Layout {
   /** Brings a pane to the front, and the focus into it if that is wished. */
   show(id: string, focus = false): void {
     const pane = this.panes.find((one) => one.id === id);
-    if (!pane) return;
+    if (!pane || pane.isKept) return;
     if (this.isTab(id)) {
       this.front = id;
       this.settings.set("pane", id);
     }
     this.update();
     if (focus) this.focus(pane);
+  }
+
+  /** A pane that was kept back is there from now on, in front. */
+  offer(id: string): void {
+    const pane = this.panes.find((one) => one.id === id);
+    if (!pane) return;
+    pane.isKept = false;
+    this.show(id);
   }
 
   /** Moves the focus to the next pane that is seen, or the one before. */
@@ -77,16 +88,20 @@ export class Layout {
     return id !== "text" && id !== "drawing" && (id !== "tuning" || this.size === "medium");
   }
 
+  private canBeFront(id: string): boolean {
+    return this.panes.some((pane) => pane.id === id && !pane.isKept) && this.isTab(id);
+  }
+
   private measure(): void {
     this.size = sizes.find(([, query]) => matchMedia(query).matches)?.[0] ?? "wide";
     document.body.dataset.layout = this.size;
-    if (!this.isTab(this.front)) this.front = "scopes";
+    if (!this.canBeFront(this.front)) this.front = "scopes";
     this.update();
   }
 
   private restore(): void {
     const kept = this.settings.get("pane", "scopes");
-    if (kept === this.front || !this.panes.some(({id}) => id === kept) || !this.isTab(kept)) return;
+    if (kept === this.front || !this.canBeFront(kept)) return;
     this.front = kept;
     this.update();
   }
@@ -94,7 +109,7 @@ export class Layout {
   private update(): void {
     for (const pane of this.panes) {
       const asTab = this.isTab(pane.id), isShown = !asTab || pane.id === this.front, was = !pane.section.hidden;
-      pane.tab.hidden = !asTab;
+      pane.tab.hidden = !asTab || pane.isKept === true;
       pane.tab.setAttribute("aria-selected", String(asTab && isShown));
       pane.tab.tabIndex = pane.id === this.front ? 0 : -1;
       pane.section.hidden = !isShown;

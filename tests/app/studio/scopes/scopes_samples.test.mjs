@@ -1,0 +1,92 @@
+// Frames of samples, and what of them is painted, without a browser.
+
+import assert from "node:assert/strict";
+import {test} from "node:test";
+import {m, near, samples} from "./modules.mjs";
+
+function frameOf(kind, columns) {
+  const rows = columns[0].length, message = new ArrayBuffer(32 + 8 * rows * columns.length), header = new DataView(message);
+  header.setUint32(0, 0x31445753, true);
+  header.setUint8(4, 1);
+  header.setUint8(5, kind);
+  header.setUint16(6, 7, true);
+  header.setUint32(12, rows, true);
+  header.setUint16(16, columns.length, true);
+  columns.forEach((values, i) => new Float64Array(message, 32 + 8 * rows * i, rows).set(values));
+  return m.readFrame(message);
+}
+
+test("a frame of samples has one array for a signal, one of extremes two", () => {
+  const [a, b] = m.samplesOf(frameOf(0, [[0, 1], [5, 6], [7, 8]]));
+  assert.ok(m.isEvery(a));
+  assert.deepEqual([...b.high], [7, 8]);
+  const [c] = m.samplesOf(frameOf(1, [[0, 1], [-1, -2], [3, 4]]));
+  assert.ok(!m.isEvery(c));
+  assert.deepEqual([[...c.low], [...c.high]], [[-1, -2], [3, 4]]);
+});
+
+test("rows of a window are those inside and one on either side", () => {
+  const time = Float64Array.from([0, 1, 2, 3, 4, 5]);
+  assert.deepEqual(m.rowsWithin(time, {low: 1.5, high: 3.5}), {from: 1, to: 5});
+  assert.equal(m.nearestRow(time, 2.4), 2);
+  assert.equal(m.nearestRow(time, 99), 5);
+  assert.equal(m.nearestRow(new Float64Array(0), 1), -1);
+});
+
+test("the extent of a window leaves out what is no number", () => {
+  assert.deepEqual(m.extent(samples([0, 1, 2, 3], [NaN, 2, -1, NaN]), {low: 0, high: 3}), {low: -1, high: 2});
+  assert.equal(m.extent(samples([0], [NaN]), {low: 0, high: 1}), undefined);
+});
+
+/** A canvas of which only what is covered is kept. */
+function canvas() {
+  const bars = [], points = [];
+  return {bars, points, lineWidth: 1, setLineDash() {}, beginPath() {}, stroke() {}, arc() {}, fill() {},
+    moveTo: (x, y) => points.push([x, y]), lineTo: (x, y) => points.push([x, y]), fillRect: (x, y, w, h) => bars.push([x, y, w, h])};
+}
+const stroke = {color: "#000", dash: [], alpha: 1, ratio: 1};
+
+test("a peak of one sample among a million is painted to its full height", () => {
+  const rows = 1_000_000, time = Float64Array.from({length: rows}, (_, i) => i * 1e-3), values = new Float64Array(rows);
+  values[654_321] = 1;
+  const context = canvas(), plane = {left: 0, top: 0, width: 300, height: 100, x: {low: 0, high: 1000}, y: {low: 0, high: 1}};
+  m.paintOverTime(context, {time, low: values, high: values}, plane, stroke);
+  assert.deepEqual(context.bars, []);
+  const peak = context.points.filter(([, y]) => y < 99);
+  assert.deepEqual(peak, [[Math.floor(0.654321 * 300) + 0.5, 0]]);
+});
+
+test("a peak of one sample in sparse extremes is painted, too", () => {
+  const context = canvas(), plane = {left: 0, top: 0, width: 300, height: 100, x: {low: 0, high: 10}, y: {low: 0, high: 1}};
+  m.paintOverTime(context, {time: Float64Array.from([1, 3, 5]), low: Float64Array.from([0, 0, 0]), high: Float64Array.from([0, 1, 0])}, plane, stroke);
+  assert.ok(context.points.some(([x, y]) => x === 90 && y === 0));
+});
+
+test("bars of pixels beside each other touch, however rough the curve is", () => {
+  const rows = 900, time = Float64Array.from({length: rows}, (_, i) => i), values = Float64Array.from({length: rows}, (_, i) => ((i * 7919) % 101) / 101);
+  const context = canvas(), plane = {left: 0, top: 0, width: 300, height: 100, x: {low: 0, high: 900}, y: {low: 0, high: 1}};
+  m.paintOverTime(context, {time, low: values, high: values}, plane, stroke);
+  assert.equal(context.bars.length, 300);
+  context.bars.slice(1).forEach(([x, y, , height], i) => {
+    const [beforeX, beforeY, beforeWidth, beforeHeight] = context.bars[i];
+    assert.equal(x, beforeX + beforeWidth);
+    assert.ok(y <= beforeY + beforeHeight && beforeY <= y + height);
+  });
+});
+
+test("a smooth curve of many rows is one line, which reaches within a pixel of all of them", () => {
+  const rows = 30_000, time = Float64Array.from({length: rows}, (_, i) => i), values = time.map((at) => Math.sin(at / 3000));
+  const context = canvas(), plane = {left: 0, top: 0, width: 300, height: 100, x: {low: 0, high: rows}, y: {low: -1, high: 1}};
+  m.paintOverTime(context, {time, low: values, high: values}, plane, stroke);
+  assert.deepEqual(context.bars, []);
+  for (const [x, y] of context.points) near(y, 50 - 50 * Math.sin((x * 100) / 3000), 1.5);
+});
+
+test("a step of many rows is covered over its whole height", () => {
+  const rows = 3000, time = Float64Array.from({length: rows}, (_, i) => i), values = time.map((at) => (at < 1503 ? 0 : 1));
+  const context = canvas(), plane = {left: 0, top: 0, width: 300, height: 100, x: {low: 0, high: 3000}, y: {low: 0, high: 1}};
+  m.paintOverTime(context, {time, low: values, high: values}, plane, stroke);
+  const ys = [...context.points.map(([, y]) => y), ...context.bars.flatMap(([, y, , height]) => [y, y + height])];
+  assert.ok(Math.min(...ys) <= 0.5 && Math.max(...ys) >= 99.5);
+  assert.ok(context.points.filter(([x]) => x < 150).every(([, y]) => y === 100), "the line stays level up to the step");
+});

@@ -1,0 +1,68 @@
+// Sliders, parameters, signals and layouts, without a browser.
+
+import assert from "node:assert/strict";
+import {test} from "node:test";
+import {lists, millimetres, near, tuning} from "./modules.mjs";
+
+test("a slider goes between the bounds of the file, else from nothing to twice the value", () => {
+  assert.deepEqual(tuning.sliderRange({low: 0, high: 3, value: 1}), {low: 0, high: 3});
+  assert.deepEqual(tuning.sliderRange({low: null, high: null, value: 200}), {low: 0, high: 400});
+  assert.deepEqual(tuning.sliderRange({low: null, high: null, value: -2}), {low: -4, high: 0});
+  assert.deepEqual(tuning.sliderRange({low: null, high: null, value: 0}), {low: -1, high: 1});
+  assert.deepEqual(tuning.sliderRange({low: 1, high: null, value: 2}), {low: 1, high: 4});
+  assert.deepEqual(tuning.sliderRange({low: null, high: -1, value: -3}), {low: -6, high: -1});
+});
+
+test("places of a slider go over to values and back", () => {
+  const range = {low: -0.05, high: 0.05};
+  for (const place of [0, 1, 500, 999, 1000]) assert.equal(tuning.placeOf(tuning.valueAt(place, range), range), place);
+  assert.equal(tuning.placeOf(9, range), 1000);
+});
+
+test("a parameter is shown in the unit in which it is written", () => {
+  assert.deepEqual(tuning.ownUnit({text: "2 kg", value: 2, unit: "kg"}), {text: "kg", scale: 1});
+  const unit = tuning.ownUnit({text: "10 mm", value: 0.01, unit: "m"});
+  near(unit.scale, 1000, 1e-6);
+  assert.equal(tuning.valueText(0.0125, unit), "12.5 mm");
+  assert.deepEqual(tuning.ownUnit({text: "2*$mass", value: 4, unit: "kg"}), {text: "kg", scale: 1});
+  assert.deepEqual(tuning.ownUnit({text: "0 mm", value: 0, unit: "m"}), {text: "m", scale: 1});
+  assert.equal(tuning.valueText(0.5, tuning.ownUnit({text: "0.5", value: 0.5, unit: "1"})), "0.5");
+});
+
+test("of values that come while one is under way only the last is sent", async () => {
+  const sent = [], queue = new tuning.SetQueue(async (value) => {
+    sent.push(value);
+    await new Promise((resolve) => setTimeout(resolve, 5));
+  });
+  await Promise.all([queue.put(1), queue.put(2), queue.put(3)]);
+  assert.deepEqual(sent, [1, 3]);
+});
+
+test("parameters of the file come before those of parts and numbers of blocks; pinned ones first", () => {
+  const parameter = (name, block = false) => ({name, doc: "", block});
+  const all = [parameter("spring.gain", true), parameter("rig.mass"), parameter("mass"), parameter("gain")];
+  assert.deepEqual(tuning.listed(all, "", new Set(["rig.mass"])).map(({name}) => name), ["rig.mass", "mass", "gain", "spring.gain"]);
+  assert.deepEqual(tuning.listed(all, "GAIN", new Set()).map(({name}) => name), ["gain", "spring.gain"]);
+});
+
+test("a search of signals finds all words of a name, those that begin with it first", () => {
+  const columns = ["rig.cart.x", "cart.position", "cart.velocity"].map((name, column) => ({name, column, unit: "m", recorded: true}));
+  assert.deepEqual(lists.found(columns, "cart").map(({name}) => name), ["cart.position", "cart.velocity", "rig.cart.x"]);
+  assert.deepEqual(lists.found(columns, "cart x").map(({name}) => name), ["rig.cart.x"]);
+});
+
+test("a layout comes back from the address of its view; what is none is refused", () => {
+  const layout = {version: 1, window: {width: 5, from: null, to: null}, scopes: [{title: "a & b #", traces: [{source: "x in mm", label: "x", unit: millimetres, si: "m", style: 1}]}]};
+  const address = lists.addressOf(layout, "http://127.0.0.1:8080/?token=secret#old");
+  assert.ok(!address.includes("secret"));
+  assert.deepEqual(lists.layoutOfAddress(new URL(address).hash), layout);
+  assert.equal(lists.layoutOfAddress("#scopes=%7B"), undefined);
+  assert.equal(lists.readLayout({version: 1, scopes: [{title: 3}], window: {width: 1, from: null, to: null}}), undefined);
+  assert.equal(lists.readLayout({...layout, window: {width: -1, from: null, to: null}}), undefined);
+});
+
+test("ticks of a picture are multiples of 1, 2 or 5", () => {
+  const {values, step} = lists.ticksOf({low: -1, high: 1}, 5);
+  near(step, 0.5);
+  assert.deepEqual(values.map((value) => Number(value.toFixed(6))), [-1, -0.5, 0, 0.5, 1]);
+});
