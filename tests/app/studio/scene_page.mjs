@@ -7,7 +7,7 @@ import {readFile} from "node:fs/promises";
 import {extname, join, normalize} from "node:path";
 import {chromium} from "playwright-core";
 
-const types = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml"};
+const types = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml", ".json": "application/json"};
 const policy = (nonce) =>
   `default-src 'none'; script-src 'self'; worker-src 'self'; connect-src 'self' ws:; img-src 'self' data: blob:; style-src 'self' 'nonce-${nonce}'; base-uri 'none'; form-action 'self'; frame-ancestors 'none'`;
 
@@ -55,10 +55,11 @@ export const usual = {
 export async function openPage(folder, answers = {}, {width = 1400, height = 900, colorScheme = "light", hasTouch = false, reducedMotion = "no-preference"} = {}) {
   const server = await serve(folder), browser = await chromium.launch({executablePath: process.env.STEPWIRE_CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox"]});
   const page = await browser.newPage({viewport: {width, height}, colorScheme, hasTouch, reducedMotion}), all = {...usual, ...answers}, calls = [], errors = [];
-  let socket;
+  let socket, whether = () => true;
   page.on("pageerror", (error) => errors.push(error.stack ?? String(error)));
   page.on("console", (message) => { if (message.type() === "error") errors.push(message.text()); });
   await page.routeWebSocket("**/socket", (opened) => {
+    if (!whether()) return opened.close();
     socket = opened;
     opened.onMessage((text) => {
       const {id, call, ...rest} = JSON.parse(text);
@@ -78,6 +79,8 @@ export async function openPage(folder, answers = {}, {width = 1400, height = 900
   return {
     page, calls, errors, news: (message) => socket.send(JSON.stringify(message)),
     frame: (frame) => socket.send(frameBytes(frame)),
+    /** Ends the connection, as a server does that ends; the page may connect again once `isBack` says so. */
+    cut: (isBack) => { whether = isBack; socket.close(); },
     close: async () => {
       await browser.close();
       server.close();

@@ -1,78 +1,11 @@
 // Text beside drawing, in Chromium: what is selected, marked, kept and edited on both sides. The server is played by functions.
 
 import assert from "node:assert/strict";
-import {existsSync, readdirSync, readFileSync} from "node:fs";
-import {dirname, join} from "node:path";
+import {readdirSync, readFileSync} from "node:fs";
+import {join} from "node:path";
 import {test} from "node:test";
-import {fileURLToPath} from "node:url";
 import {gzipSync} from "node:zlib";
-
-const root = join(dirname(fileURLToPath(import.meta.url)), "../../..");
-const built = [process.env.STUDIO_PAGE, join(root, "build/studio"), join(root, "engine/app/studio/page/dist")].find((one) => one && existsSync(join(one, "index.html")));
-const missing = !built ? "the studio's page is not built: npx vite build in engine/app/studio/page"
-  : !existsSync(process.env.STEPWIRE_CHROMIUM ?? "/usr/bin/chromium") ? "chromium is not installed; on Debian it is the package chromium" : false;
-const {openPage} = await import("./scene_page.mjs").catch(() => ({}));
-const skip = openPage ? missing : "playwright-core is not installed: npm ci in tests/app/studio";
-
-const text = "stepwire: 1\nblocks:\n  source: {block: Constant, value: 2}\n  lag: {block: Lag, u: source, tau: 0.4 s}\nrecord: [lag]\n";
-const box = (id, type, lines, inputs = []) => ({id, name: id, type, outline: "box", lines, inputs: inputs.map((port) => ({port})), outputs: [{port: "y"}]});
-const rangeOf = (whole, id) => {
-  const from = whole.indexOf(`  ${id}:`) + 2;
-  return {file: 0, from, to: whole.indexOf("\n", from)};
-};
-
-/** A server with one file, whose drawing follows its text as far as the names of the blocks go. */
-class Diagram {
-  text = text;
-  version = 1;
-  saved = text;
-  edits = [];
-  splices = [];
-
-  answers() {
-    return {
-      files: () => ({files: [{file: 0, name: "test.yaml", writable: true, part: false}]}),
-      open: () => ({name: "test.yaml", text: this.saved, hash: this.saved, draft: this.text === this.saved ? null : this.text, version: this.version}),
-      edit: ({version, changes}) => {
-        if (version === this.version) return this.edit(changes);
-        throw Object.assign(new Error("the text was changed meanwhile"), {current: {text: this.text, version: this.version}});
-      },
-      graph: () => this.graph(),
-      save: ({hash}) => (hash === this.saved ? {hash: (this.saved = this.text)} : {conflict: {text: this.saved, hash: this.saved}}),
-      splice: ({edit}) => this.splice(edit),
-      fits: () => ({inputs: [{node: "lag", input: "u"}]}),
-      language: () => { throw new Error("there is no language server"); },
-    };
-  }
-  edit(changes) {
-    for (const {from, to, text: insert} of [...changes].reverse()) this.text = this.text.slice(0, from) + insert + this.text.slice(to);
-    this.edits.push(changes);
-    return {version: ++this.version};
-  }
-  graph() {
-    const name = /^ {2}(\S+): \{block: Lag/m.exec(this.text)[1], value = /value: ([^}]+)\}/.exec(this.text)[1];
-    const graph = {title: "", inputs: [], outputs: [], nodes: [box("source", "Constant", [value]), box(name, "Lag", ["lag"], ["u"])], wires: [{from: {node: "source", port: "y"}, to: {node: name, port: "u"}}]};
-    return {graph, ranges: {source: rangeOf(this.text, "source"), [name]: rangeOf(this.text, name)}};
-  }
-  splice(edit) {
-    this.splices.push(edit);
-    const at = this.text.indexOf("0.4 s");
-    return {changes: edit.kind === "number" ? [{file: 0, from: at, to: at + 5, text: edit.text}] : []};
-  }
-}
-
-/** Opens the page on such a diagram, does something, and checks that the page had no error. */
-async function withPage(action, options) {
-  const diagram = new Diagram(), opened = await openPage(built, diagram.answers(), options);
-  try {
-    opened.page.setDefaultTimeout(15000);
-    await opened.page.waitForSelector("[data-shape='lag']");
-    await action({...opened, diagram});
-    assert.deepEqual(opened.errors, []);
-  } finally {
-    await opened.close();
-  }
-}
+import {box, built, Diagram, missing, openPage, skip, text, until, withPage} from "./two_blocks.mjs";
 
 const shape = (page, id) => page.locator(`[data-shape="${id}"]`);
 const isSelected = (page, id) => page.waitForFunction((one) => document.querySelector(`[data-shape="${one}"]`)?.classList.contains("selected"), id);
@@ -232,8 +165,3 @@ test("all scripts but those of elk and three are at most 300 kB packed", {skip: 
   assert.ok(sizes.length > 5);
   assert.ok(sizes.reduce((sum, size) => sum + size, 0) <= 300e3, own.map((name, i) => `${name} ${sizes[i]}`).join(", "));
 });
-
-async function until(condition) {
-  for (let i = 0; i < 200 && !condition(); ++i) await new Promise((resolve) => setTimeout(resolve, 50));
-  assert.ok(condition(), String(condition));
-}

@@ -90,3 +90,23 @@ test("a step of many rows is covered over its whole height", () => {
   assert.ok(Math.min(...ys) <= 0.5 && Math.max(...ys) >= 99.5);
   assert.ok(context.points.filter(([x]) => x < 150).every(([, y]) => y === 100), "the line stays level up to the step");
 });
+
+test("a steep curve that moves has no steps, wherever its rows lie in the pixels", () => {
+  const width = 300, height = 200, plane = {left: 0, top: 0, width, height, x: {low: 0, high: 1}, y: {low: -1, high: 1}};
+  const value = (time) => Math.sin(2 * Math.PI * 5 * time), yAt = (time) => height / 2 - (height / 2) * value(time);
+  for (const [rows, shift] of [[400, 0], [400, 0.0004], [430, 0.0011], [700, 0.0017]]) {
+    const time = Array.from({length: rows}, (_, i) => (i + 0.5) / rows + shift), half = 0.5 / rows;
+    const ends = time.map((t) => Array.from({length: 9}, (_, k) => value(t - half + (k * half) / 4)));
+    const own = {time: Float64Array.from(time), low: Float64Array.from(ends.map((all) => Math.min(...all))), high: Float64Array.from(ends.map((all) => Math.max(...all)))};
+    const {points, bars, ...context} = canvas();
+    m.paintOverTime({...context}, own, plane, stroke);
+    assert.equal(bars.length, 0);
+    assert.ok(points.length > 0.9 * Math.min(width, rows));
+    for (const [i, [x, y]] of points.entries()) {
+      // The way to the true curve, which goes up and down by 10 pixels in one.
+      const slope = (Math.PI * 5 * height / width) * Math.cos(2 * Math.PI * 5 * x / width), far = Math.abs(y - yAt(x / width)) / Math.hypot(1, slope);
+      assert.ok(far < 0.5, `${rows} rows, point ${i}: ${far}`);
+      assert.ok(i === 0 || x > points[i - 1][0], `${rows} rows, point ${i} stands above the one before`);
+    }
+  }
+});

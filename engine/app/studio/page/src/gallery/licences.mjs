@@ -35,9 +35,16 @@ export function licencesOf(root) {
   return [...found.values()].sort((a, b) => a.name.localeCompare(b.name));
 }
 
-/** The module "virtual:licences" of a page, for vite. */
+const file = "assets/licences.json";
+
+/** The module "virtual:licences" of a page, for vite; the texts lie beside the scripts. */
 export const licences = (root) => ({
   name: "licences",
+  apply: "build",
   resolveId: (id) => (id === name ? resolved : undefined),
-  load: (id) => (id === resolved ? `export const licences = ${JSON.stringify(licencesOf(root))};` : undefined),
+  load(id) {
+    if (id !== resolved) return undefined;
+    this.emitFile({type: "asset", fileName: file, source: JSON.stringify(licencesOf(root))});
+    return `export const licences = await (await fetch("/${file}")).json();`;
+  },
 });

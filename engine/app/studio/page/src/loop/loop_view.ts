@@ -28,8 +28,8 @@ export class LoopView implements View {
     const head = (...names: string[]) => h("thead", {}, h("tr", {}, ...names.map((name) => h("th", {scope: "col"}, name))));
     this.body = h("div", {class: "loop-body", hidden: true}, this.verdict, this.facts, this.refused,
       h("h3", {}, "When things happen after a deadline begins"), this.chart.element,
-      h("table", {class: "loop-times"}, h("caption", {class: "visually-hidden"}, "Times of the loop"), head("", "p50", "p99", "p99.9", "longest", ""), this.times),
-      h("h3", {}, "What a tick is spent on"), h("table", {class: "loop-costs"}, h("caption", {class: "visually-hidden"}, "Cost by kind of block"), head("kind", "blocks", "a tick", "share"), this.costs));
+      h("table", {class: "loop-times"}, h("caption", {class: "unseen"}, "Times of the loop"), head("", "p50", "p99", "p99.9", "longest", ""), this.times),
+      h("h3", {}, "What a tick is spent on"), h("table", {class: "loop-costs"}, h("caption", {class: "unseen"}, "Cost by kind of block"), head("kind", "blocks", "a tick", "share"), this.costs));
     host.append(h("div", {class: "loop", tabindex: 0, "aria-label": "Real-time loop", "data-focus": true}, this.note, this.body));
     this.ends = [context.connection.on("loop", (news: LoopNews) => this.take(news)), context.run.on("loaded", () => void this.load()), context.run.on("state", () => this.showState())];
     void this.load();

@@ -3,8 +3,11 @@
 import type {Plane} from "./paint";
 import type {Samples} from "./samples";
 
-/** What the rows of each pixel reached, from left to right; pixels without rows are left out. Filled anew for each curve. */
-const pixels = {count: 0, x: new Float64Array(0), top: new Float64Array(0), bottom: new Float64Array(0)};
+/**
+ * What the rows of each pixel reached, from left to right; pixels without rows are left out. `x` is the pixel, `at` the middle of its rows,
+ * `first` and `last` their ends: pixels hold one row or two by turns, so that a line through middles of pixels would have steps. Filled anew for each curve.
+ */
+const pixels = {count: 0, x: new Float64Array(0), at: new Float64Array(0), first: new Float64Array(0), last: new Float64Array(0), top: new Float64Array(0), bottom: new Float64Array(0)};
 
 /** A line of this share of bars or more is drawn of bars alone. */
 const rough = 0.3;
@@ -25,14 +28,18 @@ function gather({time, low, high}: Samples, plane: Plane, from: number, to: numb
   makeRoom(to - from);
   pixels.count = 0;
   for (let row = from; row < to;) {
-    const pixel = Math.floor(left + time[row] * across);
+    const first = left + time[row] * across, pixel = Math.floor(first);
     let least = Infinity, most = -Infinity;
     for (; row < to && left + time[row] * across < pixel + 1; ++row) {
       if (low[row] < least) least = low[row];
       if (high[row] > most) most = high[row];
     }
     if (!(least <= most)) continue;
+    const last = left + time[row - 1] * across;
     pixels.x[pixels.count] = pixel;
+    pixels.at[pixels.count] = (first + last) / 2;
+    pixels.first[pixels.count] = first;
+    pixels.last[pixels.count] = last;
     pixels.top[pixels.count] = bottom - most * up;
     pixels.bottom[pixels.count++] = bottom - least * up;
   }
@@ -40,17 +47,22 @@ function gather({time, low, high}: Samples, plane: Plane, from: number, to: numb
 
 function makeRoom(count: number): void {
   if (pixels.x.length >= count) return;
-  pixels.x = new Float64Array(2 * count);
-  pixels.top = new Float64Array(2 * count);
-  pixels.bottom = new Float64Array(2 * count);
+  for (const key of ["x", "at", "first", "last", "top", "bottom"] as const) pixels[key] = new Float64Array(2 * count);
 }
 
 const middle = (i: number): number => (pixels.top[i] + pixels.bottom[i]) / 2;
 const isNext = (i: number): boolean => i > 0 && i < pixels.count && pixels.x[i] - pixels.x[i - 1] <= bridged;
 
+/** Where the line from pixel `i - 1` to pixel `i` is half-way between their rows. */
+function between(i: number): number {
+  const {at, first, last} = pixels, share = ((last[i - 1] + first[i]) / 2 - at[i - 1]) / (at[i] - at[i - 1]);
+  return middle(i - 1) + share * (middle(i) - middle(i - 1));
+}
+
 /** Did the rows of a pixel reach what a line from middle to middle does not cover? */
 function sticksOut(i: number, ratio: number): boolean {
-  const own = middle(i), before = isNext(i) ? (own + middle(i - 1)) / 2 : own, after = i + 1 < pixels.count ? (own + middle(i + 1)) / 2 : own;
+  const own = middle(i), hasBefore = isNext(i), hasAfter = isNext(i + 1);
+  const after = hasAfter ? between(i + 1) : hasBefore ? 2 * own - between(i) : own, before = hasBefore ? between(i) : 2 * own - after;  // an end goes on as it came
   const slack = 0.75 * ratio;
   return pixels.top[i] < Math.min(own, before, after) - slack || pixels.bottom[i] > Math.max(own, before, after) + slack;
 }
@@ -60,7 +72,7 @@ function paintLine(context: CanvasRenderingContext2D, ratio: number): void {
   context.lineWidth = 1.5 * ratio;
   context.beginPath();
   for (let i = 0, last = NaN; i < pixels.count; ++i) {
-    const x = pixels.x[i] + 0.5, own = middle(i), [first, second] = sticksOut(i, ratio) ? endsFrom(i, last) : [own, own];
+    const x = pixels.at[i], own = middle(i), [first, second] = sticksOut(i, ratio) ? endsFrom(i, last) : [own, own];
     if (isNext(i)) context.lineTo(x, first);
     else context.moveTo(x, first);
     if (second !== first) context.lineTo(x, second);

@@ -4,6 +4,9 @@ import {openMenu} from "./menu";
 import {showShortcuts} from "./shortcut_list";
 import type {Choice} from "./theme";
 
+/** After so long without the server the page says what else may be the cause [ms]. */
+const longLost = 10000;
+
 /** The bar on top: which diagram, the run, and what belongs to the whole page. */
 export class Bar {
   readonly element = h("header", {class: "bar"});
@@ -21,16 +24,25 @@ export class Bar {
     this.element.append(
       h("div", {class: "bar-file"}, h("span", {class: "brand"}, "Stepwire"), this.files, this.save), this.run,
       h("div", {class: "bar-end"}, this.lost, keys, this.more));
-    listen(this.files, "change", () => this.choose());
+    listen(this.files, "change", () => void this.choose());
     listen(this.save, "click", () => void context.workbench.saving.save().catch((fault) => context.notify(fault.message, "fault")));
     listen(this.more, "click", () => this.open());
     context.workbench.on("files", () => this.list());
     context.workbench.on("root", () => this.list());
     context.workbench.on("changed", () => this.mark());
-    context.connection.on("connection", ({state}) => { this.lost.hidden = state === "open"; });
+    context.connection.on("connection", ({state}) => this.showLost(state === "open"));
     context.shortcuts.add({key: "?", text: "this list", action: () => showShortcuts(context.shortcuts)});
     this.mark();
   }
+
+  /** A studio that was started anew has another address, so no waiting helps. */
+  private showLost(isOpen: boolean): void {
+    this.lost.hidden = isOpen;
+    clearTimeout(this.timer);
+    this.lost.textContent = "no connection, trying again";
+    if (!isOpen) this.timer = window.setTimeout(() => { this.lost.textContent = "no connection, trying again; a studio that was started anew has another address"; }, longLost);
+  }
+  private timer: number | undefined;
 
   private list(): void {
     const {files, root, changedFiles} = this.context.workbench, changed = new Set(changedFiles.map(({file}) => file));
@@ -48,8 +60,18 @@ export class Bar {
     document.title = `${changed.length > 0 ? "• " : ""}${name ? `${name} - ` : ""}Stepwire studio`;
   }
 
-  private choose(): void {
-    this.context.workbench.setRoot(Number(this.files.value)).catch((fault) => this.context.notify(fault.message, "fault"));
+  /** A diagram is drawn and run from now on; a part is only opened as a text, and what is drawn and run stays. */
+  private async choose(): Promise<void> {
+    const {workbench, notify} = this.context, file = Number(this.files.value), isPart = workbench.files.some((one) => one.file === file && one.part);
+    try {
+      if (!isPart) return await workbench.setRoot(file);
+      this.files.value = String(workbench.root);
+      await workbench.activate(file);
+      this.context.show("text");
+    } catch (thrown) {
+      this.files.value = String(workbench.root);
+      notify((thrown as Error).message, "fault");
+    }
   }
 
   private open(): void {
