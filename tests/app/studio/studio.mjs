@@ -34,18 +34,33 @@ function addressOf(server) {
 export class Studio {
   errors = [];
 
-  /** What the studio keeps for its user lies in the folder, so that nothing of who runs the test is read. `seen` runs in the page first. */
-  static async opened(text, {width = 1400, height = 900, colorScheme = "light", name = "diagram.yaml", seen} = {}) {
+  /** On a diagram with this text in a folder of its own. */
+  static async opened(text, {name = "diagram.yaml", ...options} = {}) {
     const studio = new Studio();
     studio.folder = mkdtempSync(join(tmpdir(), "studio-"));
     studio.path = join(studio.folder, name);
     writeFileSync(studio.path, text);
-    await studio.start();
-    studio.browser = await playwright.chromium.launch({executablePath, args: ["--no-sandbox", "--disable-gpu"]});
-    const context = await studio.browser.newContext({viewport: {width, height}, colorScheme});
+    return studio.seen(options);
+  }
+
+  /** On a file where it is; nothing is to be saved. */
+  static async on(path, options = {}) {
+    const studio = new Studio();
+    studio.folder = mkdtempSync(join(tmpdir(), "studio-"));
+    studio.path = path;
+    return studio.seen(options);
+  }
+
+  static launched = () => playwright.chromium.launch({executablePath, args: ["--no-sandbox", "--disable-gpu"]});
+
+  /** What the studio keeps for its user lies in the folder, so that nothing of who runs the test is read. `seen` runs in the page first. */
+  async seen({width = 1400, height = 900, colorScheme = "light", seen} = {}) {
+    await this.start();
+    this.browser = await Studio.launched();
+    const context = await this.browser.newContext({viewport: {width, height}, colorScheme});
     if (seen) await context.addInitScript(seen);
-    studio.page = await studio.visit(context);
-    return studio;
+    this.page = await this.visit(context);
+    return this;
   }
 
   async start() {

@@ -1,0 +1,105 @@
+// Pictures of each view of the studio at 1400, 1024 and 400 pixels, light and dark, to be looked at; of each view also one sheet with all six.
+// STEPWIRE_PROGRAM=build/stepwire node tests/app/studio/screenshots.mjs FOLDER [VIEW ...]
+
+import {mkdirSync, readFileSync, writeFileSync} from "node:fs";
+import {dirname, join} from "node:path";
+import {fileURLToPath} from "node:url";
+import {Studio} from "./studio.mjs";
+
+const root = join(dirname(fileURLToPath(import.meta.url)), "../../.."), [folder, ...only] = process.argv.slice(2);
+const sizes = [[1400, 900], [1024, 700], [400, 800]], schemes = ["light", "dark"];
+const press = (page, key) => page.keyboard.press(key);
+const isNarrow = (page) => page.viewportSize().width < 720;
+const tab = async (page, name) => {
+  const own = page.getByRole("tab", {name, exact: true});
+  if (await own.isVisible()) await own.click();
+};
+const play = async (page, seconds, pace = "1") => {
+  const select = page.locator(".run-buttons select");
+  if (await select.isVisible()) await select.selectOption(pace);
+  await page.locator(".play").click();
+  await page.waitForFunction((time) => parseFloat(document.querySelector(".run-time").textContent) >= time, seconds, {timeout: 60000});
+  await page.locator(".play").click();
+  await page.waitForTimeout(300);
+};
+
+const cart = "diagrams/examples/70-force-feedback.yaml", scene = "diagrams/examples/72-figure-of-eight.yaml";
+/** Views by name: a diagram, and what is done before the picture is taken. */
+const views = {
+  "text-and-drawing": [cart, async (page) => { if (isNarrow(page)) await tab(page, "Text"); else await page.locator("[data-shape='control']").click(); }],
+  drawing: [cart, async (page) => { await tab(page, "Drawing"); await page.locator(".canvas").focus(); for (const key of ["Right", "Right", "e"]) await press(page, key === "e" ? "e" : "ArrowRight"); await page.waitForTimeout(500); }],
+  fault: [cart, async (page) => {
+    await tab(page, "Text");
+    await page.locator(".cm-content").focus();
+    await press(page, "Control+End");
+    await page.keyboard.type("  lost: {block: Gain, u: nothing}\n");
+    await page.waitForTimeout(1500);
+    await tab(page, "Drawing");
+  }],
+  scopes: [cart, async (page) => {
+    await tab(page, "Scopes");
+    await play(page, 0.5);
+    const over = page.locator(".scope .u-over").first(), {width} = await over.boundingBox();
+    await over.click({position: {x: 0.3 * width, y: 30}});
+    await over.click({position: {x: 0.7 * width, y: 30}, modifiers: ["Shift"]});
+    await page.waitForTimeout(600);
+  }],
+  tuning: [cart, async (page) => { await tab(page, "Tuning"); await page.waitForTimeout(500); }],
+  figures: [cart, async (page) => { await tab(page, "Figures"); await play(page, 0.6); await page.waitForTimeout(1200); }],
+  scene: [scene, async (page) => { await tab(page, "Scene"); await page.waitForSelector(".scene-canvas"); await page.locator(".scene-canvas").focus(); await page.keyboard.down("ArrowRight"); await page.waitForTimeout(1500); await page.keyboard.up("ArrowRight"); await page.waitForTimeout(300); }],
+  mechanism: ["diagrams/thesis/fig26.yaml", async (page) => { await tab(page, "3-D"); await page.waitForTimeout(2500); }],
+  gallery: [cart, async (page) => { await page.getByRole("button", {name: "More"}).click(); await page.getByRole("menuitem", {name: /Examples/}).click(); await page.waitForTimeout(800); }],
+  menu: [cart, async (page) => { await page.getByRole("button", {name: "More"}).click(); await page.waitForTimeout(200); }],
+  keys: [cart, async (page) => { await page.locator(".tabs [aria-selected=true]").focus(); await page.keyboard.type("?"); await page.waitForTimeout(300); }],
+  palette: [cart, async (page) => { await tab(page, "Drawing"); await page.locator(".canvas").focus(); await press(page, "i"); await page.waitForTimeout(800); await page.keyboard.type("filter"); await page.waitForTimeout(400); }],
+  tour: [cart, async (page) => { await page.getByRole("button", {name: "More"}).click(); await page.getByRole("menuitem", {name: "Tour"}).click(); await page.waitForTimeout(500); await page.getByRole("button", {name: /Show me|Start|Begin|Yes/}).first().click({timeout: 2000}).catch(() => {}); await page.waitForTimeout(600); }],
+  about: [cart, async (page) => { await page.getByRole("button", {name: "More"}).click(); await page.getByRole("menuitem", {name: /About/}).click(); await page.waitForTimeout(600); }],
+  conflict: [undefined, async (page, studio) => {
+    await tab(page, "Text");
+    await page.locator(".cm-content").focus();
+    await press(page, "Control+Home");
+    await press(page, "End");
+    await page.keyboard.type("  # mine");
+    writeFileSync(studio.path, studio.file.replace("value: 2", "value: 3"));
+    await page.waitForTimeout(1500);
+    await press(page, "Control+s");
+    await page.waitForTimeout(1000);
+  }],
+};
+const small = "stepwire: 1\ntitle: small\nstep: 1 ms\nstop: 1 s\nsolver: rk4\nrecord: [lag]\nblocks:\n  source: {block: Constant, value: 2}\n  lag: {block: Lag, u: source, tau: 0.4 s}\n";
+
+/** One view in one size and colour. */
+async function picture(name, [width, height], colorScheme) {
+  const [file, action] = views[name], options = {width, height, colorScheme};
+  const studio = await (file ? Studio.on(join(root, file), options) : Studio.opened(small, options)), path = join(folder, `${name}-${width}-${colorScheme}.png`);
+  try {
+    await studio.page.getByRole("button", {name: "No, thank you"}).click({timeout: 8000}).catch(() => {});
+    await studio.page.waitForSelector("[data-shape]", {state: "attached", timeout: 30000}).catch(() => {});
+    await studio.page.waitForTimeout(700);
+    await action(studio.page, studio).catch((thrown) => console.log(`${name} ${width} ${colorScheme}: ${thrown.message.split("\n")[0]}`));
+    await studio.page.screenshot({path});
+    const [content, own] = await studio.page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.clientWidth]);
+    if (content > own) console.log(`${name} ${width} ${colorScheme}: the page is ${content} wide`);
+    if (studio.errors.length > 0) console.log(`${name} ${width} ${colorScheme}: ${studio.errors.join("; ")}`);
+  } finally {
+    await studio.close();
+  }
+  return path;
+}
+
+/** All pictures of a view side by side. */
+async function sheet(name, paths) {
+  const browser = await Studio.launched(), page = await browser.newPage({viewport: {width: 2000, height: 1400}});
+  const images = paths.map((path) => `<img style="height:640px;margin:4px;border:1px solid #888" src="data:image/png;base64,${readFileSync(path).toString("base64")}">`).join("");
+  await page.setContent(`<body style="margin:0;background:#777">${images}</body>`);
+  await page.screenshot({path: join(folder, `sheet-${name}.png`), fullPage: true});
+  await browser.close();
+}
+
+mkdirSync(folder, {recursive: true});
+for (const name of only.length > 0 ? only : Object.keys(views)) {
+  const paths = [];
+  for (const colorScheme of schemes) for (const size of sizes) paths.push(await picture(name, size, colorScheme));
+  await sheet(name, paths);
+  console.log(name);
+}
