@@ -22,14 +22,14 @@ std::int64_t Deadlines::at(std::int64_t k) const {
 }
 
 void Deadlines::miss() {
-  longest_row_ = std::max(longest_row_, ++row_);
+  longest_row_.set(std::max(longest_row_.get(), ++row_));
 }
 
 std::int64_t Deadlines::drop_missed(std::int64_t now, std::int64_t end) {
   if (overrun_.kind == Overrun::Kind::catch_up) return 0;
   std::int64_t count = 0;
-  for (; index_ < end && at(index_ + 1) <= now; ++index_, ++count) miss();
-  dropped_ += count;
+  for (; index_ < end && at(index_ + 1) <= now; index_.add(), ++count) miss();
+  dropped_.add(count);
   return count;
 }
 
@@ -37,10 +37,10 @@ void Deadlines::served(std::int64_t written) {
   if (written < at(index_ + 1)) {
     row_ = 0;
   } else {
-    ++late_;
+    late_.add();
     miss();
   }
-  ++index_;
+  index_.add();
 }
 
 }  // namespace stepwire::realtime

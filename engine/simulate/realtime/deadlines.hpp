@@ -4,6 +4,8 @@
 #include <optional>
 #include <string_view>
 
+#include "engine/simulate/realtime/counter.hpp"
+
 namespace stepwire::realtime {
 
 /// What a loop does about deadlines that it has missed before their step could begin.
@@ -55,8 +57,8 @@ class Deadlines {
 
   long double period_;
   Overrun overrun_;
-  std::int64_t start_ = 0, index_ = 0;
-  std::int64_t late_ = 0, dropped_ = 0, row_ = 0, longest_row_ = 0;
+  std::int64_t start_ = 0, row_ = 0;
+  Counter index_, late_, dropped_, longest_row_;  // which others may read
 };
 
 }  // namespace stepwire::realtime

@@ -57,7 +57,7 @@ void GroupCosts::before_tick(run::Executor& simulation) {
 }
 
 void GroupCosts::after_tick(run::Executor& simulation) {
-  if (ran_) ++now_->samples;
+  if (ran_) now_->samples.add();
   simulation.watch(nullptr);
 }
 
@@ -66,14 +66,15 @@ void GroupCosts::enter() {
 }
 
 void GroupCosts::leave() {
-  now_->spent += clock_.now() - entered_;
-  ++now_->looks;
+  now_->spent.add(clock_.now() - entered_);
+  now_->looks.add();
   ran_ = true;
 }
 
 double GroupCosts::cost_of_look() const {
   const Stretch& empty = stretches_.front();
-  return empty.looks > 0 ? static_cast<double>(empty.spent) / static_cast<double>(empty.looks) : 0.0;
+  return empty.looks > 0 ? static_cast<double>(empty.spent.get()) / static_cast<double>(empty.looks.get())
+                         : 0.0;
 }
 
 std::vector<GroupCost> GroupCosts::costs() const {
@@ -81,9 +82,9 @@ std::vector<GroupCost> GroupCosts::costs() const {
   for (const Stretch& stretch : stretches_) {
     if (stretch.samples == 0 || stretch.group == none) continue;
     const double spent =
-        static_cast<double>(stretch.spent) - cost_of_look() * static_cast<double>(stretch.looks);
+        static_cast<double>(stretch.spent.get()) - cost_of_look() * static_cast<double>(stretch.looks.get());
     costs[stretch.group].samples += stretch.samples;
-    costs[stretch.group].mean += std::max(0.0, spent) / static_cast<double>(stretch.samples);
+    costs[stretch.group].mean += std::max(0.0, spent) / static_cast<double>(stretch.samples.get());
   }
   std::stable_sort(costs.begin(), costs.end(),
                    [](const GroupCost& a, const GroupCost& b) { return a.mean > b.mean; });

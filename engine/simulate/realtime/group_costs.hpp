@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/simulate/realtime/counter.hpp"
 #include "engine/simulate/realtime/loop_clock.hpp"
 #include "engine/simulate/run/executor.hpp"
 
@@ -30,7 +31,7 @@ class GroupCosts : private run::ScheduleProbe {
   void before_tick(run::Executor& simulation);
   void after_tick(run::Executor& simulation);
 
-  /// The dearest first.
+  /// The dearest first. From any thread.
   std::vector<GroupCost> costs() const;
 
  private:
@@ -38,7 +39,7 @@ class GroupCosts : private run::ScheduleProbe {
     const std::vector<plan::KernelCall>* phase;
     std::size_t first, end;
     std::size_t group;
-    std::int64_t samples = 0, looks = 0, spent = 0;  ///< ticks; times that it ran in them; [ns]
+    Counter samples{}, looks{}, spent{};  ///< ticks; times that it ran in them; [ns]
   };
   double cost_of_look() const;
   void cut(const plan::Plan& plan, const std::vector<plan::KernelCall>& phase);

@@ -12,11 +12,11 @@ std::int64_t Histogram::begin_of(std::size_t bin) {
 
 std::int64_t Histogram::quantile(double fraction) const {
   if (count_ == 0) return 0;
-  const auto wanted = static_cast<std::int64_t>(std::ceil(fraction * static_cast<double>(count_)));
+  const auto wanted = static_cast<std::int64_t>(std::ceil(fraction * static_cast<double>(count_.get())));
   std::int64_t seen = 0;
   for (std::size_t bin = 0; bin + 1 < bin_count; ++bin) {
     seen += counts_[bin];
-    if (seen >= std::max<std::int64_t>(1, wanted)) return std::min(max_, begin_of(bin + 1) - 1);
+    if (seen >= std::max<std::int64_t>(1, wanted)) return std::min(max_.get(), begin_of(bin + 1) - 1);
   }
   return max_;
 }

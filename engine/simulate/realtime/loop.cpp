@@ -22,14 +22,15 @@ Loop::Loop(const plan::Plan& plan, const LoopOptions& options, Device& device, L
       device_(device),
       clock_(clock),
       recorder_(recorder),
-      simulation_(plan),
-      watched_({0, simulation_}, options_.observers),
+      simulation_(options.values ? &options.values->active() : &own_.emplace(plan)),
+      watched_({0, *simulation_}, options_.observers),
       deadlines_(options.rate, options.overrun),
       measurements_(options.deadlines),
       groups_(plan, clock) {
   require_fit_for_loop(plan);
-  simulation_.go_on_unsolved();
-  if (options.code) simulation_.use(*options.code);
+  simulation_->go_on_unsolved();
+  if (options.values) options.values->change_both([](run::Executor& run) { run.go_on_unsolved(); });
+  if (options.code) simulation_->use(*options.code);
   warm_up();
   prepare_inputs();
   prepare_outputs();
@@ -37,25 +38,25 @@ Loop::Loop(const plan::Plan& plan, const LoopOptions& options, Device& device, L
 
 /// Code and numbers are in the caches afterwards, and no page of them is missing.
 void Loop::warm_up() {
-  for (int tick = 0; tick < warm_up_ticks && simulation_.healthy(); ++tick) {
-    simulation_.evaluate();
-    simulation_.advance();
+  for (int tick = 0; tick < warm_up_ticks && simulation_->healthy(); ++tick) {
+    simulation_->evaluate();
+    simulation_->advance();
   }
-  simulation_.reset();
+  simulation_->reset();
 }
 
 void Loop::prepare_inputs() {
-  const plan::Plan& plan = simulation_.plan();
+  const plan::Plan& plan = simulation_->plan();
   for (const diagram::DiagramInput& input : plan.diagram.inputs) {
     input_offsets_.push_back(inputs_.size());
     const double* defaults =
-        simulation_.values() + plan.blocks[static_cast<std::size_t>(input.block)].outputs.front().offset;
+        simulation_->values() + plan.blocks[static_cast<std::size_t>(input.block)].outputs.front().offset;
     inputs_.insert(inputs_.end(), defaults, defaults + size_of_input(plan, input));
   }
 }
 
 void Loop::prepare_outputs() {
-  const plan::Plan& plan = simulation_.plan();
+  const plan::Plan& plan = simulation_->plan();
   for (const diagram::DiagramOutput& output : plan.diagram.outputs) {
     const plan::SignalSlot slot = plan.slot(output.signal);
     for (Eigen::Index k = 0; k < slot.size; ++k) {
@@ -76,7 +77,7 @@ void Loop::serve(std::int64_t count) {
     watched_.begin();
   }
   const ThreadCounts before = ThreadCounts::now();
-  while (!end_ && deadlines_.index() < end) wait_and_step(end);
+  while (!end_ && !pauses() && deadlines_.index() < end) wait_and_step(end);
   write_safe_values();
   counts_.add(before, ThreadCounts::now());
   if (!end_ && deadlines_.index() >= options_.deadlines) end_ = End::done;
@@ -105,18 +106,19 @@ void Loop::step(std::int64_t woke) {
   const std::int64_t k = deadlines_.index();
   const double wall = static_cast<double>(woke - *began_) * 1e-9;
   measurements_.woke(k, woke - deadlines_.at(k));
+  if (options_.values) simulation_ = &options_.values->at_tick();
   read_inputs();
   if (!may_tick()) return;
-  groups_.before_tick(simulation_);
-  simulation_.evaluate();
-  if (simulation_.healthy()) {
+  groups_.before_tick(*simulation_);
+  simulation_->evaluate();
+  if (simulation_->healthy()) {
     write_outputs();
     count_written(k);
     go_on(wall);
   } else if (recorder_) {
-    recorder_->record_inputs(simulation_.tick(), inputs_.data());  // they may be what is wrong
+    recorder_->record_inputs(simulation_->tick(), inputs_.data());  // they may be what is wrong
   }
-  if (!simulation_.healthy()) end_ = End::fault;
+  if (!simulation_->healthy()) end_ = End::fault;
   measurements_.stepped(k, clock_.now() - woke);
 }
 
@@ -125,24 +127,24 @@ void Loop::step(std::int64_t woke) {
 void Loop::go_on(double wall) {
   record(wall);
   if (deadlines_.must_stop()) return;
-  simulation_.advance();
-  groups_.after_tick(simulation_);
-  for (std::int64_t tick = 1; tick < ticks_ && simulation_.healthy() && may_tick(); ++tick) {
-    simulation_.evaluate();
-    if (!simulation_.healthy()) return;
+  simulation_->advance();
+  groups_.after_tick(*simulation_);
+  for (std::int64_t tick = 1; tick < ticks_ && simulation_->healthy() && may_tick(); ++tick) {
+    simulation_->evaluate();
+    if (!simulation_->healthy()) return;
     record(wall);
-    simulation_.advance();
+    simulation_->advance();
   }
 }
 
 void Loop::read_inputs() {
   device_.read(inputs_.data());
   for (std::size_t i = 0; i < input_offsets_.size(); ++i)
-    simulation_.write_input(i, inputs_.data() + input_offsets_[i]);
+    simulation_->write_input(i, inputs_.data() + input_offsets_[i]);
 }
 
 void Loop::write_outputs() {
-  for (std::size_t i = 0; i < outputs_.size(); ++i) outputs_[i] = simulation_.values()[output_offsets_[i]];
+  for (std::size_t i = 0; i < outputs_.size(); ++i) outputs_[i] = simulation_->values()[output_offsets_[i]];
   device_.write(outputs_.data());
 }
 
@@ -161,9 +163,10 @@ bool Loop::may_tick() {
 
 void Loop::record(double wall) {
   watched_.evaluated();
+  if (options_.tap) options_.tap->push(simulation_->tick(), simulation_->values());
   if (!recorder_) return;
-  recorder_->record_inputs(simulation_.tick(), inputs_.data());
-  recorder_->record_signals(simulation_.tick(), wall, simulation_.values());
+  recorder_->record_inputs(simulation_->tick(), inputs_.data());
+  recorder_->record_signals(simulation_->tick(), wall, simulation_->values());
 }
 
 /// The deadlines that still wait for outputs get these.

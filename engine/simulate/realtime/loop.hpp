@@ -12,7 +12,9 @@
 #include "engine/simulate/realtime/loop_clock.hpp"
 #include "engine/simulate/realtime/loop_recorder.hpp"
 #include "engine/simulate/realtime/measurements.hpp"
+#include "engine/simulate/realtime/signal_tap.hpp"
 #include "engine/simulate/realtime/thread_counts.hpp"
+#include "engine/simulate/realtime/value_exchange.hpp"
 #include "engine/simulate/run/executor.hpp"
 #include "engine/simulate/run/observed_ticks.hpp"
 
@@ -28,6 +30,9 @@ struct LoopOptions {
   /// Called in the loop's thread, within its period; must outlive the loop. One that pauses or stops the run
   /// ends it.
   std::vector<run::RunObserver*> observers{};
+  const std::atomic<bool>* pause = nullptr;  ///< once true, serve() returns after its next deadline
+  SignalTap* tap = nullptr;                  ///< gets every tick
+  ValueExchange* values = nullptr;  ///< whose active run is stepped, without observers; null: one of its own
 };
 
 /// How many ticks one period of the rate is. Throws Error where it is no whole number of the diagram's steps.
@@ -40,7 +45,9 @@ void require_fit_for_loop(const plan::Plan& plan);
 /// outputs are written, and only then are the states advanced, through all further ticks of the period; so
 /// that the outputs are as young as can be. The file's stop and stop_when do not end it.
 ///
-/// serve() neither allocates, locks, prints nor calls the system, but for the sleep between two steps.
+/// serve() neither allocates, locks, prints nor calls the system, but for the sleep between two steps. What
+/// deadlines(), measurements() and group_costs() count may be read by other threads meanwhile; one count may
+/// be a deadline ahead of another then.
 class Loop {
  public:
   /// `stopped`: after deadlines that were missed, or by an observer.
@@ -59,7 +66,7 @@ class Loop {
   bool ended() const { return end_.has_value(); }
   /// How it ended; `done` as long as nothing ended it early.
   End end() const { return end_.value_or(End::done); }
-  const run::Executor& simulation() const { return simulation_; }
+  const run::Executor& simulation() const { return *simulation_; }
   const Deadlines& deadlines() const { return deadlines_; }
   const Measurements& measurements() const { return measurements_; }
   std::vector<GroupCost> group_costs() const { return groups_.costs(); }
@@ -81,13 +88,15 @@ class Loop {
   bool may_tick();
   void record(double wall);
   void write_safe_values();
+  bool pauses() const { return options_.pause && *options_.pause; }
 
   LoopOptions options_;
   std::int64_t ticks_;  ///< per period
   Device& device_;
   LoopClock& clock_;
   LoopRecorder* recorder_;
-  run::Executor simulation_;
+  std::optional<run::Executor> own_;
+  run::Executor* simulation_;
   run::ObservedTicks watched_;
   Deadlines deadlines_;
   Measurements measurements_;

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+namespace stepwire::realtime {
+
+/// A number that one thread counts and others may read meanwhile: as cheap as a plain one, since nothing is
+/// ordered by it. Copies are of its present value.
+class Counter {
+ public:
+  Counter(std::int64_t value = 0) : value_(value) {}
+  Counter(const Counter& other) : value_(other.get()) {}
+  Counter& operator=(const Counter& other) {
+    set(other.get());
+    return *this;
+  }
+
+  std::int64_t get() const { return value_.load(std::memory_order_relaxed); }
+  operator std::int64_t() const { return get(); }
+
+  /// Only for the thread that counts.
+  void set(std::int64_t value) { value_.store(value, std::memory_order_relaxed); }
+  void add(std::int64_t more = 1) { set(get() + more); }
+
+ private:
+  std::atomic<std::int64_t> value_;
+  static_assert(std::atomic<std::int64_t>::is_always_lock_free);
+};
+
+}  // namespace stepwire::realtime
