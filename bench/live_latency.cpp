@@ -72,7 +72,7 @@ int main() {
   live::LiveRun* to_acknowledge = nullptr;
   std::atomic<std::int64_t> frames = 0;
   live::LiveRun run(
-      [&](int) {
+      [&](int, bool) {
         diagram::Loader loader(registry);
         loader.add(yaml::parse_document(diagram_of(100), "hundred.yaml"));
         return session::load_model(loader, "hundred.yaml", {});

@@ -5,6 +5,7 @@
 #include "engine/app/cli/console.hpp"
 #include "engine/app/cli/interrupt.hpp"
 #include "engine/app/cli/load_words.hpp"
+#include "engine/app/cli/loop_options.hpp"
 #include "engine/app/cli/monitoring.hpp"
 #include "engine/app/cli/verb.hpp"
 #include "engine/app/report/loop_text.hpp"
@@ -40,18 +41,9 @@ ExitCode print_troubles(const session::LoopOutcome& outcome) {
 void add_loop_options(CLI::App& verb, session::LoopCall& call) {
   session::LoopWords& words = call.words;
   verb.add_option("FILE", call.file, "a diagram file")->required();
-  verb.add_option("--rate", words.rate, "how often the thread wakes [Hz]")->capture_default_str();
   verb.add_option("--duration", words.duration, "for how long [s]; the file's stop does not end it")
       ->capture_default_str();
-  verb.add_option("--policy", words.policy, "how it is scheduled: fifo:1 to fifo:99, or other")
-      ->capture_default_str();
-  verb.add_option("--cpu", words.cpu, "the processor to which it is bound");
-  verb.add_option("--overrun", words.overrun,
-                  "what a missed deadline means: skip drops it, catch-up runs it late, stop:N ends the loop "
-                  "after N in a row")
-      ->capture_default_str();
-  verb.add_option("--spin", words.spin, "time before each deadline at which it is awake, e.g. 200us")
-      ->capture_default_str();
+  add_timing_options(verb, words);
   add_engine_option(verb, call.engine, "interpreted, or compiled before the loop begins; to the same bits");
   verb.add_option("--out", call.out, "folder for signals.csv, inputs.csv, loop.json, loop.svg");
   verb.add_flag("--baseline", call.baseline, "measure cyclictest by turns, and set it beside the loop");

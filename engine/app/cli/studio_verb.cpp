@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <chrono>
 #include <cstdlib>
 #include <memory>
@@ -6,19 +7,40 @@
 
 #include "engine/app/cli/console.hpp"
 #include "engine/app/cli/interrupt.hpp"
+#include "engine/app/cli/loop_options.hpp"
 #include "engine/app/cli/verb.hpp"
 #include "engine/app/studio/page_table.hpp"
 #include "engine/app/studio/studio.hpp"
 #include "engine/base/subprocess/process.hpp"
+#include "engine/base/yaml/error.hpp"
 
 namespace stepwire::cli {
 
 namespace {
 
 struct StudioWords {
-  studio::StudioCall call;
-  bool no_open = false;
+  std::string file, port, out;
+  bool no_open = false, loop = false;
+  session::LoopWords timing;
 };
+
+/// Throws Error where it is none.
+std::uint16_t port_of(const std::string& text) {
+  std::uint16_t port = 0;
+  const char* const end = text.data() + text.size();
+  const auto [read, error] = std::from_chars(text.data(), end, port);
+  if (error == std::errc() && read == end && port > 0) return port;
+  throw yaml::Error(
+      yaml::Fault{{"--port " + text, {}}, "", "is no port; a whole number from 1 to 65535 would be", {}});
+}
+
+studio::StudioCall call_of(const StudioWords& words) {
+  studio::StudioCall call{words.file};
+  if (!words.port.empty()) call.port = port_of(words.port);
+  call.out = words.out;
+  if (words.loop) call.loop = session::read_loop_settings(words.timing);
+  return call;
+}
 
 /// There is a browser where there is a display.
 bool has_display() {
@@ -33,7 +55,7 @@ void open_browser(const std::string& address) {
 
 ExitCode serve(const StudioWords& words, const Registry& registry) {
   const EndDelay delay(EndDelay::Signals::first);
-  const studio::Studio studio(words.call, registry);
+  const studio::Studio studio(call_of(words), registry);
   if (studio::page_table().empty())
     complain("the program was built without its page; install npm and call ./stepwire again\n");
   say("{}\n", studio.address());
@@ -45,9 +67,13 @@ ExitCode serve(const StudioWords& words, const Registry& registry) {
 
 Action declare_studio(CLI::App& verb) {
   const auto words = std::make_shared<StudioWords>();
-  verb.add_option("FILE", words->call.file, "a diagram file")->required();
-  verb.add_option("--port", words->call.port, "at which it serves; any free one without it");
+  verb.add_option("FILE", words->file, "a diagram file")->required();
+  verb.add_option("--port", words->port, "at which it serves; any free one without it");
+  verb.add_option("--out", words->out, "folder in which the page keeps a run, for 'verify'");
   verb.add_flag("--no-open", words->no_open, "print the address and open no browser");
+  CLI::Option* const loop =
+      verb.add_flag("--loop", words->loop, "run it as a real-time loop, and show how well it keeps time");
+  for (CLI::Option* const timing : add_timing_options(verb, words->timing)) timing->needs(loop);
   return [words](const Registry& registry) { return serve(*words, registry); };
 }
 

@@ -7,6 +7,7 @@
 #include "engine/app/cli/verb.hpp"
 #include "engine/app/session/kept_experiments.hpp"
 #include "engine/app/session/recorded_study.hpp"
+#include "engine/app/studio/live/live_folder.hpp"
 #include "engine/simulate/replay/verify.hpp"
 
 namespace stepwire::cli {
@@ -23,7 +24,9 @@ ExitCode verify_analysis(const std::string& folder, const Registry& registry) {
 
 ExitCode verify_folder(const std::string& folder, const Registry& registry) {
   if (session::has_recorded(folder, registry)) return verify_analysis(folder, registry);
-  const replay::Verification verification = replay::verify(folder, registry, &interrupted());
+  const bool live = live::is_live_folder(folder);
+  const replay::Verification verification = live ? live::verify_live(folder, registry, &interrupted())
+                                                 : replay::verify(folder, registry, &interrupted());
   if (verification.interrupted) return ExitCode::interrupted;
   if (verification.difference.empty()) {
     say("{}: {}\n", folder, replay::verification_text(verification));

@@ -10,6 +10,7 @@
 
 #include "engine/analyse/study/study_columns.hpp"
 #include "engine/analyse/study/study_tables.hpp"
+#include "engine/app/session/pointer_names.hpp"
 #include "engine/model/diagram/flatten.hpp"
 #include "engine/model/diagram/output_names.hpp"
 #include "engine/model/diagram/signal_words.hpp"
@@ -139,6 +140,7 @@ std::shared_ptr<const scene::Scene> read_scene_of(const diagram::Diagram& diagra
   auto scene = std::make_shared<const scene::Scene>(scene::read_scene(diagram.scene, names, faults));
   if (faults.size() == before)
     std::ranges::copy(scene::scene_state_names(*scene), std::back_inserter(names.columns));
+  if (faults.size() == before) check_pointer_names(diagram, faults);
   return scene;
 }
 

@@ -11,7 +11,8 @@
 
 namespace stepwire::live {
 class LiveRun;
-}
+struct Loading;
+}  // namespace stepwire::live
 
 namespace stepwire::studio {
 
@@ -37,7 +38,8 @@ using Calls = std::map<std::string, CallRow>;
 /// What calls work on.
 struct Desk {
   const Registry& registry;
-  std::mutex mutex;  ///< of all that follows but `tell`, which may be called from any thread
+  bool loop = false;  ///< runs are real-time loops
+  std::mutex mutex;   ///< of all that follows but `tell`, which may be called from any thread
   DiagramFiles files;
   DraftStore store;
   /// To all pages but one; 0 leaves none out.
@@ -53,8 +55,9 @@ void add_drawing_calls(Calls& calls, Desk& desk, DrawingDesk& drawing);
 /// The calls of the run, which must outlive them.
 void add_live_calls(Calls& calls, live::LiveRun& run);
 
-/// The model of a file, as it and its parts are edited. Throws as load_model() does.
-session::LoadedModel edited_model(Desk& desk, int file);
+/// The model of a file, as it and its parts are edited; `hand`: under the pointer of a page, where its scene
+/// has one. Throws as load_model() does.
+live::Loading edited_model(Desk& desk, int file, bool hand);
 
 /// Gives a loader the documents of a file and of its parts, as they are edited; returns the file's path.
 std::string add_documents(Desk& desk, int file, diagram::Loader& loader);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/app/studio/fault.hpp"
+#include "engine/app/studio/line_ends.hpp"
 #include "engine/base/hash/hash.hpp"
 #include "engine/base/text/characters.hpp"
 
@@ -21,11 +22,6 @@ std::filesystem::file_time_type time_of(const std::string& path) {
   return std::filesystem::last_write_time(path, none);
 }
 
-std::string with_crlf(std::string text) {
-  text::replace_all(text, "\n", "\r\n");
-  return text;
-}
-
 }  // namespace
 
 EditedText EditedTexts::read(const std::string& path) const {
@@ -34,7 +30,7 @@ EditedText EditedTexts::read(const std::string& path) const {
   read.saved = beneath_.read(path).text;
   if (!is_utf8(read.saved)) throw Fault(fmt::format("{}: is no text in UTF-8", text::visible(path)));
   read.hash = hash::hash_of(read.saved);
-  read.has_crlf = read.saved.find("\r\n") != std::string::npos;
+  if (read.saved.find("\r\n") != std::string::npos) read.bytes = read.saved;
   text::replace_all(read.saved, "\r\n", "\n");
   read.text = read.saved;
   return read;
@@ -92,7 +88,7 @@ std::optional<EditedText> EditedTexts::save(const std::string& path, const std::
   EditedText& text = known(path);
   EditedText now = read(path);
   if (now.hash != hash) return now;
-  const std::string bytes = now.has_crlf ? with_crlf(text.text) : text.text;
+  const std::string bytes = now.bytes.empty() ? text.text : with_line_ends_of(now.bytes, text.text);
   beneath_.replace(path, bytes);
   text.saved = text.text;
   text.hash = hash::hash_of(bytes);

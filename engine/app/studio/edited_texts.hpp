@@ -21,7 +21,7 @@ struct EditedText {
   std::string hash;                        ///< of the bytes on the disk with which `text` began
   std::string text;                        ///< with what was edited
   int version = 0;                         ///< counts the changes of `text`
-  bool has_crlf = false;                   ///< on the disk
+  std::string bytes;                       ///< on the disk, where not all lines end in "\n"; else empty
   bool is_kept = true;                     ///< is the draft on the disk as it is here?
   std::filesystem::file_time_type time{};  ///< of the file, when it was read last
 

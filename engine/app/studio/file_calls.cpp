@@ -7,11 +7,11 @@ using json::Json;
 
 namespace {
 
-Json hello(const Arguments& arguments) {
+Json hello(const Desk& desk, const Arguments& arguments) {
   constexpr int protocol = 1;
   if (arguments.whole("protocol") != protocol)
     throw Fault("this page is of another version than the program; load it again");
-  return Json::object().set("version", session::program_version()).set("file", 0).set("loop", false);
+  return Json::object().set("version", session::program_version()).set("file", 0).set("loop", desk.loop);
 }
 
 Json files(Desk& desk) {
@@ -103,7 +103,7 @@ Json change_news(int file, const EditedText& text) {
 }
 
 void add_file_calls(Calls& calls, Desk& desk) {
-  calls["hello"] = {[](int, const Arguments& arguments) { return hello(arguments); }};
+  calls["hello"] = {[&desk](int, const Arguments& arguments) { return hello(desk, arguments); }};
   calls["files"] = {[&desk](int, const Arguments&) { return files(desk); }};
   calls["open"] = {[&desk](int, const Arguments& arguments) { return open(desk, arguments); }};
   calls["edit"] = {[&desk](int page, const Arguments& arguments) { return edit(desk, page, arguments); }};

@@ -11,7 +11,8 @@ namespace {
 
 /// Those that take long; all others must act on the run at once.
 const std::set<std::string>& slow_calls() {
-  static const std::set<std::string> names{"run.load", "figures", "claims", "fan", "profile", "data.export"};
+  static const std::set<std::string> names{"run.load", "figures",     "claims",  "fan",
+                                           "profile",  "data.export", "run.keep"};
   return names;
 }
 
@@ -24,11 +25,15 @@ void add_live_calls(Calls& calls, live::LiveRun& run) {
         slow_calls().contains(name) ? CallRow::Where::slow : CallRow::Where::run};
 }
 
-session::LoadedModel edited_model(Desk& desk, int file) {
+live::Loading edited_model(Desk& desk, int file, bool hand) {
   return with_names(desk, [&] {
-    diagram::Loader loader(desk.registry);
-    const std::string path = add_documents(desk, file, loader);
-    return live::load_for_page(loader, path);
+    const auto loader = std::make_shared<diagram::Loader>(desk.registry);
+    const std::string path = add_documents(desk, file, *loader);
+    session::LoadedModel model =
+        hand ? live::load_for_page(*loader, path) : session::load_model(*loader, path, {});
+    return live::Loading(std::move(model), [loader, path](const session::LoadOptions& options) {
+      return session::load_model(*loader, path, options);  // its texts, and the page's hand among them
+    });
   });
 }
 

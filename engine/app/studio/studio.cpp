@@ -21,15 +21,14 @@ using json::Json;
 class Studio::Room : public http::Site {
  public:
   Room(const StudioCall& call, const Registry& registry)
-      : desk_{registry,
-              {},
-              DiagramFiles(call.file),
-              DraftStore(),
-              [this](const Json& news, int but) { tell(news, but); }},
+      : desk_{registry,     call.loop.has_value(),
+              {},           DiagramFiles(call.file),
+              DraftStore(), [this](const Json& news, int but) { tell(news, but); }},
         server_(http::listen(*this, call.port, call.limits)),
-        live_([this](int file) { return edited_model(desk_, file); },
+        live_([this](int file, bool hand) { return edited_model(desk_, file, hand); },
               {[this](const Json& news) { tell(news, 0); },
-               [this](int page, std::string bytes) { server_->send_bytes(page, std::move(bytes)); }}),
+               [this](int page, std::string bytes) { server_->send_bytes(page, std::move(bytes)); }},
+              {call.loop, call.out}),
         languages_(desk_,
                    [this](int page, const Json& message) {
                      server_->send_text(

@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "engine/app/session/loop_settings.hpp"
 #include "engine/app/studio/http/http_server.hpp"
 #include "engine/model/block/registry.hpp"
 
@@ -11,7 +13,9 @@ namespace stepwire::studio {
 
 struct StudioCall {
   std::string file;
-  std::uint16_t port = 0;  ///< any free one
+  std::uint16_t port = 0;                       ///< any free one
+  std::optional<session::LoopSettings> loop{};  ///< runs are real-time loops
+  std::string out{};                            ///< folder for runs that are kept
   http::Limits limits{};
 };
 

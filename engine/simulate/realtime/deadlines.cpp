@@ -17,6 +17,11 @@ std::optional<Overrun> parse_overrun(std::string_view text) {
   return overrun;
 }
 
+std::string overrun_text(const Overrun& overrun) {
+  if (overrun.kind == Overrun::Kind::stop) return "stop:" + std::to_string(overrun.misses);
+  return overrun.kind == Overrun::Kind::skip ? "skip" : "catch-up";
+}
+
 std::int64_t Deadlines::at(std::int64_t k) const {
   return start_ + std::llround(static_cast<long double>(k) * period_);
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "engine/simulate/realtime/counter.hpp"
@@ -23,6 +24,8 @@ struct Overrun {
 
 /// Reads "skip", "catch-up", "stop:3"; nothing if it is none of them.
 std::optional<Overrun> parse_overrun(std::string_view text);
+/// The same word.
+std::string overrun_text(const Overrun& overrun);
 
 /// The deadlines of a loop, start + k / rate for k = 0, 1, ..., and what became of them.
 ///

@@ -72,7 +72,7 @@ std::vector<std::size_t> replay_run(run::Executor& simulation, const std::vector
   const plan::Plan& plan = simulation.plan();
   UntilTick until(ticks_to_replay(plan, rows));
   run::RunOptions own = options;
-  own.observers = {&until};
+  own.observers.push_back(&until);
   run::TieredExecution interpreted(run::ExecutionMode::interpreted, nullptr, {}, 0.0);
   record::RunRecording recording(plan);
   const run::RunEnd end = run::run_simulation(simulation, recording.recorders(), own, interpreted, 0, 0);

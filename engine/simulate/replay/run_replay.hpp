@@ -11,7 +11,7 @@ struct RowRange {
   std::size_t first = 0, count = 0;
 };
 
-/// Runs a plan as far as its rows go and compares them, one entry of `rows` for each table; adds what came of
+/// Runs a plan as far as its rows go, with the observers of `options`, and compares them, one entry of `rows` for each table; adds what came of
 /// it. Returns how many rows of each table were this run's.
 std::vector<std::size_t> replay_run(run::Executor& simulation, const std::vector<Recorded>& tables,
                                     const std::vector<RowRange>& rows, const run::RunOptions& options,

@@ -98,9 +98,7 @@ class Server::Page : public std::enable_shared_from_this<Page> {
     stream_.set_option(ws::stream_base::decorator(
         [](ws::response_type& response) { response.erase(beast::http::field::server); }));
   }
-  ~Page() {
-    if (server_.pages_.erase(number_) > 0) server_.site_.left(number_);
-  }
+  ~Page() { leave(); }
 
   void accept(std::shared_ptr<Parser> parser) {
     beast::get_lowest_layer(stream_).expires_never();  // the socket has its own timer
@@ -117,7 +115,10 @@ class Server::Page : public std::enable_shared_from_this<Page> {
     if (queue_.size() == 1) write();
   }
 
-  void close() { beast::get_lowest_layer(stream_).close(); }
+  void close() {
+    beast::get_lowest_layer(stream_).close();
+    leave();
+  }
 
  private:
   struct Outgoing {
@@ -134,8 +135,14 @@ class Server::Page : public std::enable_shared_from_this<Page> {
 
   void read() {
     stream_.async_read(buffer_, [self = shared_from_this()](error_code error, std::size_t) {
-      if (!error && self->stream_.got_text()) self->take();
+      if (error) return self->leave();
+      if (self->stream_.got_text()) self->take();
     });
+  }
+
+  /// At once, though messages of it may still be worked on.
+  void leave() {
+    if (server_.pages_.erase(number_) > 0) server_.site_.left(number_);
   }
 
   void take() {

@@ -53,6 +53,10 @@ const json::Json& Arguments::list(const char* key) const {
   return *found;
 }
 
+bool Arguments::flag_or(const char* key, bool otherwise) const {
+  return of_.find(key) ? flag(key) : otherwise;
+}
+
 std::vector<double> Arguments::numbers(const char* key) const {
   std::vector<double> numbers;
   for (const json::Json& item : list(key).items()) {

@@ -16,6 +16,8 @@ class Arguments {
   double number(const char* key) const;
   std::string text(const char* key) const;
   bool flag(const char* key) const;
+  /// `otherwise` where the key is missing.
+  bool flag_or(const char* key, bool otherwise) const;
   std::vector<double> numbers(const char* key) const;
   /// Whole numbers from 0 on.
   std::vector<std::size_t> indices(const char* key) const;

@@ -53,6 +53,11 @@ void set(const LiveEvent& event, run::Executor& run) {
 
 }  // namespace
 
+void EventLog::add(LiveEvent event) {
+  const auto behind = std::ranges::upper_bound(events_, event.tick, {}, &LiveEvent::tick);
+  events_.insert(behind, std::move(event));
+}
+
 void EventLog::cut(std::int64_t tick) {
   events_.erase(std::lower_bound(events_.begin(), events_.end(), tick, is_before), events_.end());
 }
@@ -61,6 +66,15 @@ void EventLog::each(std::int64_t from, std::int64_t to,
                     const std::function<void(const LiveEvent&)>& take) const {
   auto event = std::lower_bound(events_.begin(), events_.end(), from, is_before);
   for (; event != events_.end() && event->tick < to; ++event) take(*event);
+}
+
+std::vector<LiveEvent> EventLog::last_of_each(std::int64_t to) const {
+  std::vector<LiveEvent> last;
+  each(before_start, to, [&](const LiveEvent& event) {
+    std::erase_if(last, [&](const LiveEvent& earlier) { return earlier.name == event.name; });
+    last.push_back(event);
+  });
+  return last;
 }
 
 Json EventLog::json() const {
@@ -100,6 +114,19 @@ void apply(const LiveEvent& event, run::Executor& run) {
     run.write_input(input_of(event, run.plan()), event.values.data());
   else
     set(event, run);
+}
+
+std::optional<double> present_number(const run::Executor& run, const std::string& name,
+                                     const std::string& text) {
+  const auto& parameters = run.plan().diagram.parameters;
+  const auto found = std::ranges::find(parameters, name, &diagram::DiagramParameter::name);
+  if (found != parameters.end()) {
+    const Value& value = run.parameter(static_cast<std::size_t>(found - parameters.begin()));
+    const double* number = std::get_if<double>(&value.content);
+    return number ? std::optional(*number) : std::nullopt;
+  }
+  const auto quantity = unit::parse_quantity(text);
+  return quantity ? std::optional(quantity->value) : std::nullopt;
 }
 
 void LogReplay::do_events(run::Executor& run, std::int64_t tick) const {

@@ -2,7 +2,8 @@
 
 #include <cstdint>
 #include <functional>
-#include <map>
+#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,12 +30,16 @@ struct LiveEvent {
 /// the same bits.
 class EventLog {
  public:
-  void add(LiveEvent event) { events_.push_back(std::move(event)); }
+  /// Behind all of the same tick and before.
+  void add(LiveEvent event);
   /// Forgets what was done at a tick and later.
   void cut(std::int64_t tick);
   const std::vector<LiveEvent>& events() const { return events_; }
   /// Hands on what was done at ticks from, ..., to - 1.
   void each(std::int64_t from, std::int64_t to, const std::function<void(const LiveEvent&)>& take) const;
+
+  /// The last event of each name at a tick before `to`, in their order.
+  std::vector<LiveEvent> last_of_each(std::int64_t to = std::numeric_limits<std::int64_t>::max()) const;
 
   json::Json json() const;
   /// Throws std::runtime_error for what json() does not write.
@@ -46,6 +51,11 @@ class EventLog {
 
 /// Does to a run what the event says. Throws Error where that is refused.
 void apply(const LiveEvent& event, run::Executor& run);
+
+/// The present number of a parameter of a run, SI; of any other value that of the text by which it was set.
+/// Nothing where it is no number.
+std::optional<double> present_number(const run::Executor& run, const std::string& name,
+                                     const std::string& text);
 
 /// Does all again in another run of the plan.
 class LogReplay : public run::RunObserver {

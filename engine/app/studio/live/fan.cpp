@@ -9,6 +9,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/simulate/profile/profile.hpp"
+#include "engine/simulate/run/drive.hpp"
 
 namespace stepwire::live {
 

@@ -12,7 +12,8 @@ namespace stepwire::live {
 namespace {
 
 constexpr double most_pixels = 16'384.0;
-constexpr double furthest = 1e9;  // [s]
+constexpr double furthest = 1e9;            // [s]
+constexpr std::size_t most_columns = 1024;  // of all views of a page: no screen shows more
 
 WantedView read_view(const Arguments& given) {
   WantedView view;
@@ -49,6 +50,9 @@ void FrameViews::want(int client, const json::Json& views) {
     if (number < 0.0 || number > 65'535.0) throw std::runtime_error("a view has a number from 0 to 65535");
     wanted[static_cast<std::uint16_t>(number)] = read_view(given);
   }
+  std::size_t columns = wanted.size();
+  for (const auto& [number, view] : wanted) columns += view.columns.size();
+  if (columns > most_columns) throw std::runtime_error("a page has at most 1024 views and columns of them");
   const std::lock_guard lock(mutex_);
   std::erase_if(views_, [&](const auto& entry) {
     return entry.first.first == client && !wanted.contains(entry.first.second);

@@ -14,14 +14,18 @@ constexpr std::size_t most_waiting = 4096;  // samples: a run that is paused tak
 
 }  // namespace
 
-LiveInputs::LiveInputs(const plan::Plan& plan) : plan_(plan) {
+std::vector<std::vector<double>> defaults_of_inputs(const plan::Plan& plan) {
+  std::vector<std::vector<double>> defaults;
   const run::Executor start(plan);
   for (const diagram::DiagramInput& input : plan.diagram.inputs) {
     const plan::SignalSlot slot = plan.slot({input.block, 0, -1});
     const double* first = start.values() + slot.offset;
-    defaults_.emplace_back(first, first + slot.size);
+    defaults.emplace_back(first, first + slot.size);
   }
+  return defaults;
 }
+
+LiveInputs::LiveInputs(const plan::Plan& plan) : plan_(plan), defaults_(defaults_of_inputs(plan)) {}
 
 std::size_t LiveInputs::find(const std::string& name) const {
   const auto& inputs = plan_.diagram.inputs;
@@ -29,11 +33,11 @@ std::size_t LiveInputs::find(const std::string& name) const {
   if (found != inputs.end()) return static_cast<std::size_t>(found - inputs.begin());
   std::vector<std::string> names;
   for (const diagram::DiagramInput& input : inputs) names.push_back(input.name);
-  throw yaml::Error(yaml::Fault{
-      {plan_.diagram.file, {}},
-      name,
-      "there is no input of this name" + yaml::nearest_or_all(name, names, "there are"),
-      {}});
+  throw yaml::Error(
+      yaml::Fault{{plan_.diagram.file, {}},
+                  name,
+                  "there is no input of this name" + yaml::nearest_or_all(name, names, "there are"),
+                  {}});
 }
 
 void LiveInputs::push(InputSample sample) {
@@ -71,6 +75,16 @@ std::vector<LiveEvent> LiveInputs::take(double time, std::int64_t tick) {
   std::erase_if(waiting_, [&](const InputSample& sample) { return sample.time <= time; });
   any_ = !waiting_.empty();
   return events;
+}
+
+std::vector<int> LiveInputs::writers() {
+  std::vector<int> writers;
+  const std::lock_guard lock(mutex_);
+  for (const diagram::DiagramInput& input : plan_.diagram.inputs) {
+    const auto writer = writers_.find(input.name);
+    writers.push_back(writer == writers_.end() ? 0 : writer->second);
+  }
+  return writers;
 }
 
 }  // namespace stepwire::live

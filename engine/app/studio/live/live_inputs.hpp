@@ -20,6 +20,9 @@ struct InputSample {
   std::optional<double> page_time{};  ///< the same on the clock of the page, as it sent it
 };
 
+/// The defaults of all inputs of a diagram, SI.
+std::vector<std::vector<double>> defaults_of_inputs(const plan::Plan& plan);
+
 /// Samples for the inputs of a diagram, which wait for the tick of their time.
 class LiveInputs {
  public:
@@ -33,6 +36,8 @@ class LiveInputs {
   void release(int client);
   /// The events of all samples up to a time, in the order in which they came; `tick` is computed next.
   std::vector<LiveEvent> take(double time, std::int64_t tick);
+  /// Who has written each input last, of those that are there; 0: nobody.
+  std::vector<int> writers();
   /// The time of the newest sample that was taken, as its page sent it; nothing before the first. For the
   /// thread that takes.
   std::optional<double> taken() const { return taken_; }

@@ -1,14 +1,17 @@
 // More than 300 lines with its header: the calls of one protocol, and what follows from them for all pages.
 #include "engine/app/studio/live/live_run.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <stdexcept>
 
 #include "engine/app/studio/live/arguments.hpp"
+#include "engine/app/studio/live/command_queue.hpp"
 #include "engine/app/studio/live/fan.hpp"
 #include "engine/app/studio/live/mechanisms.hpp"
 #include "engine/app/studio/live/run_description.hpp"
 #include "engine/app/studio/live/run_results.hpp"
+#include "engine/model/diagram/variation.hpp"
 
 namespace stepwire::live {
 
@@ -18,10 +21,28 @@ using json::Json;
 
 constexpr double fastest = 10.0, slowest = 0.1;  // rates
 
+bool is_file(const diagram::Diagram& diagram, const diagram::Target& target) {
+  if (target.kind != diagram::Target::Kind::parameter) return false;
+  const BlockType& type = diagram.blocks[static_cast<std::size_t>(target.block)].type();
+  return type.parameters[static_cast<std::size_t>(target.index)].kind == ParameterKind::file;
+}
+
+/// Which files are read is looked at when a text is loaded, not when a value is set.
+void refuse_file(const diagram::Diagram& diagram, const std::string& name) {
+  const diagram::Variation variation(diagram, {name});
+  if (std::ranges::any_of(variation.targets(), [&](const auto& target) { return is_file(diagram, target); }))
+    throw std::runtime_error("'" + name +
+                             "' names a file, and cannot be set in a run; write it into the text");
+}
+
 }  // namespace
 
-LiveRun::LiveRun(Load load, Sinks sinks)
-    : load_(std::move(load)), sinks_(std::move(sinks)), views_(sinks_.frame) {
+LiveRun::LiveRun(Load load, Sinks sinks, LiveOptions options)
+    : load_(std::move(load)),
+      sinks_(std::move(sinks)),
+      loop_(std::move(options.loop)),
+      out_(std::move(options.out)),
+      views_(sinks_.frame) {
   publisher_ = std::thread([this] { publish(); });
 }
 
@@ -51,7 +72,8 @@ const std::map<std::string, LiveRun::Call>& LiveRun::calls() {
       {"figures", &LiveRun::figures},     {"claims", &LiveRun::claims},
       {"fan", &LiveRun::fan_of},          {"scene", &LiveRun::scene},
       {"mechanism", &LiveRun::mechanism}, {"scene.watch", &LiveRun::watch_scene},
-      {"profile", &LiveRun::profile}};
+      {"profile", &LiveRun::profile},     {"loop", &LiveRun::loop},
+      {"run.keep", &LiveRun::keep}};
   return all;
 }
 
@@ -64,10 +86,18 @@ std::vector<std::string> LiveRun::call_names() {
 Json LiveRun::call(int page, const std::string& name, const Json& arguments) {
   const auto found = calls().find(name);
   if (found == calls().end()) throw std::runtime_error("there is no call '" + name + "'");
+  heard(page);
   return (this->*found->second)(page, Arguments(arguments));
 }
 
+/// Whatever a page says shows that it is there.
+void LiveRun::heard(int page) {
+  const std::lock_guard lock(mutex_);
+  if (loaded_) loaded_->thread().heard(page);
+}
+
 void LiveRun::acknowledge(int page, std::uint32_t sequence) {
+  heard(page);
   views_.acknowledge(page, sequence);
   wake();
 }
@@ -75,6 +105,7 @@ void LiveRun::acknowledge(int page, std::uint32_t sequence) {
 void LiveRun::left(int page) {
   views_.left(page);
   const std::lock_guard lock(mutex_);
+  gone_.insert(page);
   if (loaded_) loaded_->thread().release(page);
   clocks_.erase(page);
   scene_watchers_.erase(page);
@@ -84,34 +115,6 @@ LiveRun::Loaded LiveRun::loaded() const {
   const std::lock_guard lock(mutex_);
   if (!loaded_) throw std::runtime_error("no model is loaded; run.load comes first");
   return loaded_;
-}
-
-void LiveRun::put(Loaded next) {
-  Loaded before;
-  {
-    const std::lock_guard lock(mutex_);
-    before = std::exchange(loaded_, std::move(next));
-    runs_ = loaded_->thread().status().run + 1;
-    if (fan_interrupt_) *fan_interrupt_ = true;
-  }
-  if (before) before->thread().pause();
-  wake();
-}
-
-Json LiveRun::load(int, const Arguments& arguments) {
-  session::LoadedModel model = load_(static_cast<int>(arguments.number("file")));
-  RunThread::Options options;
-  options.code = &code_;
-  options.changed = [this] { wake(); };
-  {
-    const std::lock_guard lock(mutex_);
-    if (loaded_) runs_ = std::max(runs_, loaded_->thread().status().run + 1);
-    options.run = runs_;
-  }
-  const auto run = std::make_shared<LoadedRun>(std::move(model), std::move(options));
-  Json description = run_description(*run);
-  put(run);
-  return description;
 }
 
 Json LiveRun::moment(LoadedRun& run) const {
@@ -153,6 +156,7 @@ Json LiveRun::seek(int, const Arguments& arguments) {
 
 Json LiveRun::set(int, const Arguments& arguments) {
   const std::string name = arguments.text("name");
+  refuse_file(loaded()->plan().diagram, name);
   const auto number = arguments.number_if_no_text("value");
   const SetResult set =
       loaded()->thread().set(name, number ? fmt::format("{}", *number) : arguments.text("value"));
@@ -171,14 +175,11 @@ Json LiveRun::input(int page, const Arguments& arguments) {
   for (const Json& item : arguments.list("samples").items()) {
     const Arguments sample(item);
     const double shown = sample.number("time");
-    double time = shown;
-    {
-      const std::lock_guard lock(mutex_);
-      PageClock& clock = clocks_[page];
-      clock.came(shown, now);
-      time = clock.here(shown);
-    }
-    run->thread().input({page, time, sample.text("name"), sample.numbers("values"), shown});
+    const std::lock_guard lock(mutex_);
+    if (gone_.contains(page)) return {};  // nobody would take it back
+    PageClock& clock = clocks_[page];
+    clock.came(shown, now);
+    run->thread().input({page, clock.here(shown), sample.text("name"), sample.numbers("values"), shown});
   }
   return {};
 }
@@ -236,10 +237,12 @@ Json LiveRun::figures(int, const Arguments&) {
 }
 
 Json LiveRun::claims(int, const Arguments&) {
+  if (loop_) return Json::object().set("claims", Json::list());
   return claims_now(*loaded());
 }
 
 Json LiveRun::fan_of(int, const Arguments& arguments) {
+  refuse_in_loop("fan");
   const FanCall call{arguments.text("name"), arguments.number("low"), arguments.number("high"),
                      static_cast<std::size_t>(std::max(0.0, arguments.number("count"))),
                      arguments.indices("columns")};
@@ -271,6 +274,7 @@ Json LiveRun::watch_scene(int page, const Arguments& arguments) {
 }
 
 Json LiveRun::profile(int, const Arguments&) {
+  refuse_in_loop("profile");
   const std::atomic<bool> interrupt = false;
   return profile_now(*loaded(), interrupt);
 }

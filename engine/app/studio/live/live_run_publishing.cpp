@@ -10,8 +10,8 @@ namespace {
 
 using json::Json;
 
-constexpr double between_looks = 0.004, idle = 0.05;                  // [s]
-constexpr double between_news = 1.0 / 30.0, between_scenes = 0.0158;  // [s]
+constexpr double between_looks = 0.004, idle = 0.05;                                          // [s]
+constexpr double between_news = 1.0 / 30.0, between_scenes = 0.0158, between_timings = 0.25;  // [s]
 
 const char* word_of(RunStatus::State state) {
   if (state == RunStatus::State::playing) return "playing";
@@ -79,19 +79,27 @@ void LiveRun::publish_run(const Loaded& run, double now) {
   const RunStatus status = run->thread().status();
   const bool turned = has_turned(told_, status);
   const bool moved = told_ && status.tick != told_->tick && now - told_at_ >= between_news;
+  publish_loop(run, turned, now);
   if (!turned && !moved) return;
   const bool ends = status.state == RunStatus::State::ended &&
                     (!told_ || told_->state != RunStatus::State::ended || told_->run != status.run);
   told_ = status;
   told_at_ = now;
   sinks_.news(news_of(status));
-  if (ends && !run->model().claims.empty())
+  if (ends && !loop_ && !run->model().claims.empty())
     judge_ = std::jthread([this, run] {
       try {
         sinks_.news(claims_now(*run).set("news", "claims"));
       } catch (const std::exception&) {  // the run has gone
       }
     });
+}
+
+void LiveRun::publish_loop(const Loaded& run, bool turned, double now) {
+  const bool goes_on = run->thread().status().state == RunStatus::State::playing;
+  if (!loop_ || (!turned && (!goes_on || now - loop_at_ < between_timings))) return;
+  loop_at_ = now;
+  if (auto timing = run->thread().timing()) sinks_.news(timing->set("news", "loop"));
 }
 
 void LiveRun::publish_scene(const Loaded& run, double now) {

@@ -24,11 +24,26 @@ LiveColumn column_of(const query::Series& series) {
 
 }  // namespace
 
-LoadedRun::LoadedRun(session::LoadedModel model, RunThread::Options options)
-    : model_(std::move(model)),
+LoadedRun::LoadedRun(Loading loading, const MakeRun& make)
+    : model_(std::move(loading.model)),
+      again_(std::move(loading.again)),
       signals_(plan()),
       names_(signals_.names(plan())),
-      thread_(std::make_unique<RunThread>(plan(), signals_, std::move(options))) {}
+      thread_(make(plan(), signals_)) {}
+
+std::shared_ptr<const session::LoadedModel> LoadedRun::model_with(const std::vector<LiveEvent>& set) {
+  std::map<std::string, std::string> values;
+  for (const LiveEvent& event : set)
+    if (!event.is_input()) values[event.name] = event.text;
+  const std::lock_guard lock(again_mutex_);
+  if (!again_ || values.empty()) return {std::shared_ptr<void>(), &model_};
+  if (again_model_ && again_values_ == values) return again_model_;
+  session::LoadOptions options = model_.options;
+  for (const auto& [name, value] : values) options.settings.push_back({name, value});
+  again_model_ = std::make_shared<const session::LoadedModel>(again_(options));
+  again_values_ = std::move(values);
+  return again_model_;
+}
 
 std::size_t LoadedRun::find(const std::string& expression) {
   if (const auto signal = signals_.find(expression)) return *signal;

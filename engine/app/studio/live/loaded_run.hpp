@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -7,7 +8,8 @@
 #include <vector>
 
 #include "engine/app/session/loaded_model.hpp"
-#include "engine/app/studio/live/run_thread.hpp"
+#include "engine/app/studio/live/run_control.hpp"
+#include "engine/app/studio/live/signal_list.hpp"
 
 namespace stepwire::live {
 
@@ -21,15 +23,32 @@ struct LiveColumn {
   std::optional<query::Formula> formula{};  ///< none: it is a signal
 };
 
+/// A model that was read, and how it is read again from the same texts, with other settings.
+struct Loading {
+  using Again = std::function<session::LoadedModel(const session::LoadOptions& options)>;
+
+  Loading(session::LoadedModel model_read, Again read_again = {})
+      : model(std::move(model_read)), again(std::move(read_again)) {}
+
+  session::LoadedModel model;
+  Again again;  ///< empty: it cannot be
+};
+
+/// Begins a run of a plan, whose signals are these; both outlive it.
+using MakeRun = std::function<std::unique_ptr<RunControl>(const plan::Plan& plan, const SignalList& signals)>;
+
 /// A model and its run, and the columns by which a page calls its signals. From any thread.
 class LoadedRun {
  public:
-  LoadedRun(session::LoadedModel model, RunThread::Options options);
+  LoadedRun(Loading loading, const MakeRun& make);
 
   const session::LoadedModel& model() const { return model_; }
+  /// The model with the values that some events have set, for its figures and claims; its own where it cannot
+  /// be read again.
+  std::shared_ptr<const session::LoadedModel> model_with(const std::vector<LiveEvent>& set);
   const plan::Plan& plan() const { return model_.job.plan; }
   const SignalList& signals() const { return signals_; }
-  RunThread& thread() { return *thread_; }
+  RunControl& thread() { return *thread_; }
   const SampleStore& store() const { return thread_->store(); }
 
   /// The column of a name or an expression, "cart.position in mm". Throws Error where there is something
@@ -46,9 +65,13 @@ class LoadedRun {
 
  private:
   session::LoadedModel model_;
+  Loading::Again again_;
+  std::mutex again_mutex_;  ///< of the model that was read last, and by which values
+  std::map<std::string, std::string> again_values_;
+  std::shared_ptr<const session::LoadedModel> again_model_;
   SignalList signals_;
   query::SymbolTable names_;
-  std::unique_ptr<RunThread> thread_;
+  std::unique_ptr<RunControl> thread_;
   mutable std::mutex mutex_;
   std::vector<LiveColumn> formulas_;
   std::map<std::string, std::size_t> known_;   ///< columns of expressions

@@ -149,6 +149,10 @@ plan::Plan led_plan(diagram::Diagram diagram, const ScenePointer& pointer) {
 
 }  // namespace
 
+bool offers_pointer(const diagram::Diagram& diagram) {
+  return diagram.scene.find("pointer") != nullptr;
+}
+
 bool has_pointer(const diagram::Diagram& diagram) {
   return std::ranges::find(diagram.inputs, std::string(pointer_input), &diagram::DiagramInput::name) !=
          diagram.inputs.end();

@@ -20,7 +20,9 @@ inline constexpr const char* pointer_part = "pointer_hand";
 session::LoadedModel load_for_page(diagram::Loader& loader, const std::string& file,
                                    const session::LoadOptions& options = {});
 
-/// Does a model have the inputs of a pointer?
+/// Does the scene of a diagram have a `pointer`?
+bool offers_pointer(const diagram::Diagram& diagram);
+/// Is a model under the hand of a page: does it have the inputs of a pointer?
 bool has_pointer(const diagram::Diagram& diagram);
 
 }  // namespace stepwire::live

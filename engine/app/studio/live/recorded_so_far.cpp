@@ -36,7 +36,7 @@ std::vector<double> picked(const SampleStore& store, std::size_t column,
 }
 
 /// The columns of what the file sweeps, with one value each: the present one.
-void add_swept(const diagram::Diagram& diagram, RunThread& run, record::Recording& recording) {
+void add_swept(const diagram::Diagram& diagram, RunControl& run, record::Recording& recording) {
   if (!diagram.sweep) return;
   auto place = recording.table.columns.begin() + 1;
   for (const diagram::Sweep::Axis& axis : diagram.sweep->axes) {
@@ -60,9 +60,8 @@ void add_swept(const diagram::Diagram& diagram, RunThread& run, record::Recordin
 
 }  // namespace
 
-std::vector<record::Recording> recorded_so_far(const session::LoadedModel& model, const SignalList& signals,
-                                               RunThread& run, bool ended, std::int64_t from) {
-  const plan::Plan& plan = model.job.plan;
+std::vector<record::Recording> recorded_rows(const plan::Plan& plan, const SignalList& signals,
+                                             RunControl& run, bool ended, std::int64_t from) {
   const std::int64_t end = run.store().end_tick();
   std::vector<record::Recording> recordings;
   for (const diagram::RecordRequest& request : plan.diagram.records) {
@@ -75,8 +74,14 @@ std::vector<record::Recording> recorded_so_far(const session::LoadedModel& model
       table::Column& column = recording.table.columns[i];
       column.values = picked(run.store(), run.stored(*signals.find(column.name)), ticks);
     }
-    add_swept(plan.diagram, run, recording);
   }
+  return recordings;
+}
+
+std::vector<record::Recording> recorded_so_far(const session::LoadedModel& model, const SignalList& signals,
+                                               RunControl& run, bool ended, std::int64_t from) {
+  auto recordings = recorded_rows(model.job.plan, signals, run, ended, from);
+  for (record::Recording& recording : recordings) add_swept(model.job.plan.diagram, run, recording);
   return recordings;
 }
 

@@ -74,6 +74,16 @@ void RowGathering::fill(std::size_t index, std::int64_t from, std::int64_t to) {
   }
 }
 
+std::vector<std::size_t> RowGathering::places() const {
+  std::vector<std::size_t> all;
+  for (const Column& column : columns_)
+    if (column.formula)
+      all.insert(all.end(), column.places.begin(), column.places.end());
+    else
+      all.push_back(column.offset);
+  return all;
+}
+
 void RowGathering::take(const double* values) {
   for (const Column& column : columns_)
     rows_.push_back(column.formula ? (*column.formula)(values, column.places) : values[column.offset]);

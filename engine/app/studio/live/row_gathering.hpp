@@ -21,6 +21,8 @@ class RowGathering {
   std::size_t column(std::size_t signal, std::int64_t next_tick);
   /// The same for a formula over signals, as far back as all of them are stored.
   std::size_t column(const query::Formula& formula, std::int64_t next_tick);
+  /// Where in the numbers of a run lies what it takes.
+  std::vector<std::size_t> places() const;
   /// Takes the row of a tick from the numbers of a run.
   void take(const double* values);
   /// Hands all rows to the store. Throws EnvironmentError.

@@ -1,8 +1,10 @@
 #include "engine/app/studio/live/run_results.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
 
-#include "engine/app/session/outcome.hpp"
+#include <algorithm>
+#include <stdexcept>
+
 #include "engine/app/studio/live/recorded_so_far.hpp"
 #include "engine/base/table/table_file.hpp"
 #include "engine/view/plot/figure_spec.hpp"
@@ -14,23 +16,8 @@ namespace {
 
 using json::Json;
 
-constexpr std::int64_t most_exported = 5'000'000;  // rows
-
-std::string verdict_of(const claim::Verdict& verdict) {
-  if (!verdict.note.empty()) return "open";
-  if (verdict.holds) return verdict.surprises() ? "FAIL" : "ok";
-  return verdict.disagrees.empty() ? "FAIL" : "known";
-}
-
-std::string words_of(const claim::Verdict& verdict) {
-  if (!verdict.note.empty()) return verdict.check + ": " + verdict.note;
-  return verdict.check + ": " + verdict.shown +
-         (verdict.disagrees.empty() ? "" : " (" + verdict.disagrees + ")");
-}
-
-Json claim_json(const std::string& that, const std::string& verdict, const std::string& text) {
-  return Json::object().set("that", that).set("verdict", verdict).set("text", text);
-}
+constexpr std::int64_t most_exported = 2'000'000;  // numbers: 40 MB of text
+constexpr std::size_t most_described = 256;        // columns
 
 }  // namespace
 
@@ -38,9 +25,10 @@ Json figures_now(LoadedRun& run) {
   const bool ended = run.thread().status().state == RunStatus::State::ended;
   std::vector<record::Recording> recordings =
       recorded_so_far(run.model(), run.signals(), run.thread(), ended);
-  if (run.model().scene) scene::add_scene_states(*run.model().scene, recordings);
+  const auto model = run.model_with(run.thread().log().last_of_each());
+  if (model->scene) scene::add_scene_states(*model->scene, recordings);
   Json figures = Json::list();
-  for (const plot::Figure& figure : run.model().figures) {
+  for (const plot::Figure& figure : model->figures) {
     try {
       if (run.model().study)
         throw std::runtime_error("it is drawn of the trials of the study: './stepwire study'");
@@ -52,31 +40,15 @@ Json figures_now(LoadedRun& run) {
   return Json::object().set("figures", std::move(figures));
 }
 
-Json claims_now(LoadedRun& run) {
-  const RunStatus status = run.thread().status();
-  Json claims = Json::list();
-  const char* open = status.state != RunStatus::State::ended ? ""
-                     : !status.fault.empty()                 ? ": the run ended early"
-                     : run.model().study                     ? ": it is about the trials of the study"
-                                                             : nullptr;
-  if (open) {
-    for (const claim::Claim& claim : run.model().claims)
-      claims.push(claim_json(claim.that, "open", claim.check + open));
-    return Json::object().set("claims", std::move(claims));
-  }
-  session::Outcome outcome;
-  outcome.result.recordings = recorded_so_far(run.model(), run.signals(), run.thread(), true);
-  session::judge_claims(run.model(), outcome);
-  for (const claim::Verdict& verdict : outcome.verdicts)
-    claims.push(claim_json(verdict.that, verdict_of(verdict), words_of(verdict)));
-  return Json::object().set("claims", std::move(claims));
-}
-
 std::string csv_of(LoadedRun& run, const std::vector<std::size_t>& columns, double from, double to) {
   const std::int64_t first = run.tick_at(from);
-  const std::int64_t end =
-      std::min({run.tick_at(to + run.plan().diagram.step), run.store().end_tick(), first + most_exported});
+  const std::int64_t end = std::min(run.tick_at(to + run.plan().diagram.step), run.store().end_tick());
   const auto count = static_cast<std::size_t>(std::max<std::int64_t>(0, end - first));
+  if (static_cast<double>(count) * static_cast<double>(columns.size() + 1) > most_exported)
+    throw std::runtime_error(fmt::format(
+        "{} rows of {} signals are more than a page takes; choose a shorter stretch, or 'stepwire run "
+        "--out DIR' for all of it",
+        count, columns.size()));
   table::Table table;
   table.columns.push_back({"time", "s", {}});
   for (std::size_t i = 0; i < count; ++i)
@@ -94,6 +66,8 @@ std::string csv_of(LoadedRun& run, const std::vector<std::size_t>& columns, doub
 Json statistics_of(LoadedRun& run, const std::vector<std::size_t>& columns, double from, double to) {
   const std::int64_t first = run.tick_at(from), last = std::max(first, run.tick_at(to));
   const double step = run.plan().diagram.step;
+  if (columns.size() > most_described)
+    throw std::runtime_error("statistics are of at most 256 columns at once");
   Json list = Json::list();
   for (const std::size_t column : columns) {
     const SampleStatistics seen = run.store().statistics(run.stored(column), first, last + 1);

@@ -5,12 +5,13 @@
 
 namespace stepwire::live {
 
-/// The figures of the file as they are by now, each as in figure.json; with `fault` in the place of panels
-/// where there is nothing to draw yet.
+/// The figures of the file as they are by now, with the values that are set now, each as in figure.json; with
+/// `fault` in the place of panels where there is nothing to draw yet.
 json::Json figures_now(LoadedRun& run);
 
 /// The claims with `verdict`: ok, FAIL, known (the file says so), open (the run has not ended, or nothing can
-/// be said of it).
+/// be said of it). A claim is about a run with one set of values: one that reads a value which was set on the
+/// way is open, and says so.
 json::Json claims_now(LoadedRun& run);
 
 /// Columns between two times as CSV with units in the header, all samples.

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "engine/base/yaml/error.hpp"
@@ -17,20 +16,9 @@ namespace {
 constexpr double between_moments = 0.5;   // [s] of the run
 constexpr double ahead = 1e-3;            // [s] by which a tick may be early: no thread sleeps for less
 constexpr double between_flushes = 4e-3;  // [s]
-constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
 
 std::int64_t ticks_between_moments(const plan::Plan& plan) {
   return std::max<std::int64_t>(1, std::llround(between_moments / plan.diagram.step));
-}
-
-/// The last event of each name, in their order.
-std::vector<LiveEvent> last_of_each(const EventLog& log, std::int64_t to) {
-  std::vector<LiveEvent> last;
-  log.each(before_start, to, [&](const LiveEvent& event) {
-    std::erase_if(last, [&](const LiveEvent& earlier) { return earlier.name == event.name; });
-    last.push_back(event);
-  });
-  return last;
 }
 
 }  // namespace
@@ -189,7 +177,7 @@ void RunThread::add_event(LiveEvent event) {
 
 /// Puts the run at its start, with the values that are set now.
 void RunThread::start_anew() {
-  const std::vector<LiveEvent> set = last_of_each(log_, never);
+  const std::vector<LiveEvent> set = log_.last_of_each();
   log_ = {};
   for (LiveEvent event : set) {
     if (event.is_input()) continue;
@@ -207,7 +195,7 @@ void RunThread::start_anew() {
 void RunThread::go_back(std::int64_t tick) {
   const run::Workspace* moment = moments_.before(tick);
   const std::int64_t at = moment ? moment->tick : 0;
-  for (const LiveEvent& event : last_of_each(log_, moment ? at : 0))
+  for (const LiveEvent& event : log_.last_of_each(moment ? at : 0))
     if (!event.is_input()) apply(event, life_->run);
   if (moment)
     life_->run.restore(*moment);
@@ -223,9 +211,9 @@ void RunThread::go_back(std::int64_t tick) {
 
 /// From behind a tick on the run has the values that are set now.
 void RunThread::carry_values(std::int64_t tick) {
-  const std::vector<LiveEvent> now = last_of_each(log_, never);
+  const std::vector<LiveEvent> now = log_.last_of_each();
   log_.cut(tick + 1);
-  const std::vector<LiveEvent> then = last_of_each(log_, tick + 1);
+  const std::vector<LiveEvent> then = log_.last_of_each(tick + 1);
   for (LiveEvent event : now) {
     const auto same = std::ranges::find(then, event.name, &LiveEvent::name);
     if (same != then.end() && same->text == event.text && same->values == event.values) continue;

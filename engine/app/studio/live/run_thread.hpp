@@ -17,37 +17,15 @@
 #include "engine/app/studio/live/moments.hpp"
 #include "engine/app/studio/live/pace.hpp"
 #include "engine/app/studio/live/row_gathering.hpp"
+#include "engine/app/studio/live/run_control.hpp"
 #include "engine/simulate/run/drive.hpp"
 
 namespace stepwire::live {
 
-/// How a run stands.
-struct RunStatus {
-  enum class State { playing, paused, ended };
-  State state = State::paused;
-  std::uint32_t run = 0;    ///< counts up with restart and seek
-  std::int64_t tick = 0;    ///< that was computed last
-  double time = 0.0;        ///< of it [s]
-  double rate = 0.0;        ///< seconds of the run in one of the clock, lately
-  double wanted = 1.0;      ///< the same as it should be; 0: as fast as it goes
-  std::int64_t missed = 0;  ///< ticks that came more than 20 ms late
-  bool compiled = false;
-  /// Of the newest sample of an input that acted by a tick which is stored, as its page sent it [s].
-  std::optional<double> input;
-  std::string fault;  ///< that ended it; empty where none did
-};
-
-/// What set() came to.
-struct SetResult {
-  std::optional<double> value;  ///< SI; nothing where it is no number
-  std::string text;
-  std::int64_t tick = 0;  ///< from which on it holds
-};
-
 /// Computes a run on a thread of its own, as others have it go on: each call takes effect between two ticks.
 /// What is set and what is written to inputs is logged with its tick; a return to an earlier moment computes
 /// the same bits again and goes on with the values that are set now.
-class RunThread : private run::RunObserver {
+class RunThread : public RunControl, private run::RunObserver {
  public:
   struct Options {
     plan::CodeSource* code = nullptr;  ///< null: all is interpreted
@@ -60,31 +38,21 @@ class RunThread : private run::RunObserver {
   RunThread(const plan::Plan& plan, const SignalList& signals, Options options);
   ~RunThread() override;
 
-  /// From any thread; each returns once it has taken effect, and one_tick() which one it will be.
-  void play(double rate);
-  void pause();
-  std::int64_t one_tick();
-  /// Begins anew with the values that are set now.
-  void restart();
-  /// Goes to a time as fast as it goes, back by a kept moment; returns the tick to which it goes.
-  std::int64_t seek(double time);
-  /// Throws Error where the value is refused.
-  SetResult set(const std::string& name, const std::string& text);
-  /// Numbers for an input, at a time of seconds_now(); throws Error where their count is wrong. Returns at
-  /// once.
-  void input(const InputSample& sample);
-  /// Inputs that this client has written last have their defaults from the next tick on.
-  void release(int client);
-  /// The column of the store that has a signal of the list, which is stored from now on at the latest.
-  std::size_t stored(std::size_t signal);
-  /// The same for a formula.
-  std::size_t stored(const query::Formula& formula);
+  void play(double rate) override;
+  void pause() override;
+  std::int64_t one_tick() override;
+  void restart() override;
+  std::int64_t seek(double time) override;
+  SetResult set(const std::string& name, const std::string& text) override;
+  void input(const InputSample& sample) override;
+  void release(int client) override;
+  std::size_t stored(std::size_t signal) override;
+  std::size_t stored(const query::Formula& formula) override;
 
-  RunStatus status() const;
-  const SampleStore& store() const { return rows_.store(); }
-  EventLog log();
-  /// The present value of a parameter, SI; nothing where it is no number.
-  std::optional<double> value(const std::string& parameter);
+  RunStatus status() const override;
+  const SampleStore& store() const override { return rows_.store(); }
+  EventLog log() override;
+  std::optional<double> value(const std::string& parameter) override;
 
  private:
   /// One run of the plan, from its start or from a moment on.
@@ -115,7 +83,6 @@ class RunThread : private run::RunObserver {
   void start_anew();
   void go_back(std::int64_t tick);
   void carry_values(std::int64_t tick);
-  std::optional<double> value_of(const std::string& name, const std::string& text) const;
   std::int64_t next_tick() const { return shown_ + 1; }
   void tell();
 

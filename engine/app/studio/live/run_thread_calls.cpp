@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "engine/app/studio/live/run_thread.hpp"
-#include "engine/model/diagram/variation.hpp"
 
 namespace stepwire::live {
 
@@ -73,20 +72,8 @@ SetResult RunThread::set(const std::string& name, const std::string& text) {
   return commands_.ask([&] {
     add_event({next_tick(), name, text, {}, 0.0});
     code_.was_set(name);
-    return SetResult{value_of(name, text), text, next_tick()};
+    return SetResult{present_number(life_->run, name, text), text, next_tick()};
   });
-}
-
-std::optional<double> RunThread::value_of(const std::string& name, const std::string& text) const {
-  const auto& parameters = plan_.diagram.parameters;
-  const auto found = std::ranges::find(parameters, name, &diagram::DiagramParameter::name);
-  if (found != parameters.end()) {
-    const Value& value = life_->run.parameter(static_cast<std::size_t>(found - parameters.begin()));
-    const double* number = std::get_if<double>(&value.content);
-    return number ? std::optional(*number) : std::nullopt;
-  }
-  const auto quantity = unit::parse_quantity(text);
-  return quantity ? std::optional(quantity->value) : std::nullopt;
 }
 
 void RunThread::input(const InputSample& sample) {
@@ -110,7 +97,7 @@ EventLog RunThread::log() {
 }
 
 std::optional<double> RunThread::value(const std::string& parameter) {
-  return commands_.ask([&] { return value_of(parameter, ""); });
+  return commands_.ask([&] { return present_number(life_->run, parameter, ""); });
 }
 
 RunStatus RunThread::status() const {

@@ -9,8 +9,6 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int64_t samples_per_pixel = 2;  // up to which all are shown
-constexpr std::int64_t aligned =
-    4 * SampleColumn::block;  // from so many ticks on, a row is made of whole blocks
 
 std::string folder_of(const StoreOptions& options) {
   return options.folder.empty() ? std::filesystem::temp_directory_path().string() : options.folder;
@@ -22,7 +20,8 @@ std::int64_t width_of(const SampleRange& range) {
   const auto pixels = static_cast<std::int64_t>(std::max<std::size_t>(range.pixels, 1));
   if (count <= samples_per_pixel * pixels) return 1;
   const std::int64_t width = count / pixels;
-  return width < aligned ? width : width / SampleColumn::block * SampleColumn::block;
+  constexpr std::int64_t block = SampleColumn::block;  // of which the extremes are known
+  return width < block ? width : width / block * block;
 }
 
 void append_extremes(const SampleColumn& column, const SampleRange& range, std::int64_t width,

@@ -28,8 +28,8 @@ struct SampleRange {
 };
 
 /// What is to be seen of them. Of few samples all, one row for each tick; of more than two for a pixel the
-/// extremes of as many ticks side by side as one pixel has, or a few less: rows begin at multiples of that
-/// count, so that a view which moves on does not flicker.
+/// extremes of as many ticks side by side as one pixel has, or down to half as many: rows begin at multiples
+/// of that count, so that a view which moves on does not flicker.
 struct SampleRows {
   bool extremes = false;
   std::vector<std::int64_t> ticks;           ///< the first one of each row

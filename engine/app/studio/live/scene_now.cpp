@@ -43,8 +43,10 @@ Json shape_json(const scene::SceneShape& shape, const scene::Scene& scene) {
       .set("shown", shape.shown);
 }
 
-Json pointer_json() {
+Json pointer_json(const diagram::Diagram& diagram) {
+  if (!offers_pointer(diagram)) return {};
   return Json::object()
+      .set("hand", has_pointer(diagram))
       .set("name", pointer_input)
       .set("held", held_input)
       .set("unit", "m")
@@ -77,7 +79,7 @@ Json SceneNow::description() const {
       .set("x", point_json(scene_.x))
       .set("y", point_json(scene_.y))
       .set("background", scene_.background)
-      .set("pointer", has_pointer(run_.plan().diagram) ? pointer_json() : Json())
+      .set("pointer", pointer_json(run_.plan().diagram))
       .set("objects", std::move(objects));
 }
 

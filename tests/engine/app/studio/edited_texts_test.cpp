@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "engine/app/studio/fault.hpp"
+#include "engine/app/studio/line_ends.hpp"
 #include "tests/engine/app/cli/program.hpp"
 
 namespace stepwire::studio {
@@ -170,6 +171,24 @@ TEST_CASE("ends of lines stay what they are on the disk") {
 TEST_CASE("what is no text cannot be edited") {
   const Opened opened("\xff\xfe");
   CHECK_THROWS_WITH(opened.texts().open(opened.path), Catch::Contains("is no text in UTF-8"));
+}
+
+TEST_CASE("lines that were not edited keep their ends in a file of mixed ones, and new ones get the usual") {
+  const Opened opened("a\r\nb\nc\nd\r\ne\n");
+  EditedTexts texts = opened.texts();
+  REQUIRE(texts.open(opened.path).saved == "a\nb\nc\nd\ne\n");
+  texts.edit(opened.path, 0, {{2, 3, "B\nnew"}, {10, 10, "f\n"}});
+  CHECK_FALSE(texts.save(opened.path, texts.find(opened.path)->hash));
+  CHECK(content_of(opened.path) == "a\r\nB\nnew\nc\nd\r\ne\nf\n");
+  texts.edit(opened.path, 1, {{0, 16, "a\nc\nx\nd\ne\nf\n"}});  // the whole text at once
+  CHECK_FALSE(texts.save(opened.path, texts.find(opened.path)->hash));
+  CHECK(content_of(opened.path) == "a\r\nc\nx\nd\r\ne\nf\n");
+}
+
+TEST_CASE("a line without an end at the end of a file gets the usual one when another follows") {
+  CHECK(with_line_ends_of("a\r\nb", "a\nb\nc") == "a\r\nb\r\nc");
+  CHECK(with_line_ends_of("a\nb", "a\nb\nc") == "a\nb\nc");
+  CHECK(with_line_ends_of("", "a\n") == "a\n");
 }
 
 }  // namespace stepwire::studio

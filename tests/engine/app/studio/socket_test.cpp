@@ -133,4 +133,17 @@ TEST_CASE("a page that reads nothing is closed, and what waits for it is bounded
   CHECK(other.receive() == "alive");
 }
 
+TEST_CASE("a page has left once its socket is closed, though what it said is still worked on") {
+  Served served;
+  served.site.keeps = true;
+  auto page = std::make_unique<PageClient>(served.key());
+  REQUIRE(page->is_open());
+  page->send("takes long");
+  REQUIRE(served.site.wait_until([&] { return served.site.tickets.size() == 1; }));
+  page.reset();
+  CHECK(served.site.wait_until([&] { return served.site.open.empty(); }));
+  const std::lock_guard lock(served.site.mutex);
+  CHECK(served.site.tickets.size() == 1);
+}
+
 }  // namespace stepwire::http

@@ -128,4 +128,26 @@ TEST_CASE("a file or a port that is not to be had is said in one line") {
   CHECK_THAT(taken.err, Catch::Contains("is taken on this machine; --port N names another one"));
 }
 
+TEST_CASE("a port that is none is refused in one sentence") {
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml);
+  for (const char* port : {"99999", "0", "-1", "80a", "65536"}) {
+    const Done done = run_program(folder, {"studio", "lag.yaml", "--no-open", "--port", port});
+    CHECK(done.code == 2);
+    CHECK(done.err ==
+          std::string("--port ") + port + ": is no port; a whole number from 1 to 65535 would be\n");
+  }
+}
+
+TEST_CASE("the timing of a loop needs --loop, and is checked before the studio begins") {
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml);
+  const Done without = run_program(folder, {"studio", "lag.yaml", "--no-open", "--rate", "500"});
+  CHECK(without.code == 2);
+  CHECK_THAT(without.err, Catch::Contains("--rate requires --loop"));
+  const Done wrong = run_program(folder, {"studio", "lag.yaml", "--no-open", "--loop", "--rate", "0.1"});
+  CHECK(wrong.code == 2);
+  CHECK_THAT(wrong.err, Catch::Contains("must be from 1 Hz to 1 MHz"));
+}
+
 }  // namespace stepwire

@@ -24,7 +24,7 @@ TEST_CASE("what was recorded live has the bits of a run, for diagrams of all sor
     session::Session session(library());
     session::LoadedModel model = session.load(diagrams + name + ".yaml");
     const run::RunResult right = run::run_plan(model.job.plan);
-    LoadedRun live(std::move(model), {});
+    LoadedRun live(std::move(model), simulated());
     live.thread().play(0.0);
     wait_for_end(live.thread());
     const auto recordings = recorded_so_far(live.model(), live.signals(), live.thread(), true);
@@ -53,7 +53,7 @@ TEST_CASE("each example can be loaded, watched for some ticks and drawn") {
       WARN(name << ": " << error.what());
       continue;
     }
-    LoadedRun live(std::move(*model), {});
+    LoadedRun live(std::move(*model), simulated());
     for (int i = 0; i < 3; ++i) live.thread().one_tick();
     CHECK(figures_now(live).find("figures")->items().size() == live.model().figures.size());
     CHECK(claims_now(live).find("claims")->items().size() == live.model().claims.size());

@@ -216,4 +216,43 @@ TEST_CASE("blocks of a model are profiled beside its run") {
   CHECK(profile.find("blocks")->items().size() >= 4);
 }
 
+TEST_CASE("figures have the values that are set now, and a claim that reads one set on the way is open") {
+  const std::string text = R"(stepwire: 1
+title: A line
+step: 10 ms
+stop: 1 s
+parameters: {slope: {value: 2, at_most: 9}, other: 5}
+record: [line]
+blocks: {t: {block: Clock}, line: {block: Gain, u: t, gain: $slope}, idle: {block: Gain, u: t, gain: $other}}
+figure: {plot: lines, x: time in s, y: [line, $slope * time]}
+claims:
+  - {that: it is a line, final: line, equals: $slope, within: 1e-9}
+  - {that: it rises, final: line, at_least: 0.5}
+)";
+  Studio studio(text);
+  studio.call("run.load", R"({"file": 1})");
+  const auto verdict = [&](std::size_t index) {
+    const Json claims = *studio.call("claims").find("claims");
+    return *at(claims, index).find("verdict")->as_text() + ": " + *at(claims, index).find("text")->as_text();
+  };
+  const auto set = [&](const std::string& name, const std::string& value) {
+    studio.call("run.set", R"({"name": ")" + name + R"(", "value": ")" + value + R"("})");
+  };
+  set("slope", "3");
+  studio.run_to_end();
+  CHECK_THAT(verdict(0), Catch::StartsWith("ok"));
+  const std::string three = studio.call("figures").text();
+  studio.call("run.seek", R"({"time": 0.5})");
+  wait_until([&] { return *studio.received.last("run")->find("tick")->as_number() == 50.0; });
+  set("slope", "4");
+  set("other", "6");
+  studio.run_to_end();
+  CHECK_THAT(verdict(0), Catch::StartsWith("open") && Catch::Contains("'slope' was set at 0.51 s"));
+  CHECK_THAT(verdict(1), Catch::StartsWith("ok"));
+  CHECK(studio.call("figures").text() != three);
+  studio.call("run.restart");
+  studio.run_to_end();
+  CHECK_THAT(verdict(0), Catch::StartsWith("ok"));
+}
+
 }  // namespace stepwire::live

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "engine/app/studio/live/live_run.hpp"
+#include "engine/app/studio/live/pointer.hpp"
 #include "tests/engine/app/studio/live/waiting.hpp"
 
 namespace stepwire::live {
@@ -67,14 +68,19 @@ struct Received {
 };
 
 struct Studio {
-  explicit Studio(const std::string& text) {
+  explicit Studio(const std::string& text, std::optional<session::LoopSettings> loop = std::nullopt,
+                  const std::string& out = "") {
     run.emplace(
-        [text](int) {
-          diagram::Loader loader(library());
-          loader.add(yaml::parse_document(text, "swing.yaml"));
-          return session::load_model(loader, "swing.yaml", {});
+        [text](int, bool hand) -> Loading {
+          const auto loader = std::make_shared<diagram::Loader>(library());
+          loader->add(yaml::parse_document(text, "swing.yaml"));
+          return {
+              hand ? load_for_page(*loader, "swing.yaml") : session::load_model(*loader, "swing.yaml", {}),
+              [loader](const session::LoadOptions& options) {
+                return session::load_model(*loader, "swing.yaml", options);
+              }};
         },
-        received.sinks());
+        received.sinks(), LiveOptions{std::move(loop), out});
   }
   Json call(const std::string& name, const std::string& arguments = "{}", int page = 1) {
     return run->call(page, name, Json::parse(arguments));

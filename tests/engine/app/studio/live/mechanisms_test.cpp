@@ -9,7 +9,7 @@ namespace {
 
 json::Json mechanisms(const std::string& name) {
   diagram::Loader loader(library());
-  LoadedRun run(load_for_page(loader, STEPWIRE_SOURCE_DIR "/diagrams/" + name + ".yaml"), {});
+  LoadedRun run(load_for_page(loader, STEPWIRE_SOURCE_DIR "/diagrams/" + name + ".yaml"), simulated());
   json::Json found = *mechanisms_of(run).find("mechanisms");
   for (const json::Json& mechanism : found.items())
     for (const json::Json& element : mechanism.find("elements")->items())

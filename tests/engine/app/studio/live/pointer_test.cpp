@@ -2,6 +2,7 @@
 #include "engine/app/studio/live/pointer.hpp"
 
 #include "engine/app/session/session.hpp"
+#include "engine/app/studio/live/live_run.hpp"
 #include "engine/app/studio/live/loaded_run.hpp"
 #include "engine/app/studio/live/scene_now.hpp"
 #include "tests/engine/app/studio/live/waiting.hpp"
@@ -53,7 +54,7 @@ TEST_CASE("scenes of the thesis and of the exercise are led by a pointer, and re
                Playable{"examples/72-figure-of-eight", "rig.at", {0.228, -0.016}, 8e-3},
                Playable{"examples/82-scene", "pen", {0.004, -0.007}, 1e-12});
   INFO(one.file);
-  LoadedRun run(loaded(one.file), {});
+  LoadedRun run(loaded(one.file), simulated());
   run.stored(*run.signals().find(one.pin + ".1"));
   run.stored(*run.signals().find(one.pin + ".2"));
   run.thread().one_tick();
@@ -130,6 +131,61 @@ scene:
   CHECK_THAT(fault_of("{force: pen, place: pen}"), Catch::Contains("scene.pointer"));
   CHECK_THAT(fault_of("{motion: [pen], load: hot}"), Catch::Contains("three signals"));
   CHECK_THAT(fault_of("{plaze: pen}"), Catch::Contains("place"));
+}
+
+TEST_CASE("a scene with a pointer can be watched with the file's own hand") {
+  LiveRun run(
+      [](int, bool hand) -> Loading {
+        diagram::Loader loader(library());
+        const std::string file = diagrams + "examples/72-figure-of-eight.yaml";
+        return hand ? load_for_page(loader, file) : session::load_model(loader, file, {});
+      },
+      {[](const json::Json&) {}, [](int, const std::string&) {}});
+  const auto loaded = [&](const std::string& arguments) {
+    run.call(1, "run.load", json::Json::parse(arguments));
+    return run.call(1, "scene", {});
+  };
+  const json::Json led = loaded(R"({"file": 1})"), watched = loaded(R"({"file": 1, "hand": false})");
+  CHECK(*led.find("scene")->find("pointer")->find("hand")->as_flag());
+  CHECK_FALSE(*watched.find("scene")->find("pointer")->find("hand")->as_flag());
+  CHECK(led.find("scene")->find("objects")->text() == watched.find("scene")->find("objects")->text());
+  CHECK_THROWS(
+      run.call(1, "run.input",
+               json::Json::parse(R"({"samples": [{"time": 0, "name": "pointer", "values": [0, 0]}]})")));
+}
+
+TEST_CASE("names under 'pointer' are looked up by every load, each at its place") {
+  const auto fault_of = [](const std::string& pointer) -> std::string {
+    diagram::Loader loader(library());
+    loader.add(yaml::parse_document(R"(stepwire: 1
+title: t
+step: 10 ms
+stop: 1 s
+solver: rk4
+blocks:
+  pen: {block: Constant, value: [1 mm, 2 mm]}
+  lag: {block: Lag, u: pen, tau: 1 s}
+record: [pen]
+scene:
+  view: {x: [-5 mm, 5 mm], y: [-5 mm, 5 mm]}
+  objects: {ball: {ball: pen}}
+  pointer: )" + pointer + "\n",
+                                    "t.yaml"));
+    try {
+      session::load_model(loader, "t.yaml", {});
+    } catch (const yaml::Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  CHECK(fault_of("{place: lag}") == "");
+  CHECK_THAT(fault_of("{place: pan}"),
+             Catch::Contains("t.yaml:13:20: scene.pointer.place: there is no signal "
+                             "'pan'; did you mean 'pen'?"));
+  CHECK_THAT(fault_of("{force: lag, position: pam, velocity: pon}"),
+             Catch::Contains("scene.pointer.position") && Catch::Contains("scene.pointer.velocity"));
+  CHECK_THAT(fault_of("{motion: [pen, lag, lug], load: pen}"),
+             Catch::Contains("scene.pointer.motion: there is no signal 'lug'"));
 }
 
 }  // namespace stepwire::live

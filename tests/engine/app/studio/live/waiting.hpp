@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "blocks/register.hpp"
+#include "engine/app/studio/live/loaded_run.hpp"
 #include "engine/app/studio/live/run_thread.hpp"
 
 namespace stepwire::live {
@@ -14,6 +15,13 @@ inline const Registry& library() {
   return registry;
 }
 
+/// Runs that are simulated.
+inline MakeRun simulated() {
+  return [](const plan::Plan& plan, const SignalList& signals) {
+    return std::make_unique<RunThread>(plan, signals, RunThread::Options{});
+  };
+}
+
 /// Waits until something has come true on another thread; a minute is a failure.
 template <class Condition>
 void wait_until(const Condition& holds) {
@@ -21,12 +29,12 @@ void wait_until(const Condition& holds) {
   REQUIRE(holds());
 }
 
-inline void wait_for_end(const RunThread& run) {
+inline void wait_for_end(const RunControl& run) {
   wait_until([&] { return run.status().state == RunStatus::State::ended; });
 }
 
 /// Until a run stands still at a tick, all of which is stored.
-inline void wait_for_tick(const RunThread& run, std::int64_t tick) {
+inline void wait_for_tick(const RunControl& run, std::int64_t tick) {
   wait_until([&] {
     return run.status().state != RunStatus::State::playing && run.status().tick == tick &&
            run.store().end_tick() == tick + 1;

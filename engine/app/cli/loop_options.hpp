@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/app/session/loop_settings.hpp"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace stepwire::cli {
+
+/// Declares how a real-time loop is timed: --rate, --policy, --cpu, --overrun, --spin. Returns them.
+std::vector<CLI::Option*> add_timing_options(CLI::App& verb, session::LoopWords& words);
+
+}  // namespace stepwire::cli
