@@ -97,6 +97,7 @@ Json claims_json(const LoadedModel& model, const Outcome& outcome) {
     claim.set("check", verdict.check).set("value", verdict.value).set("holds", verdict.holds);
     if (verdict.kind == claim::Claim::Kind::invariant) claim.set("invariant", true);
     if (!verdict.disagrees.empty()) claim.set("disagrees", verdict.disagrees);
+    if (!verdict.worst.empty()) claim.set("worst", verdict.worst);
     if (!verdict.note.empty()) claim.set("note", verdict.note);
     list.push(std::move(claim));
   }
