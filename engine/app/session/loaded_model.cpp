@@ -8,6 +8,7 @@
 #include <string_view>
 #include <unordered_set>
 
+#include "engine/analyse/linear/columns.hpp"
 #include "engine/analyse/study/study_columns.hpp"
 #include "engine/analyse/study/study_tables.hpp"
 #include "engine/app/session/pointer_names.hpp"
@@ -132,6 +133,23 @@ void add_study(diagram::Loader& loader, const LoadOptions& options, LoadedModel&
   model.tables = names.tables = study::empty_study_tables(!model.job.points.empty());
 }
 
+/// Reads what the file asks of linear analysis, and adds the names that it makes.
+void add_linear(diagram::Loader& loader, LoadedModel& model, query::SymbolTable& names,
+                yaml::Faults& faults) {
+  const yaml::Node& root = loader.document(model.file).root;
+  if (const yaml::Node* section = root.find("trim"))
+    model.trim = linear::read_trim(*section, names, model.job.plan, faults);
+  const yaml::Node* section = root.find("linear");
+  if (!section) return;
+  if (model.study)
+    return faults.add(
+        {{model.file, section->mark}, "linear", "a file has a study or 'linear', not both", {}});
+  model.linear = linear::read_linear(*section, names, model.job.plan, faults);
+  std::size_t recording = model.job.plan.diagram.records.size();
+  for (const linear::NamedAnalysis& analysis : model.linear)
+    std::ranges::move(linear::analysis_names(analysis, recording++), std::back_inserter(names.columns));
+}
+
 /// Reads the scene ahead of figures and claims, which may name what it shows.
 std::shared_ptr<const scene::Scene> read_scene_of(const diagram::Diagram& diagram, query::SymbolTable& names,
                                                   yaml::Faults& faults) {
@@ -173,6 +191,7 @@ LoadedModel load_model(diagram::Loader& loader, const std::string& file, const L
   LoadedModel model;
   model.file = file;
   model.options = options;
+  model.registry = &loader.registry();
   model.blocksets = loader.registry().blocksets();
   model.job = run::make_job(loader, file, options.settings, options.stop, options.of_points);
   query::SymbolTable names = names_of(model.job);
@@ -181,6 +200,7 @@ LoadedModel load_model(diagram::Loader& loader, const std::string& file, const L
   const drawing::DiagramView view(diagram, loader);
   names.diagram = &view;
   add_study(loader, options, model, names, faults);
+  add_linear(loader, model, names, faults);
   names.scene = model.scene = read_scene_of(diagram, names, faults);
   if (diagram.figure.kind != yaml::Node::Kind::empty)
     model.figures = plot::read_figures(diagram.figure, names, faults);

@@ -137,6 +137,15 @@ std::vector<HeadRow> run_rows() {
        form::list(form::section("claim"))},
       {"fit", "finds parameters so that the model agrees with records: the runs of the sweep, or the one run",
        form::section("fit")},
+      {"linear",
+       "linear analyses of the diagram near a point of its run, by name: poles, margins, responses, which "
+       "figures and claims read",
+       form::section("linear")},
+      {"trim",
+       "the operating point that `trim` and `linearize --trim` look for: where states stand still and "
+       "signals "
+       "have given values",
+       form::section("trim")},
       {"study",
        "runs the file once for each person and condition, and scores and analyses these trials; beside a "
        "sweep, all of that at each of its points",

@@ -1,0 +1,127 @@
+#include "engine/analyse/linear/prepared_diagram.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/analyse/linear/junction.hpp"
+
+namespace stepwire::linear {
+
+namespace {
+
+/// Puts junctions into wires, one into each.
+class Junctions {
+ public:
+  explicit Junctions(diagram::Diagram& diagram) : diagram_(diagram) {}
+
+  int at(const diagram::SignalRef& wire) {
+    if (const int known = find(wire); known >= 0) return known;
+    made_.emplace_back(wire, add_junction(diagram_, wire));
+    return made_.back().second;
+  }
+
+  /// -1 where there is none.
+  int find(const diagram::SignalRef& wire) const {
+    const auto found = std::ranges::find(made_, wire, &std::pair<diagram::SignalRef, int>::first);
+    return found == made_.end() ? -1 : found->second;
+  }
+
+  std::vector<int> blocks() const {
+    std::vector<int> all;
+    for (const auto& [wire, block] : made_) all.push_back(block);
+    return all;
+  }
+
+ private:
+  diagram::Diagram& diagram_;
+  std::vector<std::pair<diagram::SignalRef, int>> made_;
+};
+
+/// A signal and the block of the plan at which it is met.
+struct Met {
+  Signal signal;
+  int block = -1;
+};
+
+void add_places(const plan::Plan& plan, const Met& met, const plan::SignalSlot& slot, yaml::Fault at,
+                std::vector<Place>& places, yaml::Faults& faults) {
+  const std::string unit = unit_of(plan, met.signal.signal);
+  if (met.signal.element && *met.signal.element >= slot.size) {
+    at.message = yaml::fault_text("'{}' has {} elements", met.signal.name, slot.size);
+    return faults.add(std::move(at));
+  }
+  for (Eigen::Index k = 0; k < slot.size; ++k) {
+    if (met.signal.element && *met.signal.element != k) continue;
+    const bool numbered = slot.size > 1 && !met.signal.element;
+    places.push_back({slot.offset + static_cast<std::size_t>(k),
+                      {numbered ? fmt::format("{}.{}", met.signal.name, k + 1) : met.signal.name, unit}});
+  }
+}
+
+bool same_place(const std::vector<Met>& a, const std::vector<Met>& b) {
+  return a.size() == 1 && b.size() == 1 && a[0].signal.signal == b[0].signal.signal;
+}
+
+}  // namespace
+
+std::string unit_of(const plan::Plan& plan, const diagram::SignalRef& signal) {
+  const auto dimension = plan.dimension(signal);
+  return !dimension || *dimension == unit::Dimension{} ? std::string{} : unit::si_name(*dimension);
+}
+
+PreparedDiagram prepare(diagram::Diagram diagram, const Request& request) {
+  yaml::Faults faults;
+  std::vector<Met> from, to;
+  std::vector<diagram::SignalRef> cut;
+  for (const WrittenName& name : request.from)
+    if (auto found = find_wire(diagram, name, faults)) from.push_back({*found});
+  for (const WrittenName& name : request.open)
+    if (const auto found = find_wire(diagram, name, faults)) cut.push_back(found->signal);
+  for (const WrittenName& name : request.to)
+    if (auto found = find_signal(diagram, name, faults)) {
+      // A state that a wire carries is that wire.
+      yaml::Faults none;
+      if (const auto wire = find_wire(diagram, name, none)) found = wire;
+      to.push_back({*found});
+    }
+  faults.throw_if_any();
+
+  PreparedDiagram prepared;
+  Junctions junctions(diagram);
+  for (Met& met : from) met.block = junctions.at(met.signal.signal);
+  for (const diagram::SignalRef& wire : cut) prepared.cut.push_back(junctions.at(wire));
+  for (Met& met : to) {
+    const int junction = junctions.find(met.signal.signal);
+    const bool behind = junction >= 0 && std::ranges::count(prepared.cut, junction) == 0;
+    met.block = behind ? junction : met.signal.signal.block;
+  }
+  prepared.junctions = junctions.blocks();
+  if (same_place(from, to) && std::ranges::count(cut, from[0].signal.signal) > 0) prepared.feedback = 1.0;
+
+  diagram::Diagram stepped = diagram;
+  if (!stepped.solver.empty()) stepped.solver = "euler";
+  prepared.plan = plan::make_plan(std::move(diagram));
+  prepared.slopes = plan::make_plan(std::move(stepped));
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const auto& block = prepared.plan.blocks[static_cast<std::size_t>(from[i].block)];
+    add_places(prepared.plan, from[i], block.states[Junction::added_state],
+               {request.from[i].place, request.from[i].subject, {}, {}}, prepared.inputs, faults);
+    const std::size_t added = block.states[Junction::added_state].offset, wire = block.inputs[0][0].offset;
+    for (Place& input : prepared.inputs)
+      if (input.offset >= added && input.offset < added + static_cast<std::size_t>(block.inputs[0][0].size))
+        input.wire = wire + (input.offset - added);
+    prepared.input_blocks.push_back(from[i].block);
+  }
+  for (std::size_t i = 0; i < to.size(); ++i) {
+    const bool behind = to[i].block != to[i].signal.signal.block;
+    const diagram::SignalRef read = behind ? diagram::SignalRef{to[i].block, 0, -1} : to[i].signal.signal;
+    add_places(prepared.plan, to[i], prepared.plan.slot(read),
+               {request.to[i].place, request.to[i].subject, {}, {}}, prepared.outputs, faults);
+    prepared.output_blocks.push_back(to[i].block);
+  }
+  faults.throw_if_any();
+  return prepared;
+}
+
+}  // namespace stepwire::linear
