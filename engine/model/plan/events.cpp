@@ -1,6 +1,7 @@
 // What is needed to split steps at crossings.
 #include <algorithm>
 
+#include "engine/model/diagram/guard_types.hpp"
 #include "engine/model/plan/draft.hpp"
 
 namespace stepwire::plan {
@@ -36,6 +37,8 @@ class EventPlan {
 
   /// Does a block act whenever something happens, not at ticks of its own?
   bool follows(std::size_t block) const {
+    // What it guards is held, reset and kept at ticks alone.
+    if (&draft_.type(block) == &diagram::guard_type()) return false;
     if (rate(block).kind == Rate::Kind::continuous) return true;
     return rate(block).kind == Rate::Kind::discrete && rate(block).ticks == 1 &&
            !draft_.plan.diagram.blocks[block].every;

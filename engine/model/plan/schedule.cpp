@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "engine/model/diagram/guard_types.hpp"
+#include "engine/model/plan/active.hpp"
 #include "engine/model/plan/draft.hpp"
 
 namespace stepwire::plan {
@@ -44,13 +45,6 @@ Kernel kernel_of(const Draft& draft, std::size_t block, const Kernels& kernels) 
   return specialization == Specialization::nothing || kernels[specialization]
              ? kernels[specialization]
              : kernels[Specialization::one_element];
-}
-
-/// The place of what a block is active by; -1 where it always is, as what is computed but once.
-std::ptrdiff_t active_of(const Plan& plan, std::size_t block) {
-  const int guard = plan.diagram.blocks[block].guard;
-  if (guard < 0 || plan.blocks[block].rate.kind == Rate::Kind::constant) return -1;
-  return static_cast<std::ptrdiff_t>(plan.blocks[static_cast<std::size_t>(guard)].outputs.front().offset);
 }
 
 /// The index of a guard in Plan::guards; -1 for other blocks.

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "engine/model/diagram/external_input.hpp"
+#include "engine/model/plan/active.hpp"
 #include "engine/simulate/codegen/functions.hpp"
 #include "engine/simulate/codegen/guard_text.hpp"
 #include "engine/simulate/codegen/headers.hpp"
@@ -234,9 +235,18 @@ class Maker {
     add("event_outputs", plan_.event_outputs, Phase::outputs);
     add("event_updates", plan_.event_updates, Phase::update);
     std::string looks = "  Crossings zero(z);\n";
-    for (const plan::CrossingCall& call : plan_.crossings)
-      looks += statements_.call(call.block, Phase::crossings, at_tick());
+    for (const plan::CrossingCall& call : plan_.crossings) looks += look_text(call);
     functions_.add_text(fmt::format("inline void look({}, double* z) {{\n{}}}\n\n", state_parameters, looks));
+  }
+
+  /// What is off crosses nothing.
+  std::string look_text(const plan::CrossingCall& call) const {
+    const std::string text = statements_.call(call.block, Phase::crossings, at_tick());
+    const std::string active = active_text(names_, plan::active_of(plan_, call.block));
+    if (active.empty()) return text;
+    return fmt::format(
+        "  if ({} == 0.0) {{\n    for (int i = 0; i < {}; ++i) zero.add(0.0);\n  }} else {{\n{}  }}\n",
+        active, call.count, text);
   }
 
   void add_located_advance() {
@@ -259,7 +269,8 @@ class Maker {
         "      .advance(static_cast<double>(tick) * step, static_cast<double>(tick + 1) * step, "
         "step);\n}}\n\n",
         state_parameters,
-        plan_.updates_continuous ? slopes + "    crossing_outputs(w, numbers, tick);\n" : "",
+        (moves ? keep_text(names_, plan_) : "") +
+            (plan_.updates_continuous ? slopes + "    crossing_outputs(w, numbers, tick);\n" : ""),
         moves && !plan_.updates_continuous ? "  derivatives(w, numbers, w + first_derivative);\n" : "",
         std::max<std::size_t>(1,
                               solve::EventTask::scratch_size(plan_.layout.state_count, plan_.crossing_count)),

@@ -106,7 +106,8 @@ Executor::Executor(const plan::Plan& plan)
   if (!plan.guards.empty()) {
     guards_.emplace(plan, workspace_.values.data(),
                     [this](std::size_t block) { plan_.diagram.blocks[block].type().start(memory(block)); });
-    for (Table* table : {&timed_, &outputs_, &stage_, &derivatives_, &updates_})
+    for (Table* table : {&timed_, &outputs_, &stage_, &derivatives_, &updates_, &crossing_outputs_,
+                         &event_outputs_, &event_updates_})
       table->add_gates(workspace_.values.data());
   }
   bind();

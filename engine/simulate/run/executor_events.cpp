@@ -1,13 +1,21 @@
 // A step that is split where blocks begin to do something else.
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "engine/model/plan/active.hpp"
 #include "engine/simulate/run/executor.hpp"
 
 namespace stepwire::run {
 
 void Executor::look_for_crossings(double* numbers) const {
-  for (const plan::CrossingCall& call : plan_.crossings)
-    plan_.diagram.blocks[call.block].type().run_crossings(memory(call.block), numbers + call.first);
+  for (const plan::CrossingCall& call : plan_.crossings) {
+    const std::ptrdiff_t active = plan::active_of(plan_, call.block);
+    if (active >= 0 && values()[active] == 0.0)
+      std::fill_n(numbers + call.first, call.count, 0.0);
+    else
+      plan_.diagram.blocks[call.block].type().run_crossings(memory(call.block), numbers + call.first);
+  }
 }
 
 void Executor::act_at_event() {
@@ -23,6 +31,7 @@ void Executor::act_at_event() {
 
 void Executor::take_located_step() {
   const plan::Layout& layout = plan_.layout;
+  if (guards_ && solver_) guards_->keep();
   if (plan_.updates_continuous) {
     run(stage_);
     run(crossing_outputs_);

@@ -37,7 +37,7 @@ TEST_CASE("a linear loop is solved to the last bits") {
 }
 
 TEST_CASE("a diode behind a resistor has the voltage that Lambert's function gives") {
-  const table::Table run = run_text(R"(step: 0.01 s
+  const table::Table run = run_text(R"yaml(step: 0.01 s
 stop: 1 s
 algebraic_loops: solve
 blocks:
@@ -46,15 +46,15 @@ blocks:
   drop: {block: Gain, gain: 1000, u: i}
   i: {block: Expression, u: v, expression: "1e-12*(exp(u/0.02585) - 1)"}
 record: [source, v]
-)");
+)yaml");
   const auto &source = column(run, "source"), &v = column(run, "v");
-const double resistance = 1000.0, saturation = 1e-12, thermal = 0.02585;
-for (std::size_t k = 0; k < v.size(); ++k) {
-  const double all = source[k] + resistance * saturation;
-  const double closed =
-      all - thermal * lambert_of_exp(std::log(resistance * saturation / thermal) + all / thermal);
-  CHECK(v[k] == Approx(closed).margin(1e-13).epsilon(1e-13));
-}
+  const double resistance = 1000.0, saturation = 1e-12, thermal = 0.02585;
+  for (std::size_t k = 0; k < v.size(); ++k) {
+    const double all = source[k] + resistance * saturation;
+    const double closed =
+        all - thermal * lambert_of_exp(std::log(resistance * saturation / thermal) + all / thermal);
+    CHECK(v[k] == Approx(closed).margin(1e-13).epsilon(1e-13));
+  }
 }
 
 TEST_CASE("a loop of vectors, and one in which two loops meet, are solved") {
