@@ -11,6 +11,7 @@ namespace stepwire::linear {
 
 namespace {
 
+constexpr double without_border = std::numeric_limits<double>::infinity();
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// An analysis with its curves.
@@ -82,14 +83,13 @@ using Unit = Column::Unit;
 
 // In the order of the page.
 const std::vector<Column>& columns() {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
   static const std::vector<Column> all{
       {"", Unit::none, [](const Found&) { return std::vector<double>{1.0}; }},
       {".margin.gain", Unit::none,
-       [](const Found& f) { return std::vector{margin_or(f.margins().worst_gain(), infinite)}; }},
+       [](const Found& f) { return std::vector{margin_or(f.margins().worst_gain(), without_border)}; }},
       {".margin.gain_db", Unit::none,
        [](const Found& f) {
-         return std::vector{20.0 * std::log10(margin_or(f.margins().worst_gain(), infinite))};
+         return std::vector{20.0 * std::log10(margin_or(f.margins().worst_gain(), without_border))};
        }},
       {".margin.gain_frequency", Unit::per_second,
        [](const Found& f) {
@@ -97,7 +97,7 @@ const std::vector<Column>& columns() {
          return std::vector{worst ? worst->frequency : none};
        }},
       {".margin.phase", Unit::none,
-       [](const Found& f) { return std::vector{margin_or(f.margins().worst_phase(), infinite)}; }},
+       [](const Found& f) { return std::vector{margin_or(f.margins().worst_phase(), without_border)}; }},
       {".margin.phase_frequency", Unit::per_second,
        [](const Found& f) {
          const auto worst = f.margins().worst_phase();

@@ -57,7 +57,7 @@ Complex FrequencyResponse::at_point(const Complex& point) const {
   return (C_.cast<Complex>() * solve(point, hessenberg_, B_.cast<Complex>()))(0) + D_;
 }
 
-std::vector<double> FrequencyResponse::frequencies(std::size_t per_decade) const {
+std::array<double, 2> FrequencyResponse::range() const {
   const double half = sample_time_ > 0.0 ? std::numbers::pi / sample_time_ : 0.0;
   double low = half > 0.0 ? half : 1e300, high = 0.0;
   for (const Mode& corner : corners_) {
@@ -66,21 +66,20 @@ std::vector<double> FrequencyResponse::frequencies(std::size_t per_decade) const
     high = std::max(high, corner.frequency);
   }
   if (high == 0.0) low = high = half > 0.0 ? half : 1.0;
-  const double first = std::floor(std::log10(low)) - 2.0;
-  const double last = half > 0.0 ? std::log10(half) : std::ceil(std::log10(high)) + 2.0;
-  std::vector<double> all;
-  const auto count =
-      static_cast<std::size_t>(std::max(1.0, (last - first) * static_cast<double>(per_decade)));
-  for (std::size_t k = 0; k <= count; ++k)
-    all.push_back(
-        std::pow(10.0, first + (last - first) * static_cast<double>(k) / static_cast<double>(count)));
+  const double first = std::pow(10.0, std::floor(std::log10(low)) - 2.0);
+  return {first, half > 0.0 ? half : std::pow(10.0, std::ceil(std::log10(high)) + 2.0)};
+}
+
+std::vector<double> FrequencyResponse::frequencies(std::size_t per_decade) const {
+  const auto [first, last] = range();
+  const double decades = std::log10(last / first);
+  const auto count = static_cast<int>(std::max(1.0, decades * static_cast<double>(per_decade)));
+  std::vector<double> all{last};
+  for (int k = 0; k < count; ++k) all.push_back(first * std::pow(10.0, decades * k / count));
   for (const Mode& corner : corners_)
     for (int k = -20; k <= 20; ++k)
       all.push_back(corner.frequency * (1.0 + 0.25 * k * std::min(0.1, std::abs(corner.damping))));
-  std::erase_if(all, [&](double w) {
-    return !(w >= std::pow(10.0, first) && w <= (half > 0.0 ? half : std::pow(10.0, last)));
-  });
-  if (half > 0.0) all.push_back(half);
+  std::erase_if(all, [&](double w) { return !(w >= first && w <= last); });
   std::ranges::sort(all);
   all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;

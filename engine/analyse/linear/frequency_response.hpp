@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "engine/analyse/linear/poles.hpp"
@@ -22,6 +23,8 @@ class FrequencyResponse {
   std::vector<double> frequencies(std::size_t per_decade = 200) const;
 
  private:
+  std::array<double, 2> range() const;
+
   Eigen::MatrixXd hessenberg_;
   Eigen::VectorXd B_;
   Eigen::RowVectorXd C_;

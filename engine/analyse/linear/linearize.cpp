@@ -75,32 +75,36 @@ std::string column_name(const WorkingPoint& point, std::size_t column) {
   return column < states ? point.states()[column].channel.name : point.inputs()[column - states].channel.name;
 }
 
+/// What is to be known of one number; empty where nothing is.
+std::string roughness(const std::string& of, const Slopes& slopes, Eigen::Index row) {
+  if (slopes.jumps[static_cast<std::size_t>(row)])
+    return fmt::format("not smooth: {} jumps at this point", of);
+  if (std::isfinite(slopes.left[row]))
+    return fmt::format("not smooth: {} has the slope {:.4g} from below and {:.4g} from above", of,
+                       slopes.left[row], slopes.right[row]);
+  if (std::isfinite(slopes.nearer[row]))
+    return fmt::format(
+        "differences of two sizes disagree: {} has the slope {:.4g} over large ones and {:.4g} "
+        "over small ones (steps?)",
+        of, slopes.value[row], slopes.nearer[row]);
+  if (std::isfinite(slopes.farther[row]))
+    return fmt::format(
+        "{} is flat at this point, and has the slope {:.4g} over large differences (steps, or "
+        "play): --difference 0.01 takes such ones",
+        of, slopes.farther[row]);
+  if (!(slopes.error[row] <= 1e-5 * std::abs(slopes.value[row])) && slopes.error[row] > 1e-9)
+    return fmt::format("differences disagree: {} is {:.6g} give or take {:.2g}", of, slopes.value[row],
+                       slopes.error[row]);
+  return {};
+}
+
 void note_roughness(const WorkingPoint& point, const std::vector<Slopes>& all,
                     std::vector<std::string>& notes) {
   for (std::size_t column = 0; column < all.size(); ++column)
     for (Eigen::Index row = 0; row < all[column].value.size(); ++row) {
-      const Slopes& slopes = all[column];
       const std::string of = fmt::format("{} over {}", row_name(point, static_cast<std::size_t>(row)),
                                          column_name(point, column));
-      if (slopes.jumps[static_cast<std::size_t>(row)])
-        notes.push_back(fmt::format("not smooth: {} jumps at this point", of));
-      else if (std::isfinite(slopes.left[row]))
-        notes.push_back(fmt::format("not smooth: {} has the slope {:.4g} from below and {:.4g} from above",
-                                    of, slopes.left[row], slopes.right[row]));
-      else if (std::isfinite(slopes.nearer[row]))
-        notes.push_back(
-            fmt::format("differences of two sizes disagree: {} has the slope {:.4g} over large "
-                        "ones and {:.4g} over small ones (steps?)",
-                        of, slopes.value[row], slopes.nearer[row]));
-      if (std::isfinite(slopes.farther[row]))
-        notes.push_back(
-            fmt::format("{} is flat at this point, and has the slope {:.4g} over large "
-                        "differences (steps, or play): --difference 0.01 takes such ones",
-                        of, slopes.farther[row]));
-      const double size = std::abs(slopes.value[row]);
-      if (!(slopes.error[row] <= 1e-5 * size) && slopes.error[row] > 1e-9 && !std::isfinite(slopes.left[row]))
-        notes.push_back(fmt::format("differences disagree: {} is {:.6g} give or take {:.2g}", of,
-                                    slopes.value[row], slopes.error[row]));
+      if (std::string note = roughness(of, all[column], row); !note.empty()) notes.push_back(std::move(note));
     }
   if (notes.size() <= most_notes) return;
   const std::size_t more = notes.size() - most_notes;

@@ -63,6 +63,63 @@ bool same_place(const std::vector<Met>& a, const std::vector<Met>& b) {
   return a.size() == 1 && b.size() == 1 && a[0].signal.signal == b[0].signal.signal;
 }
 
+/// The signals of a request.
+struct Touched {
+  std::vector<Met> from, to;
+  std::vector<diagram::SignalRef> cut;
+};
+
+Touched find_touched(const diagram::Diagram& diagram, const Request& request) {
+  yaml::Faults faults;
+  Touched touched;
+  for (const WrittenName& name : request.from)
+    if (auto found = find_wire(diagram, name, faults)) touched.from.push_back({*found});
+  for (const WrittenName& name : request.open)
+    if (const auto found = find_wire(diagram, name, faults)) touched.cut.push_back(found->signal);
+  for (const WrittenName& name : request.to)
+    if (auto found = find_signal(diagram, name, faults)) {
+      // A state that a wire carries is that wire.
+      yaml::Faults none;
+      if (const auto wire = find_wire(diagram, name, none)) found = wire;
+      touched.to.push_back({*found});
+    }
+  faults.throw_if_any();
+  return touched;
+}
+
+void put_junctions(diagram::Diagram& diagram, Touched& touched, PreparedDiagram& prepared) {
+  Junctions junctions(diagram);
+  for (Met& met : touched.from) met.block = junctions.at(met.signal.signal);
+  for (const diagram::SignalRef& wire : touched.cut) prepared.cut.push_back(junctions.at(wire));
+  for (Met& met : touched.to) {
+    const int junction = junctions.find(met.signal.signal);
+    const bool behind = junction >= 0 && std::ranges::count(prepared.cut, junction) == 0;
+    met.block = behind ? junction : met.signal.signal.block;
+  }
+  prepared.junctions = junctions.blocks();
+  if (same_place(touched.from, touched.to) &&
+      std::ranges::count(touched.cut, touched.from[0].signal.signal) > 0)
+    prepared.feedback = 1.0;
+}
+
+void add_input(const Met& met, const WrittenName& name, PreparedDiagram& prepared, yaml::Faults& faults) {
+  const auto& block = prepared.plan.blocks[static_cast<std::size_t>(met.block)];
+  const plan::SignalSlot &added = block.states[Junction::added_state], &wire = block.inputs[0][0];
+  const std::size_t first = prepared.inputs.size();
+  add_places(prepared.plan, met, added, {name.place, name.subject, {}, {}}, prepared.inputs, faults);
+  for (std::size_t i = first; i < prepared.inputs.size(); ++i)
+    prepared.inputs[i].wire = wire.offset + (prepared.inputs[i].offset - added.offset);
+  prepared.input_blocks.push_back(met.block);
+}
+
+void add_output(const Met& met, const WrittenName& name, PreparedDiagram& prepared, yaml::Faults& faults) {
+  const bool behind = met.block != met.signal.signal.block;
+  const diagram::SignalRef read = behind ? diagram::SignalRef{met.block, 0, -1} : met.signal.signal;
+  add_places(prepared.plan, met, prepared.plan.slot(read), {name.place, name.subject, {}, {}},
+             prepared.outputs, faults);
+  prepared.output_blocks.push_back(met.block);
+}
+
 }  // namespace
 
 std::string unit_of(const plan::Plan& plan, const diagram::SignalRef& signal) {
@@ -71,55 +128,18 @@ std::string unit_of(const plan::Plan& plan, const diagram::SignalRef& signal) {
 }
 
 PreparedDiagram prepare(diagram::Diagram diagram, const Request& request) {
-  yaml::Faults faults;
-  std::vector<Met> from, to;
-  std::vector<diagram::SignalRef> cut;
-  for (const WrittenName& name : request.from)
-    if (auto found = find_wire(diagram, name, faults)) from.push_back({*found});
-  for (const WrittenName& name : request.open)
-    if (const auto found = find_wire(diagram, name, faults)) cut.push_back(found->signal);
-  for (const WrittenName& name : request.to)
-    if (auto found = find_signal(diagram, name, faults)) {
-      // A state that a wire carries is that wire.
-      yaml::Faults none;
-      if (const auto wire = find_wire(diagram, name, none)) found = wire;
-      to.push_back({*found});
-    }
-  faults.throw_if_any();
-
+  Touched touched = find_touched(diagram, request);
   PreparedDiagram prepared;
-  Junctions junctions(diagram);
-  for (Met& met : from) met.block = junctions.at(met.signal.signal);
-  for (const diagram::SignalRef& wire : cut) prepared.cut.push_back(junctions.at(wire));
-  for (Met& met : to) {
-    const int junction = junctions.find(met.signal.signal);
-    const bool behind = junction >= 0 && std::ranges::count(prepared.cut, junction) == 0;
-    met.block = behind ? junction : met.signal.signal.block;
-  }
-  prepared.junctions = junctions.blocks();
-  if (same_place(from, to) && std::ranges::count(cut, from[0].signal.signal) > 0) prepared.feedback = 1.0;
-
+  put_junctions(diagram, touched, prepared);
   diagram::Diagram stepped = diagram;
   if (!stepped.solver.empty()) stepped.solver = "euler";
   prepared.plan = plan::make_plan(std::move(diagram));
   prepared.slopes = plan::make_plan(std::move(stepped));
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    const auto& block = prepared.plan.blocks[static_cast<std::size_t>(from[i].block)];
-    add_places(prepared.plan, from[i], block.states[Junction::added_state],
-               {request.from[i].place, request.from[i].subject, {}, {}}, prepared.inputs, faults);
-    const std::size_t added = block.states[Junction::added_state].offset, wire = block.inputs[0][0].offset;
-    for (Place& input : prepared.inputs)
-      if (input.offset >= added && input.offset < added + static_cast<std::size_t>(block.inputs[0][0].size))
-        input.wire = wire + (input.offset - added);
-    prepared.input_blocks.push_back(from[i].block);
-  }
-  for (std::size_t i = 0; i < to.size(); ++i) {
-    const bool behind = to[i].block != to[i].signal.signal.block;
-    const diagram::SignalRef read = behind ? diagram::SignalRef{to[i].block, 0, -1} : to[i].signal.signal;
-    add_places(prepared.plan, to[i], prepared.plan.slot(read),
-               {request.to[i].place, request.to[i].subject, {}, {}}, prepared.outputs, faults);
-    prepared.output_blocks.push_back(to[i].block);
-  }
+  yaml::Faults faults;
+  for (std::size_t i = 0; i < touched.from.size(); ++i)
+    add_input(touched.from[i], request.from[i], prepared, faults);
+  for (std::size_t i = 0; i < touched.to.size(); ++i)
+    add_output(touched.to[i], request.to[i], prepared, faults);
   faults.throw_if_any();
   return prepared;
 }

@@ -53,6 +53,7 @@ Slopes no_slopes(Eigen::Index size) {
           none,
           none,
           std::vector<bool>(static_cast<std::size_t>(size), false),
+          none,
           none};
 }
 
