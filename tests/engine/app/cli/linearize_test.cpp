@@ -19,8 +19,8 @@ outputs: {angle: angle}
 blocks:
   weight: {block: Expression, u: angle, expression: -2*sin(u1)}
   lost:   {block: Gain, u: rate, gain: -0.1}
-  all:    {block: Sum, u: [torque, weight, lost]}
-  turned: {block: Gain, u: all, gain: 4}
+  both:    {block: Sum, u: [torque, weight, lost]}
+  turned: {block: Gain, u: both, gain: 4}
   rate:   {block: Integrator, u: turned}
   angle:  {block: Integrator, u: rate}
   drive:  {block: Constant, value: 0}
