@@ -96,6 +96,7 @@ void Opener::make_inputs(Scope& scope) {
     block.parameter_marks.resize(1);
     block.parameter_dimensions.resize(1);
     read_parameter(scope, scope.index, *port.fallback, block, 0);
+    read_settings(scope, block, scope.prefix + name);
     if (!port.dimension) continue;
     const std::string complaint = unit_complaint(block.parameter_dimensions[0], port.dimension);
     if (!complaint.empty()) report_.add(scope.at(port.fallback->mark), name, complaint);
