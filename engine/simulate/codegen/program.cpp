@@ -6,13 +6,13 @@
 #include <algorithm>
 
 #include "engine/model/diagram/external_input.hpp"
-#include "engine/model/plan/active.hpp"
+#include "engine/simulate/codegen/event_text.hpp"
 #include "engine/simulate/codegen/functions.hpp"
 #include "engine/simulate/codegen/guard_text.hpp"
 #include "engine/simulate/codegen/headers.hpp"
 #include "engine/simulate/codegen/literals.hpp"
 #include "engine/simulate/codegen/solver_text.hpp"
-#include "engine/simulate/solve/event_locator.hpp"
+#include "engine/simulate/codegen/stage_places.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
 namespace stepwire::codegen {
@@ -49,7 +49,6 @@ class Maker {
     if (plan_.layout.state_count > 0) add_slopes();
     if (plan_.crossing_count > 0) {
       add_events();
-      add_located_advance();
     } else {
       add_advance();
     }
@@ -155,28 +154,6 @@ class Maker {
     return places;
   }
 
-  /// Signals that a stage computes anew, and the time and the states.
-  Places stage_places() const {
-    Places places = at_tick();
-    if (!small_) return places;
-    places.fresh = "s";
-    places.is_fresh.assign(plan_.layout.derivatives + plan_.layout.state_count, false);
-    places.is_fresh[plan::Layout::time] = true;
-    for (std::size_t i = plan_.layout.states; i < plan_.layout.derivatives; ++i) places.is_fresh[i] = true;
-    for (const plan::KernelCall& batch : plan_.stage)
-      for (const plan::PlannedBlock& block : plan_.blocks)
-        if (batch.active < 0 && block.memory >= batch.first && in(batch, block))
-          for (const plan::SignalSlot& slot : block.outputs)
-            std::fill_n(places.is_fresh.begin() + static_cast<std::ptrdiff_t>(slot.offset), slot.size, true);
-    return places;
-  }
-
-  bool in(const plan::KernelCall& batch, const plan::PlannedBlock& block) const {
-    const auto index = static_cast<std::size_t>(&block - plan_.blocks.data());
-    const Kernels& kernels = plan_.diagram.blocks[index].type().run_outputs;
-    return block.memory < batch.end && kernels.contains(batch.run);
-  }
-
   void add_slopes() {
     const std::string own = "[[maybe_unused]] double* s, ";
     const std::string before = "[[maybe_unused]] double* w, ",
@@ -187,7 +164,7 @@ class Maker {
     if (small_ && !plan_.guards.empty()) at_start.push_back({zero_slopes_text(plan_)});
     append(at_start, calls_of(plan_, statements_, plan_.derivatives, Phase::derivatives, tick));
     functions_.add("derivatives", before + after, "w, numbers, dot", at_start);
-    Places at_stage = stage_places();
+    Places at_stage = small_ ? stage_places(plan_, at_tick()) : at_tick();
     at_stage.dot = "dot";
     std::vector<Code> code = calls_of(plan_, statements_, plan_.stage, Phase::outputs, at_stage);
     append(code, calls_of(plan_, statements_, plan_.derivatives, Phase::derivatives, at_stage));
@@ -234,49 +211,10 @@ class Maker {
     add("crossing_outputs", plan_.crossing_outputs, Phase::outputs);
     add("event_outputs", plan_.event_outputs, Phase::outputs);
     add("event_updates", plan_.event_updates, Phase::update);
-    std::string looks = "  Crossings zero(z);\n";
-    for (const plan::CrossingCall& call : plan_.crossings) looks += look_text(call);
-    functions_.add_text(fmt::format("inline void look({}, double* z) {{\n{}}}\n\n", state_parameters, looks));
-  }
-
-  /// What is off crosses nothing.
-  std::string look_text(const plan::CrossingCall& call) const {
-    const std::string text = statements_.call(call.block, Phase::crossings, at_tick());
-    const std::string active = active_text(names_, plan::active_of(plan_, call.block));
-    if (active.empty()) return text;
-    return fmt::format(
-        "  if ({} == 0.0) {{\n    for (int i = 0; i < {}; ++i) zero.add(0.0);\n  }} else {{\n{}  }}\n",
-        active, call.count, text);
-  }
-
-  void add_located_advance() {
-    const bool moves = plan_.layout.state_count > 0;
-    const std::string follow = std::string(plan_.timed.empty() ? "" : "    follow_time(w, numbers);\n") +
-                               "    crossing_outputs(w, numbers, tick);\n";
-    const std::string slopes = moves ? "    slopes(w, w, numbers, w + first_derivative);\n" : "";
-    functions_.add_text(fmt::format(
-        "[[gnu::flatten]] inline void advance({0}) {{\n  update(w, numbers, tick);\n{1}{2}"
-        "  double scratch[{3}];\n"
-        "  const solve::EventTask task{{at::time, states, first_derivative, {4}, {5}, {6}, {7}, scratch}};\n"
-        "  const auto go = [&]([[maybe_unused]] double now, [[maybe_unused]] double end, "
-        "[[maybe_unused]] double step) {{\n{8}  }};\n"
-        "  const auto follow = [&] {{\n{9}  }};\n"
-        "  const auto look_here = [&](double* z) {{ look(w, numbers, tick, z); }};\n"
-        "  const auto act = [&] {{\n{10}"
-        "    for (int round = 0; round < {11}; ++round) {{\n      event_outputs(w, numbers, tick);\n"
-        "      event_updates(w, numbers, tick);\n    }}\n{12}    crossing_outputs(w, numbers, tick);\n  }};\n"
-        "  solve::EventLocator(task, w, go, follow, look_here, act)\n"
-        "      .advance(static_cast<double>(tick) * step, static_cast<double>(tick + 1) * step, "
-        "step);\n}}\n\n",
-        state_parameters,
-        (moves ? keep_text(names_, plan_) : "") +
-            (plan_.updates_continuous ? slopes + "    crossing_outputs(w, numbers, tick);\n" : ""),
-        moves && !plan_.updates_continuous ? "  derivatives(w, numbers, w + first_derivative);\n" : "",
-        std::max<std::size_t>(1,
-                              solve::EventTask::scratch_size(plan_.layout.state_count, plan_.crossing_count)),
-        plan_.layout.state_count, plan_.crossing_count, plan_.layout.events,
-        plan_.diagram.events.max_per_step, moves ? solver_text(plan_, small_, false) : "", follow,
-        plan_.timed.empty() ? "" : "    follow_time(w, numbers);\n", solve::EventTask::rounds, slopes));
+    functions_.add_text(fmt::format("inline void look({}, double* z) {{\n{}}}\n\n", state_parameters,
+                                    look_text(plan_, statements_, at_tick())));
+    functions_.add_text(fmt::format("[[gnu::flatten]] inline void advance({}) {{\n{}}}\n\n", state_parameters,
+                                    located_advance_text(plan_, names_)));
   }
 
   std::string constants_text() {

@@ -168,6 +168,7 @@ class Executor {
   void run_guarded(const Table& table, std::size_t first, std::size_t end);
   /// The solver's step, from event to event.
   void take_located_step();
+  void begin_located_step();
   void look_for_crossings(double* numbers) const;
   void act_at_event();
   std::optional<RunFault> too_many_events() const;

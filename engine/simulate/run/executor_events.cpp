@@ -29,14 +29,19 @@ void Executor::act_at_event() {
   run(crossing_outputs_);
 }
 
-void Executor::take_located_step() {
-  const plan::Layout& layout = plan_.layout;
+/// As a step without events begins.
+void Executor::begin_located_step() {
   if (guards_ && solver_) guards_->keep();
   if (plan_.updates_continuous) {
     run(stage_);
     run(crossing_outputs_);
   }
   run(derivatives_);
+}
+
+void Executor::take_located_step() {
+  begin_located_step();
+  const plan::Layout& layout = plan_.layout;
   const solve::EventTask task{plan::Layout::time,
                               layout.states,
                               layout.derivatives,

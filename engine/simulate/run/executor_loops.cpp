@@ -45,8 +45,8 @@ Executor::Table::Loop::Loop(const plan::Plan& plan, const plan::LoopCall& call)
     tears.push_back({tear.offset, static_cast<std::size_t>(tear.size)});
   const plan::SolvedLoop& loop = plan.loops[call.loop];
   const diagram::AlgebraicLoops& options = plan.diagram.algebraic_loops;
-  task = {tears.data(),          tears.size(),       loop.diagnostics.data(), loop.diagnostics.size(),
-          loop.report,           plan::Layout::time, options.tolerance,       options.max_iterations};
+  task = {tears.data(), tears.size(),       loop.diagnostics.data(), loop.diagnostics.size(),
+          loop.report,  plan::Layout::time, options.tolerance,       options.max_iterations};
 }
 
 void Executor::run_range(Table& table, std::size_t first, std::size_t end) {
@@ -86,12 +86,12 @@ std::optional<RunFault> Executor::unsolved_loop() const {
         block.name, "", time,
         plan_.diagram.fault(
             block.origin, block.name,
-            fmt::format("the algebraic loop {} is not solved at {:.12g} s (tick {}) within {} iterations: its "
-                        "blocks give {} a value that differs by {:.3g} from the one that they are given; the "
-                        "run ends here. A law that jumps (a relay) may have no solution: a Lag or a UnitDelay "
-                        "in the loop, or a slope in place of the jump helps",
-                        loop.path, time, tick, plan_.diagram.algebraic_loops.max_iterations, subject,
-                        residual))};
+            fmt::format(
+                "the algebraic loop {} is not solved at {:.12g} s (tick {}) within {} iterations: its "
+                "blocks give {} a value that differs by {:.3g} from the one that they are given; the "
+                "run ends here. A law that jumps (a relay) may have no solution: a Lag or a UnitDelay "
+                "in the loop, or a slope in place of the jump helps",
+                loop.path, time, tick, plan_.diagram.algebraic_loops.max_iterations, subject, residual))};
   }
   return std::nullopt;
 }
