@@ -29,7 +29,8 @@ TEST_CASE("a value out of its range is refused at the value") {
 TEST_CASE("a key that a block has not is refused at the key, with the nearest and all that it has") {
   CHECK(faults_with_lag("  lag:       {block: Lag, u: error,  tua: 0.5 s}") ==
         std::vector<std::string>{
-            "lag_step.yaml:11:38: lag: Lag has no 'tua'; did you mean 'tau'? It has: tau, gain, u, initial"});
+            "lag_step.yaml:11:38: lag: Lag has no 'tua'; did you mean 'tau'? It has: tau, "
+            "gain, trigger, u, reset, value, initial"});
 }
 
 TEST_CASE("a block of no known kind is the only fault, whatever is wired to it") {
