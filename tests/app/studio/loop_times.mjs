@@ -19,21 +19,19 @@ const file = join(folder, "hundred.yaml");
 writeFileSync(file, hundredSignals());
 const {server, address} = await startStudio(folder, "--loop", "--rate", values.rate, file);
 
-/** One loop from its start, looked at only at its end. */
+/** One loop from its start, looked at only at its end. A page that stalls is there before. */
 async function slice(stalled) {
-  const begins = await new Page(address).open();
-  await begins.call("run.load", {file: 0});
-  await begins.call("run.restart");
-  await begins.call("run.play", {rate: 1});
-  begins.close();
+  const begins = await new Page(address).open(), {columns} = await begins.call("run.load", {file: 0});
   let page = null;
   if (stalled) {
     page = await new Page(address).open();
-    const {columns} = await page.call("run.load", {file: 0});
     const drawn = columns.slice(0, 20).map(({column}) => column);
     await page.call("data.want", {views: [1, 2, 3, 4, 5, 6].map((view) => ({view, columns: drawn, follow: 60, pixels: 800}))});
     page.stall();
   }
+  await begins.call("run.restart");
+  await begins.call("run.play", {rate: 1});
+  begins.close();
   await sleep(Number(values.seconds));
   const looks = await new Page(address).open();
   await looks.call("run.pause");

@@ -30,7 +30,8 @@ class FlattenedValues {
     apply(event, run_);
     run_.put_values(diagram_);
     Json values = Json::list();
-    for (const diagram::Target& target : diagram::Variation(plan_.diagram, {event.name}).targets())
+    const diagram::Variation variation(plan_.diagram, {event.name});
+    for (const diagram::Target& target : variation.targets())
       if (const auto value = diagram::flattened_value(diagram_, target, diagram::absolute_path))
         values.push(Json::object()
                         .set("name", diagram::name_of(diagram_, target))

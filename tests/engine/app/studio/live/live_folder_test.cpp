@@ -16,7 +16,7 @@ stop: 2 s
 solver: rk4
 parameters:
   mass: {value: 2 kg, above: 0 kg, at_most: 9 kg}
-  twice: = 2 * $mass
+  twice: = 2 * mass
 inputs: {push: {unit: N, default: 1 N}}
 record:
   - {every: 10 ms, signals: [slide.position]}
@@ -25,7 +25,7 @@ blocks:
   spring: {block: Gain, u: slide.position, gain: -100 N/m}
   net: {block: Sum, u: [push, spring]}
   slide: {block: Mass, force: net, mass: $twice}
-  rig: {diagram: rig.yaml, u: net, tau: = 0.01 s/kg * $mass}
+  rig: {diagram: rig.yaml, u: net, tau: = 0.01 s/kg * mass}
 )";
 const std::string rig_part = R"(stepwire: 1
 parameters: {tau: {value: 20 ms}}
