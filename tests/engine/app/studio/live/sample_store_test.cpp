@@ -60,7 +60,7 @@ TEST_CASE("each row of a far view has the extremes of exactly its ticks") {
   for (int i = 0; i < 60; ++i) {
     std::uniform_int_distribution<std::int64_t> any(0, ticks);
     const auto [from, to] = std::minmax({any(random), any(random)});
-    const SampleRows rows = store.look({{0}, from, to, 50});
+    const SampleRows rows = store.look({{0}, from, to, i % 2 == 0 ? 50u : 1000u});
     for (std::size_t r = 0; rows.extremes && r < rows.ticks.size(); ++r) {
       const std::int64_t end = r + 1 < rows.ticks.size() ? rows.ticks[r + 1] : to;
       const Extremes right = counted(rows.ticks[r], end, spike);
@@ -74,7 +74,7 @@ TEST_CASE("an answer has at most four values of a signal for a pixel, and all sa
   SampleStore store(1e-3, small);
   store.add(0);
   fill(store, 0, 100'000);
-  for (const std::int64_t width : {10L, 199L, 200L, 201L, 299L, 1'000L, 30'000L, 77'000L, 100'000L}) {
+  for (const std::int64_t width : {10L, 199L, 200L, 201L, 299L, 1'000L, 6'400L, 12'799L, 30'000L, 77'000L, 100'000L}) {
     const SampleRows rows = store.look({{0}, 0, width, 100});
     const std::size_t values = rows.ticks.size() * (rows.extremes ? 2 : 1);
     INFO(width);
