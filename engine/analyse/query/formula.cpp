@@ -133,6 +133,38 @@ Substituted substitute(std::string_view text, const SymbolTable& names) {
   return result;
 }
 
+const KnownParameter* parameter_of(const std::string& name, const SymbolTable& names) {
+  const auto found = std::ranges::find(names.parameters, name, &KnownParameter::name);
+  return found == names.parameters.end() ? nullptr : &*found;
+}
+
+/// The same with the number of each name that is no signal, but a parameter.
+Substituted with_parameters(const Substituted& text, const SymbolTable& names) {
+  std::string marked;
+  try {
+    const expression::Expression expression(text.text);
+    std::vector<std::string> others;
+    for (const std::string& name : expression.variables())
+      others.push_back(!names.find(name) && !names.lacks(name) && parameter_of(name, names) ? "$" + name
+                                                                                            : name);
+    marked = expression.renamed(others);
+  } catch (const expression::ExpressionError&) {
+    return text;  // what is wrong is found where it is parsed
+  }
+  Substituted result;
+  for (std::size_t i = 0, at = 0; at < marked.size();) {
+    if (marked[at] != '$') {
+      result.append(marked.substr(at++, 1), text.origin[i++]);
+      continue;
+    }
+    const std::string name = name_at(marked, at + 1);
+    result.append(fmt::format("({})", number_text(*parameter_of(name, names), names)), text.origin[i]);
+    at += name.size() + 1;
+    i += name.size();
+  }
+  return result;
+}
+
 /// Where a name that is in a text stands first, not as a part of another.
 std::size_t place_of(const std::string& name, std::string_view text) {
   std::size_t at = text.find(name);
@@ -142,7 +174,7 @@ std::size_t place_of(const std::string& name, std::string_view text) {
 }
 
 expression::Expression parse(std::string_view text, const SymbolTable& names) {
-  const Substituted substituted = substitute(text, names);
+  const Substituted substituted = with_parameters(substitute(text, names), names);
   try {
     // A signal called "e" that is not recorded is no constant either.
     expression::Expression expression(substituted.text, [&](std::string_view name) {
@@ -175,7 +207,8 @@ std::optional<unit::Dimension> find_dimension(const expression::Expression& expr
   try {
     return expression.measure(measures).dimension;
   } catch (const expression::ExpressionError& error) {
-    throw expression::ExpressionError(error.what(), substitute(text, names).origin_of(error.position));
+    throw expression::ExpressionError(
+        error.what(), with_parameters(substitute(text, names), names).origin_of(error.position));
   }
 }
 
@@ -226,6 +259,8 @@ std::optional<Formula> read_formula(const yaml::Node& node, const SymbolTable& n
 std::optional<Formula> read_formula(const yaml::Node& node, std::string_view text, std::size_t offset,
                                     const SymbolTable& names, const std::string& subject,
                                     yaml::Faults& faults) {
+  if (text.starts_with('=') && !text.starts_with("=="))
+    return read_formula(node, text.substr(1), offset + 1, names, subject, faults);
   try {
     expression::Expression expression = parse(text, names);
     const auto& variables = expression.variables();

@@ -90,6 +90,16 @@ Json part_schema() {
       .set("required", Json::list({"diagram"}));
 }
 
+/// A bus: its fields are signals, or other buses, under names.
+Json bus_schema() {
+  Json fields = explained(Json::object().set("type", "object").set("minProperties", 1),
+                          "signals under names, read as wrench.force: {force: f, torque: t}; a field may be "
+                          "{signal: f, unit: N, shape: 3}, or another bus {fields: ..}");
+  Json properties = Json::object().set("fields", std::move(fields));
+  properties.set("doc", Json::object().set("type", "string").set("description", "what it is"));
+  return closed_map(std::move(properties), {"fields"});
+}
+
 /// The condition that picks a definition: {"properties": {"block": {"const": "Lag"}}, "required": ["block"]}.
 Json when_block_is(const std::string& name) {
   Json properties = Json::object().set("block", Json::object().set("const", name));
@@ -108,6 +118,7 @@ void add_block_definitions(const Registry& registry, Json& definitions) {
   }
   for (const yaml::Key& key : diagram::guard_keys()) definitions.set(definition_of(key), key_schema(key));
   definitions.set("part", part_schema());
+  definitions.set("bus", bus_schema());
   const Json kind = Json::object()
                         .set("anyOf", std::move(names))
                         .set("description", "kind of block; `stepwire blocks` lists them");
@@ -116,7 +127,8 @@ void add_block_definitions(const Registry& registry, Json& definitions) {
                 "a part: the file of another diagram; its inputs and parameters are the keys beside it");
   Json block = Json::object().set("type", "object");
   block.set("properties", Json::object().set("block", kind).set("diagram", file));
-  block.set("oneOf", Json::list({Json::object().set("required", Json::list({"block"})), schema_ref("part")}));
+  block.set("oneOf", Json::list({Json::object().set("required", Json::list({"block"})), schema_ref("part"),
+                                 schema_ref("bus")}));
   definitions.set("block", block.set("allOf", std::move(choices)));
 }
 

@@ -16,8 +16,8 @@ namespace {
 
 using Known = std::function<bool(std::string_view)>;
 
-constexpr std::array<std::string_view, 19> signs{"<=", ">=", "==", "!=", "&&", "||", "+", "-", "*", "/",
-                                                 "^",  "(",  ")",  "<",  ">",  "!",  "?", ":", ","};
+constexpr std::array<std::string_view, 21> signs{"<=", ">=", "==", "!=", "&&", "||", "+", "-", "*", "/", "^",
+                                                 "(",  ")",  "<",  ">",  "!",  "?",  ":", ",", "[", "]"};
 
 /// What people write out of habit from other languages, and what it is called here.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 6> habits{{
@@ -28,6 +28,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 6> habits{{
     {"\"", "an expression has no text"},
     {"'", "an expression has no text"},
 }};
+
+constexpr const char* letters_and_digits = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';

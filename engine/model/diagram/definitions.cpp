@@ -75,11 +75,12 @@ class Definitions {
   }
 
   /// Every name of this file that occurs in the text as a word; that is more than is needed at worst.
-  void define_what_it_uses(const yaml::Node& node) {
-    for (const yaml::Node& item : node.items) define_what_it_uses(item);
+  void define_what_it_uses(const yaml::Node& node, bool in_matrix = false) {
+    const bool is_matrix = !node.items.empty() && node.items.front().is_list();
+    for (const yaml::Node& item : node.items) define_what_it_uses(item, in_matrix || is_matrix);
     for (const yaml::Entry& entry : node.entries)
-      if (entry.key != "doc") define_what_it_uses(entry.value);
-    if (!node.is_scalar() || (!node.text.starts_with('=') && !node.text.starts_with('$'))) return;
+      if (entry.key != "doc") define_what_it_uses(entry.value, is_bound(entry.key));
+    if (!node.is_scalar() || !may_use_others(node, in_matrix)) return;
     std::string word;
     for (char c : node.text + " ") {
       if (std::isalnum(static_cast<unsigned char>(c)) || c == '_') {
@@ -90,6 +91,15 @@ class Definitions {
       }
     }
   }
+
+  /// Of words and texts no name is one of a parameter, unless they reckon with it.
+  static bool may_use_others(const yaml::Node& node, bool only_numbers) {
+    const char first = node.text.empty() ? ' ' : node.text[0];
+    return first == '=' || first == '$' || only_numbers ||
+           (!node.quoted && node.text.find_first_of("+-*/^(") != std::string::npos);
+  }
+
+  static bool is_bound(const std::string& key) { return std::ranges::count(bound_keys, key) > 0; }
 
   std::optional<WrittenValue> evaluate(const yaml::Entry& entry) {
     const std::string full = scope_.prefix + entry.key;
@@ -104,6 +114,7 @@ class Definitions {
     ValueReader reader(scope_.parameters, report_, scope_.index, &own);
     Definition made{entry.key, scope_.index, {stripped(entry.value), scope_.index, scope_.index},
                     {},        {},           own};
+    made.text.node = reader.with_formulas(made.text.node, false);
     auto written = reader.read(made.text.node, full);
     made.uses = std::move(own);
     settings_.offer(full);
@@ -142,9 +153,10 @@ class Definitions {
     value_origin_ = scope_.at(definition(entry).mark);
     const auto read = [&](const yaml::Node& node, const Scope& names, const Origin& origin) {
       value_origin_ = origin;
-      made.text = {node, names.index, origin.scope};
       made.uses.clear();
-      written = ValueReader(names.parameters, report_, origin.scope, &made.uses).read(node, full);
+      const ValueReader reader(names.parameters, report_, origin.scope, &made.uses);
+      made.text = {reader.with_formulas(node, false), names.index, origin.scope};
+      written = reader.read(made.text.node, full);
       if (written) written->given = given_by(made, full, origin);
     };
     if (const auto given = overrides_.values.find(entry.key); given != overrides_.values.end())

@@ -150,6 +150,14 @@ struct UnitDemand {
   Origin origin;
 };
 
+/// A port or a field of a bus with a declared shape: what passes must have it.
+struct ShapeDemand {
+  Source source;
+  Eigen::Index rows = 1, columns = 1;
+  std::string port;  ///< "rig.wrench.force"
+  Origin origin;
+};
+
 /// A parameter of the diagram or of one of its parts, after expressions and settings.
 struct DiagramParameter {
   std::string name;  ///< full: "rig.mass"
@@ -181,14 +189,8 @@ inline constexpr const char *differs_label = "differs", *differs_to_label = "dif
 
 /// `stop_when`, with what its expression reads, in the order of its variables.
 struct StopCondition {
-  struct Variable {
-    SignalRef signal{};        ///< "time" has block -1
-    Eigen::Index element = 0;  ///< as it is written, from 1; 0: all there is of a signal of one element
-    std::size_t offset() const { return element > 0 ? static_cast<std::size_t>(element - 1) : 0; }
-  };
-
   expression::Expression expression;
-  std::vector<Variable> variables;
+  std::vector<SignalRef> variables;  ///< "time" has block -1
   Origin origin;
 };
 
@@ -230,6 +232,7 @@ struct Diagram {
   std::vector<ScopeInfo> scopes;
   std::vector<DiagramBlock> blocks;
   std::vector<UnitDemand> unit_demands;
+  std::vector<ShapeDemand> shape_demands;
   std::vector<DiagramInput> inputs;
   std::vector<DiagramOutput> outputs;
   std::vector<PartPort> part_ports;  ///< but for those that are fed by constants

@@ -11,6 +11,7 @@
 #include "engine/base/io/file.hpp"
 #include "engine/base/yaml/yaml_text.hpp"
 #include "engine/model/diagram/block_keys.hpp"
+#include "engine/model/diagram/element_index.hpp"
 #include "engine/model/diagram/external_input.hpp"
 #include "engine/model/diagram/output_names.hpp"
 #include "engine/model/diagram/written.hpp"
@@ -37,7 +38,8 @@ class Flattener {
     if (target.kind == Target::Kind::constant)
       return source(of.inputs[index][static_cast<std::size_t>(target.element)]);
     for (const InitialValue& initial : of.initial)
-      if (initial.state == target.index) return written_numbers(initial.value, initial.dimension);
+      if (initial.state == target.index)
+        return written_numbers(initial.value, initial.dimension, initial.columns);
     return std::nullopt;
   }
 
@@ -97,7 +99,9 @@ class Flattener {
 
   const DiagramBlock& block(int index) const { return diagram_.blocks[static_cast<std::size_t>(index)]; }
 
-  std::string name(const SignalRef& signal) const {
+  std::string name(const SignalRef& signal) const { return whole(signal) + element_text(signal.element); }
+
+  std::string whole(const SignalRef& signal) const {
     const DiagramBlock& owner = block(signal.block);
     const BlockType& type = owner.type();
     if (signal.output < 0) return owner.name + "." + type.states[static_cast<std::size_t>(signal.state)].name;
@@ -106,10 +110,8 @@ class Flattener {
 
   yaml::Node stop_condition(const StopCondition& condition) const {
     std::vector<std::string> names;
-    for (const auto& [signal, element] : condition.variables)
-      names.push_back(signal.block < 0 ? "time"
-                      : element > 0    ? fmt::format("{}.{}", name(signal), element)
-                                       : name(signal));
+    for (const SignalRef& signal : condition.variables)
+      names.push_back(signal.block < 0 ? "time" : name(signal));
     return written_text(condition.expression.renamed(names));
   }
 
@@ -178,7 +180,7 @@ class Flattener {
         add_key(map, type.parameters[i].name, std::move(*value));
     for (const InitialValue& initial : block.initial)
       add_key(map, initial_key(type, type.states[static_cast<std::size_t>(initial.state)]),
-              written_numbers(initial.value, unit(initial.dimension)));
+              written_numbers(initial.value, unit(initial.dimension), initial.columns));
     return map;
   }
 
@@ -191,8 +193,17 @@ class Flattener {
   }
 
   yaml::Node source(const Source& source) const {
-    if (source.block < 0) return written_numbers(source.constant, unit(source.dimension));
-    return written_signal(name({source.block, source.output}));
+    if (source.block < 0) return constant(source);
+    return written_signal(name({source.block, source.output, -1, source.element}));
+  }
+
+  yaml::Node constant(const Source& source) const {
+    const auto dimension = unit(source.dimension);
+    if (source.element.is_whole()) return written_numbers(source.constant, dimension, source.columns);
+    const Eigen::Index rows = source.constant.size() / source.columns;
+    const Eigen::Index place =
+        std::max<Eigen::Index>(source.element.column - 1, 0) * rows + source.element.row - 1;
+    return written_numbers(one(source.constant[place]), dimension);
   }
 
   std::optional<yaml::Node> parameter(const DiagramBlock& block, std::size_t index,
@@ -202,6 +213,9 @@ class Flattener {
     if (spec.kind == ParameterKind::file) return written_filled_in(file_name_(*value.text()));
     if (std::find(block.spread.begin(), block.spread.end(), index) != block.spread.end())
       value.content = one(std::get<Eigen::VectorXd>(value.content)[0]);
+    for (const auto& [matrix, columns] : block.matrices)
+      if (matrix == index)
+        return written_numbers(std::get<Eigen::VectorXd>(value.content), dimension, columns);
     return written_value(spec, value, dimension);
   }
 

@@ -164,13 +164,16 @@ const yaml::Key& parameter_form() {
 }
 
 const yaml::Key& input_form() {
-  static const yaml::Key form =
-      form::either({form::of(yaml::Key::Form::nothing),
-                    form::keys("an input", "{unit: N, default: 0 N}",
-                               {yaml::key("unit", "unit of what must be wired here", form::unit()),
-                                yaml::key("doc", "what it is"),
-                                yaml::key("default", "feeds the port where the user gives nothing",
-                                          form::of(yaml::Key::Form::source))})});
+  static const yaml::Key form = form::either(
+      {form::of(yaml::Key::Form::nothing),
+       form::keys("an input", "{unit: N, default: 0 N}",
+                  {yaml::key("unit", "unit of what must be wired here", form::unit()),
+                   yaml::key("shape", "elements of what must be wired here: 3, or 3 x 2", form::text()),
+                   yaml::key("fields", "of a bus, with the unit of each: {force: N, torque: N m}",
+                             form::of(yaml::Key::Form::tree)),
+                   yaml::key("doc", "what it is"),
+                   yaml::key("default", "feeds the port where the user gives nothing",
+                             form::of(yaml::Key::Form::source))})});
   return form;
 }
 
@@ -181,6 +184,9 @@ const yaml::Key& output_form() {
            "an output", "{signal: lag.y, unit: N}",
            {yaml::needed(yaml::key("signal", "a block or its output: carriage.position", form::signal())),
             yaml::key("unit", "unit that it must have", form::unit()), yaml::key("doc", "what it is"),
+            yaml::key("shape", "elements that it must have: 3, or 3 x 2", form::text()),
+            yaml::key("fields", "of a bus, with the unit of each: {force: N, torque: N m}",
+                      form::of(yaml::Key::Form::tree)),
             yaml::key("safe", "what the output holds once a real-time loop has stopped: 0 A",
                       form::of(yaml::Key::Form::source))})});
   return form;

@@ -5,15 +5,30 @@
 
 #include "engine/base/yaml/message.hpp"
 #include "engine/model/diagram/condition.hpp"
+#include "engine/model/diagram/element_index.hpp"
 #include "engine/model/diagram/guard_types.hpp"
 #include "engine/model/diagram/head.hpp"
 #include "engine/model/diagram/head_keys.hpp"
 #include "engine/model/diagram/keys.hpp"
+#include "engine/model/diagram/named_parameters.hpp"
 #include "engine/model/diagram/output_names.hpp"
 
 namespace stepwire::diagram {
 
 namespace {
+
+/// The fields of a bus, or the signal of a name that is none.
+void record_named(const std::string& name, const yaml::Node& node, const Scope& scope,
+                  const Resolver& resolver, RecordRequest& request) {
+  const Origin origin = scope.at(node.mark);
+  const auto fields = resolver.fields(node, scope);
+  for (const std::string& field : fields)
+    if (const auto signal = resolver.signal(node.text + "." + field, scope, origin, "record"))
+      request.signals.push_back({name + "." + field, *signal, origin});
+  if (!fields.empty()) return;
+  if (const auto signal = resolver.signal(node.text, scope, origin, "record"))
+    request.signals.push_back({name, *signal, origin});
+}
 
 void record_all(const Scope& scope, const std::string& prefix, const Origin& origin, RecordRequest& request,
                 const Diagram& diagram) {
@@ -22,6 +37,10 @@ void record_all(const Scope& scope, const std::string& prefix, const Origin& ori
       record_all(*named.part, prefix + name + ".", origin, request, diagram);
       continue;
     }
+    for (const BusField& field : named.bus)
+      if (field.block >= 0)
+        request.signals.push_back({prefix + name + "." + field.name, {field.block, 0, -1}, origin});
+    if (named.block < 0) continue;  // fields of a bus are signals of others
     const BlockType& type = diagram.blocks[static_cast<std::size_t>(named.block)].type();
     for (std::size_t i = 0; i < type.outputs.size(); ++i)
       if (!is_bare_state(type, i))
@@ -43,8 +62,8 @@ void read_named(const yaml::Node& map, const Scope& scope, const Resolver& resol
                            entry.key));
     } else if (!entry.value.is_scalar()) {
       report.add(origin, "record", "a name is given to one signal, as {position: rig.x}");
-    } else if (const auto signal = resolver.signal(entry.value.text, scope, origin, "record")) {
-      request.signals.push_back({entry.key, *signal, origin});
+    } else {
+      record_named(entry.key, entry.value, scope, resolver, request);
     }
   }
 }
@@ -55,8 +74,7 @@ void read_signal(const yaml::Node& node, const Scope& scope, const Resolver& res
   if (node.is_map()) return read_named(node, scope, resolver, request, report);
   if (!node.is_scalar()) return report.add(origin, "record", "names signals, as [rig.x, limit]");
   if (node.text == "all") return record_all(scope, "", origin, request, report.diagram());
-  if (const auto signal = resolver.signal(node.text, scope, origin, "record"))
-    request.signals.push_back({node.text, *signal, origin});
+  record_named(node.text, node, scope, resolver, request);
 }
 
 /// Signals of the same period belong to one recording.
@@ -82,9 +100,21 @@ void read_entry(const yaml::Node& node, const Scope& scope, const Resolver& reso
   for (const yaml::Node& item : signals->as_list()) read_signal(item, scope, resolver, request, report);
 }
 
+/// Is the signal an element of one that is recorded under the same name, whose column it would be?
+bool comes_with_whole(const RecordedSignal& signal, const RecordRequest& request) {
+  if (signal.signal.element.is_whole()) return false;
+  SignalRef whole = signal.signal;
+  whole.element = {};
+  return std::ranges::any_of(request.signals, [&](const RecordedSignal& other) {
+    return other.signal == whole && signal.name == other.name + element_text(signal.signal.element);
+  });
+}
+
 /// Keeps a signal once in a recording, however often it is named; two signals cannot have one name.
 void drop_repeated(RecordRequest& request, Report& report) {
   std::map<std::string, SignalRef> seen;
+  std::erase_if(request.signals,
+                [&](const RecordedSignal& signal) { return comes_with_whole(signal, request); });
   std::erase_if(request.signals, [&](const RecordedSignal& signal) {
     const auto [first, is_new] = seen.emplace(signal.name, signal.signal);
     if (first->second != signal.signal)
@@ -107,17 +137,6 @@ void refuse_swept_names(Report& report) {
                                  signal.name));
 }
 
-/// Takes the number of an element off the end of a name, "rig.position.1"; 0 where there is none.
-Eigen::Index take_element(std::string& name) {
-  const std::size_t dot = name.rfind('.');
-  const std::string digits = dot == std::string::npos ? "" : name.substr(dot + 1);
-  const bool is_number = !digits.empty() && digits.size() < 10 && digits[0] != '0' &&
-                         digits.find_first_not_of("0123456789") == std::string::npos;
-  if (!is_number) return 0;
-  name.resize(dot);
-  return std::stol(digits);
-}
-
 }  // namespace
 
 void read_record(const Scope& scope, const Resolver& resolver, Report& report) {
@@ -132,16 +151,21 @@ void read_stop_condition(const Scope& scope, const Resolver& resolver, Report& r
   const yaml::Node* node = scope.document->root.find("stop_when");
   if (!node) return;
   const ValueReader reader(scope.parameters, report, scope.index);
-  const auto text = reader.fill_in(*node, "stop_when");
+  yaml::Node written = *node;
+  if (written.text.starts_with('=')) written.text[0] = ' ';
+  const auto is_signal = [&](const std::string& name) {
+    return name == "time" || !scope.start_of(name).empty() || !scope.input_of(name).empty();
+  };
+  written.text = name_parameters(written.text, scope.parameters, is_signal);
+  const auto text = reader.fill_in(written, "stop_when");
   if (!text) return;
   try {
     StopCondition condition{expression::Expression(*text), {}, scope.at(node->mark)};
-    for (std::string name : condition.expression.variables()) {
-      const Eigen::Index element = take_element(name);
+    for (const std::string& name : condition.expression.variables()) {
       if (name == "time") {
         condition.variables.push_back({});
       } else if (const auto signal = resolver.signal(name, scope, scope.at(node->mark), "stop_when")) {
-        condition.variables.push_back({*signal, element});
+        condition.variables.push_back(*signal);
       }
     }
     const bool is_whole = condition.variables.size() == condition.expression.variables().size();
@@ -155,7 +179,7 @@ void check_stop_condition(Report& report) {
   const Diagram& diagram = report.diagram();
   if (!diagram.stop_when) return;
   std::vector<expression::Measure> measures;
-  for (const auto& [signal, element] : diagram.stop_when->variables) {
+  for (const SignalRef& signal : diagram.stop_when->variables) {
     std::optional<unit::Dimension> dimension = unit::parse_unit("s")->dimension;
     const auto block = static_cast<std::size_t>(signal.block);
     if (signal.block >= 0 && signal.output >= 0)

@@ -22,6 +22,8 @@ std::map<std::string, SignalRef> named_signals(const Diagram& diagram) {
   std::map<std::string, SignalRef> all;
   for (const DiagramOutput& output : diagram.outputs) all.emplace(output.name, output.signal);
   for (const PartPort& port : diagram.part_ports) all.emplace(port.name, port.signal);
+  for (const DiagramBus& bus : diagram.buses)
+    for (const auto& [field, signal] : bus.fields) all.emplace(bus.name + "." + field, signal);
   for (std::size_t b = 0; b < diagram.blocks.size(); ++b)
     add_signals(diagram.blocks[b], static_cast<int>(b), all);
   return all;

@@ -12,6 +12,7 @@
 #include "engine/model/diagram/guard_keys.hpp"
 #include "engine/model/diagram/guard_types.hpp"
 #include "engine/model/diagram/keys.hpp"
+#include "engine/model/diagram/named_parameters.hpp"
 #include "engine/model/diagram/resolve.hpp"
 #include "engine/model/diagram/simulink_names.hpp"
 
@@ -23,6 +24,26 @@ yaml::Message no_block_type(const std::string& name, const Registry& registry) {
   const std::string message = fmt::format("there is no block '{}'", name);
   if (const std::string answer = answer_to_simulink(name); !answer.empty()) return message + "; " + answer;
   return message + yaml::did_you_mean(name, registry.names(), "'stepwire blocks' lists them");
+}
+
+/// What lists of words of a block hold: names that its formulas may use.
+std::vector<std::string> words_given_to(const BlockType& type, const yaml::Node& keys) {
+  std::vector<std::string> words;
+  for (const ParameterSpec& spec : type.parameters)
+    if (const yaml::Node* list = spec.kind == ParameterKind::texts ? keys.find(spec.name) : nullptr)
+      for (const yaml::Node& word : list->as_list()) words.push_back(word.text);
+  return words;
+}
+
+/// The text with a '$' before names of parameters, and a '=' before formulas, where only these can stand.
+yaml::Node with_named_parameters(const ParameterSpec& spec, const BlockType& type,
+                                 const std::vector<std::string>& words, const yaml::Node& text,
+                                 const ValueReader& reader, const ParameterScope& parameters) {
+  if (!spec.formulas.empty()) return name_parameters(text, spec.formulas, type, words, parameters);
+  const bool is_number = spec.kind == ParameterKind::number || spec.kind == ParameterKind::integer ||
+                         spec.kind == ParameterKind::per_element || spec.kind == ParameterKind::vector ||
+                         spec.kind == ParameterKind::matrix;
+  return is_number ? reader.with_formulas(text, true) : text;
 }
 
 }  // namespace
@@ -66,9 +87,11 @@ void Opener::open_block(Scope& scope, const yaml::Entry& entry) {
   if (scope.inputs.contains(entry.key))
     return fail(scope, entry, entry.mark, "is also the name of an input of this part; choose another");
   const yaml::Node* part = map.find("diagram");
+  if (map.find("fields") && !kind && !part) return make_bus(scope, entry);
   if (part && !kind) return open_part(scope, entry, *part);
   if (!kind || part)
-    return fail(scope, entry, map.mark, "needs either 'block:' (a type) or 'diagram:' (a file)");
+    return fail(scope, entry, map.mark,
+                "needs either 'block:' (a type), 'diagram:' (a file) or 'fields:' (of a bus)");
   if (!kind->is_scalar()) return fail(scope, entry, kind->mark, "'block:' names one type, as Gain");
   const BlockType* type = loader_.registry().find(kind->text);
   if (!type) type = find_guard_type(kind->text);
@@ -97,6 +120,7 @@ void Opener::make_block(Scope& scope, const yaml::Entry& entry, const BlockType&
   block.origin = scope.at(entry.value.mark);
   make_room(block);
   block.guard = guarding.guard >= 0 ? guarding.guard : scope.guard;
+  block_words_ = words_given_to(type, entry.value);
   apply_preset(scope, entry.value, block);
   for (const yaml::Entry& key : entry.value.entries) read_key(scope, key, block, index);
   read_settings(scope, block, block.name);
@@ -185,14 +209,22 @@ void Opener::read_settings(Scope& scope, DiagramBlock& block, const std::string&
   }
 }
 
-void Opener::read_parameter(const Scope& scope, int reader_scope, const yaml::Node& node, DiagramBlock& block,
+void Opener::read_parameter(const Scope& scope, int reader_scope, const yaml::Node& text, DiagramBlock& block,
                             std::size_t parameter) {
   const ParameterSpec& spec = block.type().parameters[parameter];
   ParameterUses uses;
   const ValueReader reader(scope.parameters, report_, reader_scope, &uses);
+  const yaml::Node node =
+      with_named_parameters(spec, block.type(), block_words_, text, reader, scope.parameters);
   const auto written = reader.read_for(spec, demanded_dimension(spec), node, block.name + "." + spec.name);
   block.parameter_marks[parameter] = node.mark;
   if (!written) return;
+  std::erase_if(block.matrices, [&](const auto& matrix) { return matrix.first == parameter; });
+  if (written->columns > 1) block.matrices.emplace_back(parameter, written->columns);
+  if (written->columns > 1 && !block.type().inputs.empty())
+    report_.add({reader_scope, node.mark}, block.name + "." + spec.name,
+                "is a matrix, and stands for numbers of single elements; for a product with a matrix see "
+                "MatrixGain");
   block.parameter_dimensions[parameter] = written->dimension;
   spec.set(block.block.get(), written->value);
   bind({Target::Kind::parameter, index_of(block), static_cast<int>(parameter)},
@@ -219,8 +251,8 @@ void Opener::read_initial(const Scope& scope, const yaml::Node& node, DiagramBlo
                                        block.name + "." + initial_key(block.type(), declared));
   if (!written) return;
   std::erase_if(block.initial, [&](const InitialValue& value) { return value.state == state; });
-  block.initial.push_back(
-      {state, std::get<Eigen::VectorXd>(written->value.content), written->dimension, scope.at(node.mark)});
+  block.initial.push_back({state, std::get<Eigen::VectorXd>(written->value.content), written->dimension,
+                           scope.at(node.mark), written->columns});
   bind({Target::Kind::initial, index_of(block), state}, {node, scope.index, scope.index}, std::move(uses));
 }
 

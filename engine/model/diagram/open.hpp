@@ -30,6 +30,8 @@ class Opener {
       : loader_(loader), settings_(settings), report_(report) {}
 
   void open(Scope& scope, const Overrides& overrides);
+  /// Copies blocks that are fed buses for every field; before inputs are resolved.
+  void copy_for_buses(Scope& root);
   const std::deque<PendingInput>& pending() const { return pending_; }
   /// Gives each block that names its Guard the block that this is, once all names are known.
   void join_guards();
@@ -52,7 +54,10 @@ class Opener {
   void declare_output(Scope& scope, const yaml::Entry& port);
   /// Makes a block for each input of the diagram itself whose `default` is a value.
   void make_inputs(Scope& scope);
+  void split_inputs(Scope& scope);
   std::optional<unit::Dimension> declared_unit(const Scope& scope, const yaml::Entry& port);
+  std::optional<std::pair<Eigen::Index, Eigen::Index>> declared_shape(const Scope& scope,
+                                                                      const yaml::Entry& port);
   void open_part(Scope& scope, const yaml::Entry& entry, const yaml::Node& path);
   bool refuse_nesting(Scope& scope, const yaml::Entry& entry, const yaml::Node& path,
                       const std::string& file);
@@ -61,6 +66,7 @@ class Opener {
   /// Hands the keys of the using file to the part's inputs, and returns those for its parameters.
   Overrides feed(const Scope& scope, const yaml::Entry& entry, const yaml::Node& path, Scope& part);
   void make_block(Scope& scope, const yaml::Entry& entry, const BlockType& type);
+  void make_bus(Scope& scope, const yaml::Entry& entry);
   void apply_preset(Scope& scope, const yaml::Node& map, DiagramBlock& block);
   void read_key(Scope& scope, const yaml::Entry& key, DiagramBlock& block, int index);
   void read_settings(Scope& scope, DiagramBlock& block, const std::string& full);
@@ -104,7 +110,9 @@ class Opener {
   };
   std::vector<Within> within_;
   std::deque<yaml::Node> made_;  ///< what is wired to hidden blocks
+  std::deque<yaml::Node> written_;  ///< what stands for the fields of buses that blocks are fed
   std::vector<std::string> open_files_;
+  std::vector<std::string> block_words_;  ///< lists of names that the block being made is given
 };
 
 }  // namespace stepwire::diagram

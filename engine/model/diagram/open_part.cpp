@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "engine/base/yaml/message.hpp"
+#include "engine/model/diagram/bus_fields.hpp"
 #include "engine/model/diagram/external_input.hpp"
 #include "engine/model/diagram/guard_keys.hpp"
 #include "engine/model/diagram/head.hpp"
@@ -34,6 +36,11 @@ std::string doc_of(const yaml::Entry& port) {
   return doc ? doc->text : "";
 }
 
+/// Is a default the map of a bus, not a number with its unit?
+bool is_bus(const yaml::Node& node) {
+  return node.is_map() && !node.find("value");
+}
+
 bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
@@ -60,6 +67,17 @@ std::optional<unit::Dimension> Opener::declared_unit(const Scope& scope, const y
   return std::nullopt;
 }
 
+std::optional<std::pair<Eigen::Index, Eigen::Index>> Opener::declared_shape(const Scope& scope,
+                                                                            const yaml::Entry& port) {
+  const yaml::Node* shape = port.value.is_map() ? port.value.find("shape") : nullptr;
+  if (!shape) return std::nullopt;
+  const auto parsed = parse_shape(shape->text);
+  if (!parsed)
+    report_.add(scope.at(shape->mark), scope.prefix + port.key,
+                yaml::fault_text("'{}' is no shape; write 3, or 3 x 2 for a matrix of 3 rows", shape->text));
+  return parsed;
+}
+
 void Opener::declare_input(Scope& scope, const yaml::Entry& port) {
   if (port.value.is_map())
     HeadReading(scope.prefix + port.key, scope, report_).check(port.value, input_form().of.back());
@@ -68,6 +86,9 @@ void Opener::declare_input(Scope& scope, const yaml::Entry& port) {
   declared.fallback = port.value.is_map() ? port.value.find("default") : nullptr;
   declared.doc = doc_of(port);
   declared.mark = port.mark;
+  if (const yaml::Node* fields = port.value.is_map() ? port.value.find("fields") : nullptr)
+    declared.fields = declared_fields(*fields);
+  declared.shape = declared_shape(scope, port);
 }
 
 void Opener::declare_output(Scope& scope, const yaml::Entry& port) {
@@ -80,13 +101,34 @@ void Opener::declare_output(Scope& scope, const yaml::Entry& port) {
     signal = nullptr;
   }
   const yaml::Node* safe = port.value.is_map() ? port.value.find("safe") : nullptr;
-  scope.outputs[port.key] = {signal, safe, declared_unit(scope, port), doc_of(port), port.mark};
+  scope.outputs[port.key] = {signal,    safe, declared_unit(scope, port), doc_of(port),
+                             port.mark, {},   declared_shape(scope, port)};
+  if (const yaml::Node* fields = port.value.is_map() ? port.value.find("fields") : nullptr)
+    scope.outputs[port.key].fields = declared_fields(*fields);
+}
+
+/// An input of the diagram itself that is a bus has an input for each field.
+void Opener::split_inputs(Scope& scope) {
+  std::map<std::string, Scope::Port, std::less<>> fields;
+  for (const auto& [name, port] : scope.inputs) {
+    if (!port.fallback || !is_bus(*port.fallback)) continue;
+    for (const BusField& field : written_fields(*port.fallback)) {
+      Scope::Port& own = fields[name + "." + field.name];
+      own.fallback = field.signal;
+      own.doc = port.doc;
+      own.mark = field.mark;
+      for (const BusField& declared : port.fields)
+        if (declared.name == field.name) own.dimension = declared.dimension, own.shape = declared.shape;
+    }
+  }
+  scope.inputs.merge(fields);
 }
 
 void Opener::make_inputs(Scope& scope) {
+  split_inputs(scope);
   for (auto* entry : in_order_of_file(scope.inputs)) {
     auto& [name, port] = *entry;
-    if (!port.fallback || names_signal(*port.fallback)) continue;
+    if (!port.fallback || names_signal(*port.fallback) || is_bus(*port.fallback)) continue;
     const BlockType& type = external_input_type();
     Diagram& diagram = report_.diagram();
     port.block = static_cast<int>(diagram.blocks.size());

@@ -4,15 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
+
+#include "engine/model/diagram/element_index.hpp"
+#include "engine/model/diagram/report.hpp"
 
 namespace stepwire::diagram {
 
 namespace {
-
-// More ports than this cannot lie one behind the other: parts are nested at most 32 deep.
-constexpr int max_hops = 256;
 
 std::vector<std::string> output_names(const BlockType& type) {
   std::vector<std::string> names;
@@ -43,15 +42,11 @@ std::string no_single_output(const DiagramBlock& block) {
                      fmt::join(output_names(block.type()), fmt::format(", {}.", block.name)));
 }
 
-yaml::Message no_such_output(const DiagramBlock& block, const std::string& name, bool recorded) {
+yaml::Message no_such_output(const DiagramBlock& block, const std::string& name) {
   const auto names = output_names(block.type());
   if (names.empty()) return without_outputs(block);
-  if (!std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isdigit(c); }))
-    return fmt::format("{} has no output '{}'", block.type().name, name) +
-           yaml::did_you_mean(name, names, fmt::format("It has: {}", fmt::join(names, ", ")));
-  return fmt::format("'{0}.{1}' is no signal of its own; {2}", block.name, name,
-                     recorded ? fmt::format("'{0}' brings all its elements, {0}.1, ...", block.name)
-                              : "pick an element with Select");
+  return fmt::format("{} has no output '{}'", block.type().name, name) +
+         yaml::did_you_mean(name, names, fmt::format("It has: {}", fmt::join(names, ", ")));
 }
 
 // A state is carried in a Source as an output number below -1.
@@ -89,8 +84,8 @@ std::optional<SignalRef> Resolver::signal(const std::string& text, const Scope& 
     report_.add(origin, subject, fmt::format("'{}' is a constant number here, not a signal", text));
     return std::nullopt;
   }
-  if (found->output >= 0) return SignalRef{found->block, found->output, -1};
-  return SignalRef{found->block, -1, -2 - found->output};
+  if (found->output >= 0) return SignalRef{found->block, found->output, -1, found->element};
+  return SignalRef{found->block, -1, -2 - found->output, found->element};
 }
 
 std::optional<Source> Resolver::element(const yaml::Node& node, const Scope& scope, Query query) const {
@@ -99,6 +94,8 @@ std::optional<Source> Resolver::element(const yaml::Node& node, const Scope& sco
   if (names_signal(node)) return reference(node.text, scope, std::move(query));
   if (std::any_of(node.items.begin(), node.items.end(), names_signal))
     return refuse(query, "takes one signal, not a list; join signals with a Mux");
+  if (node.is_map() && !node.find("value"))
+    return refuse(query, "takes one signal, and this is a bus; name a field of it");
   ParameterUses uses;
   const ValueReader reader(scope.parameters, report_, scope.index, &uses);
   const auto written = reader.read_for(numbers_of_any_unit(), {}, node, query.subject);
@@ -106,6 +103,7 @@ std::optional<Source> Resolver::element(const yaml::Node& node, const Scope& sco
   Source source{
       -1,     -1, std::get<Eigen::VectorXd>(written->value.content), written->dimension, scope.at(node.mark),
       nullptr};
+  source.columns = written->columns;
   if (!uses.empty())
     source.text =
         std::make_shared<const Binding>(Binding{{}, {node, scope.index, scope.index}, std::move(uses)});
@@ -117,6 +115,11 @@ std::optional<Source> Resolver::reference(const std::string& text, const Scope& 
     return refuse(query,
                   fmt::format("'{}' is wired to itself through ports only, with no block in between", text));
   if (scope.inputs.contains(text)) return port(scope, text, std::move(query));
+  std::string whole = text;
+  if (const ElementIndex index = take_element(whole); !index.is_whole())
+    return picked(reference(whole, scope, query), index, text, query);
+  if (const std::string_view port = scope.input_of(text); !port.empty())
+    return field_of_port(scope, std::string(port), text.substr(port.size() + 1), std::move(query));
   // In a flattened file what is hidden elsewhere stands beside what it guards: ctrl, ctrl.active.
   const std::string_view name = scope.names.contains(text) ? std::string_view(text) : scope.start_of(text);
   if (name.empty()) return refuse(query, no_block(text, scope));
@@ -125,6 +128,7 @@ std::optional<Source> Resolver::reference(const std::string& text, const Scope& 
   const std::string rest = name.size() == text.size() ? "" : text.substr(name.size() + 1);
   const auto of_named = [&]() -> std::optional<Source> {
     if (found->second.part) return of_part(rest, *found->second.part, std::move(query));
+    if (!found->second.bus.empty()) return of_bus(found->second.bus, scope, rest, std::move(query));
     return of_block(rest, found->second.block, query);
   };
   const auto guarded = scope.guarded.find(name);
@@ -136,6 +140,7 @@ std::optional<Source> Resolver::reference(const std::string& text, const Scope& 
 }
 
 std::string Resolver::output_of(const std::string& rest, const Scope::Named& named) const {
+  if (!named.bus.empty()) return "";
   std::vector<std::string> outputs;
   if (named.part)
     for (const auto& [name, out] : named.part->outputs) outputs.push_back(name);
@@ -150,6 +155,17 @@ std::optional<Source> Resolver::output_source(int block, const Query& query) {
   source.block = block;
   source.output = 0;
   source.origin = query.wire;
+  return source;
+}
+
+std::optional<Source> Resolver::picked(std::optional<Source> source, const ElementIndex& element,
+                                       const std::string& text, const Query& query) const {
+  if (!source) return std::nullopt;
+  // An element is a signal of one element, whose first it is.
+  const bool is_single = source->block >= 0 && !source->element.is_whole();
+  if (is_single && element != ElementIndex{1, 0})
+    return refuse(query, fmt::format("there is no '{}'; it is an element of one element", text));
+  if (!is_single) source->element = element;
   return source;
 }
 
@@ -190,7 +206,7 @@ std::optional<Source> Resolver::of_block(const std::string& rest, int block, con
   source.output = type.output(rest);
   if (source.output >= 0) return source;
   const int state = type.state(rest);
-  if (state < 0) return refuse(query, no_such_output(found, rest, query.look_inside));
+  if (state < 0) return refuse(query, no_such_output(found, rest));
   if (!query.look_inside)
     return refuse(query,
                   fmt::format("'{}' is a state inside of {}, not an output; it can be recorded but not wired",
@@ -211,6 +227,12 @@ std::optional<Source> Resolver::of_part(const std::string& rest, const Scope& pa
     query.subject = part.prefix + out->first;
     return reference(out->second.signal->text, part, std::move(query));
   }
+  for (const auto& [name, port] : part.outputs)
+    if (rest.starts_with(name + ".") && port.signal) {
+      query.origin = part.at(port.signal->mark);
+      query.subject = part.prefix + name;
+      return field(*port.signal, part, rest.substr(name.size() + 1), std::move(query));
+    }
   const bool inside = query.look_inside && (!part.start_of(rest).empty() || part.inputs.contains(rest));
   if (inside) return reference(rest, part, std::move(query));
   if (names.empty())

@@ -7,6 +7,7 @@
 
 #include "engine/model/diagram/guard_types.hpp"
 #include "engine/model/plan/configuring.hpp"
+#include "engine/model/plan/element_slot.hpp"
 #include "engine/model/plan/member_items.hpp"
 
 namespace stepwire::plan {
@@ -114,10 +115,12 @@ class Changing {
     const diagram::Source& known = block_of(value.target).inputs[input][element];
     const auto& numbers = std::get<Eigen::VectorXd>(value.value.value.content);
     const std::string& name = block_of(value.target).type().inputs[input].name;
-    if (numbers.size() != known.constant.size())
-      refuse_structure(block, name, "the value has another number of elements");
     check_unit(value, known.dimension, name);
-    change_.constants.emplace_back(plan_.blocks[block].inputs[input][element], numbers);
+    if (numbers.size() != known.constant.size() || value.value.columns != known.columns)
+      return refuse_structure(block, name, "the value has another number of elements");
+    const SignalSlot meant = constant_slot(known);
+    change_.constants.emplace_back(plan_.blocks[block].inputs[input][element],
+                                   numbers.segment(static_cast<Eigen::Index>(meant.offset), meant.size));
   }
 
   void rebuild(std::size_t block, AnyBlock written) {
@@ -164,6 +167,8 @@ class Changing {
       else if (was_spread || own != size)
         refuse_structure(block, spec.name, "the value has another number of elements");
     }
+    for (std::size_t s = 0; s < known.type().sizes.size(); ++s)
+      known.type().sizes[s].set(made.get(), plan_.blocks[block].sizes[s]);
   }
 
   const Plan& plan_;

@@ -35,6 +35,7 @@ struct Draft {
     bool for_crossings = false;  ///< do crossings depend on its outputs between ticks?
     bool at_events = false;      ///< does it act where an event is located?
     std::vector<Eigen::Index> output_sizes, state_sizes, input_sizes;
+    std::vector<Eigen::Index> output_columns, state_columns;  ///< of matrices; 1 of vectors
   };
 
   explicit Draft(Plan& plan) : plan(plan), report(plan.diagram), blocks(plan.diagram.blocks.size()) {}

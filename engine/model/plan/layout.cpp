@@ -2,6 +2,7 @@
 #include <set>
 
 #include "engine/model/plan/draft.hpp"
+#include "engine/model/plan/element_slot.hpp"
 #include "engine/model/plan/guards.hpp"
 
 namespace stepwire::plan {
@@ -80,7 +81,7 @@ class LayoutMaker {
     const auto state = static_cast<std::size_t>(type.state(state_name));
     const diagram::Source& source =
         draft_.diagram().blocks[b].inputs[static_cast<std::size_t>(type.input(input_name))].front();
-    if (source.block < 0) return;
+    if (source.block < 0 || !source.element.is_whole()) return;
     const auto from = static_cast<std::size_t>(source.block),
                output = static_cast<std::size_t>(source.output);
     const Draft::Block& feeding = draft_.blocks[from];
@@ -91,8 +92,8 @@ class LayoutMaker {
     plan_.blocks[b].slope_is_input = slopes_.try_emplace({from, output}, std::pair{b, state}).second;
   }
 
-  SignalSlot take(Eigen::Index size) {
-    const SignalSlot slot{end_, size};
+  SignalSlot take(Eigen::Index size, Eigen::Index columns = 1) {
+    const SignalSlot slot{end_, size, columns};
     end_ += static_cast<std::size_t>(size);
     return slot;
   }
@@ -104,14 +105,14 @@ class LayoutMaker {
     block.derivatives.resize(draft_.type(b).states.size());
     for (std::size_t o = 0; o < block.outputs.size(); ++o)
       if (!draft_.is_state(b, o) && !slopes_.contains({b, o}))
-        block.outputs[o] = take(draft_.blocks[b].output_sizes[o]);
+        block.outputs[o] = take(draft_.blocks[b].output_sizes[o], draft_.blocks[b].output_columns[o]);
   }
 
   void place_states(std::size_t b, bool continuous) {
     const BlockType& type = draft_.type(b);
     for (std::size_t s = 0; s < type.states.size(); ++s)
       if (type.states[s].continuous == continuous)
-        plan_.blocks[b].states[s] = take(draft_.blocks[b].state_sizes[s]);
+        plan_.blocks[b].states[s] = take(draft_.blocks[b].state_sizes[s], draft_.blocks[b].state_columns[s]);
     if (!continuous) return;
     for (std::size_t o = 0; o < type.outputs.size(); ++o)
       if (draft_.is_state(b, o))
@@ -124,7 +125,7 @@ class LayoutMaker {
     for (std::size_t s = 0; s < block.states.size(); ++s)
       if (draft_.type(b).states[s].continuous)
         block.derivatives[s] = {plan_.layout.derivatives + (block.states[s].offset - plan_.layout.states),
-                                block.states[s].size};
+                                block.states[s].size, block.states[s].columns};
   }
 
   void place_inputs(std::size_t b) {
@@ -157,12 +158,15 @@ class LayoutMaker {
 
   SignalSlot slot_of(std::size_t b, std::size_t input, const diagram::Source& source) {
     if (source.block >= 0)
-      return plan_.blocks[static_cast<std::size_t>(source.block)]
-          .outputs[static_cast<std::size_t>(source.output)];
+      return element_slot(plan_.blocks[static_cast<std::size_t>(source.block)]
+                              .outputs[static_cast<std::size_t>(source.output)],
+                          source.element);
+    const SignalSlot meant = constant_slot(source);
     const bool list = draft_.type(b).inputs[input].list;
-    const Eigen::Index size = list ? source.constant.size() : draft_.blocks[b].input_sizes[input];
+    const Eigen::Index size = list ? meant.size : draft_.blocks[b].input_sizes[input];
     for (Eigen::Index k = 0; k < size; ++k)
-      plan_.constants.push_back(source.constant[source.constant.size() == 1 ? 0 : k]);
+      plan_.constants.push_back(
+          source.constant[static_cast<Eigen::Index>(meant.offset) + (meant.size == 1 ? 0 : k)]);
     return take(size);
   }
 

@@ -3,14 +3,16 @@
 #include "engine/model/diagram/output_names.hpp"
 #include "engine/model/diagram/units.hpp"
 #include "engine/model/plan/draft.hpp"
+#include "engine/model/plan/element_slot.hpp"
 #include "engine/model/plan/guards.hpp"
 
 namespace stepwire::plan {
 
 SignalSlot Plan::slot(const diagram::SignalRef& signal) const {
   const PlannedBlock& block = blocks[static_cast<std::size_t>(signal.block)];
-  return signal.output >= 0 ? block.outputs[static_cast<std::size_t>(signal.output)]
-                            : block.states[static_cast<std::size_t>(signal.state)];
+  return element_slot(signal.output >= 0 ? block.outputs[static_cast<std::size_t>(signal.output)]
+                                         : block.states[static_cast<std::size_t>(signal.state)],
+                      signal.element);
 }
 
 std::optional<unit::Dimension> Plan::dimension(const diagram::SignalRef& signal) const {

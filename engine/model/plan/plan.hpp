@@ -158,8 +158,8 @@ struct Plan {
   SignalSlot slot(const diagram::SignalRef& signal) const;
   std::optional<unit::Dimension> dimension(const diagram::SignalRef& signal) const;
   /// Where what a stop condition reads lies in the workspace.
-  std::size_t offset(const diagram::StopCondition::Variable& variable) const {
-    return variable.signal.block < 0 ? Layout::time : slot(variable.signal).offset + variable.offset();
+  std::size_t offset(const diagram::SignalRef& variable) const {
+    return variable.block < 0 ? Layout::time : slot(variable).offset;
   }
   double time_of(std::int64_t tick) const { return static_cast<double>(tick) * diagram.step; }
 };

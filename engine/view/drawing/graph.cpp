@@ -83,7 +83,7 @@ class GraphWriter {
       const auto index = static_cast<std::size_t>(output);
       const std::string& name = hierarchy.outputs[index];
       own_outputs.push(port(name, name));
-      wires.push(wire(hierarchy, {hierarchy.output_sources[index], {}}, end("", name)));
+      wires.push(wire(hierarchy, hierarchy.output_feeds[index], end("", name)));
     }
     return Json::object()
         .set("inputs", std::move(own_inputs))
@@ -127,6 +127,8 @@ class GraphWriter {
     node.set("name", other == options_.names.end() ? child.name : other->second);
     if (child.part)
       add_part(node, hierarchy, child, id, shown, depth);
+    else if (child.is_bus())
+      node.set("type", "bus").set("outline", "bar").set("lines", Json::list());
     else
       add_block(node, child);
     Json inputs = inputs_of(hierarchy, child, depth), outputs = outputs_of(hierarchy, index, id, shown);
@@ -139,7 +141,8 @@ class GraphWriter {
     const BlockReference& child = hierarchy.children[index];
     std::vector<std::string> names;
     for (const int output : shown) names.push_back(child.outputs[static_cast<std::size_t>(output)]);
-    const bool labelled = child.part || are_telling(names, block_of(child).type().outputs.size());
+    const bool labelled =
+        child.part || (child.block >= 0 && are_telling(names, block_of(child).type().outputs.size()));
     Json outputs = Json::list();
     for (const int output : shown) {
       const std::string& name = child.outputs[static_cast<std::size_t>(output)];
@@ -164,9 +167,10 @@ class GraphWriter {
     std::vector<std::string> names;
     for (const ReferenceInput& input : child.inputs)
       if (!input.is_condition) names.push_back(input.name);
-    const bool labelled = child.part || are_telling(names, block_of(child).type().inputs.size());
-    const std::string signs = child.part ? "" : signs_of(block_of(child));
-    const bool has_signs = !child.part && !block_of(child).type().symbol.signs.empty();
+    const bool is_block = child.block >= 0;
+    const bool labelled = !is_block || are_telling(names, block_of(child).type().inputs.size());
+    const std::string signs = is_block ? signs_of(block_of(child)) : "";
+    const bool has_signs = is_block && !block_of(child).type().symbol.signs.empty();
     Json inputs = Json::list();
     for (const auto& [input, i] : selection_.feeds(hierarchy, child, depth)) {
       Json drawn = port(input_name(*input, i), (input->is_condition ? i == 0 : labelled) ? input->name : "");
@@ -233,7 +237,12 @@ class GraphWriter {
       wire.set("from", end(selection_.name_in(hierarchy, child.name), child.outputs[port]));
     }
     wire.set("to", std::move(to));
-    const std::string unit = options_.units ? unit_of(hierarchy, *feed.source) : "";
+    if (!feed.element.empty()) wire.set("element", feed.element);
+    if (feed.is_bus) return wire.set("bus", true);
+    const std::string unit =
+        options_.units && feed.element.find_first_not_of("0123456789.") == std::string::npos
+            ? unit_of(hierarchy, *feed.source)
+            : "";
     return unit.empty() ? wire : wire.set("unit", unit);
   }
 

@@ -141,7 +141,8 @@ function drawNets(wires) {
   return wires.map((wire) => {
     const drawn = nets.get(netOf(wire)) ?? [], lines = remainder(wire.points, drawn);
     nets.set(netOf(wire), [...drawn, ...lines.flatMap(segmentsOf)]);
-    return lines.slice(0, -1).map((points) => polyline(points)).join("") + drawWire(lines.at(-1));
+    const net = lines.slice(0, -1).map((points) => polyline(points)).join("") + drawWire(lines.at(-1));
+    return wire.bus ? group(`stroke-width="2.8"`, [net]) : net;
   });
 }
 
@@ -153,6 +154,14 @@ function drawWire(corners) {
   const {base, head} = arrowHead(tip, [dx, dy]);
   points[points.length - 1] = base;
   return polyline(points) + head;
+}
+
+/** Which element of a signal or field of a bus a wire brings, before its arrow. */
+function elementOf({element, points}) {
+  if (!element) return "";
+  const [tip, before] = [points.at(-1), points.at(-2)], dx = Math.sign(tip[0] - before[0]);
+  const [x, y] = dx ? [tip[0] - 9 * dx, tip[1] - 6] : [tip[0] + 4, tip[1] - 9 * Math.sign(tip[1] - before[1])];
+  return text(x, y, element, {size: sizes.unit, anchor: dx > 0 ? "end" : "start", fill: "#666"});
 }
 
 const line = `stroke="${ink}" stroke-width="1.2" stroke-linejoin="round"`;
@@ -170,7 +179,7 @@ export function piecesOf(picture) {
   const nets = drawNets(picture.wires);
   return {
     frames: picture.blocks.filter(isFrame).map((block) => ({block, svg: frame(block)})),
-    wires: picture.wires.map((wire, i) => ({wire, svg: group(`fill="none" ${line}`, [nets[i]])})),
+    wires: picture.wires.map((wire, i) => ({wire, svg: group(`fill="none" ${line}`, [nets[i]]) + elementOf(wire)})),
     forks: group(`fill="none" ${line}`, forks(picture.wires).map(dot)),
     blocks: picture.blocks.filter((block) => !isFrame(block)).map((block) => ({block, svg: whole(block)})),
   };
@@ -186,6 +195,7 @@ export function svgOf(picture, title = "") {
     group(`fill="#fff" ${line}`, blocks.map((block) => shapes[block.outline](block))),
     group(`fill="none" ${line}`, blocks.map(inside)),
     group(`fill="${ink}"`, [
+      ...picture.wires.map(elementOf),
       ...frames.map(frameName),
       ...frames.map(notes),
       ...blocks.map(textsOf),
