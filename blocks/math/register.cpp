@@ -2,26 +2,31 @@
 
 #include "blocks/math/abs.hpp"
 #include "blocks/math/atan2.hpp"
+#include "blocks/math/concatenate.hpp"
 #include "blocks/math/cross.hpp"
 #include "blocks/math/divide.hpp"
 #include "blocks/math/dot.hpp"
 #include "blocks/math/expression.hpp"
 #include "blocks/math/gain.hpp"
+#include "blocks/math/inverse.hpp"
 #include "blocks/math/inverse_polynomial.hpp"
 #include "blocks/math/lookup_table.hpp"
 #include "blocks/math/lookup_table_2d.hpp"
 #include "blocks/math/lookup_table_nd.hpp"
 #include "blocks/math/matrix_gain.hpp"
+#include "blocks/math/matrix_multiply.hpp"
 #include "blocks/math/min_max.hpp"
 #include "blocks/math/norm.hpp"
 #include "blocks/math/polynomial.hpp"
 #include "blocks/math/product.hpp"
 #include "blocks/math/quaternion_product.hpp"
+#include "blocks/math/reshape.hpp"
 #include "blocks/math/rotate.hpp"
 #include "blocks/math/rotate_3d.hpp"
 #include "blocks/math/sign.hpp"
 #include "blocks/math/sqrt.hpp"
 #include "blocks/math/sum.hpp"
+#include "blocks/math/transpose.hpp"
 #include "blocks/math/trig.hpp"
 
 namespace stepwire {
@@ -29,6 +34,13 @@ namespace stepwire {
 void register_math(Registry& registry) {
   registry.add<Gain>("math");
   registry.add<MatrixGain>("math");
+  registry.add<MatrixMultiply>("math");
+  registry.add<Transpose>("math");
+  registry.add<Inverse>("math");
+  registry.add<Concatenate>("math");
+  registry.add<Stack>("math");
+  registry.add<Reshape>("math");
+  registry.add<Slice>("math");
   registry.add<Sum>("math");
   registry.add<Product>("math");
   registry.add<Divide>("math");

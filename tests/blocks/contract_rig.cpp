@@ -48,7 +48,10 @@ const std::map<std::string, std::string> contract_values{
     {"MovingAverage.window", "5 ms"},
     {"GuidePath.trail", "2 mm"},
     {"ReOrigin.margin", "1 mm"},
+    {"Reshape.rows", "3"},
     {"Select.indices", "[2, 1]"},
+    {"Slice.rows", "[2, 1]"},
+    {"Slice.columns", "[1]"},
     {"Interval.lower", "-1"},
     {"Interval.upper", "0.5"},
     {"Proportionality.maximum", "5"},
@@ -126,8 +129,10 @@ const std::map<std::string, int> contract_sizes{{"Cross.u", 3},
                                                 {"LoadCell.force", 3},
                                                 {"LoadCell.torque", 3},
                                                 {"LoadCellToWrench.gauges", 6},
+                                                {"Reshape.u", 3},
                                                 {"Rotate.u", 2},
-                                                {"Select.u", 3}};
+                                                {"Select.u", 3},
+                                                {"Slice.u", 2}};
 
 /// Where what feeds an input starts, on its way to 1; else at a half and more.
 const std::map<std::string, double> contract_starts{{"Interlock.faults", -1.9}};

@@ -22,7 +22,7 @@ std::vector<bool> read_in(const Diagram& diagram) {
   for (const DiagramBus& bus : diagram.buses)
     for (const auto& [name, signal] : bus.fields) mark(signal.block);
   if (diagram.stop_when)
-    for (const auto& variable : diagram.stop_when->variables) mark(variable.signal.block);
+    for (const SignalRef& signal : diagram.stop_when->variables) mark(signal.block);
   return read;
 }
 

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+
+#include "engine/model/block/block.hpp"
+#include "engine/model/block/configure.hpp"
+
+namespace stepwire {
+
+/// The same numbers, column by column, as a matrix of another shape.
+struct Reshape {
+  std::int64_t rows = 1, columns = 1;
+  Input<> u{};
+  Output<> y{};
+
+  void configure(Configure& is) {
+    is.size("m", rows);
+    is.size("n", columns);
+    is.size("k", rows * columns);
+  }
+  void outputs() { y = u; }
+
+  static void declare(Declare<Reshape>& is);
+};
+
+/// Chosen rows and columns of a matrix.
+struct Slice {
+  Numbers rows{1.0}, columns{1.0};
+  Input<> u{};
+  Output<> y{};
+  Index height = 0;
+
+  void configure(Configure& is);
+  void outputs() {
+    for (Index column = 0; column < columns.size(); ++column)
+      for (Index row = 0; row < rows.size(); ++row)
+        y[column * rows.size() + row] =
+            u[(static_cast<Index>(columns[column]) - 1) * height + static_cast<Index>(rows[row]) - 1];
+  }
+
+  static void declare(Declare<Slice>& is);
+};
+
+}  // namespace stepwire
