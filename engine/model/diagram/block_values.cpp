@@ -47,6 +47,8 @@ std::optional<Eigen::VectorXd> as_vector(const Value& value) {
 std::optional<Value> as_matrix(const Value& value) {
   if (const double* number = std::get_if<double>(&value.content))
     return Value{Eigen::MatrixXd(Eigen::MatrixXd::Constant(1, 1, *number))};
+  if (const auto* vector = std::get_if<Eigen::VectorXd>(&value.content))
+    return Value{Eigen::MatrixXd(*vector)};
   if (std::holds_alternative<Eigen::MatrixXd>(value.content)) return value;
   return std::nullopt;
 }

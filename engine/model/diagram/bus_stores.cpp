@@ -71,8 +71,9 @@ class BusStores {
     Diagram& diagram = report_.diagram();
     const std::string name = block_of(block).name;
     if (guarded_.contains(block))
-      report_.add(block_of(block).origin, name,
-                  "is fed a bus, and has a condition of its own; put it into a part, and the condition there");
+      report_.add(
+          block_of(block).origin, name,
+          "is fed a bus, and has a condition of its own; put it into a part, and the condition there");
     std::vector<int> copies;
     for (const std::string& field : fields) {
       const int index = copies.empty() ? block : static_cast<int>(diagram.blocks.size());
@@ -142,7 +143,7 @@ class BusStores {
   std::deque<yaml::Node>& written_;
   Report& report_;
   std::map<int, Scope::Named*> names_;
-  std::set<int> guarded_;  ///< blocks with a condition of their own
+  std::set<int> guarded_;                           ///< blocks with a condition of their own
   std::map<int, std::vector<std::string>> fields_;  ///< of blocks that are looked at, or were
 };
 

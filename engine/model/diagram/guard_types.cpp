@@ -9,6 +9,7 @@
 #include "engine/model/diagram/condition.hpp"
 #include "engine/model/diagram/guard.hpp"
 #include "engine/model/diagram/guarded_output.hpp"
+#include "engine/model/diagram/parameter_value.hpp"
 
 namespace stepwire::diagram {
 
@@ -81,6 +82,12 @@ void GuardedOutput::declare(Declare<GuardedOutput>& is) {
   is.output<&GuardedOutput::y>({.unit = "'u", .doc = "what others read"});
 }
 
+void ParameterValue::declare(Declare<ParameterValue>& is) {
+  is.block("ParameterValue", {.doc = "A parameter that is recorded."});
+  is.parameter<&ParameterValue::value>({.unit = "'u", .doc = "its value"});
+  is.output<&ParameterValue::y>({.unit = "'u", .doc = "the same"});
+}
+
 const BlockType& guard_type() {
   static const BlockType type = declared<Guard>("engine/model/diagram/guard.hpp");
   return type;
@@ -96,8 +103,14 @@ const BlockType& guarded_output_type() {
   return type;
 }
 
+const BlockType& parameter_value_type() {
+  static const BlockType type = declared<ParameterValue>("engine/model/diagram/parameter_value.hpp");
+  return type;
+}
+
 const BlockType* find_guard_type(std::string_view name) {
-  for (const BlockType* type : {&guard_type(), &condition_type(), &guarded_output_type()})
+  for (const BlockType* type :
+       {&guard_type(), &condition_type(), &guarded_output_type(), &parameter_value_type()})
     if (type->name == name) return type;
   return nullptr;
 }

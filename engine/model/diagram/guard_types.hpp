@@ -12,6 +12,8 @@ namespace stepwire::diagram {
 const BlockType& guard_type();
 const BlockType& condition_type();
 const BlockType& guarded_output_type();
+/// Of what records a parameter.
+const BlockType& parameter_value_type();
 
 /// One of them by its name; null if there is none.
 const BlockType* find_guard_type(std::string_view name);

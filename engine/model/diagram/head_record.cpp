@@ -12,6 +12,7 @@
 #include "engine/model/diagram/keys.hpp"
 #include "engine/model/diagram/named_parameters.hpp"
 #include "engine/model/diagram/output_names.hpp"
+#include "engine/model/diagram/record_parameter.hpp"
 
 namespace stepwire::diagram {
 
@@ -19,7 +20,9 @@ namespace {
 
 /// The fields of a bus, or the signal of a name that is none.
 void record_named(const std::string& name, const yaml::Node& node, const Scope& scope,
-                  const Resolver& resolver, RecordRequest& request) {
+                  const Resolver& resolver, RecordRequest& request, Report& report) {
+  if (node.text.starts_with('$'))
+    return record_parameter(node, name.starts_with('$') ? name.substr(1) : name, scope, request, report);
   const Origin origin = scope.at(node.mark);
   const auto fields = resolver.fields(node, scope);
   for (const std::string& field : fields)
@@ -63,7 +66,7 @@ void read_named(const yaml::Node& map, const Scope& scope, const Resolver& resol
     } else if (!entry.value.is_scalar()) {
       report.add(origin, "record", "a name is given to one signal, as {position: rig.x}");
     } else {
-      record_named(entry.key, entry.value, scope, resolver, request);
+      record_named(entry.key, entry.value, scope, resolver, request, report);
     }
   }
 }
@@ -74,7 +77,7 @@ void read_signal(const yaml::Node& node, const Scope& scope, const Resolver& res
   if (node.is_map()) return read_named(node, scope, resolver, request, report);
   if (!node.is_scalar()) return report.add(origin, "record", "names signals, as [rig.x, limit]");
   if (node.text == "all") return record_all(scope, "", origin, request, report.diagram());
-  record_named(node.text, node, scope, resolver, request);
+  record_named(node.text, node, scope, resolver, request, report);
 }
 
 /// Signals of the same period belong to one recording.
