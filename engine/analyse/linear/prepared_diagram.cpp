@@ -133,6 +133,7 @@ PreparedDiagram prepare(diagram::Diagram diagram, const Request& request) {
   put_junctions(diagram, touched, prepared);
   diagram::Diagram stepped = diagram;
   if (!stepped.solver.empty()) stepped.solver = "euler";
+  stepped.events.locate = false;  // a step that is split leaves the derivatives of its last part
   prepared.plan = plan::make_plan(std::move(diagram));
   prepared.slopes = plan::make_plan(std::move(stepped));
   yaml::Faults faults;
