@@ -6,8 +6,6 @@
 #include <stdexcept>
 
 #include "engine/app/session/outcome.hpp"
-#include "engine/app/session/outcome.hpp"
-#include "engine/app/session/outcome.hpp"
 #include "engine/app/studio/live/recorded_so_far.hpp"
 #include "engine/base/table/table_file.hpp"
 #include "engine/view/plot/figure_spec.hpp"
