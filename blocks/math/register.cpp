@@ -23,6 +23,7 @@
 #include "blocks/math/reshape.hpp"
 #include "blocks/math/rotate.hpp"
 #include "blocks/math/rotate_3d.hpp"
+#include "blocks/math/rotation_matrix.hpp"
 #include "blocks/math/sign.hpp"
 #include "blocks/math/sqrt.hpp"
 #include "blocks/math/sum.hpp"
@@ -61,6 +62,7 @@ void register_math(Registry& registry) {
   registry.add<LookupTable2D>("math");
   registry.add<LookupTableND>("math");
   registry.add<Rotate3D>("math");
+  registry.add<RotationMatrix>("math");
   registry.add<QuaternionProduct>("math");
 }
 

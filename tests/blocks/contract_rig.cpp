@@ -111,7 +111,7 @@ const std::map<std::string, int> contract_sizes{{"Cross.u", 3},
                                                 {"QuaternionIntegrator.value", 4},
                                                 {"QuaternionProduct.left", 4},
                                                 {"QuaternionProduct.right", 4},
-                                                {"Rotate3D.angles", 3},
+                                                {"Rotate3D.angles", "RotationMatrix.angles", 3},
                                                 {"Rotate3D.axis", 3},
                                                 {"Rotate3D.quaternion", 4},
                                                 {"Rotate3D.u", 3},
@@ -131,6 +131,9 @@ const std::map<std::string, int> contract_sizes{{"Cross.u", 3},
                                                 {"LoadCellToWrench.gauges", 6},
                                                 {"Reshape.u", 3},
                                                 {"Rotate.u", 2},
+                                                {"RotationMatrix.angles", 3},
+                                                {"RotationMatrix.axis", 3},
+                                                {"RotationMatrix.quaternion", 4},
                                                 {"Select.u", 3},
                                                 {"Slice.u", 2}};
 
@@ -139,7 +142,7 @@ const std::map<std::string, double> contract_starts{{"Interlock.faults", -1.9}};
 
 /// Optional inputs that the values above need.
 const std::set<std::string> contract_inputs{"Directionality.force", "LayerActivator.regions",
-                                            "Rotate3D.angles", "StateMachine.u"};
+                                            "Rotate3D.angles", "RotationMatrix.angles", "StateMachine.u"};
 
 std::string value_given(const BlockType& type, const ParameterSpec& spec) {
   const std::string name = type.name + "." + spec.name;

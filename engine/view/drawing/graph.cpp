@@ -132,7 +132,7 @@ class GraphWriter {
     else
       add_block(node, child);
     Json inputs = inputs_of(hierarchy, child, depth), outputs = outputs_of(hierarchy, index, id, shown);
-    if (!child.part && selection_.is_open(id, depth)) add_chart(node, child, id, inputs, outputs);
+    if (child.block >= 0 && selection_.is_open(id, depth)) add_chart(node, child, id, inputs, outputs);
     return node.set("inputs", std::move(inputs)).set("outputs", std::move(outputs));
   }
 
@@ -148,18 +148,19 @@ class GraphWriter {
       const std::string& name = child.outputs[static_cast<std::size_t>(output)];
       Json drawn = port(name, labelled ? name : "");
       if (selection_.is_recorded(hierarchy, {static_cast<int>(index), output})) drawn.set("recorded", true);
-      if (const std::string* label = label_of(id, name, child.outputs.size())) drawn.set("mark", *label);
+      if (const std::string* label = label_of(id, name, output == 0 && child.own_outputs == 1))
+        drawn.set("mark", *label);
       signals_.push_back(id + "." + name);
-      if (child.outputs.size() == 1) signals_.push_back(id);
+      if (output == 0 && child.own_outputs == 1) signals_.push_back(id);
       outputs.push(std::move(drawn));
     }
     return outputs;
   }
 
-  /// The text on the wire of a block's output, which has the block's name where it is the only one; or null.
-  const std::string* label_of(const std::string& id, const std::string& output, std::size_t outputs) const {
+  /// The text on the wire of a block's output, which may have the block's name `alone`; or null.
+  const std::string* label_of(const std::string& id, const std::string& output, bool alone) const {
     auto found = options_.labels.find(id + "." + output);
-    if (found == options_.labels.end() && outputs == 1) found = options_.labels.find(id);
+    if (found == options_.labels.end() && alone) found = options_.labels.find(id);
     return found == options_.labels.end() ? nullptr : &found->second;
   }
 

@@ -7,6 +7,7 @@
 #include "engine/model/diagram/element_index.hpp"
 #include "engine/model/diagram/guard_keys.hpp"
 #include "engine/model/diagram/guard_types.hpp"
+#include "engine/model/diagram/output_names.hpp"
 #include "engine/model/diagram/resolve.hpp"
 #include "engine/view/drawing/symbol_text.hpp"
 
@@ -59,12 +60,14 @@ class OutlineReader {
     if (const auto scope = scopes_.find(prefix + entry.key + "."); scope != scopes_.end()) {
       child.part = read(scope->second);
       child.outputs = child.part->outputs;
+      child.own_outputs = child.outputs.size();
     } else if (!entry.value.find("block")) {
       child.outputs = {"bus"};
       return child;
     } else {
       child.block = blocks_.at(prefix + entry.key);
       for (const OutputSpec& output : type_of(child).outputs) child.outputs.push_back(output.name);
+      child.own_outputs = diagram::has_one_output(type_of(child)) ? 1 : child.outputs.size();
     }
     const auto guard = blocks_.find(prefix + entry.key + ".active");
     const bool is_guard =

@@ -40,6 +40,7 @@ struct BlockReference {
   const yaml::Node* written = nullptr;  ///< its keys
   std::vector<ReferenceInput> inputs;   ///< those that are fed, in the order of the declaration
   std::vector<std::string> outputs;
+  std::size_t own_outputs = 1;  ///< the first of them, which are drawn though they lead nowhere
   int guard = -1;  ///< the block in Diagram::blocks by which it is active, the last of its outputs; -1: none
 
   /// Is this output not one of its own?

@@ -111,3 +111,20 @@ TEST_CASE("A table of three dimensions is linear along each, and goes on or hold
     if (row[0] == -1.0) CHECK(column(table, "h")[0] == Approx(13.463535756926344).epsilon(1e-13));
   }
 }
+
+TEST_CASE("A rotation matrix turns as Rotate3D does") {
+  const table::Table table = run_text(R"(
+step: 10 ms
+stop: 10 ms
+solver: euler
+blocks:
+  v: {block: Constant, value: [1, -2, 0.5]}
+  angles: {block: Constant, value: {value: [0.3, -0.7, 1.1], unit: rad}}
+  r: {block: RotationMatrix, angles: angles, order: xyz}
+  y: {block: MatrixMultiply, a: r, b: v}
+record: [y]
+)");
+  CHECK(table.columns[1].values[0] == Approx(1.388086579222899).epsilon(1e-14));
+  CHECK(table.columns[2].values[0] == Approx(-0.5539743797697536).epsilon(1e-14));
+  CHECK(table.columns[3].values[0] == Approx(1.7367579091917178).epsilon(1e-14));
+}
