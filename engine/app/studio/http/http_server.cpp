@@ -5,6 +5,7 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
@@ -69,6 +70,7 @@ class Server : public HttpServer {
   class Page;
 
   void accept(tcp::acceptor& acceptor);
+  void accept_later(tcp::acceptor& acceptor);
   void take(tcp::socket socket);
   void send(int page, bool text, std::string message);
 
@@ -259,8 +261,18 @@ Server::Server(Site& site, std::uint16_t port, const Limits& limits) : site_(sit
 
 void Server::accept(tcp::acceptor& acceptor) {
   acceptor.async_accept([this, &acceptor](error_code error, tcp::socket socket) {
-    if (!error) take(std::move(socket));
-    if (error != asio::error::operation_aborted) accept(acceptor);
+    if (error == asio::error::operation_aborted) return;
+    if (error) return accept_later(acceptor);
+    take(std::move(socket));
+    accept(acceptor);
+  });
+}
+
+/// Where there is no descriptor left, whoever waits goes on waiting, and would be met again at once.
+void Server::accept_later(tcp::acceptor& acceptor) {
+  const auto pause = std::make_shared<asio::steady_timer>(context_, std::chrono::milliseconds(100));
+  pause->async_wait([this, &acceptor, pause](error_code error) {
+    if (!error) accept(acceptor);
   });
 }
 

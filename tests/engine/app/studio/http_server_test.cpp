@@ -3,9 +3,13 @@
 #include <arpa/inet.h>
 #include <ifaddrs.h>
 #include <netinet/in.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
+#include <unistd.h>
 
 #include <catch2/catch.hpp>
+#include <ctime>
+#include <thread>
 
 #include "engine/app/studio/http/loopback.hpp"
 #include "tests/engine/app/studio/echo_site.hpp"
@@ -128,6 +132,25 @@ TEST_CASE("what is no HTTP gets nothing") {
     const std::string answer = client.receive_all();
     CHECK((answer.empty() || is_refused(answer)));
   }
+}
+
+TEST_CASE("where no descriptor is left a server waits for one, and does not go round") {
+  const Served served;
+  rlimit before{};
+  ::getrlimit(RLIMIT_NOFILE, &before);
+  const int lowest = ::dup(0);
+  ::close(lowest);
+  rlimit tight = before;
+  tight.rlim_cur = static_cast<rlim_t>(lowest) + 1;
+  ::setrlimit(RLIMIT_NOFILE, &tight);
+  RawClient client(served.key().port);  // takes the last one
+  const std::clock_t start = std::clock();
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  const double spent = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  ::setrlimit(RLIMIT_NOFILE, &before);
+  CHECK(spent < 0.1);
+  client.send(served.head("/").text());
+  CHECK_THAT(client.receive_until("\r\n"), Contains("200 OK"));
 }
 
 }  // namespace stepwire::http
