@@ -11,9 +11,11 @@ std::vector<bool> read_in(const Diagram& diagram) {
   const auto mark = [&](int block) {
     if (block >= 0) read[static_cast<std::size_t>(block)] = true;
   };
-  for (const DiagramBlock& block : diagram.blocks)
+  for (const DiagramBlock& block : diagram.blocks) {
+    mark(block.guard);
     for (const auto& sources : block.inputs)
       for (const Source& source : sources) mark(source.block);
+  }
   for (const RecordRequest& request : diagram.records)
     for (const RecordedSignal& signal : request.signals) mark(signal.signal.block);
   for (const DiagramOutput& output : diagram.outputs) mark(output.signal.block);
