@@ -1,4 +1,5 @@
-// The hub of a loop: what it does of its own accord, again and again.
+// More than 300 lines with its header: what the hub does of its own accord shares its loop, rows and inputs with
+// what others have it do.
 #include "engine/app/studio/live/loop_thread.hpp"
 
 #include <algorithm>

@@ -74,7 +74,8 @@ TEST_CASE("an answer has at most four values of a signal for a pixel, and all sa
   SampleStore store(1e-3, small);
   store.add(0);
   fill(store, 0, 100'000);
-  for (const std::int64_t width : {10L, 199L, 200L, 201L, 299L, 1'000L, 6'400L, 12'799L, 30'000L, 77'000L, 100'000L}) {
+  for (const std::int64_t width :
+       {10L, 199L, 200L, 201L, 299L, 1'000L, 6'400L, 12'799L, 30'000L, 77'000L, 100'000L}) {
     const SampleRows rows = store.look({{0}, 0, width, 100});
     const std::size_t values = rows.ticks.size() * (rows.extremes ? 2 : 1);
     INFO(width);
