@@ -33,13 +33,32 @@ std::string unit_of_number(const plan::Plan& plan, const diagram::SignalRef& sig
   return dimension ? unit::si_name(*dimension) : "";
 }
 
-void read_entry(const yaml::Entry& written, const plan::Plan& plan, bool wire,
+enum class Part { state, input, output };
+
+/// The name of a state as the point has it: by itself, or by the output that it is.
+void name_state(const plan::Plan& plan, const Signal& signal, TrimEntry& entry, yaml::Faults& faults) {
+  const diagram::DiagramBlock& block = plan.diagram.blocks[static_cast<std::size_t>(signal.signal.block)];
+  const std::string state = signal.signal.output < 0
+                                ? block.type().states[static_cast<std::size_t>(signal.signal.state)].name
+                                : block.type().outputs[static_cast<std::size_t>(signal.signal.output)].state;
+  if (state.empty())
+    return faults.add({entry.name.place,
+                       entry.name.subject,
+                       yaml::fault_text("'{}' is no state; it stands under 'outputs'", signal.name),
+                       {}});
+  entry.name.name = block.name + "." + state;
+  if (signal.element && plan.slot(signal.signal).size > 1)
+    entry.name.name += fmt::format(".{}", *signal.element + 1);
+}
+
+void read_entry(const yaml::Entry& written, const plan::Plan& plan, Part part,
                 const query::NamesReading& read, std::vector<TrimEntry>& entries) {
   TrimEntry entry;
   entry.name = {written.key, {read.names.file, written.mark}, read.subject};
-  const auto signal = wire ? find_wire(plan.diagram, entry.name, read.faults)
-                           : find_signal(plan.diagram, entry.name, read.faults);
+  const auto signal = part == Part::input ? find_wire(plan.diagram, entry.name, read.faults)
+                                          : find_signal(plan.diagram, entry.name, read.faults);
   if (!signal) return;
+  if (part == Part::state) name_state(plan, *signal, entry, read.faults);
   const query::NamesReading inner = yaml::below(read, written.key);
   const EntryTable table = entry_table(unit_of_number(plan, signal->signal));
   if (written.value.is_map())
@@ -62,14 +81,14 @@ struct TrimReading : query::NamesReading {
       : query::NamesReading("trim", names, faults), plan(plan) {}
 };
 
-yaml::KeyRow<TrimRequest, TrimReading> entries_row(std::string name, std::string doc, bool wire,
+yaml::KeyRow<TrimRequest, TrimReading> entries_row(std::string name, std::string doc, Part part,
                                                    std::vector<TrimEntry> TrimRequest::*member) {
   return {std::move(name), std::move(doc),
           yaml::like("{cart.position: {fixed: 0 m}}", entries_form(yaml::Key::Names::signal)),
           [=](TrimRequest& request, const yaml::Node& node, const TrimReading& read) {
             if (!node.is_map()) return read.fault(node.mark, "is a map: {cart.position: 0 m}");
             for (const yaml::Entry& entry : node.entries)
-              read_entry(entry, read.plan, wire, read, request.*member);
+              read_entry(entry, read.plan, part, read, request.*member);
           }};
 }
 
@@ -80,12 +99,12 @@ const yaml::KeyTable<TrimRequest, TrimReading>& trim_table() {
            "states",
            "a number that a state has, `free`, or where it is looked for; those that are not named are "
            "free",
-           false, &TrimRequest::states),
+           Part::state, &TrimRequest::states),
        entries_row("inputs",
                    "the same of inputs of the diagram and of constants; those that are not named are as the "
                    "file has them",
-                   true, &TrimRequest::inputs),
-       entries_row("outputs", "the same of any signal, by which the point is looked for", false,
+                   Part::input, &TrimRequest::inputs),
+       entries_row("outputs", "the same of any signal, by which the point is looked for", Part::output,
                    &TrimRequest::outputs),
        {"at", "the time for which sources count", form::computed("s"), &TrimRequest::time}});
   return table;

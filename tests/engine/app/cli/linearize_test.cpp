@@ -72,7 +72,7 @@ TEST_CASE("linearize refuses names, times and files without ports with what woul
 
 TEST_CASE("trim finds a point, whose file puts a run there, and linearize takes it") {
   const Scratch folder;
-  folder.file("a.yaml", pendulum_yaml + "trim: {states: {angle.x: 0.5}, inputs: {torque: free}}\n"
+  folder.file("a.yaml", pendulum_yaml + "trim: {states: {angle: 0.5}, inputs: {torque: free}}\n"
                                         "claims: [{that: it stands still, spread: angle, at_most: 1e-9}]\n");
   const Done done = run_program(folder, {"trim", "a.yaml", "--out", "out"});
   INFO(done.err << done.out);
