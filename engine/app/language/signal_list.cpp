@@ -45,6 +45,20 @@ std::optional<unit::Dimension> declared_unit(const yaml::Node& port) {
   return parsed ? std::optional(parsed->dimension) : std::nullopt;
 }
 
+/// Buses of the file, and their fields; of those in parts where these are looked into.
+void add_buses(const Analysis& analysis, bool inside, std::vector<KnownSignal>& signals) {
+  const diagram::Diagram& diagram = analysis.draft->diagram;
+  for (const diagram::DiagramBus& bus : diagram.buses) {
+    const auto name = local(bus.name, analysis.prefix);
+    if (!name || (!inside && name->find('.') != std::string::npos)) continue;
+    signals.push_back({*name, std::nullopt, "bus"});
+    for (const auto& [field, signal] : bus.fields)
+      if (std::ranges::none_of(signals,
+                               [&](const KnownSignal& known) { return known.name == *name + "." + field; }))
+        signals.push_back({*name + "." + field, unit_of(diagram, signal), "field of a bus"});
+  }
+}
+
 /// Outputs of the parts of the file itself.
 void add_parts(const Analysis& analysis, DiagramFiles& files, const std::string& file,
                std::vector<KnownSignal>& signals) {
@@ -89,6 +103,7 @@ std::vector<KnownSignal> signals_of(const Analysis& analysis, DiagramFiles& file
   }
   add_parts(analysis, files, file, signals);
   add_inputs(files, file, signals);
+  add_buses(analysis, inside, signals);
   return signals;
 }
 

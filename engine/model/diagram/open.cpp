@@ -76,7 +76,7 @@ void Opener::open_block(Scope& scope, const yaml::Entry& entry) {
     return fail(
         scope, entry, entry.mark,
         "is no name for a block; use letters, digits and '_' ('time' and 'all' have a meaning of their own)");
-  const yaml::Node* kind = map.find("block");
+  const yaml::Node *kind = map.find("block"), *part = map.find("diagram");
   const bool is_hidden = kind && find_guard_type(kind->text);  // in a flattened file beside what it guards
   if (const std::string rival = scope.rival_of(entry.key);
       !rival.empty() && !is_hidden && !hidden(scope, rival))
@@ -86,7 +86,6 @@ void Opener::open_block(Scope& scope, const yaml::Entry& entry) {
     return fail(scope, entry, map.mark, "must be a map such as {block: Gain, gain: 2, u: source}");
   if (scope.inputs.contains(entry.key))
     return fail(scope, entry, entry.mark, "is also the name of an input of this part; choose another");
-  const yaml::Node* part = map.find("diagram");
   if (map.find("fields") && !kind && !part) return make_bus(scope, entry);
   if (part && !kind) return open_part(scope, entry, *part);
   if (!kind || part)
@@ -94,8 +93,8 @@ void Opener::open_block(Scope& scope, const yaml::Entry& entry) {
                 "needs either 'block:' (a type), 'diagram:' (a file) or 'fields:' (of a bus)");
   if (!kind->is_scalar()) return fail(scope, entry, kind->mark, "'block:' names one type, as Gain");
   const BlockType* type = loader_.registry().find(kind->text);
-  if (!type) type = find_guard_type(kind->text);
-  if (!type) return fail(scope, entry, kind->mark, no_block_type(kind->text, loader_.registry()));
+  if (!type && !(type = find_guard_type(kind->text)))
+    return fail(scope, entry, kind->mark, no_block_type(kind->text, loader_.registry()));
   make_block(scope, entry, *type);
 }
 

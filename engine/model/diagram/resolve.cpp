@@ -49,6 +49,21 @@ yaml::Message no_such_output(const DiagramBlock& block, const std::string& name)
          yaml::did_you_mean(name, names, fmt::format("It has: {}", fmt::join(names, ", ")));
 }
 
+yaml::Message no_output_of_part(const std::string& part, const std::string& rest,
+                                const std::vector<std::string>& names) {
+  if (names.empty())
+    return fmt::format("'{}' is a part without outputs; its file names them under 'outputs:'", part);
+  if (rest.empty())
+    return fmt::format("'{}' has several outputs; say which: {}.{}", part, part,
+                       fmt::join(names, fmt::format(", {}.", part)));
+  return fmt::format("'{}' has no output '{}'", part, rest) +
+         yaml::did_you_mean(rest, names, fmt::format("It has: {}", fmt::join(names, ", ")));
+}
+
+std::string wired_to_itself(const std::string& text) {
+  return fmt::format("'{}' is wired to itself through ports only, with no block in between", text);
+}
+
 // A state is carried in a Source as an output number below -1.
 int encode_state(int state) {
   return -2 - state;
@@ -111,9 +126,7 @@ std::optional<Source> Resolver::element(const yaml::Node& node, const Scope& sco
 }
 
 std::optional<Source> Resolver::reference(const std::string& text, const Scope& scope, Query query) const {
-  if (++query.hops > max_hops)
-    return refuse(query,
-                  fmt::format("'{}' is wired to itself through ports only, with no block in between", text));
+  if (++query.hops > max_hops) return refuse(query, wired_to_itself(text));
   if (scope.inputs.contains(text)) return port(scope, text, std::move(query));
   std::string whole = text;
   if (const ElementIndex index = take_element(whole); !index.is_whole())
@@ -218,7 +231,6 @@ std::optional<Source> Resolver::of_block(const std::string& rest, int block, con
 std::optional<Source> Resolver::of_part(const std::string& rest, const Scope& part, Query query) const {
   std::vector<std::string> names;
   for (const auto& [name, out] : part.outputs) names.push_back(name);
-  const std::string part_name = part.prefix.substr(0, part.prefix.size() - 1);
   const auto out = rest.empty() && names.size() == 1 ? part.outputs.begin() : part.outputs.find(rest);
   if (out != part.outputs.end()) {
     if (!out->second.signal) return std::nullopt;
@@ -235,15 +247,7 @@ std::optional<Source> Resolver::of_part(const std::string& rest, const Scope& pa
     }
   const bool inside = query.look_inside && (!part.start_of(rest).empty() || part.inputs.contains(rest));
   if (inside) return reference(rest, part, std::move(query));
-  if (names.empty())
-    return refuse(query, fmt::format("'{}' is a part without outputs; its file names them under 'outputs:'",
-                                     part_name));
-  if (rest.empty())
-    return refuse(query, fmt::format("'{}' has several outputs; say which: {}.{}", part_name, part_name,
-                                     fmt::join(names, fmt::format(", {}.", part_name))));
-  return refuse(query,
-                fmt::format("'{}' has no output '{}'", part_name, rest) +
-                    yaml::did_you_mean(rest, names, fmt::format("It has: {}", fmt::join(names, ", "))));
+  return refuse(query, no_output_of_part(part.prefix.substr(0, part.prefix.size() - 1), rest, names));
 }
 
 }  // namespace stepwire::diagram

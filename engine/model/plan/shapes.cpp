@@ -3,22 +3,15 @@
 #include <algorithm>
 #include <set>
 
-#include "engine/model/diagram/element_index.hpp"
-#include "engine/model/diagram/output_names.hpp"
 #include "engine/model/plan/configuring.hpp"
 #include "engine/model/plan/element_slot.hpp"
 #include "engine/model/plan/infer_list_widths.hpp"
 #include "engine/model/plan/port_shape.hpp"
+#include "engine/model/plan/shape_checks.hpp"
 
 namespace stepwire::plan {
 
 namespace {
-
-/// a b, but no more than what is refused anyway.
-Eigen::Index bounded_product(Eigen::Index a, Eigen::Index b) {
-  const double product = static_cast<double>(a) * static_cast<double>(b);
-  return product > static_cast<double>(max_numbers) ? max_numbers + 1 : a * b;
-}
 
 /// Finds the size of every port and state: from declarations and parameters, along wires, then from lists.
 class Shapes {
@@ -31,11 +24,7 @@ class Shapes {
     for (const diagram::ShapeDemand& demand : draft_.diagram().shape_demands) demand_shape(demand);
     refused_ = infer_list_widths(draft_, sizes_);
     join_matrices();
-    for (std::size_t i = 0; i < draft_.blocks.size(); ++i) {
-      check_elements(i);
-      check_matrices(i);
-      refuse_small(i);
-    }
+    check_shapes(draft_, sizes_, refused_);
     for (std::size_t i = 0; i < draft_.blocks.size(); ++i) store(i);
   }
 
@@ -131,7 +120,7 @@ class Shapes {
     else
       draft_.report.add(source.origin, subject,
                         fmt::format("'{}' has {}, but {} takes {}; join or pick elements with Mux or Select",
-                                    name_of(source), shown, subject, fitting(wanted)));
+                                    source_name(draft_, source), shown, subject, fitting(wanted)));
   }
 
   void demand_shape(const diagram::ShapeDemand& demand) {
@@ -142,9 +131,10 @@ class Shapes {
     const int given = sizes_.of_source(demand.source);
     const std::string shown = sizes_.shown(given);
     if ((demand.columns > 1 && !sizes_.set_factors(size, rows, columns)) || !sizes_.join(given, size))
-      draft_.report.add(demand.origin, demand.port,
-                        fmt::format("'{}' has {}, but {} is declared as {}", name_of(demand.source), shown,
-                                    demand.port, shape_text(demand.rows * demand.columns, demand.columns)));
+      draft_.report.add(
+          demand.origin, demand.port,
+          fmt::format("'{}' has {}, but {} is declared as {}", source_name(draft_, demand.source), shown,
+                      demand.port, shape_text(demand.rows * demand.columns, demand.columns)));
   }
 
   /// "3", or "3 x 2" of a matrix
@@ -168,19 +158,12 @@ class Shapes {
       const int given = sizes_.of_source(source);
       const std::string shown = sizes_.shown(given);
       if (!sizes_.join(given, element))
-        draft_.report.add(
-            source.origin, subject_of(index, spec),
-            fmt::format("'{}' has {}, but {} would fit", name_of(source), shown, fitting(element)));
+        draft_.report.add(source.origin, subject_of(index, spec),
+                          fmt::format("'{}' has {}, but {} would fit", source_name(draft_, source), shown,
+                                      fitting(element)));
       stack.parts.push_back(own);
     }
     stacks_.push_back(std::move(stack));
-  }
-
-  std::string name_of(const diagram::Source& source) const {
-    if (source.block < 0) return "the numbers";
-    const diagram::DiagramBlock& block = draft_.plan.diagram.blocks[static_cast<std::size_t>(source.block)];
-    return diagram::output_name(block.name, block.type(), static_cast<std::size_t>(source.output)) +
-           diagram::element_text(source.element);
   }
 
   /// What matrices of a list have together.
@@ -198,82 +181,20 @@ class Shapes {
     sizes_.multiply();
   }
 
-  /// Refuses elements that their signals have not, and numbers of elements that make no whole rows.
-  void check_matrices(std::size_t index) {
-    const diagram::DiagramBlock& block = draft_.diagram().blocks[index];
-    for (std::size_t i = 0; i < block.inputs.size(); ++i)
-      for (const diagram::Source& source : block.inputs[i])
-        if (const std::string missing = missing_element(source.element, whole(source), name_of(source));
-            !missing.empty())
-          draft_.report.add(source.origin, subject_of(index, block.type().inputs[i]), missing);
-    if (!sizes_.has_matrices()) return;
-    for (const InputSpec& spec : block.type().inputs)
-      if (!spec.list) check_product(index, block, spec.name, spec.shape);
-    for (const OutputSpec& spec : block.type().outputs) check_product(index, block, spec.name, spec.shape);
+  Eigen::Index factor(std::size_t index, const std::string& letter) {
+    return sizes_.value(sizes_.symbol(index, letter)).value_or(1);
   }
 
-  void check_product(std::size_t index, const diagram::DiagramBlock& block, const std::string& port,
-                     const std::string& shape) {
-    const int size = sizes_.symbol(index, shape);
-    const auto matrix = sizes_.factors(size);
-    if (!matrix) return;
-    const Eigen::Index elements = sizes_.value(size).value_or(1),
-                       rows = sizes_.value(matrix->first).value_or(1),
-                       columns = sizes_.value(matrix->second).value_or(1);
-    if (bounded_product(rows, columns) != elements && said_.insert(index).second)
-      draft_.report.add(
-          block.origin, block.name + "." + port,
-          fmt::format("takes a matrix of {} x {}, and is fed {} elements", rows, columns, elements));
+  /// Of "k x n" k rows of n elements, one behind the other.
+  Eigen::Index size_of(std::size_t index, const std::string& text) {
+    const PortShape shape(text);
+    return shape.is_matrix ? bounded_product(factor(index, shape.rows), factor(index, shape.columns))
+                           : factor(index, shape.rows);
   }
 
-  SignalSlot whole(const diagram::Source& source) {
-    if (source.block < 0) return {0, source.constant.size(), source.columns};
-    const int size = sizes_.of_output(source);
-    return {0, sizes_.value(size).value_or(1), sizes_.columns(size)};
-  }
-
-  /// At the end, since an element's own size may come to be known only after that of its list.
-  void check_elements(std::size_t index) {
-    const diagram::DiagramBlock& block = draft_.diagram().blocks[index];
-    for (std::size_t i = 0; i < block.inputs.size(); ++i) {
-      const InputSpec& spec = block.type().inputs[i];
-      if (!spec.list || spec.shape.find('+') != std::string::npos || refused_.contains({index, i})) continue;
-      const Eigen::Index size = sizes_.value(sizes_.of_list(index, i)).value_or(1);
-      for (const diagram::Source& source : block.inputs[i])
-        check_element(source, size, block.name + "." + spec.name);
-    }
-  }
-
-  void check_element(const diagram::Source& source, Eigen::Index size, const std::string& subject) {
-    const auto given = sizes_.value_of(source);
-    if (!given || *given == 1 || *given == size) return;
-    draft_.report.add(
-        source.origin, subject,
-        fmt::format("{} has {} elements, but others in this list have {}; all must have the same, or one",
-                    source.block < 0 ? "this" : "'" + name_of(source) + "'", *given, size));
-  }
-
-  void refuse_small(std::size_t index) {
-    const diagram::DiagramBlock& block = draft_.diagram().blocks[index];
-    for (const auto& [name, least] : draft_.blocks[index].says.min_sizes) {
-      const Eigen::Index size = sizes_.value(sizes_.symbol(index, name)).value_or(1);
-      if (size < least)
-        draft_.report.add(block.origin, block.name,
-                          fmt::format("is fed {} elements; it needs at least {}", size, least));
-    }
-  }
-
-  void store(std::size_t index) {
+  void store_sizes(std::size_t index, Draft::Block& made) {
     diagram::DiagramBlock& block = draft_.diagram().blocks[index];
-    Draft::Block& made = draft_.blocks[index];
-    const auto factor = [&](const std::string& name) {
-      return sizes_.value(sizes_.symbol(index, name)).value_or(1);
-    };
-    const auto size = [&](const std::string& text) {  // "k x n": k rows of n elements, one behind the other
-      const PortShape shape(text);
-      return shape.is_matrix ? bounded_product(factor(shape.rows), factor(shape.columns))
-                             : factor(shape.rows);
-    };
+    const auto size = [&](const std::string& shape) { return size_of(index, shape); };
     const auto columns = [&](const std::string& shape) {
       return sizes_.columns(sizes_.symbol(index, shape));
     };
@@ -289,12 +210,18 @@ class Shapes {
       for (const CrossingSpec& spec : block.type().crossings) made.crossings += size(spec.shape);
     for (const InputSpec& spec : block.type().inputs) made.input_sizes.push_back(size(spec.shape));
     for (const SizeSpec& spec : block.type().sizes) {
-      draft_.plan.blocks[index].sizes.push_back(factor(spec.symbol));
-      spec.set(block.block.get(), factor(spec.symbol));
+      draft_.plan.blocks[index].sizes.push_back(factor(index, spec.symbol));
+      spec.set(block.block.get(), factor(index, spec.symbol));
     }
+  }
+
+  void store(std::size_t index) {
+    diagram::DiagramBlock& block = draft_.diagram().blocks[index];
+    Draft::Block& made = draft_.blocks[index];
+    store_sizes(index, made);
     if (!fits(block, made)) return;
     for (const ParameterSpec& spec : block.type().parameters)
-      if (spec.kind == ParameterKind::per_element) expand(block, spec, size(spec.shape));
+      if (spec.kind == ParameterKind::per_element) expand(block, spec, size_of(index, spec.shape));
   }
 
   /// Refuses the block with which it becomes too much.
@@ -330,7 +257,6 @@ class Shapes {
   Draft& draft_;
   PortSizes sizes_;
   std::vector<Stack> stacks_;
-  std::set<std::size_t> said_;                             ///< blocks of which enough has been said
   std::set<std::pair<std::size_t, std::size_t>> refused_;  ///< lists of which enough has been said
   Eigen::Index total_ = 0;
 };
