@@ -9,7 +9,6 @@ import {Studio} from "./studio.mjs";
 const root = join(dirname(fileURLToPath(import.meta.url)), "../../.."), [folder, ...only] = process.argv.slice(2);
 const sizes = [[1400, 900], [1024, 700], [400, 800]], schemes = ["light", "dark"];
 const press = (page, key) => page.keyboard.press(key);
-const isNarrow = (page) => page.viewportSize().width < 720;
 const tab = async (page, name) => {
   const own = page.getByRole("tab", {name, exact: true});
   if (await own.isVisible()) await own.click();
@@ -26,7 +25,7 @@ const play = async (page, seconds, pace = "1") => {
 const cart = "diagrams/examples/70-force-feedback.yaml", scene = "diagrams/examples/72-figure-of-eight.yaml";
 /** Views by name: a diagram, and what is done before the picture is taken. */
 const views = {
-  "text-and-drawing": [cart, async (page) => { if (isNarrow(page)) await tab(page, "Text"); else await page.locator("[data-shape='control']").click(); }],
+  "text-and-drawing": [cart, async (page) => { await page.locator("[data-shape]").nth(3).click(); }],
   drawing: [cart, async (page) => { await tab(page, "Drawing"); await page.locator(".canvas").focus(); for (const key of ["Right", "Right", "e"]) await press(page, key === "e" ? "e" : "ArrowRight"); await page.waitForTimeout(500); }],
   fault: [cart, async (page) => {
     await tab(page, "Text");
@@ -47,13 +46,14 @@ const views = {
   tuning: [cart, async (page) => { await tab(page, "Tuning"); await page.waitForTimeout(500); }],
   figures: [cart, async (page) => { await tab(page, "Figures"); await play(page, 0.6); await page.waitForTimeout(1200); }],
   scene: [scene, async (page) => { await tab(page, "Scene"); await page.waitForSelector(".scene-canvas"); await page.locator(".scene-canvas").focus(); await page.keyboard.down("ArrowRight"); await page.waitForTimeout(1500); await page.keyboard.up("ArrowRight"); await page.waitForTimeout(300); }],
-  mechanism: ["diagrams/thesis/fig26.yaml", async (page) => { await tab(page, "3-D"); await page.waitForTimeout(2500); }],
-  gallery: [cart, async (page) => { await page.getByRole("button", {name: "More"}).click(); await page.getByRole("menuitem", {name: /Examples/}).click(); await page.waitForTimeout(800); }],
-  menu: [cart, async (page) => { await page.getByRole("button", {name: "More"}).click(); await page.waitForTimeout(200); }],
+  mechanism: ["diagrams/thesis/fig26-polar-platform.yaml", async (page) => { await tab(page, "3-D"); await page.waitForTimeout(2500); }],
+  gallery: [cart, async (page) => { await page.locator(".bar-end button[aria-haspopup=menu]").click(); await page.getByRole("menuitem", {name: /Examples/}).click(); await page.waitForTimeout(800); }],
+  menu: [cart, async (page) => { await page.locator(".bar-end button[aria-haspopup=menu]").click(); await page.waitForTimeout(200); }],
   keys: [cart, async (page) => { await page.locator(".tabs [aria-selected=true]").focus(); await page.keyboard.type("?"); await page.waitForTimeout(300); }],
   palette: [cart, async (page) => { await tab(page, "Drawing"); await page.locator(".canvas").focus(); await press(page, "i"); await page.waitForTimeout(800); await page.keyboard.type("filter"); await page.waitForTimeout(400); }],
-  tour: [cart, async (page) => { await page.getByRole("button", {name: "More"}).click(); await page.getByRole("menuitem", {name: "Tour"}).click(); await page.waitForTimeout(500); await page.getByRole("button", {name: /Show me|Start|Begin|Yes/}).first().click({timeout: 2000}).catch(() => {}); await page.waitForTimeout(600); }],
-  about: [cart, async (page) => { await page.getByRole("button", {name: "More"}).click(); await page.getByRole("menuitem", {name: /About/}).click(); await page.waitForTimeout(600); }],
+  tour: [cart, async (page) => { await page.locator(".bar-end button[aria-haspopup=menu]").click(); await page.getByRole("menuitem", {name: "Tour"}).click(); await page.waitForTimeout(500); await page.getByRole("button", {name: /Show me|Start|Begin|Yes/}).first().click({timeout: 2000}).catch(() => {}); await page.waitForTimeout(600); }],
+  about: [cart, async (page) => { await page.locator(".bar-end button[aria-haspopup=menu]").click(); await page.getByRole("menuitem", {name: /About/}).click(); await page.waitForTimeout(600); }],
+  loop: ["diagrams/examples/53-real-time-loop.yaml", async (page) => { await tab(page, "Loop"); await page.locator(".play").click(); await page.waitForTimeout(3000); }, ["--loop"]],
   conflict: [undefined, async (page, studio) => {
     await tab(page, "Text");
     await page.locator(".cm-content").focus();
@@ -68,23 +68,29 @@ const views = {
 };
 const small = "stepwire: 1\ntitle: small\nstep: 1 ms\nstop: 1 s\nsolver: rk4\nrecord: [lag]\nblocks:\n  source: {block: Constant, value: 2}\n  lag: {block: Lag, u: source, tau: 0.4 s}\n";
 
-/** One view in one size and colour. */
-async function picture(name, [width, height], colorScheme) {
-  const [file, action] = views[name], options = {width, height, colorScheme};
-  const studio = await (file ? Studio.on(join(root, file), options) : Studio.opened(small, options)), path = join(folder, `${name}-${width}-${colorScheme}.png`);
+/** A view in one colour, at each size; what is done before is done once, in the widest. */
+async function pictures(name, colorScheme) {
+  const [file, action, more = []] = views[name], [[width, height]] = sizes, options = {width, height, colorScheme, more}, say = (text) => console.log(`${name} ${colorScheme}: ${text}`);
+  const studio = await (file ? Studio.on(join(root, file), options) : Studio.opened(small, options)), {page} = studio, paths = [];
   try {
-    await studio.page.getByRole("button", {name: "No, thank you"}).click({timeout: 8000}).catch(() => {});
-    await studio.page.waitForSelector("[data-shape]", {state: "attached", timeout: 30000}).catch(() => {});
-    await studio.page.waitForTimeout(700);
-    await action(studio.page, studio).catch((thrown) => console.log(`${name} ${width} ${colorScheme}: ${thrown.message.split("\n")[0]}`));
-    await studio.page.screenshot({path});
-    const [content, own] = await studio.page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.clientWidth]);
-    if (content > own) console.log(`${name} ${width} ${colorScheme}: the page is ${content} wide`);
-    if (studio.errors.length > 0) console.log(`${name} ${width} ${colorScheme}: ${studio.errors.join("; ")}`);
+    page.setDefaultTimeout(8000);
+    await page.getByRole("button", {name: "No, thank you"}).click().catch(() => {});
+    await page.waitForSelector("[data-shape]", {state: "attached"}).catch(() => {});
+    await page.waitForTimeout(700);
+    await action(page, studio).catch((thrown) => say(thrown.message.split("\n")[0]));
+    for (const [w, h] of sizes) {
+      await page.setViewportSize({width: w, height: h});
+      await page.waitForTimeout(400);
+      paths.push(join(folder, `${name}-${w}-${colorScheme}.png`));
+      await page.screenshot({path: paths[paths.length - 1]});
+      const [content, own] = await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.clientWidth]);
+      if (content > own) say(`at ${w} the page is ${content} wide`);
+    }
+    if (studio.errors.length > 0) say(studio.errors.join("; "));
   } finally {
     await studio.close();
   }
-  return path;
+  return paths;
 }
 
 /** All pictures of a view side by side. */
@@ -99,7 +105,7 @@ async function sheet(name, paths) {
 mkdirSync(folder, {recursive: true});
 for (const name of only.length > 0 ? only : Object.keys(views)) {
   const paths = [];
-  for (const colorScheme of schemes) for (const size of sizes) paths.push(await picture(name, size, colorScheme));
+  for (const colorScheme of schemes) paths.push(...await pictures(name, colorScheme));
   await sheet(name, paths);
   console.log(name);
 }

@@ -54,8 +54,8 @@ export class Studio {
   static launched = () => playwright.chromium.launch({executablePath, args: ["--no-sandbox", "--disable-gpu"]});
 
   /** What the studio keeps for its user lies in the folder, so that nothing of who runs the test is read. `seen` runs in the page first. */
-  async seen({width = 1400, height = 900, colorScheme = "light", seen} = {}) {
-    await this.start();
+  async seen({width = 1400, height = 900, colorScheme = "light", seen, more = []} = {}) {
+    await this.start(more);
     this.browser = await Studio.launched();
     const context = await this.browser.newContext({viewport: {width, height}, colorScheme});
     if (seen) await context.addInitScript(seen);
@@ -63,9 +63,9 @@ export class Studio {
     return this;
   }
 
-  async start() {
+  async start(more = []) {
     const environment = {...process.env, XDG_STATE_HOME: join(this.folder, "state"), XDG_CACHE_HOME: join(this.folder, "cache")};
-    this.server = spawn(program, ["studio", "--no-open", this.path], {env: environment});
+    this.server = spawn(program, ["studio", "--no-open", ...more, this.path], {env: environment});
     this.address = await addressOf(this.server);
   }
 
@@ -73,10 +73,12 @@ export class Studio {
   async visit(context) {
     const page = await context.newPage();
     page.setDefaultTimeout(30000);
+    // A page that was just built, before it is in the program.
+    if (process.env.STUDIO_ASSETS) await context.route(/assets\/(?!layout_worker|elk)/, (route) => route.fulfill({path: join(process.env.STUDIO_ASSETS, new URL(route.request().url()).pathname)}));
     page.on("pageerror", (error) => this.errors.push(error.stack ?? String(error)));
     page.on("console", (message) => { if (message.type() === "error") this.errors.push(message.text()); });
     await page.goto(this.address);
-    await page.waitForSelector(".cm-content");
+    await page.waitForSelector(page.viewportSize().width < 720 ? ".run-time" : ".cm-content");  // a narrow page shows one pane
     return page;
   }
 

@@ -25,7 +25,7 @@ export class SceneView implements View {
   private readonly state = h("span", {class: "scene-state", role: "status"});
   private readonly lag = h("span", {class: "scene-lag", title: "From a movement of the pointer to the first picture that shows what it did, median"});
   private readonly stay = h("button", {type: "button", "aria-pressed": "false", title: "The hand follows the pointer without a pressed button; a click or Esc lets go"}, "Hold without a button");
-  private readonly own = h("button", {type: "button", "aria-pressed": "false", title: "Begins anew with the hand that the file has, and shows what it does; again: your hand"}, "Watch the file's own hand");
+  private readonly own = h("button", {type: "button", "aria-pressed": "false", title: "Begins anew with the hand that the file has, and shows what it does; again: your hand"}, "File's own hand");
   private readonly tell = h("button", {type: "button", title: "Say what the scene shows (D)"}, "Describe");
   private readonly whole = h("button", {type: "button", title: "The scene takes the whole screen; Esc ends it"}, "Full screen");
   private readonly empty = h("p", {class: "empty"});

@@ -19,8 +19,8 @@ export interface Look {
 
 /** Labels have this width, whatever the numbers, so that nothing jumps [px]. */
 const axisWidth = 52, axisHeight = 22, widestLabel = 7;
-/** Above the axes stand their units. */
-const unitHeight = 16;
+/** Above the axes stand their units, clear of the half label of a tick at the upper end. */
+const unitHeight = 21, unitLift = 7;
 
 /** Steps between ticks: 1, 2 and 5 of every power of ten. */
 const steps = Array.from({length: 31}, (_, i) => i - 15).flatMap((power) => [1, 2, 5].map((digit) => Number(`${digit}e${power}`)));
@@ -128,7 +128,7 @@ export class Plot {
     ctx.textBaseline = "bottom";
     ys.slice(0, 2).forEach((unit, i) => {
       ctx.textAlign = i === 0 ? "right" : "left";
-      ctx.fillText(unit, i === 0 ? bbox.left - 4 * ratio : bbox.left + bbox.width + 4 * ratio, bbox.top - 2 * ratio);
+      ctx.fillText(unit, i === 0 ? bbox.left - 4 * ratio : bbox.left + bbox.width + 4 * ratio, bbox.top - unitLift * ratio);
     });
     ctx.textAlign = "right";
     ctx.fillText(x, bbox.left + bbox.width - 3 * ratio, bbox.top + bbox.height - 2 * ratio);

@@ -15,7 +15,7 @@ export function showShortcuts(shortcuts: Shortcuts): void {
   const list = h("dl", {class: "keys"});
   for (const [group, keys] of groups) {
     list.append(h("h3", {}, group));
-    for (const [key, text] of keys) list.append(h("dt", {}, ...key.split("+").map((one) => h("kbd", {}, one || "+"))), h("dd", {}, text));
+    for (const [key, text] of keys) list.append(h("dt", {}, ...(key === "+" ? ["+"] : key.split("+")).map((one) => h("kbd", {}, one || "+"))), h("dd", {}, text));
   }
   openDialog("Keys", [list]);
 }
