@@ -82,7 +82,8 @@ void write_live_folder(const std::string& folder, LoadedRun& run) {
   const RunStatus status = run.thread().status();
   const EventLog log = run.thread().log();
   replay::write_replay(folder, timing ? plan_of_loop(plan, status.tick) : plan);
-  write_tables(folder, run, status.state == RunStatus::State::ended && !timing);
+  write_tables(folder, run,
+               timing || status.state == RunStatus::State::ended);  // a loop ends where it stands
   const Json note = Json::object()
                         .set("file", run.model().file)
                         .set("hash", run.model().hash)
