@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "engine/app/studio/http/loopback.hpp"
+#include "engine/app/studio/http/place.hpp"
 #include "engine/app/studio/http/reply.hpp"
 
 namespace stepwire::http {
@@ -40,18 +41,6 @@ Request request_of(const Parser& parser) {
     request.headers.push_back({std::string(view(field.name_string())), std::string(view(field.value()))});
   return request;
 }
-
-/// Gives a place back where it is taken by one who goes.
-class Place {
- public:
-  explicit Place(std::size_t& taken) : taken_(taken) { ++taken_; }
-  ~Place() { --taken_; }
-  Place(const Place&) = delete;
-  Place& operator=(const Place&) = delete;
-
- private:
-  std::size_t& taken_;
-};
 
 /// All that lives in the server's thread.
 class Server : public HttpServer {

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstddef>
+
+namespace stepwire::http {
+
+/// One of a limited number of places, given back where it goes.
+class Place {
+ public:
+  explicit Place(std::size_t& taken) : taken_(taken) { ++taken_; }
+  ~Place() { --taken_; }
+  Place(const Place&) = delete;
+  Place& operator=(const Place&) = delete;
+
+ private:
+  std::size_t& taken_;
+};
+
+}  // namespace stepwire::http
