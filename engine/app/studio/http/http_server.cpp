@@ -1,5 +1,4 @@
-// More than 300 lines with its header: the only source that includes Beast and Asio, which take long to
-// compile.
+// More than 300 lines with its header: the only source that includes Beast and Asio, slow to compile.
 #include "engine/app/studio/http/http_server.hpp"
 
 #include <boost/asio/io_context.hpp>
