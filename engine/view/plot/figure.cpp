@@ -9,8 +9,9 @@
 namespace stepwire::plot {
 namespace {
 
-/// A Bode plot is two panels with one axis of frequencies.
+/// A Bode plot is two panels with one axis of frequencies, and a circle is round in a Nyquist plot.
 void add_panel(Panel panel, Figure& figure) {
+  if (panel.kind->name == nyquist_plot().name) panel.equal = true;
   if (panel.kind->name != bode_plot().name) return figure.panels.push_back(std::move(panel));
   panel.x.log = true;
   figure.panels.push_back(panel);

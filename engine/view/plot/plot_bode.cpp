@@ -27,19 +27,21 @@ LineMark segment(double x, double low, double high, const LineStyle& line) {
 }
 
 void add_response(const std::vector<double>& x, const std::vector<double>& y, const std::string& legend,
-               std::size_t run, PlotBuilder& plot) {
+                  std::size_t run, PlotBuilder& plot) {
   if (x.empty() || x.size() != y.size()) return;
   for (const double value : x) plot.x.add(value);
   for (const double value : y) plot.y.add(value);
   plot.add(LineMark{{{x, y, {}, {}}}, {curve_color(run), 1.8}, 0.0, legend});
 }
 
+/// Beside a margin, on the side on which there is room.
 void add_text(const std::string& text, double x, double y, PlotBuilder& plot) {
+  const bool left = std::log(x / plot.x.low) > 0.8 * std::log(plot.x.high / plot.x.low);
   plot.spec.texts.push_back({.text = text,
                              .x = x,
                              .y = y,
-                             .align = TextMark::Align::left,
-                             .offset = {0.6, 0.0},
+                             .align = left ? TextMark::Align::right : TextMark::Align::left,
+                             .offset = {left ? -0.6 : 0.6, 0.0},
                              .size = 12.0,
                              .color = "#d11a1a",
                              .rim = true});
@@ -61,7 +63,7 @@ void draw_magnitude(const Panel& panel, std::span<const record::Recording> recor
   const LinearRows rows(panel, recordings);
   for (std::size_t run = 0; run < rows.runs(); ++run) {
     add_response(rows.list("frequency", run), each(rows.list("gain", run), decibels), rows.label(run), run,
-              plot);
+                 plot);
     const double margin = rows.number("margin.gain_db", run), at = rows.number("margin.gain_frequency", run);
     if (rows.runs() > 1 || !std::isfinite(margin) || !(at > 0.0) || std::isinf(at)) continue;
     plot.add(segment(at, -margin, 0.0, margin_line));

@@ -9,15 +9,22 @@ namespace stepwire::plot {
 namespace {
 
 const LineStyle pole_border{"#888888", 1.2, {4.0, 3.0}};
-constexpr double most_shown = 4.0;  // of a Nyquist curve, which may go to infinity
+constexpr double most_shown = 2.5;  // of a Nyquist curve, which may go to infinity
 
 /// Places in a plane of complex numbers.
 struct Places {
   std::vector<double> x, y;
 };
 
+/// Without what the list is filled up with.
 Places places_of(const LinearRows& rows, const std::string& name, std::size_t run) {
-  return {rows.list(name + ".real", run), rows.list(name + ".imaginary", run)};
+  Places all{rows.list(name + ".real", run), rows.list(name + ".imaginary", run)};
+  while (all.x.size() > 1 && all.y.size() == all.x.size() && all.x.back() == all.x[all.x.size() - 2] &&
+         all.y.back() == all.y[all.y.size() - 2]) {
+    all.x.pop_back();
+    all.y.pop_back();
+  }
+  return all;
 }
 
 void cover(const Places& all, PlotBuilder& plot) {
@@ -66,8 +73,8 @@ void draw_poles(const Panel& panel, std::span<const record::Recording> recording
     const bool one = rows.runs() == 1;
     add_points(places_of(rows, "pole", run), PointsMark::Symbol::asterisk, 9.0, curve_color(run),
                one ? "poles" : label, plot);
-    add_points(places_of(rows, "zero", run), PointsMark::Symbol::ring, 9.0, curve_color(run), one ? "zeros" : "",
-               plot);
+    add_points(places_of(rows, "zero", run), PointsMark::Symbol::ring, 9.0, curve_color(run),
+               one ? "zeros" : "", plot);
   }
   if (rows.runs() > 0 && rows.sampled(0)) add_circle(plot);
   finish(unit_of(rows), plot);
@@ -95,8 +102,8 @@ void draw_locus(const Panel& panel, std::span<const record::Recording> recording
     add_branches(rows, run, plot);
     add_points(places_of(rows, "pole", run), PointsMark::Symbol::asterisk, 9.0, curve_color(run),
                one ? "poles, gain 0" : rows.label(run), plot);
-    add_points(places_of(rows, "zero", run), PointsMark::Symbol::ring, 9.0, curve_color(run), one ? "zeros" : "",
-               plot);
+    add_points(places_of(rows, "zero", run), PointsMark::Symbol::ring, 9.0, curve_color(run),
+               one ? "zeros" : "", plot);
     add_points(places_of(rows, "closed_pole", run), PointsMark::Symbol::disc, 8.0, "#d11a1a",
                run == 0 ? "closed loop, gain 1" : "", plot);
   }
