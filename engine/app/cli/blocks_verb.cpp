@@ -60,12 +60,14 @@ ExitCode show_parts(const std::string& path) {
 ExitCode search(const std::string& word, const Registry& registry) {
   const std::string answer = diagram::answer_to_simulink(word),
                     found = reference::blocks_about(registry, word);
-  if (!answer.empty()) say("there is no block '{}'; {}\n", text::visible(word), answer);
+  if (!answer.empty()) {
+    say("there is no block '{}'; {}\n", text::visible(word), answer);
+    return ExitCode::done;
+  }
   if (!found.empty()) {
     put_data(found);
     return ExitCode::done;
   }
-  if (!answer.empty()) return ExitCode::done;
   complain("there is no block '{}'{}\n", text::visible(word),
            yaml::did_you_mean(word, registry.names(), "'stepwire blocks' lists them").text());
   return ExitCode::wrong;

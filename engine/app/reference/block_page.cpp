@@ -27,6 +27,8 @@ bool is_about(const BlockType& type, const std::string& word) {
     return true;
   for (const ParameterSpec& parameter : type.parameters)
     if (in_small_letters(parameter.name + " " + parameter.doc).find(word) != std::string::npos) return true;
+  for (const StateSpec& state : type.states)
+    if (state.settable && in_small_letters(state.doc).find(word) != std::string::npos) return true;
   for (const OutputSpec& output : type.outputs)
     if (in_small_letters(output.name + " " + output.doc).find(word) != std::string::npos) return true;
   return false;

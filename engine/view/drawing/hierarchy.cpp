@@ -3,6 +3,7 @@
 #include <map>
 #include <set>
 
+#include "engine/model/diagram/block_keys.hpp"
 #include "engine/model/diagram/bus_fields.hpp"
 #include "engine/model/diagram/element_index.hpp"
 #include "engine/model/diagram/guard_keys.hpp"
@@ -98,8 +99,9 @@ class OutlineReader {
         for (const diagram::BusField& field : diagram::written_fields(*child.written))
           child.inputs.push_back({field.name, {feed(hierarchy, names, *field.signal)}});
       } else {
-        for (const InputSpec& input : type_of(child).inputs)
-          add_input(hierarchy, names, child, input.name, input.list);
+        for (std::size_t i = 0; i < type_of(child).inputs.size(); ++i)
+          if (const InputSpec& input = type_of(child).inputs[i]; !has_value_in_place(child, i))
+            add_input(hierarchy, names, child, input.name, input.list);
       }
       if (child.guard >= 0)
         for (const char* key : {"enable", "trigger"}) add_condition(hierarchy, names, child, key);
@@ -111,6 +113,12 @@ class OutlineReader {
       hierarchy.output_sources.push_back(found);
       hierarchy.output_feeds.push_back(found ? wired(hierarchy, *found, signal) : WireFeed{});
     }
+  }
+
+  /// Has the key of this input a value, as `initial: 2 m`, and not a signal?
+  bool has_value_in_place(const BlockReference& child, std::size_t input) const {
+    return block_of(child).inputs[input].empty() &&
+           diagram::has_value(type_of(child), type_of(child).inputs[input].name);
   }
 
   void add_input(const Hierarchy& hierarchy, const diagram::Scope& names, BlockReference& child,

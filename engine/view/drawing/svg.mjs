@@ -2,7 +2,7 @@
 
 import {arrowHead, dot, faint, group, ink, n, page, path, polyline, quantity, text} from "./pen.mjs";
 import {markGap, sizes, textSize} from "./symbol.mjs";
-import {widthOfPieces} from "./text.mjs";
+import {widthOf, widthOfPieces} from "./text.mjs";
 import {forks, netOf, segmentsOf} from "./wires.mjs";
 
 /** A curve from the square -1..1 with y upwards into the place around a centre. */
@@ -47,9 +47,15 @@ function middle(block) {
 
 const fractionStep = 9.5, lineStep = 16;
 
+/** Half of the bar of a fraction: as wide as the block, or between the names of its ports. */
+function halfBar({width, lines, inputs, outputs}) {
+  const named = [...inputs, ...outputs].some(({label}) => label);
+  return named ? Math.max(...lines.map((line) => widthOf(line, sizes.text))) / 2 + 5 : width / 2 - 6;
+}
+
 /** What is drawn inside: a curve, or the bar of a fraction. */
 function inside(block) {
-  const [cx, cy] = middle(block), half = block.width / 2 - 6;
+  const [cx, cy] = middle(block), half = halfBar(block);
   if (block.curve) return curve(block, cx, cy);
   return block.fraction ? path(`M${n(cx - half)} ${n(cy)}H${n(cx + half)}`, ` stroke-width="1"`) : "";
 }
