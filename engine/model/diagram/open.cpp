@@ -159,7 +159,10 @@ bool Opener::is_fed(const Scope& scope, const yaml::Entry& key, const BlockType&
   for (std::string name = key.value.text; !name.empty();
        name.resize(name.find('.') == std::string::npos ? 0 : name.rfind('.')))
     if (scope.inputs.contains(name) || (blocks && blocks->is_map() && blocks->find(name))) return true;
-  return false;
+  // A name that stands for nothing is more likely a signal that is not there than a number.
+  const std::string& text = key.value.text;
+  const bool constant = text == "pi" || text == "e";
+  return is_dotted_name(text) && !constant && !scope.parameters.defined(text.substr(0, text.find('.')));
 }
 
 void Opener::read_key(Scope& scope, const yaml::Entry& key, DiagramBlock& block, int index) {
