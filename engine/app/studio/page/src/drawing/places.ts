@@ -1,3 +1,4 @@
+import type {BlockType} from "../palette/reference";
 import {Ranges} from "./ranges";
 import type {Placed, Shapes} from "./shapes";
 import type {TextRange} from "./types";
@@ -35,9 +36,10 @@ export class Places {
     return this.scope.length > 0 ? first?.file ?? this.root : this.root;
   }
 
-  /** How the text names the signals of what is drawn. */
-  signals(placed: Iterable<Placed> = this.shapes.placed.values()): string[] {
-    return [...placed].flatMap(({shape: {id, own, within, isPart, outputs}}) => {
+  /** How the text names the signals of what is drawn, and of `types` also outputs that nothing hears yet, which are not drawn. */
+  signals(placed: Iterable<Placed> = this.shapes.placed.values(), types: BlockType[] = []): string[] {
+    return [...placed].flatMap(({shape: {id, type, own, within, isPart, outputs: drawn}}) => {
+      const known = isPart ? undefined : types.find((one) => one.name === type), outputs = known?.outputs.map(({name}) => ({port: name})) ?? drawn;
       if (within.length > 0 || own === "output" || id.startsWith(":constant:")) return [];
       if (own === "input") return [id.slice(":input:".length)];
       const name = id.slice(id.lastIndexOf(".") + 1);

@@ -1,3 +1,4 @@
+import {blockTypes} from "../palette/reference";
 import type {Context} from "../shell/context";
 import type {BlockCard} from "./block_card";
 import type {Places} from "./places";
@@ -23,8 +24,8 @@ export class ShapeEdits {
   }
 
   async insert(): Promise<void> {
-    const {openPalette} = await import("../palette/palette"), {current} = this.selection;
-    openPalette(this.context, {file: this.places.file, signals: this.places.signals(), preferred: current ? this.places.signals([current])[0] ?? "" : ""});
+    const {openPalette} = await import("../palette/palette"), {current} = this.selection, types = await blockTypes(this.context.connection).catch(() => []);
+    openPalette(this.context, {file: this.places.file, signals: this.places.signals(undefined, types), preferred: current ? this.places.signals([current])[0] ?? "" : ""});
   }
 
   private async disconnect({to}: Wire): Promise<void> {

@@ -1,7 +1,7 @@
 import {svg} from "../shell/dom";
 import {type Histogram, timeText} from "./loop_types";
 
-const width = 640, height = 220, left = 46, right = 12, top = 14, bottom = 34;
+const width = 640, height = 220, left = 46, right = 26, top = 14, bottom = 34;
 
 /** Decades from the shortest to the longest time that is shown [s]. */
 export function decadesOf(histograms: Histogram[], deadline: number): [number, number] {
@@ -30,7 +30,7 @@ export class HistogramChart {
       ...upright.flatMap((time) => [svg("line", {class: "loop-grid", x1: x(time), x2: x(time), y1: top, y2: height - bottom}), svg("text", {class: "loop-label", x: x(time), y: height - bottom + 14, "text-anchor": "middle"}, timeText(time))]),
       ...level.flatMap((count) => [svg("line", {class: "loop-grid", x1: left, x2: width - right, y1: y(count), y2: y(count)}), svg("text", {class: "loop-label", x: left - 4, y: y(count) + 4, "text-anchor": "end"}, count >= 1e6 ? `${count / 1e6} M` : count >= 1e3 ? `${count / 1e3} k` : String(count))]),
       svg("line", {class: "loop-axis", x1: left, x2: width - right, y1: height - bottom, y2: height - bottom}),
-      svg("text", {class: "loop-label", x: (left + width - right) / 2, y: height - 4, "text-anchor": "middle"}, "time after the deadline's start"),
+      svg("text", {class: "loop-label", x: (left + width - right) / 2, y: height - 4, "text-anchor": "middle"}, "time since the tick was due"),
     ];
   }
 }

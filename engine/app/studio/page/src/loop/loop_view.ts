@@ -27,7 +27,7 @@ export class LoopView implements View {
   constructor(host: HTMLElement, private readonly context: Context) {
     const head = (...names: string[]) => h("thead", {}, h("tr", {}, ...names.map((name) => h("th", {scope: "col"}, name))));
     this.body = h("div", {class: "loop-body", hidden: true}, this.verdict, this.facts, this.refused,
-      h("h3", {}, "When things happen after a deadline begins"), this.chart.element,
+      h("h3", {}, "When things happen in a tick"), h("div", {class: "loop-picture"}, this.chart.element),
       h("table", {class: "loop-times"}, h("caption", {class: "unseen"}, "Times of the loop"), head("", "p50", "p99", "p99.9", "longest", ""), this.times),
       h("h3", {}, "What a tick is spent on"), h("table", {class: "loop-costs"}, h("caption", {class: "unseen"}, "Cost by kind of block"), head("kind", "blocks", "a tick", "share"), this.costs));
     host.append(h("div", {class: "loop", tabindex: 0, "aria-label": "Real-time loop", "data-focus": true}, this.note, this.body));
@@ -73,7 +73,7 @@ export class LoopView implements View {
 
   private row(kind: string, name: string, text: string, {p50, p99, p999, max, count}: Histogram): HTMLElement {
     const cells = count === 0 ? ["–", "–", "–", "–"] : [p50, p99, p999, max].map(timeText);
-    return h("tr", {}, h("th", {scope: "row"}, h("span", {class: `loop-key loop-${kind}`, "aria-hidden": true}), name), ...cells.map((cell) => h("td", {}, cell)), h("td", {class: "loop-meaning"}, text));
+    return h("tr", {title: text}, h("th", {scope: "row"}, h("span", {class: `loop-key loop-${kind}`, "aria-hidden": true}), name), ...cells.map((cell) => h("td", {}, cell)), h("td", {class: "loop-meaning"}, text));
   }
 
   private showCosts({costs, period}: LoopNews): void {
