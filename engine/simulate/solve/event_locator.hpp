@@ -112,10 +112,9 @@ class EventLocator {
     double low = from, high = end, low_scale = 1.0, high_scale = 1.0;
     std::copy_n(start_, task_.crossing_count, low_);
     bool at_high = true;
-    for (int k = 0; high - low > width; ++k) {
+    for (int k = 0; high - low > width && std::nextafter(low, high) < high; ++k) {
       const double at =
           k % 4 == 3 ? low + 0.5 * (high - low) : guess(low, high, low_scale, high_scale, width);
-      if (!(at > low && at < high)) break;
       go_back();
       go(from, at, at - from, trial_);
       at_high = crosses(trial_);
@@ -132,7 +131,7 @@ class EventLocator {
     return high;
   }
 
-  /// Where the first of the secants meets zero, but no nearer to an end than half the width.
+  /// Where the first of the secants meets zero, but no nearer to an end than half the width or the last bit.
   double guess(double low, double high, double low_scale, double high_scale, double width) const {
     double first = 1.0;
     for (std::size_t i = 0; i < task_.crossing_count; ++i) {
@@ -141,9 +140,9 @@ class EventLocator {
       const double part = from == 0.0 || !std::isfinite(to - from) ? 0.5 : from / (from - to);
       first = std::min(first, part);
     }
-    const double at = low + first * (high - low);
     const double margin = std::min(0.5 * width, 0.25 * (high - low));
-    return std::clamp(at, low + margin, high - margin);
+    const double at = std::clamp(low + first * (high - low), low + margin, high - margin);
+    return std::clamp(at, std::nextafter(low, high), std::nextafter(high, low));
   }
 
   void give_up() {

@@ -37,12 +37,13 @@ class LoopSolver {
       pass();
       take(loop, values);
       ++passes_;
+      is_at_guess_ = true;
     };
     save_diagnostics(loop, values);
     read(loop, values);
     scale_ = guess_.cwiseAbs().cwiseMax(small_size);
     const bool solved = search(loop, evaluate);
-    if (take_back_diagnostics(loop, values)) evaluate();
+    if (take_back_diagnostics(loop, values) || !is_at_guess_) evaluate();
     put(loop, values);
     report(loop, values, solved);
   }
@@ -173,6 +174,7 @@ class LoopSolver {
       jacobian_.col(j) = (residual_ - base_) / (guess_[j] - point_[j]);
       guess_[j] = point_[j];
     }
+    is_at_guess_ = false;
   }
 
   /// Goes from the point along the correction, as far as the next one is smaller. Returns which part of it; 0
@@ -189,6 +191,7 @@ class LoopSolver {
     }
     guess_ = point_;
     residual_ = base_;
+    is_at_guess_ = false;
     return 0.0;
   }
 
@@ -254,6 +257,7 @@ class LoopSolver {
   Matrix jacobian_;
   Eigen::PartialPivLU<Matrix> factors_;
   std::int64_t passes_ = 0;
+  bool is_at_guess_ = false;  ///< was the last pass made with this guess?
 };
 
 }  // namespace stepwire::solve

@@ -61,7 +61,8 @@ TEST_CASE("a loop that is solved is torn at as few signals as can be") {
 
 TEST_CASE("of a loop's signals that with the fewest elements is torn") {
   const Plan plan = plan_text(R"(blocks:
-  v: {block: Gain, gain: [0.1, 0.2, 0.3], u: n}
+  v: {block: Gain, gain: 0.1, u: three}
+  three: {block: Mux, u: [n, 1, n]}
   n: {block: Norm, u: v}
 algebraic_loops: solve
 )");

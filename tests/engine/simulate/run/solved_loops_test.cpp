@@ -58,7 +58,9 @@ record: [source, v]
 }
 
 TEST_CASE("a loop of vectors, and one in which two loops meet, are solved") {
-  const table::Table run = run_text(R"(algebraic_loops: solve
+  const table::Table run = run_text(R"(step: 1 s
+stop: 3 s
+algebraic_loops: solve
 blocks:
   x: {block: Constant, value: [1, 2, 3]}
   t: {block: Clock}
@@ -107,7 +109,7 @@ step: 1 ms
 stop: 1 s
 algebraic_loops: solve
 blocks:
-  x: {block: Integrator, u: y, initial: {x: 1}}
+  x: {block: Integrator, u: y, initial: 1}
   y: {block: Sum, signs: "--", u: [x, half]}
   half: {block: Gain, gain: 0.5, u: y}
 record: [x]
@@ -191,7 +193,9 @@ TEST_CASE("a run that goes back to a moment solves its loops to the same bits") 
 }
 
 TEST_CASE("a loop that has no solution at a guess alone is found from another") {
-  const table::Table run = run_text(R"(algebraic_loops: solve
+  const table::Table run = run_text(R"(step: 1 s
+stop: 3 s
+algebraic_loops: solve
 blocks:
   t: {block: Clock}
   y: {block: Expression, u: [t, y], expression: "(u1 + 2)/u2"}
