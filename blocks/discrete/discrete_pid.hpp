@@ -33,8 +33,10 @@ struct DiscretePID : Resettable {
   }
 
   void update() {
+    const bool hand = by_hand();
     integral.each([&](Index i) {
-      const double next = by_hand() ? taken_over(i) : next_integral(i), change = slope(i);
+      const double change = slope(i), want = kp[i] * weighted(weight_p, i) + integral_now(i) + kd[i] * change;
+      const double next = hand ? taken_over(want, i) : next_integral(want, i);
       rate[i] = change;
       last[i] = weighted(weight_d, i);
       return next;
@@ -74,13 +76,12 @@ struct DiscretePID : Resettable {
   double wanted(Index i) const { return kp[i] * weighted(weight_p, i) + integral_now(i) + kd[i] * slope(i); }
 
   /// By hand the integral part takes whatever gives the same command once the controller acts.
-  double taken_over(Index i) const {
-    const double others = kp[i] * weighted(weight_p, i) + kd[i] * slope(i);
-    return within(limited(manual[i], i) - others, i);
+  double taken_over(double want, Index i) const {
+    return within(limited(manual[i], i) - (want - integral_now(i)), i);
   }
 
-  double next_integral(Index i) const {
-    const double want = wanted(i), give = limited(want, i), more = increment(i);
+  double next_integral(double want, Index i) const {
+    const double give = limited(want, i), more = increment(i);
     const bool stops = anti_windup == AntiWindup::clamping && (want - give) * more > 0.0;
     double next = stops ? integral_before(i) : integral_now(i) + after * more;
     if (actual.connected()) {

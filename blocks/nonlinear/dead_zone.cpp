@@ -6,7 +6,7 @@
 namespace stepwire {
 
 void DeadZone::configure(Configure& is) {
-  wired = is.connected<&DeadZone::lower_>() || is.connected<&DeadZone::upper_>();
+  const bool wired = is.connected<&DeadZone::lower_>() || is.connected<&DeadZone::upper_>();
   if (!wired) require_order<&DeadZone::lower, &DeadZone::upper>(*this, is);
 }
 
@@ -24,7 +24,6 @@ void DeadZone::declare(Declare<DeadZone>& is) {
   is.crossing("u reaches the lower end of the zone");
   is.crossing("u reaches the upper end");
   is.output<&DeadZone::y>({.unit = "'u", .doc = "how far the signal lies outside of the zone, with sign"});
-  is.derived<&DeadZone::wired, From::no_number>();
 }
 
 }  // namespace stepwire

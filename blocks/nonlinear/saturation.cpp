@@ -6,7 +6,7 @@
 namespace stepwire {
 
 void Saturation::configure(Configure& is) {
-  wired = is.connected<&Saturation::lower_>() || is.connected<&Saturation::upper_>();
+  const bool wired = is.connected<&Saturation::lower_>() || is.connected<&Saturation::upper_>();
   if (!wired) require_order<&Saturation::lower, &Saturation::upper>(*this, is);
 }
 
@@ -23,7 +23,6 @@ void Saturation::declare(Declare<Saturation>& is) {
   is.crossing("u reaches the lower limit");
   is.crossing("u reaches the upper limit");
   is.output<&Saturation::y>({.unit = "'u", .doc = "the signal within the limits"});
-  is.derived<&Saturation::wired, From::no_number>();
 }
 
 }  // namespace stepwire

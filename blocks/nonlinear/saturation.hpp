@@ -11,22 +11,16 @@ struct Saturation {
   PerElement lower = -unlimited, upper = unlimited;
   Input<> u{};
   Output<> y{};
-
-  bool wired = false;  // is a limit a signal?
-  Input<> lower_{}, upper_{};
+  Input<> lower_{}, upper_{};  // in place of the numbers where they are wired
 
   void outputs() {
-    if (wired) {
-      limit_by_signals();
-    } else {
-      y.each([&](Index i) { return std::clamp(u[i], lower[i], upper[i]); });
-    }
+    y.each([&](Index i) { return limited(i); });
   }
 
   void crossings(Crossings& zero) const {
     for (Index i = 0; i < u.size(); ++i) {
-      zero.add(u[i] - (lower_.connected() ? lower_[i] : lower[i]));
-      zero.add(u[i] - (upper_.connected() ? upper_[i] : upper[i]));
+      zero.add(u[i] - low(i));
+      zero.add(u[i] - high(i));
     }
   }
 
@@ -34,12 +28,10 @@ struct Saturation {
   static void declare(Declare<Saturation>& is);
 
  private:
+  double low(Index i) const { return lower_.connected() ? lower_[i] : lower[i]; }
+  double high(Index i) const { return upper_.connected() ? upper_[i] : upper[i]; }
   /// Signals may cross: the upper one holds then.
-  STEPWIRE_RARE void limit_by_signals() {
-    for (Index i = 0; i < y.size(); ++i)
-      y[i] = std::min(std::max(u[i], lower_.connected() ? lower_[i] : lower[i]),
-                      upper_.connected() ? upper_[i] : upper[i]);
-  }
+  double limited(Index i) const { return std::min(std::max(u[i], low(i)), high(i)); }
 };
 
 }  // namespace stepwire
