@@ -122,6 +122,7 @@ class Definitions {
     const bool set = replace(entry, full, made, written);
     if (!written) return std::nullopt;
     made.bounds = bounds_of(entry.value);
+    for (yaml::Entry& bound : made.bounds) bound.value = reader.with_formulas(bound.value, true);
     if (!accepts(made, scope_.parameters, *written, value_origin_, full, made.uses, report_))
       return std::nullopt;
     list(full, entry, *written, set);

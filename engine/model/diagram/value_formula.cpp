@@ -32,6 +32,13 @@ yaml::Entry* value_entry(yaml::Node& map) {
   return nullptr;
 }
 
+/// Do numbers stand between signs with blanks around? Dates and versions have none.
+bool reckons(const std::string& text) {
+  for (const char* sign : {" + ", " - ", " * ", " / "})
+    if (text.find(sign) != std::string::npos) return true;
+  return false;
+}
+
 /// The numbers of parameters; fewer than there are where one is no single number.
 std::vector<double> single_numbers(const std::vector<WrittenValue>& parameters) {
   std::vector<double> numbers;
@@ -128,7 +135,7 @@ bool ValueReader::is_bare_formula(const yaml::Node& node, bool only_number) cons
   if (!only_number && text.find_first_of("+-*/^(") == std::string::npos) return false;
   try {
     const bool has_variables = !parameters_.matrix_expression(text).variables().empty();
-    return only_number || has_variables;
+    return only_number || has_variables || reckons(text);
   } catch (const expression::ExpressionError&) {
     return false;
   }

@@ -5,6 +5,7 @@
 #include "engine/model/diagram/element_index.hpp"
 #include "engine/model/diagram/output_names.hpp"
 #include "engine/model/plan/element_slot.hpp"
+#include "engine/model/plan/infer_list_widths.hpp"
 #include "engine/model/plan/port_shape.hpp"
 
 namespace stepwire::plan {
@@ -44,7 +45,7 @@ class ShapeChecks {
                      const std::string& shape) {
     const int size = sizes_.symbol(index, shape);
     const auto matrix = sizes_.factors(size);
-    if (!matrix) return;
+    if (!matrix || !PortShape(shape).is_matrix) return;
     const Eigen::Index elements = sizes_.value(size).value_or(1),
                        rows = sizes_.value(matrix->first).value_or(1),
                        columns = sizes_.value(matrix->second).value_or(1);

@@ -58,7 +58,7 @@ record: [a, b, g]
             "test.yaml:5:35: c.u: takes one signal, not a list; join signals with a Mux",
             "test.yaml:6:23: d.u: there is no block 'nowhere'",
             "test.yaml:7:6: e: the input 'u' is missing (signal)",
-            "test.yaml:8:6: f: needs either 'block:' (a type) or 'diagram:' (a file)",
+            "test.yaml:8:6: f: needs either 'block:' (a type), 'diagram:' (a file) or 'fields:' (of a bus)",
             "test.yaml:9:16: record: there is no block 'g'"});
 }
 

@@ -33,7 +33,7 @@ TEST_CASE("an element passes through ports of parts, and ports have elements") {
   folder.write("user.yaml",
                "stepwire: 1\nstep: 1 s\nstop: 1 s\nblocks: {v: {block: Constant, value: [1, 2, 3]},"
                " p: {diagram: part.yaml, u: v, w: v.3}, q: {block: Gain, u: p.y.3, gain: 1}}\n"
-               "record: [p.z, q, p.y.1, {mine: v.2}]\n");
+               "record: [p.z, q, p.y.1, {signals: {mine: v.2}}]\n");
   const table::Table run = folder.run("user.yaml");
   CHECK(column(run, "p.z").back() == 5.0);
   CHECK(column(run, "q").back() == 6.0);
@@ -44,12 +44,12 @@ TEST_CASE("an element passes through ports of parts, and ports have elements") {
 TEST_CASE("an element that a signal has not is refused with how many there are") {
   CHECK(faults_of(
             "blocks: {v: {block: Constant, value: [1, 2, 3]}, a: {block: Gain, u: v.4}}\nrecord: [a]\n") ==
-        Lines{"test.yaml:1:71: a.u: there is no 'v.4'; the signal has 3 elements"});
+        Lines{"test.yaml:1:70: a.u: there is no 'v.4'; the signal has 3 elements"});
 }
 
 TEST_CASE("an element of a matrix has a row and a column") {
   CHECK(faults_of("blocks: {R: {block: Constant, value: [[1, 2], [3, 4]]}, a: {block: Gain, u: "
-                  "R.2}}\nrecord: [a]\n") == Lines{"test.yaml:1:78: a.u: there is no 'R.2'; the signal is a "
+                  "R.2}}\nrecord: [a]\n") == Lines{"test.yaml:1:77: a.u: there is no 'R.2'; the signal is a "
                                                    "2 x 2 matrix, of which an element has a row "
                                                    "and a column, as in '.2.1'"});
 }
