@@ -16,7 +16,8 @@ constexpr std::size_t most_notes = 12;
 /// Takes the columns of a working point one by one.
 class Columns {
  public:
-  Columns(WorkingPoint& point, const Request& request) : point_(point), request_(request) {}
+  Columns(WorkingPoint& point, const Request& request)
+      : point_(point), request_(request), stride_(work() > much ? 4 : 1) {}
 
   std::vector<Slopes> take() {
     std::vector<Slopes> all;
@@ -31,36 +32,46 @@ class Columns {
  private:
   Slopes slopes(std::size_t column) {
     return slopes_of([&](double value) { return point_.respond(column, value); }, point_.value(column),
+                     {request_.size, point_.most_change(column), stride_});
+  }, point_.value(column),
                      request_.size, point_.most_change(column));
-  }
+}
 
   /// A counter or a mark is no state of a linear system: what jumps with it, or has nothing to do with any
   /// other number.
   bool remove_one(std::vector<Slopes>& all) {
-    for (std::size_t s = 0; s < point_.states().size(); ++s) {
-      const StatePlace& state = point_.states()[s];
-      const bool jumps = std::ranges::find(all[s].jumps, true) != all[s].jumps.end();
-      if (!state.removable || !(jumps || is_alone(all, s))) continue;
-      notes.push_back(state.channel.name + " is held: with another value of it numbers jump");
-      point_.remove_state(s);
-      all.clear();
-      for (std::size_t column = 0; column < point_.columns(); ++column) all.push_back(slopes(column));
-      return true;
-    }
-    return false;
+  for (std::size_t s = 0; s < point_.states().size(); ++s) {
+    const StatePlace& state = point_.states()[s];
+    const bool jumps = std::ranges::find(all[s].jumps, true) != all[s].jumps.end();
+    if (!state.removable || !(jumps || is_alone(all, s))) continue;
+    notes.push_back(state.channel.name + " is held: with another value of it numbers jump");
+    point_.remove_state(s);
+    all.clear();
+    for (std::size_t column = 0; column < point_.columns(); ++column) all.push_back(slopes(column));
+    return true;
   }
+  return false;
+}
 
-  static bool is_alone(const std::vector<Slopes>& all, std::size_t s) {
-    const auto row = static_cast<Eigen::Index>(s);
-    for (std::size_t column = 0; column < all.size(); ++column)
-      if (column != s && all[column].value[row] != 0.0) return false;
-    Eigen::VectorXd others = all[s].value;
-    others[row] = 0.0;
-    return others.isZero(0.0);
-  }
+static bool is_alone(const std::vector<Slopes>& all, std::size_t s) {
+  const auto row = static_cast<Eigen::Index>(s);
+  for (std::size_t column = 0; column < all.size(); ++column)
+    if (column != s && all[column].value[row] != 0.0) return false;
+  Eigen::VectorXd others = all[s].value;
+  others[row] = 0.0;
+  return others.isZero(0.0);
+}
 
-  WorkingPoint& point_;
-  const Request& request_;
+/// Calls of blocks in each of the sizes.
+double work() const {
+  return static_cast<double>(point_.columns()) * static_cast<double>(point_.base_ticks()) *
+         static_cast<double>(point_.paths().samples.size());
+}
+static constexpr double much = 1e6;  ///< some seconds for all sizes
+
+WorkingPoint& point_;
+const Request& request_;
+int stride_;
 };
 
 std::string row_name(const WorkingPoint& point, std::size_t row) {

@@ -47,6 +47,10 @@ struct Met {
 void add_places(const plan::Plan& plan, const Met& met, const plan::SignalSlot& slot, yaml::Fault at,
                 std::vector<Place>& places, yaml::Faults& faults) {
   const std::string unit = unit_of(plan, met.signal.signal);
+  if (slot.size == 0) {
+    at.message = yaml::fault_text("'{}' has no elements", met.signal.name);
+    return faults.add(std::move(at));
+  }
   if (met.signal.element && *met.signal.element >= slot.size) {
     at.message = yaml::fault_text("'{}' has {} elements", met.signal.name, slot.size);
     return faults.add(std::move(at));

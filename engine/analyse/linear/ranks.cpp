@@ -38,7 +38,7 @@ std::vector<double> singular_values(const Eigen::MatrixXd& A, const Eigen::Matri
 }
 
 Rank rank_of(const Eigen::MatrixXd& plain_A, const Eigen::MatrixXd& plain_B) {
-  if (plain_A.rows() == 0) return {};
+  if (plain_A.size() == 0 || plain_B.size() == 0) return {};
   const Eigen::VectorXd scale = balancing(plain_A);
   Eigen::MatrixXd A = scale.cwiseInverse().asDiagonal() * plain_A * scale.asDiagonal();
   Eigen::MatrixXd B = scale.cwiseInverse().asDiagonal() * plain_B;

@@ -58,7 +58,7 @@ Slopes no_slopes(Eigen::Index size) {
 }
 
 /// One element of the tableau: the extrapolation of least error.
-void extrapolate(const std::vector<Difference>& sizes, Eigen::Index i, Slopes& slopes) {
+void extrapolate(const std::vector<Difference>& sizes, double ratio, Eigen::Index i, Slopes& slopes) {
   std::vector<double> before, row;
   for (const Difference& size : sizes) {
     if (!std::isfinite(size.central[i])) {
@@ -69,7 +69,7 @@ void extrapolate(const std::vector<Difference>& sizes, Eigen::Index i, Slopes& s
     double factor = 1.0;
     const double rounding = size.rounding[i];
     for (std::size_t k = 0; k < before.size() && k < 8; ++k) {
-      factor *= 4.0;
+      factor *= ratio * ratio;
       row.push_back((factor * row[k] - before[k]) / (factor - 1.0));
       const double error =
           rounding + std::max(std::abs(row[k + 1] - row[k]), std::abs(row[k + 1] - before[k]));
@@ -104,32 +104,42 @@ bool is_flat_here(const std::vector<Difference>& sizes, const Slopes& slopes, Ei
   return slopes.value[i] == 0.0 && first != 0.0 && std::abs(first - second) <= 0.05 * std::abs(first);
 }
 
+/// Notes where the function is not smooth.
+void judge(const std::vector<Difference>& sizes, const Difference& large, const Difference& small,
+           Eigen::Index i, Slopes& slopes) {
+  if (is_rough(large, small, i)) {
+    slopes.left[i] = small.left[i];
+    slopes.right[i] = small.right[i];
+    slopes.jumps[static_cast<std::size_t>(i)] = gap_of(small, i) > 8.0 * gap_of(large, i);
+  }
+  if (disagrees(small, slopes, i)) slopes.nearer[i] = small.central[i];
+  if (is_flat_here(sizes, slopes, i)) slopes.farther[i] = sizes[0].central[i];
+}
+
 }  // namespace
 
 Slopes slopes_of(const std::function<Eigen::VectorXd(double)>& function, double at,
-                 std::optional<double> size, double largest) {
+                 const DifferenceSizes& wanted) {
   constexpr double first = 0.0625;
-  const double scale = std::min(scale_of(at), largest / (size ? *size : first));
+  const double scale = std::min(scale_of(at), wanted.largest / wanted.only.value_or(first));
   const Differences differences(function, at);
   Slopes slopes = no_slopes(differences.size());
-  if (size) {
-    const Difference wide = differences.of(*size * scale), half = differences.of(0.5 * *size * scale);
+  if (wanted.only) {
+    const Difference wide = differences.of(*wanted.only * scale),
+                     half = differences.of(0.5 * *wanted.only * scale);
     slopes.value = wide.central;
     slopes.error = (wide.central - half.central).cwiseAbs();
     return slopes;
   }
-  constexpr int halvings = 26, rough = 14, finer = 18;
+  constexpr int halvings = 26, rough = 12, finer = 16;
   std::vector<Difference> sizes;
-  for (int k = 0; k <= halvings; ++k) sizes.push_back(differences.of(first * scale * std::exp2(-k)));
+  for (int k = 0; k <= halvings; k += wanted.stride)
+    sizes.push_back(differences.of(first * scale * std::exp2(-k)));
+  const Difference &large = sizes[static_cast<std::size_t>(rough / wanted.stride)],
+                   &small = sizes[static_cast<std::size_t>(finer / wanted.stride)];
   for (Eigen::Index i = 0; i < differences.size(); ++i) {
-    extrapolate(sizes, i, slopes);
-    if (is_rough(sizes[rough], sizes[finer], i)) {
-      slopes.left[i] = sizes[finer].left[i];
-      slopes.right[i] = sizes[finer].right[i];
-      slopes.jumps[static_cast<std::size_t>(i)] = gap_of(sizes[finer], i) > 8.0 * gap_of(sizes[rough], i);
-    }
-    if (disagrees(sizes[finer], slopes, i)) slopes.nearer[i] = sizes[finer].central[i];
-    if (is_flat_here(sizes, slopes, i)) slopes.farther[i] = sizes[0].central[i];
+    extrapolate(sizes, std::exp2(wanted.stride), i, slopes);
+    judge(sizes, large, small, i, slopes);
   }
   return slopes;
 }

@@ -113,7 +113,7 @@ class Search {
                                                        point_.set(column, here);
                                                        return residual;
                                                      },
-                                                     here, std::exp2(-20), point_.most_change(column))
+                                                     here, {std::exp2(-20), point_.most_change(column)})
                                                      .value;
     }
     return slopes;

@@ -91,7 +91,7 @@ Matrices with_full_rows(Matrices m) {
 }  // namespace
 
 std::vector<Complex> zeros_of(const StateSpace& system) {
-  if (system.A.rows() == 0) return {};
+  if (system.A.size() == 0 || system.B.size() == 0 || system.C.size() == 0) return {};
   Matrices m{system.A, system.B, system.C, system.D};
   const double time = scale(m);
   m = with_full_rows(with_full_rows(std::move(m)).transposed()).transposed();
