@@ -155,11 +155,16 @@ std::optional<Source> Resolver::reference(const std::string& text, const Scope& 
 std::string Resolver::output_of(const std::string& rest, const Scope::Named& named) const {
   if (!named.bus.empty()) return "";
   std::vector<std::string> outputs;
-  if (named.part)
+  bool has_one = false;
+  if (named.part) {
     for (const auto& [name, out] : named.part->outputs) outputs.push_back(name);
-  else
-    outputs = output_names(report_.diagram().blocks[static_cast<std::size_t>(named.block)].type());
-  if (rest.empty()) return outputs.size() == 1 ? outputs.front() : "";
+    has_one = outputs.size() == 1;
+  } else {
+    const BlockType& type = report_.diagram().blocks[static_cast<std::size_t>(named.block)].type();
+    outputs = output_names(type);
+    has_one = has_one_output(type);
+  }
+  if (rest.empty()) return has_one ? outputs.front() : "";
   return std::ranges::find(outputs, rest) == outputs.end() ? "" : rest;
 }
 
