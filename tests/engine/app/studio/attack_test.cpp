@@ -15,7 +15,7 @@ using json::Json;
 const std::string reading_yaml = R"(stepwire: 1
 title: "\"><img src=x onerror=alert(1)>"
 step: 1 ms
-stop: 1 s
+stop: 1 h
 solver: rk4
 inputs: {push: {unit: N, default: 1 N}}
 parameters: {mass: {value: 2 kg, above: 0 kg}}
