@@ -33,45 +33,43 @@ class Columns {
   Slopes slopes(std::size_t column) {
     return slopes_of([&](double value) { return point_.respond(column, value); }, point_.value(column),
                      {request_.size, point_.most_change(column), stride_});
-  }, point_.value(column),
-                     request_.size, point_.most_change(column));
-}
+  }
 
   /// A counter or a mark is no state of a linear system: what jumps with it, or has nothing to do with any
   /// other number.
   bool remove_one(std::vector<Slopes>& all) {
-  for (std::size_t s = 0; s < point_.states().size(); ++s) {
-    const StatePlace& state = point_.states()[s];
-    const bool jumps = std::ranges::find(all[s].jumps, true) != all[s].jumps.end();
-    if (!state.removable || !(jumps || is_alone(all, s))) continue;
-    notes.push_back(state.channel.name + " is held: with another value of it numbers jump");
-    point_.remove_state(s);
-    all.clear();
-    for (std::size_t column = 0; column < point_.columns(); ++column) all.push_back(slopes(column));
-    return true;
+    for (std::size_t s = 0; s < point_.states().size(); ++s) {
+      const StatePlace& state = point_.states()[s];
+      const bool jumps = std::ranges::find(all[s].jumps, true) != all[s].jumps.end();
+      if (!state.removable || !(jumps || is_alone(all, s))) continue;
+      notes.push_back(state.channel.name + " is held: with another value of it numbers jump");
+      point_.remove_state(s);
+      all.clear();
+      for (std::size_t column = 0; column < point_.columns(); ++column) all.push_back(slopes(column));
+      return true;
+    }
+    return false;
   }
-  return false;
-}
 
-static bool is_alone(const std::vector<Slopes>& all, std::size_t s) {
-  const auto row = static_cast<Eigen::Index>(s);
-  for (std::size_t column = 0; column < all.size(); ++column)
-    if (column != s && all[column].value[row] != 0.0) return false;
-  Eigen::VectorXd others = all[s].value;
-  others[row] = 0.0;
-  return others.isZero(0.0);
-}
+  static bool is_alone(const std::vector<Slopes>& all, std::size_t s) {
+    const auto row = static_cast<Eigen::Index>(s);
+    for (std::size_t column = 0; column < all.size(); ++column)
+      if (column != s && all[column].value[row] != 0.0) return false;
+    Eigen::VectorXd others = all[s].value;
+    others[row] = 0.0;
+    return others.isZero(0.0);
+  }
 
-/// Calls of blocks in each of the sizes.
-double work() const {
-  return static_cast<double>(point_.columns()) * static_cast<double>(point_.base_ticks()) *
-         static_cast<double>(point_.paths().samples.size());
-}
-static constexpr double much = 1e6;  ///< some seconds for all sizes
+  /// Calls of blocks in each of the sizes.
+  double work() const {
+    return static_cast<double>(point_.columns()) * static_cast<double>(point_.base_ticks()) *
+           static_cast<double>(point_.paths().samples.size());
+  }
+  static constexpr double much = 1e6;  ///< some seconds for all sizes
 
-WorkingPoint& point_;
-const Request& request_;
-int stride_;
+  WorkingPoint& point_;
+  const Request& request_;
+  int stride_;
 };
 
 std::string row_name(const WorkingPoint& point, std::size_t row) {
