@@ -30,7 +30,7 @@ TEST_CASE("a key that a block has not is refused at the key, with the nearest an
   CHECK(faults_with_lag("  lag:       {block: Lag, u: error,  tua: 0.5 s}") ==
         std::vector<std::string>{
             "lag_step.yaml:11:38: lag: Lag has no 'tua'; did you mean 'tau'? It has: tau, "
-            "gain, trigger, u, reset, value, initial"});
+            "gain, trigger, u, reset, value, initial, enable"});
 }
 
 TEST_CASE("a block of no known kind is the only fault, whatever is wired to it") {
