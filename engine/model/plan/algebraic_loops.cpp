@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/strong_components.hpp>
 #include <deque>
 #include <map>
@@ -131,12 +132,15 @@ class TornOrder {
 
 std::vector<LoopNodes> find_loops(const OrderGraph& graph) {
   std::vector<int> component(graph.owners.size());
-  const int count = boost::strong_components(graph.edges, component.data());
+  boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS> edges(graph.owners.size());
+  for (std::size_t node = 0; node < graph.owners.size(); ++node)
+    for (const std::size_t reader : graph.readers(node)) boost::add_edge(node, reader, edges);
+  const int count = boost::strong_components(edges, component.data());
   std::vector<LoopNodes> members(static_cast<std::size_t>(count));
   for (std::size_t n = 0; n < graph.owners.size(); ++n)
     members[static_cast<std::size_t>(component[n])].push_back(n);
   std::erase_if(members, [&](const LoopNodes& nodes) {
-    return nodes.size() == 1 && !boost::edge(nodes[0], nodes[0], graph.edges).second;
+    return nodes.size() == 1 && std::ranges::count(graph.readers(nodes[0]), nodes[0]) == 0;
   });
   return members;
 }

@@ -52,19 +52,14 @@ class LayoutMaker {
     each([&](std::size_t b) { place_states(b, false); });
     layout.discrete_count = end_ - layout.discrete;
     layout.diagnostics = end_;
-    each([&](std::size_t b) {
-      for (std::size_t n = 0; n < draft_.type(b).diagnostics.size(); ++n)
-        plan_.blocks[b].diagnostics.push_back(take(1));
-    });
+    each([&](std::size_t b) { place_diagnostics(b); });
     layout.diagnostic_count = end_ - layout.diagnostics;
     each([&](std::size_t b) { place_kept(b); });
     layout.constants = end_;
     each([&](std::size_t b) { place_inputs(b); });
     each([&](std::size_t b) { place_initial(b); });
     layout.report = end_;
-    layout.loops = layout.report + Layout::report_count;
-    layout.events = layout.loops;
-    layout.size = layout.events;
+    layout.size = layout.events = layout.loops = layout.report + Layout::report_count;
   }
 
  private:

@@ -21,7 +21,7 @@ class Order {
         if (draft.blocks[b].computes) graph_.owners.emplace_back(b, o);
     }
     graph_.first.push_back(graph_.owners.size());
-    for (std::size_t n = 0; n < graph_.owners.size(); ++n) boost::add_vertex(graph_.edges);
+    graph_.edges.resize(graph_.owners.size());
     waiting_.assign(graph_.owners.size(), 0);
     loop_of_.assign(graph_.owners.size(), -1);
     for (std::size_t b = 0; b < draft.blocks.size(); ++b) add_edges(b);
@@ -85,7 +85,7 @@ class Order {
   }
 
   void add_edge(std::size_t from, std::size_t to) {
-    boost::add_edge(from, to, graph_.edges);
+    graph_.edges[from].push_back(to);
     ++waiting_[to];
   }
 

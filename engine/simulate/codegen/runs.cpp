@@ -1,3 +1,5 @@
+// More than 300 lines with its header: rows of blocks, calls and loops are written from one set-up of a
+// block.
 #include "engine/simulate/codegen/runs.hpp"
 
 #include <fmt/format.h>
@@ -190,10 +192,6 @@ class BatchCode {
   Code made_;  ///< when it is called
   SetUps set_ups_;
 };
-
-}  // namespace
-
-namespace {
 
 /// The calls from `first` to `end - 1` of a table, as if there were no loops.
 std::vector<Code> calls_between(const plan::Plan& plan, const Statements& statements,
