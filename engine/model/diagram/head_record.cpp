@@ -198,27 +198,31 @@ void check_stop_condition(Report& report) {
   }
 }
 
+namespace {
+
+/// Of what a condition calls by this name.
+std::optional<unit::Dimension> dimension_of(const std::string& name, const DiagramBlock& block,
+                                            const Diagram& diagram) {
+  const auto& variables = static_cast<const Condition*>(block.block.get())->variables;
+  const auto index = static_cast<std::size_t>(std::ranges::find(variables, name) - variables.begin());
+  if (index >= block.inputs.front().size()) return unit::parse_unit("s")->dimension;  // the time
+  const Source& source = block.inputs.front()[index];
+  return source.block < 0 ? source.dimension
+                          : diagram.output_dimensions[static_cast<std::size_t>(source.block)]
+                                                     [static_cast<std::size_t>(source.output)];
+}
+
+}  // namespace
+
 void check_conditions(Report& report) {
-  const Diagram& diagram = report.diagram();
-  for (const DiagramBlock& block : diagram.blocks) {
+  for (const DiagramBlock& block : report.diagram().blocks) {
     if (&block.type() != &condition_type()) continue;
-    const auto& condition = *static_cast<const Condition*>(block.block.get());
-    const auto& sources = block.inputs.front();
-    const auto dimension_of = [&](const std::string& name) -> std::optional<unit::Dimension> {
-      const auto found = std::ranges::find(condition.variables, name);
-      const auto index = static_cast<std::size_t>(found - condition.variables.begin());
-      if (found == condition.variables.end() || index >= sources.size())
-        return unit::parse_unit("s")->dimension;
-      const Source& source = sources[index];
-      return source.block < 0 ? source.dimension
-                              : diagram.output_dimensions[static_cast<std::size_t>(source.block)]
-                                                         [static_cast<std::size_t>(source.output)];
-    };
     try {
-      const expression::Expression formula(condition.expression.view());
+      const expression::Expression formula(
+          static_cast<const Condition*>(block.block.get())->expression.view());
       std::vector<expression::Measure> measures;
       for (const std::string& name : formula.variables()) {
-        const auto dimension = dimension_of(name);
+        const auto dimension = dimension_of(name, block, report.diagram());
         measures.push_back({dimension, dimension.has_value()});
       }
       static_cast<void>(formula.measure(measures));

@@ -89,6 +89,7 @@ class Opener {
   Guarding open_guard(Scope& scope, const yaml::Entry& entry, const KeyTaken& is_own, const char* active);
   void feed_guard(Scope& scope, const std::string& owner, const char* key, const yaml::Node& node, int guard);
   int add_condition(Scope& scope, const std::string& name, const yaml::Node& node);
+  yaml::Node source_of_variable(const Scope& scope, const std::string& variable, const yaml::Mark& mark);
   int show_output(Scope& scope, const std::string& owner, const std::string& output, const Guarding& guarding,
                   const yaml::Mark& mark);
   void show_outputs(Scope& scope, const yaml::Entry& entry, const Guarding& guarding, int block);

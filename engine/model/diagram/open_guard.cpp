@@ -81,21 +81,16 @@ int Opener::add_condition(Scope& scope, const std::string& name, const yaml::Nod
   const std::string text = plain_formula(node.text);
   const expression::Expression formula(text);
   const int index = add_hidden(scope, name, condition_type(), node.mark);
-  DiagramBlock& block = report_.diagram().blocks[static_cast<std::size_t>(index)];
   yaml::Node& sources = made_.emplace_back();
   sources.kind = yaml::Node::Kind::list;
   sources.mark = node.mark;
   Value::List variables;
   for (const std::string& variable : formula.variables()) {
     if (variable == "time") continue;
-    const bool is_parameter = scope.parameters.defined(variable);
-    if (is_parameter && (scope.names.contains(variable) || scope.inputs.contains(variable)))
-      report_.add(scope.at(node.mark), block.name,
-                  fmt::format("'{}' is a signal and a parameter; call one of them otherwise", variable));
     variables.push_back({variable, node.mark.line, node.mark.column});
-    sources.items.push_back(named((is_parameter ? "$" : "") + variable, node.mark));
-    sources.items.back().quoted = !is_parameter;
+    sources.items.push_back(source_of_variable(scope, variable, node.mark));
   }
+  DiagramBlock& block = report_.diagram().blocks[static_cast<std::size_t>(index)];
   const auto set = [&](const char* parameter, Value value) {
     const ParameterSpec& spec = *condition_type().parameter(parameter);
     spec.set(block.block.get(), value);
@@ -105,6 +100,19 @@ int Opener::add_condition(Scope& scope, const std::string& name, const yaml::Nod
   set("variables", {std::move(variables)});
   if (!sources.items.empty()) pending_.push_back({index, condition_type().input("u"), &sources, &scope});
   return index;
+}
+
+/// What is wired to a condition for a name in it: a parameter, or else a signal.
+yaml::Node Opener::source_of_variable(const Scope& scope, const std::string& variable,
+                                      const yaml::Mark& mark) {
+  const bool is_parameter = scope.parameters.defined(variable);
+  const yaml::Node* blocks = scope.document->root.find("blocks");
+  if (is_parameter && ((blocks && blocks->find(variable)) || scope.inputs.contains(variable)))
+    report_.add(scope.at(mark), scope.prefix + variable,
+                "is a signal and a parameter; call one of them otherwise, so that a condition can name it");
+  yaml::Node source = named((is_parameter ? "$" : "") + variable, mark);
+  source.quoted = !is_parameter;
+  return source;
 }
 
 Opener::Guarding Opener::open_guard(Scope& scope, const yaml::Entry& entry, const KeyTaken& is_own,
