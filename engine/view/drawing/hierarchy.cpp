@@ -1,3 +1,5 @@
+// More than 300 lines with its header: what one reading of a file and its parts finds, of blocks, buses and
+// conditions.
 #include "engine/view/drawing/hierarchy.hpp"
 
 #include <map>
@@ -85,26 +87,30 @@ class OutlineReader {
   }
   const BlockType& type_of(const BlockReference& child) const { return block_of(child).type(); }
 
+  void connect_inputs(const Hierarchy& hierarchy, const diagram::Scope& names, BlockReference& child) {
+    if (child.part) {
+      for (const std::string& input : child.part->inputs) add_input(hierarchy, names, child, input, false);
+    } else if (child.is_bus()) {
+      for (const diagram::BusField& field : diagram::written_fields(*child.written))
+        child.inputs.push_back({field.name, {feed(hierarchy, names, *field.signal)}});
+    } else {
+      for (std::size_t i = 0; i < type_of(child).inputs.size(); ++i)
+        if (const InputSpec& input = type_of(child).inputs[i]; !has_value_in_place(child, i))
+          add_input(hierarchy, names, child, input.name, input.list);
+    }
+    if (child.guard >= 0)
+      for (const char* key : {"enable", "trigger"}) add_condition(hierarchy, names, child, key);
+  }
+
   /// Finds what feeds what, once all children are known.
   void connect(Hierarchy& hierarchy, const yaml::Node& root) {
     diagram::Scope names;
     for (const BlockReference& child : hierarchy.children) names.names[child.name];
     for (std::size_t i = 0; i < hierarchy.children.size(); ++i) {
       BlockReference& child = hierarchy.children[i];
-      if (child.part) {
-        child.part->parent = &hierarchy;
-        child.part->place = static_cast<int>(i);
-        for (const std::string& input : child.part->inputs) add_input(hierarchy, names, child, input, false);
-      } else if (child.is_bus()) {
-        for (const diagram::BusField& field : diagram::written_fields(*child.written))
-          child.inputs.push_back({field.name, {feed(hierarchy, names, *field.signal)}});
-      } else {
-        for (std::size_t i = 0; i < type_of(child).inputs.size(); ++i)
-          if (const InputSpec& input = type_of(child).inputs[i]; !has_value_in_place(child, i))
-            add_input(hierarchy, names, child, input.name, input.list);
-      }
-      if (child.guard >= 0)
-        for (const char* key : {"enable", "trigger"}) add_condition(hierarchy, names, child, key);
+      if (child.part) child.part->parent = &hierarchy;
+      if (child.part) child.part->place = static_cast<int>(i);
+      connect_inputs(hierarchy, names, child);
     }
     for (const std::string& output : hierarchy.outputs) {
       const yaml::Node& port = *root.find("outputs")->find(output);
