@@ -87,6 +87,11 @@ class LayoutMaker {
     plan_.blocks[b].slope_is_input = slopes_.try_emplace({from, output}, std::pair{b, state}).second;
   }
 
+  void place_diagnostics(std::size_t b) {
+    for (std::size_t n = 0; n < draft_.type(b).diagnostics.size(); ++n)
+      plan_.blocks[b].diagnostics.push_back(take(1));
+  }
+
   SignalSlot take(Eigen::Index size, Eigen::Index columns = 1) {
     const SignalSlot slot{end_, size, columns};
     end_ += static_cast<std::size_t>(size);
