@@ -76,8 +76,7 @@ class Definitions {
 
   /// Every name of this file that occurs in the text as a word; that is more than is needed at worst.
   void define_what_it_uses(const yaml::Node& node, bool in_matrix = false) {
-    const bool is_matrix = !node.items.empty() && node.items.front().is_list();
-    for (const yaml::Node& item : node.items) define_what_it_uses(item, in_matrix || is_matrix);
+    for (const yaml::Node& item : node.items) define_what_it_uses(item, in_matrix || has_number(node));
     for (const yaml::Entry& entry : node.entries)
       if (entry.key != "doc") define_what_it_uses(entry.value, is_bound(entry.key));
     if (!node.is_scalar() || !may_use_others(node, in_matrix)) return;
@@ -92,11 +91,15 @@ class Definitions {
     }
   }
 
-  /// Of words and texts no name is one of a parameter, unless they reckon with it.
+  /// Of words and texts no name is one of a parameter.
   static bool may_use_others(const yaml::Node& node, bool only_numbers) {
-    const char first = node.text.empty() ? ' ' : node.text[0];
-    return first == '=' || first == '$' || only_numbers ||
-           (!node.quoted && node.text.find_first_of("+-*/^(") != std::string::npos);
+    return only_numbers || node.text.starts_with('=') || node.text.starts_with('$');
+  }
+
+  static bool has_number(const yaml::Node& list) {
+    return std::ranges::any_of(list.items, [](const yaml::Node& item) {
+      return item.is_list() || unit::parse_quantity(item.text).has_value();
+    });
   }
 
   static bool is_bound(const std::string& key) { return std::ranges::count(bound_keys, key) > 0; }

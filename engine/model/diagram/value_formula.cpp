@@ -32,11 +32,12 @@ yaml::Entry* value_entry(yaml::Node& map) {
   return nullptr;
 }
 
-/// Do numbers stand between signs with blanks around? Dates and versions have none.
-bool reckons(const std::string& text) {
-  for (const char* sign : {" + ", " - ", " * ", " / "})
-    if (text.find(sign) != std::string::npos) return true;
-  return false;
+/// A list that has a number is one of numbers, as are the rows of a matrix.
+bool is_of_numbers(const yaml::Node& list) {
+  const auto is_number = [](const yaml::Node& item) {
+    return item.is_list() || (item.is_scalar() && !item.quoted && unit::parse_quantity(item.text));
+  };
+  return std::ranges::any_of(list.items, is_number);
 }
 
 /// The numbers of parameters; fewer than there are where one is no single number.
@@ -128,14 +129,14 @@ std::optional<WrittenValue> ValueReader::read_matrices(const std::vector<Written
 
 bool ValueReader::is_bare_formula(const yaml::Node& node, bool only_number) const {
   const std::string& text = node.text;
-  if (!node.is_scalar() || text.empty() || text[0] == '$' || text[0] == '=' ||
+  // The text of a definition may be the formula of a block, in which a name means something else.
+  if (!only_number || !node.is_scalar() || text.empty() || text[0] == '=' ||
       text.find('$') != std::string::npos)
     return false;
-  if ((node.quoted && !only_number) || unit::parse_quantity(text) || means_not_finite(text)) return false;
-  if (!only_number && text.find_first_of("+-*/^(") == std::string::npos) return false;
+  if (unit::parse_quantity(text) || means_not_finite(text)) return false;
   try {
-    const bool has_variables = !parameters_.matrix_expression(text).variables().empty();
-    return only_number || has_variables || reckons(text);
+    static_cast<void>(parameters_.matrix_expression(text));
+    return true;
   } catch (const expression::ExpressionError&) {
     return false;
   }
@@ -147,8 +148,8 @@ yaml::Node ValueReader::with_formulas(const yaml::Node& node, bool only_numbers)
     result.text.insert(0, "=");
     result.mark.column -= result.mark.line > 0 ? 1 : 0;
   }
-  const bool is_matrix = !node.items.empty() && node.items.front().is_list();
-  for (yaml::Node& item : result.items) item = with_formulas(item, only_numbers || is_matrix);
+  const bool of_numbers = only_numbers || is_of_numbers(node);
+  for (yaml::Node& item : result.items) item = with_formulas(item, of_numbers);
   if (yaml::Entry* value = result.is_map() ? value_entry(result) : nullptr)
     value->value = with_formulas(value->value, only_numbers);
   return result;

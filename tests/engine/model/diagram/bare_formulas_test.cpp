@@ -16,9 +16,19 @@ double value(const std::string& parameters, const std::string& blocks, const std
 
 }  // namespace
 
-TEST_CASE("a definition that reckons is a formula, in whatever order") {
-  CHECK(value("  b: 2*a\n  a: 3\n", "  g: {block: Constant, value: b}\n", "g") == 6.0);
-  CHECK(value("  a: 3\n  b: {value: a + 1, above: a}\n", "  g: {block: Constant, value: $b}\n", "g") == 4.0);
+TEST_CASE("in a matrix, in a list with a number and in a bound only formulas can stand, in whatever order") {
+  CHECK(value("  b: [0, 2*a]\n  a: 3\n", "  v: {block: Constant, value: $b}\n  g: {block: Gain, u: v.2}\n",
+              "g") == 6.0);
+  CHECK(value("  a: 3\n  b: {value: = a + 1, above: a}\n", "  g: {block: Constant, value: $b}\n", "g") ==
+        4.0);
+}
+
+TEST_CASE("a definition without '=' is a text, which may be the formula of a block with names of its own") {
+  // y is the second input of the block, not the parameter.
+  CHECK(value("  y: 190\n  right: 8*(1 - y/20)\n",
+              "  one: {block: Constant, value: 10}\n  v: {block: Constant, value: $y}\n"
+              "  g: {block: Expression, u: [one], variables: [y], expression: \"$right\"}\n",
+              "g") == 4.0);
 }
 
 TEST_CASE("a number of a block is a parameter by its name, or a formula of some") {
@@ -53,13 +63,13 @@ TEST_CASE("a run may stop at a parameter by its name") {
 }
 
 TEST_CASE("units stand one behind the other in formulas, too") {
-  CHECK(value("  c: 0.4 N s/m + 1 N s/m\n  d: 2*c\n", "  g: {block: Constant, value: d}\n", "g") ==
+  CHECK(value("  c: = 0.4 N s/m + 1 N s/m\n  d: = 2*c\n", "  g: {block: Constant, value: d}\n", "g") ==
         Approx(2.8));
 }
 
 TEST_CASE("a parameter is recorded as what it is in the run") {
   const auto result = result_of(
-      "parameters: {m: 2 kg, twice: 2*m, R: \"= [[m/1 kg, 2], [3, 4]]\"}\n"
+      "parameters: {m: 2 kg, twice: = 2*m, R: \"= [[m/1 kg, 2], [3, 4]]\"}\n"
       "blocks: {a: {block: Constant, value: 1}}\nrecord: [a, $twice, $R, {signals: {mass: $m}}]\n",
       {{"m", "3 kg"}});
   const table::Table& table = result.recordings[0].table;
