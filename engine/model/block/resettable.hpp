@@ -17,8 +17,9 @@ struct ResetInput {
 
   /// Is this tick one of a reset? The same answer until remember_reset().
   bool resetting() const { return resets && reset.connected() && fires(trigger, side, reset > 0.0); }
-  /// Does a level hold the states between ticks?
-  bool held() const { return resets && trigger == Trigger::level && reset.connected() && reset > 0.0; }
+  /// Does a level hold the states between ticks? As it was at the last tick, for the whole step: a signal that
+  /// falls within one would spoil the solver's order.
+  bool held() const { return resets && trigger == Trigger::level && reset.connected() && side > 0.0; }
   /// The last thing in update().
   void remember_reset() {
     if (resets) side = reset.connected() && reset > 0.0 ? 1.0 : -1.0;

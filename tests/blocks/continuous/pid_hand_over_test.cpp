@@ -45,8 +45,8 @@ record: [x]
     const auto& x = column(table, "x");
     return *std::max_element(x.begin(), x.end()) - 1.0;
   };
-  CHECK(overshoot("") > 1.0);
-  CHECK(overshoot(", actual: motor, tracking: 0.5 s") < 0.3);
+  CHECK(overshoot("") > 0.8);
+  CHECK(overshoot(", actual: motor, tracking: 0.5 s") < 0.1);
 }
 
 TEST_CASE("By hand the command is manual, and the controller goes on from there without a bump") {

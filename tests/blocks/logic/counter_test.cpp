@@ -13,19 +13,19 @@ blocks:
   beat: {block: Pulse, period: 0.1 s, width: 0.5, delay: 50 ms}
   back: {block: Step, time: 1 s}
   r: {block: Step, time: 1.5 s}
-  all: {block: Counter, u: beat}
+  plain: {block: Counter, u: beat}
   ten: {block: Counter, u: beat, lower: 0, upper: 3, beyond: wrap}
   held: {block: Counter, u: beat, upper: 3}
   two: {block: Counter, u: beat, down: back, step: 2}
   anew: {block: Counter, u: beat, reset: r, initial: 7}
   ticks: {block: Counter, every: 0.1 s}
   both: {block: Counter, u: beat, count_at: either}
-record: [all, ten, held, two, anew, ticks, both]
+record: [plain, ten, held, two, anew, ticks, both]
 )");
   // Rising edges at 0.05, 0.15, ...: ten until 1 s.
-  CHECK(column(table, "all")[4] == 0.0);
-  CHECK(column(table, "all")[5] == 1.0);
-  CHECK(column(table, "all")[100] == 10.0);
+  CHECK(column(table, "plain")[4] == 0.0);
+  CHECK(column(table, "plain")[5] == 1.0);
+  CHECK(column(table, "plain")[100] == 10.0);
   CHECK(column(table, "ten")[100] == 2.0);
   CHECK(column(table, "held")[100] == 3.0);
   CHECK(column(table, "two")[99] == 20.0);
