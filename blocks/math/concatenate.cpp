@@ -13,14 +13,4 @@ void Concatenate::declare(Declare<Concatenate>& is) {
   is.output<&Concatenate::y>({.unit = "'u", .shape = "m x n", .doc = "all their columns"});
 }
 
-void Stack::declare(Declare<Stack>& is) {
-  is.block("Stack", {.doc = "Matrices one below the other; they have as many columns.",
-                     .symbol = {.outline = Symbol::Outline::bar},
-                     .header = "concatenate.hpp"});
-  is.input<&Stack::u>({.unit = "'u", .shape = "+m x n", .doc = "matrices, from above"});
-  is.output<&Stack::y>({.unit = "'u", .shape = "m x n", .doc = "all their rows"});
-  is.size<&Stack::rows>("m");
-  is.size<&Stack::columns>("n");
-}
-
 }  // namespace stepwire
