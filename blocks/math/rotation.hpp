@@ -4,8 +4,10 @@
 
 #include "engine/model/signal/index.hpp"
 
+namespace stepwire {
+
 /// Rotations of space: matrices column by column, quaternions as [w, x, y, z].
-namespace stepwire::rotation {
+namespace rotation {
 
 /// Sequences of axes about which three angles turn one after the other, each about the axes turned so far.
 enum class Order { xyz, xzy, yxz, yzx, zxy, zyx, xyx, xzx, yxy, yzy, zxz, zyz };
@@ -67,4 +69,6 @@ void quaternion_of_axis(const Axis& axis, double angle, double* q) {
   for (Index k = 0; k < 3; ++k) q[k + 1] = std::sin(0.5 * angle) * axis[k] / length;
 }
 
-}  // namespace stepwire::rotation
+}  // namespace rotation
+
+}  // namespace stepwire

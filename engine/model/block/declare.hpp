@@ -12,6 +12,7 @@
 #include "engine/model/block/literal.hpp"
 #include "engine/model/block/member_name.hpp"
 #include "engine/model/block/parameter_access.hpp"
+#include "engine/model/block/port_traits.hpp"
 #include "engine/model/block/prepared_parts.hpp"
 
 namespace stepwire {
@@ -21,39 +22,8 @@ enum class From { no_number };
 
 namespace detail {
 
-template <class T>
-struct PortSize;
-template <int n>
-struct PortSize<Input<n>> : std::integral_constant<int, n> {};
-template <>
-struct PortSize<Inputs> : std::integral_constant<int, any_size> {};
-template <int n>
-struct PortSize<Output<n>> : std::integral_constant<int, n> {};
-template <int n>
-struct PortSize<State<n>> : std::integral_constant<int, n> {};
-template <int n>
-struct PortSize<DiscreteState<n>> : std::integral_constant<int, n> {};
-
-/// A fixed size is known from the type; a free one is called n unless the declaration names it.
-template <class Port>
-std::string shape_of(const std::string& given) {
-  if constexpr (PortSize<Port>::value == any_size) {
-    return given.empty() ? "n" : given;
-  } else {
-    return std::to_string(PortSize<Port>::value);
-  }
-}
-
 /// BlockType::header of a struct that a source declares, which may name the header.
 std::string header_of(std::string_view source, const std::string& named, std::string_view struct_name);
-
-template <class Port>
-inline constexpr int unbound_size = PortSize<Port>::value == any_size ? 0 : PortSize<Port>::value;
-
-template <class T>
-struct IsContinuous : std::false_type {};
-template <int n>
-struct IsContinuous<State<n>> : std::true_type {};
 
 template <auto... from>
 std::optional<std::vector<std::string>> names_of() {

@@ -4,8 +4,10 @@
 
 #include "engine/model/signal/numbers.hpp"
 
+namespace stepwire {
+
 /// Small matrices in memory that a block has already, column by column: nothing here allocates.
-namespace stepwire::dense {
+namespace dense {
 
 /// to += matrix from, without a temporary.
 template <class From, class To>
@@ -70,4 +72,6 @@ inline void solve_factorized(Index n, const double* l, double* x, Index stride) 
   }
 }
 
-}  // namespace stepwire::dense
+}  // namespace dense
+
+}  // namespace stepwire
