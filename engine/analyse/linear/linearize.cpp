@@ -35,14 +35,15 @@ class Columns {
                      {request_.size, point_.most_change(column), stride_});
   }
 
-  /// A counter or a mark is no state of a linear system: what jumps with it, or has nothing to do with any
-  /// other number.
+  /// A counter or a mark, with which numbers jump, is no state of a linear system, and neither is what a
+  /// block keeps for itself and no other number depends on, as its value after a reset.
   bool remove_one(std::vector<Slopes>& all) {
     for (std::size_t s = 0; s < point_.states().size(); ++s) {
       const StatePlace& state = point_.states()[s];
       const bool jumps = std::ranges::find(all[s].jumps, true) != all[s].jumps.end();
-      if (!state.removable || !(jumps || is_alone(all, s))) continue;
-      notes.push_back(state.channel.name + " is held: with another value of it numbers jump");
+      const bool leaves = (jumps && state.may_count) || (state.own && is_alone(all, s));
+      if (!leaves) continue;
+      if (jumps) notes.push_back(state.channel.name + " is held: with another value of it numbers jump");
       point_.remove_state(s);
       all.clear();
       for (std::size_t column = 0; column < point_.columns(); ++column) all.push_back(slopes(column));

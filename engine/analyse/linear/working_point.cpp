@@ -128,13 +128,14 @@ void WorkingPoint::add_state(std::size_t block, std::size_t state) {
     place.offset = slot.offset + k;
     place.channel = {slot.size > 1 ? fmt::format("{}.{}", name, k + 1) : name, unit};
     place.continuous = spec.continuous;
-    place.removable = !spec.continuous && spec.unit == "1";
+    place.may_count = !spec.continuous && spec.unit == "1";
+    place.own = !spec.continuous && !spec.settable;
     for (std::size_t c = 0; c < circles_.size(); ++c)
       if (circles_[c].first == slot.offset) {
         place.circle = static_cast<int>(c);
         place.age = k / circles_[c].width;
         place.element = k % circles_[c].width;
-        place.removable = false;
+        place.may_count = place.own = false;
       }
     states_.push_back(std::move(place));
   }
@@ -149,8 +150,8 @@ bool WorkingPoint::is_count(const StateSpec& spec, const plan::SignalSlot& slot)
 }
 
 double WorkingPoint::most_change(std::size_t column) const {
-  const bool may_count = column < states_.size() && states_[column].removable;
-  return may_count ? 0.0625 : std::numeric_limits<double>::infinity();
+  const bool counts = column < states_.size() && states_[column].may_count;
+  return counts ? 0.0625 : std::numeric_limits<double>::infinity();
 }
 
 std::size_t WorkingPoint::offset_of(const StatePlace& state, const double* values) const {

@@ -21,7 +21,8 @@ struct Circle {
 /// A state as a column: where it lies, in a circle perhaps, by its age.
 struct StatePlace : Place {
   bool continuous = true;
-  bool removable = false;  ///< it may be a counter or a mark
+  bool may_count = false;  ///< it may be a counter or a mark, as states without a unit are
+  bool own = false;        ///< no file sets it
   int circle = -1;         ///< index of the circle
   std::size_t age = 0, element = 0;
 };

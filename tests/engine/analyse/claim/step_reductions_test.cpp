@@ -33,8 +33,8 @@ TEST_CASE("what a step of a second-order system does is what its closed form say
         Approx(std::exp(-std::numbers::pi * 0.5 / std::sqrt(0.75))).epsilon(1e-5));
   CHECK(reduce_step(Reduction::peak_time, rows) ==
         Approx(std::numbers::pi / (10.0 * std::sqrt(0.75))).margin(6e-4));
-  CHECK(reduce_step(Reduction::rise_time, rows) == Approx(0.163757).margin(2e-6));
-  CHECK(reduce_step(Reduction::settling_time, rows) == Approx(0.807635).margin(2e-6));
+  CHECK(reduce_step(Reduction::rise_time, rows) == Approx(0.163757).margin(5e-6));
+  CHECK(reduce_step(Reduction::settling_time, rows) == Approx(0.807635).margin(5e-6));
 }
 
 TEST_CASE("integral and final error are those of the signal as it is") {

@@ -31,8 +31,8 @@ TEST_CASE("two tanks stand still at the levels at which as much flows out as in"
 solver: rk4
 blocks:
   in: {block: Constant, value: 0.3}
-  out1: {block: Expression, u: upper, expression: 0.5*sqrt(max(u1, 0))}
-  out2: {block: Expression, u: lower, expression: 0.2*sqrt(max(u1, 0))}
+  out1: {block: Expression, u: upper, expression: 0.5*sqrt(abs(u1))}
+  out2: {block: Expression, u: lower, expression: 0.2*sqrt(abs(u1))}
   d1: {block: Sum, signs: "+-", u: [in, out1]}
   d2: {block: Sum, signs: "+-", u: [out1, out2]}
   upper: {block: Integrator, u: d1, initial: 1}
