@@ -45,8 +45,8 @@ class Columns {
       if (!leaves) continue;
       if (jumps) notes.push_back(state.channel.name + " is held: with another value of it numbers jump");
       point_.remove_state(s);
-      all.clear();
-      for (std::size_t column = 0; column < point_.columns(); ++column) all.push_back(slopes(column));
+      all.erase(all.begin() + static_cast<std::ptrdiff_t>(s));
+      for (Slopes& slopes : all) slopes.erase(static_cast<Eigen::Index>(s));
       return true;
     }
     return false;

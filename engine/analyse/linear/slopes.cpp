@@ -118,6 +118,16 @@ void judge(const std::vector<Difference>& sizes, const Difference& large, const 
 
 }  // namespace
 
+void Slopes::erase(Eigen::Index row) {
+  for (Eigen::VectorXd* numbers : {&value, &error, &left, &right, &farther, &nearer}) {
+    if (numbers->size() == 0) continue;
+    const Eigen::Index behind = numbers->size() - row - 1;
+    numbers->segment(row, behind) = numbers->tail(behind).eval();
+    numbers->conservativeResize(numbers->size() - 1);
+  }
+  jumps.erase(jumps.begin() + row);
+}
+
 Slopes slopes_of(const std::function<Eigen::VectorXd(double)>& function, double at,
                  const DifferenceSizes& wanted) {
   constexpr double first = 0.0625;

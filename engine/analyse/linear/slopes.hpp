@@ -16,6 +16,9 @@ struct Slopes {
   std::vector<bool> jumps;      ///< where one of them grows as the difference shrinks
   Eigen::VectorXd farther;  ///< from large differences, where it is flat here and rises as a whole; else nan
   Eigen::VectorXd nearer;   ///< from small differences, where these disagree with the value; else nan
+
+  /// Leaves out one outcome.
+  void erase(Eigen::Index row);
 };
 
 /// Of which sizes differences are.
