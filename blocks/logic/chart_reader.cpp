@@ -1,10 +1,8 @@
-// More than 250 lines: what a chart may say is read and checked by one recursion over its tree.
 #include "blocks/logic/chart_reader.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -21,38 +19,10 @@ std::string shown(const Value& tree) {
   return tree.text() ? *tree.text() : "this";
 }
 
-std::size_t position_in(const std::vector<std::string>& names, std::string_view name) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  return found == names.end() ? ChartNames::none : static_cast<std::size_t>(found - names.begin());
-}
-
 }  // namespace
 
-std::size_t ChartNames::counter(std::string_view name) const {
-  return position_in(counters, name);
-}
-
-std::size_t ChartNames::place(std::string_view name) const {
-  if (name == "after") return after();
-  if (const std::size_t found = counter(name); found != none) return input_count + found;
-  if (!inputs.empty()) return position_in(inputs, name);
-  if (name == "u" && input_count == 1) return 0;
-  for (std::size_t i = 0; i < input_count; ++i)
-    if (name == "u" + std::to_string(i + 1)) return i;
-  return none;
-}
-
-std::string ChartNames::text() const {
-  std::string all = !inputs.empty()    ? fmt::format("{}", fmt::join(inputs, ", "))
-                    : input_count == 0 ? "no inputs"
-                    : input_count == 1 ? "u"
-                                       : fmt::format("u1 to u{}", input_count);
-  if (!counters.empty()) all += fmt::format(", {}", fmt::join(counters, ", "));
-  return all + " and after";
-}
-
-ChartReader::ChartReader(const Value& tree, ChartNames names, Refuse refuse)
-    : tree_(tree), names_(std::move(names)), refuse_(std::move(refuse)) {
+ChartReader::ChartReader(const Value& tree, ChartNames names, ChartRefuse refuse)
+    : tree_(tree), formulas_(std::move(names), refuse), refuse_(std::move(refuse)) {
   if (!tree_.map() || tree_.map()->empty())
     refuse_("it must be a map of states, as {idle: {to: {push: \"u > 5\"}}, push: {output: [1]}}", tree_);
   gather(tree_, none);
@@ -119,25 +89,30 @@ void ChartReader::read_key(std::size_t state, const std::string& key, const Valu
       refuse_(fmt::format("'to' of state '{}' must be a map of target: guard", name), value);
     made.to = value.map() ? read_map(state, value) : read_list(state, value);
   } else if (key == "enter") {
-    made.enter = read_settings(fmt::format("'enter' of state '{}'", name), value);
+    made.enter = formulas_.settings(fmt::format("'enter' of state '{}'", name), value);
   } else if (key == "exit") {
-    made.exit = read_settings(fmt::format("'exit' of state '{}'", name), value);
+    made.exit = formulas_.settings(fmt::format("'exit' of state '{}'", name), value);
   } else if (key == "each") {
-    made.each = read_settings(fmt::format("'each' of state '{}'", name), value);
+    made.each = formulas_.settings(fmt::format("'each' of state '{}'", name), value);
   } else if (key == "initial") {
     made.initial = initial_of(state);
   } else if (key == "history") {
-    if (shown(value) != "true" && shown(value) != "false")
-      refuse_(fmt::format("'history' of state '{}' must be true or false", name), value);
-    made.history = shown(value) == "true";
-    if (made.initial == none)
-      refuse_(fmt::format("state '{}' holds no states that it could remember", name), value);
+    read_history(state, value);
   } else if (key != "states" && key != "timeout") {
     refuse_(fmt::format("state '{}' has no '{}'; it has: output, to, timeout, enter, exit, each, states, "
                         "initial, history",
                         name, key),
             value);
   }
+}
+
+void ChartReader::read_history(std::size_t state, const Value& value) {
+  ChartState& made = states_[state];
+  if (shown(value) != "true" && shown(value) != "false")
+    refuse_(fmt::format("'history' of state '{}' must be true or false", made.name), value);
+  made.history = shown(value) == "true";
+  if (made.initial == none)
+    refuse_(fmt::format("state '{}' holds no states that it could remember", made.name), value);
 }
 
 std::size_t ChartReader::initial_of(std::size_t state) const {
@@ -151,24 +126,12 @@ std::size_t ChartReader::initial_of(std::size_t state) const {
 }
 
 std::vector<double> ChartReader::read_output(const std::string& name, const Value& tree) const {
-  if (tree.text()) return {read_number(name, tree)};
+  if (tree.text()) return {formulas_.number(name, tree)};
   if (!tree.list() || tree.list()->empty())
     refuse_(fmt::format("'output' of state '{}' must be a number or a list of numbers", name), tree);
   std::vector<double> output;
-  for (const Value& element : *tree.list()) output.push_back(read_number(name, element));
+  for (const Value& element : *tree.list()) output.push_back(formulas_.number(name, element));
   return output;
-}
-
-double ChartReader::read_number(const std::string& name, const Value& tree) const {
-  double number = std::numeric_limits<double>::quiet_NaN();
-  try {
-    if (tree.text())
-      number = expression::Expression(*tree.text(), [](std::string_view) { return false; })({});
-  } catch (const expression::ExpressionError&) {
-  }
-  if (!std::isfinite(number))
-    refuse_(fmt::format("'{}' in the output of state '{}' is no finite number", shown(tree), name), tree);
-  return number;
 }
 
 std::size_t ChartReader::target(std::size_t from, const std::string& name, const Value& where) const {
@@ -186,7 +149,7 @@ std::vector<ChartTransition> ChartReader::read_map(std::size_t from, const Value
     const std::string subject = fmt::format("the guard from '{}' to '{}'", states_[from].name, name);
     const std::size_t where = target(from, name, guard);
     if (!guard.text()) refuse_(subject + " must be a formula, as \"u > 5 mm\"", guard);
-    to.push_back({where, read_formula(subject, *guard.text(), guard), {}});
+    to.push_back({where, formulas_.read(subject, *guard.text(), guard), {}});
   }
   return to;
 }
@@ -196,24 +159,10 @@ std::vector<ChartTransition> ChartReader::read_map(std::size_t from, const Value
 std::vector<ChartTransition> ChartReader::read_list(std::size_t from, const Value& list) const {
   std::vector<std::pair<double, ChartTransition>> ranked;
   for (const Value& entry : *list.list()) {
-    const Value *name = entry.find("to"), *guard = entry.find("when"), *set = entry.find("set"),
-                *priority = entry.find("priority");
-    if (!name || !name->text() || !guard || !guard->text())
-      refuse_(fmt::format("a transition of state '{}' must be a map such as {{to: idle, when: \"u > 5\", "
-                          "priority: 1, set: {{tries: 0}}}}",
-                          states_[from].name),
-              entry);
-    for (const ValueEntry& key : *entry.map())
-      if (key.key != "to" && key.key != "when" && key.key != "set" && key.key != "priority")
-        refuse_(fmt::format("a transition has no '{}'; it has: to, when, priority, set", key.key), key.value);
-    const std::string subject = fmt::format("the guard from '{}' to '{}'", states_[from].name, *name->text());
-    ChartTransition made{
-        target(from, *name->text(), *name), read_formula(subject, *guard->text(), *guard), {}};
-    if (set)
-      made.set =
-          read_settings(fmt::format("'set' from '{}' to '{}'", states_[from].name, *name->text()), *set);
+    ChartTransition made = read_transition(from, entry);
+    const Value* priority = entry.find("priority");
     ranked.emplace_back(
-        priority ? read_number(states_[from].name, *priority) : std::numeric_limits<double>::infinity(),
+        priority ? formulas_.number(states_[from].name, *priority) : std::numeric_limits<double>::infinity(),
         std::move(made));
   }
   std::stable_sort(ranked.begin(), ranked.end(),
@@ -221,6 +170,24 @@ std::vector<ChartTransition> ChartReader::read_list(std::size_t from, const Valu
   std::vector<ChartTransition> to;
   for (auto& [rank, transition] : ranked) to.push_back(std::move(transition));
   return to;
+}
+
+ChartTransition ChartReader::read_transition(std::size_t from, const Value& entry) const {
+  const std::string& state = states_[from].name;
+  const Value *name = entry.find("to"), *guard = entry.find("when"), *set = entry.find("set");
+  if (!name || !name->text() || !guard || !guard->text())
+    refuse_(fmt::format("a transition of state '{}' must be a map such as {{to: idle, when: \"u > 5\", "
+                        "priority: 1, set: {{tries: 0}}}}",
+                        state),
+            entry);
+  for (const ValueEntry& key : *entry.map())
+    if (key.key != "to" && key.key != "when" && key.key != "set" && key.key != "priority")
+      refuse_(fmt::format("a transition has no '{}'; it has: to, when, priority, set", key.key), key.value);
+  const std::string subject = fmt::format("the guard from '{}' to '{}'", state, *name->text());
+  ChartTransition made{
+      target(from, *name->text(), *name), formulas_.read(subject, *guard->text(), *guard), {}};
+  if (set) made.set = formulas_.settings(fmt::format("'set' from '{}' to '{}'", state, *name->text()), *set);
+  return made;
 }
 
 /// {cool: 3 s}: after all other transitions, where the state has lasted so long.
@@ -232,40 +199,9 @@ std::vector<ChartTransition> ChartReader::read_timeouts(std::size_t from, const 
     const std::string subject = fmt::format("the time-out from '{}' to '{}'", states_[from].name, name);
     const std::size_t where = target(from, name, time);
     if (!time.text()) refuse_(subject + " must be a time, as 3 s", time);
-    to.push_back({where, read_formula(subject, "after >= (" + *time.text() + ")", time), {}});
+    to.push_back({where, formulas_.read(subject, "after >= (" + *time.text() + ")", time), {}});
   }
   return to;
-}
-
-std::vector<ChartSetting> ChartReader::read_settings(const std::string& subject, const Value& map) const {
-  if (!map.map()) refuse_(subject + " must be a map of counter: formula", map);
-  std::vector<ChartSetting> settings;
-  for (const auto& [name, value] : *map.map()) {
-    const std::size_t counter = names_.counter(name);
-    if (counter == ChartNames::none)
-      refuse_(fmt::format("{} sets '{}', which is no counter; {}", subject, name,
-                          names_.counters.empty()
-                              ? "name them with their first values: counters: {tries: 0}"
-                              : fmt::format("the counters are {}", fmt::join(names_.counters, ", "))),
-              value);
-    if (!value.text()) refuse_(fmt::format("{} must be a formula", subject), value);
-    settings.push_back({counter, read_formula(subject, *value.text(), value)});
-  }
-  return settings;
-}
-
-ChartFormula ChartReader::read_formula(const std::string& subject, const std::string& text,
-                                       const Value& where) const {
-  try {
-    ChartFormula made{
-        expression::Expression(text, [&](std::string_view n) { return names_.place(n) != ChartNames::none; }),
-        {}};
-    for (const std::string& name : made.formula.variables()) made.places.push_back(names_.place(name));
-    return made;
-  } catch (const expression::ExpressionError& error) {
-    refuse_(fmt::format("{}, '{}': {}; it may read {}", subject, text, error.what(), names_.text()), where);
-    throw;
-  }
 }
 
 /// A state without an output has that of the state that holds it.

@@ -1,3 +1,4 @@
+// More than 300 lines with its header: states in states, history and counters are parts of one transition.
 #include "blocks/logic/state_machine.hpp"
 
 #include <fmt/format.h>
@@ -102,6 +103,25 @@ std::vector<std::string> read_counters(StateMachine& machine, const Configure& i
   return names;
 }
 
+void check_inputs(const StateMachine& machine, std::size_t inputs, const Configure& is) {
+  if (inputs > StateMachine::max_inputs)
+    is.refuse<&StateMachine::states>(
+        fmt::format("{} inputs are more than {}", inputs, StateMachine::max_inputs));
+  if (!machine.variables.empty() && machine.variables.size() != inputs)
+    is.refuse<&StateMachine::variables>(
+        fmt::format("there are {} names for {} inputs; each needs one", machine.variables.size(), inputs));
+}
+
+/// The state that the chart begins in, from which all others can be reached.
+std::size_t start_of(const StateMachine& machine, const ChartReader& reader, const Configure& is) {
+  const std::string wanted(machine.initial.view());
+  const std::size_t start = wanted.empty() ? 0 : reader.find(wanted);
+  if (start == ChartReader::none)
+    is.refuse<&StateMachine::initial>("there is no state '" + wanted + "'; the states are " + reader.names());
+  reader.refuse_unreachable(start);
+  return start;
+}
+
 }  // namespace
 
 void StateMachine::declare(Declare<StateMachine>& is) {
@@ -174,11 +194,7 @@ void StateMachine::declare(Declare<StateMachine>& is) {
 
 void StateMachine::configure(Configure& is) {
   const auto inputs = static_cast<std::size_t>(is.count<&StateMachine::u>());
-  if (inputs > max_inputs)
-    is.refuse<&StateMachine::states>(fmt::format("{} inputs are more than {}", inputs, max_inputs));
-  if (!variables.empty() && variables.size() != inputs)
-    is.refuse<&StateMachine::variables>(
-        fmt::format("there are {} names for {} inputs; each needs one", variables.size(), inputs));
+  check_inputs(*this, inputs, is);
   remembers = sets = false;
   levels = 1;
   const ChartNames names{variables, inputs, read_counters(*this, is)};
@@ -188,12 +204,7 @@ void StateMachine::configure(Configure& is) {
   });
   if (reader.states().size() > max_states)
     is.refuse<&StateMachine::states>(fmt::format("{} are more than {}", reader.states().size(), max_states));
-  const std::string wanted(initial.view());
-  const std::size_t start = wanted.empty() ? 0 : reader.find(wanted);
-  if (start == ChartReader::none)
-    is.refuse<&StateMachine::initial>("there is no state '" + wanted + "'; the states are " + reader.names());
-  reader.refuse_unreachable(start);
-  first = static_cast<Index>(reader.leaf_of(start));
+  first = static_cast<Index>(reader.leaf_of(start_of(*this, reader, is)));
   take_states(*this, reader.states());
   if (levels > max_depth)
     is.refuse<&StateMachine::states>(fmt::format("states stand {} deep; at most {} may", levels, max_depth));
