@@ -28,7 +28,6 @@ void declare_model(Declare<KalmanFilter>& is) {
 }  // namespace
 
 void KalmanFilter::declare(Declare<KalmanFilter>& is) {
-  using Block = KalmanFilter;
   is.block(
       "KalmanFilter",
       {.doc = "Estimates the states of x[k+1] = A x[k] + B u[k] + w[k] from y[k] = C x[k] + D u[k] + v[k], "
@@ -44,24 +43,25 @@ void KalmanFilter::declare(Declare<KalmanFilter>& is) {
                  "Stochastic Processes, 1968",
        .symbol = {.text = "Kalman"}});
   declare_model(is);
-  is.input<&Block::measured>({.unit = "*", .shape = "p", .doc = "the measurement y"});
-  is.input<&Block::u>(
+  is.input<&KalmanFilter::measured>({.unit = "*", .shape = "p", .doc = "the measurement y"});
+  is.input<&KalmanFilter::u>(
       {.unit = "*", .shape = "m", .doc = "known inputs; felt at once only through D", .optional = true});
-  is.output<&Block::estimate>({.unit = "*", .shape = "n", .doc = "states, this tick's measurement included"});
-  is.output<&Block::innovation>(
+  is.output<&KalmanFilter::estimate>(
+      {.unit = "*", .shape = "n", .doc = "states, this tick's measurement included"});
+  is.output<&KalmanFilter::innovation>(
       {.unit = "*", .shape = "p", .doc = "measurement less what was expected of it"});
-  is.state<&Block::x>({.unit = "*", .shape = "n", .doc = "states expected before the measurement"});
-  is.state<&Block::P>({.unit = "*", .shape = "n x n", .doc = "their covariance", .settable = false});
-  is.state<&Block::K>({.unit = "*", .shape = "n x p", .doc = "gain of this tick", .settable = false});
-  is.state<&Block::first_gain>(
+  is.state<&KalmanFilter::x>({.unit = "*", .shape = "n", .doc = "states expected before the measurement"});
+  is.state<&KalmanFilter::P>({.unit = "*", .shape = "n x n", .doc = "their covariance", .settable = false});
+  is.state<&KalmanFilter::K>({.unit = "*", .shape = "n x p", .doc = "gain of this tick", .settable = false});
+  is.state<&KalmanFilter::first_gain>(
       {.unit = "*", .shape = "n x p", .doc = "gain of the first tick", .settable = false});
-  is.state<&Block::work>({.unit = "*", .shape = "w", .doc = "space to work in", .settable = false});
+  is.state<&KalmanFilter::work>({.unit = "*", .shape = "w", .doc = "space to work in", .settable = false});
   declare_reset(is, "*", "the states and their covariance", "n");
-  is.diagnostic<&Block::not_positive>(
+  is.diagnostic<&KalmanFilter::not_positive>(
       {.doc = "the covariance of the innovation is not positive definite; Q, R and P0 must be covariances",
        .ends_run = true});
-  is.clock<&Block::t>();
-  is.derived<&Block::direct, &Block::D>();
+  is.clock<&KalmanFilter::t>();
+  is.derived<&KalmanFilter::direct, &KalmanFilter::D>();
 }
 
 void KalmanFilter::configure(Configure& is) {

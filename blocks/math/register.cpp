@@ -34,7 +34,9 @@
 
 namespace stepwire {
 
-void register_math(Registry& registry) {
+namespace {
+
+void register_matrices(Registry& registry) {
   registry.add<Gain>("math");
   registry.add<MatrixGain>("math");
   registry.add<MatrixMultiply>("math");
@@ -44,6 +46,9 @@ void register_math(Registry& registry) {
   registry.add<Stack>("math");
   registry.add<Reshape>("math");
   registry.add<Slice>("math");
+}
+
+void register_functions(Registry& registry) {
   registry.add<Sum>("math");
   registry.add<Product>("math");
   registry.add<Divide>("math");
@@ -56,16 +61,35 @@ void register_math(Registry& registry) {
   registry.add<Polynomial>("math");
   registry.add<InversePolynomial>("math");
   registry.add<ExpressionBlock>("math");
+}
+
+void register_vectors(Registry& registry) {
   registry.add<Norm>("math");
   registry.add<Dot>("math");
   registry.add<Cross>("math");
   registry.add<Rotate>("math");
+}
+
+void register_tables(Registry& registry) {
   registry.add<LookupTable>("math");
   registry.add<LookupTable2D>("math");
   registry.add<LookupTableND>("math");
+}
+
+void register_rotations(Registry& registry) {
   registry.add<Rotate3D>("math");
   registry.add<RotationMatrix>("math");
   registry.add<QuaternionProduct>("math");
+}
+
+}  // namespace
+
+void register_math(Registry& registry) {
+  register_matrices(registry);
+  register_functions(registry);
+  register_vectors(registry);
+  register_tables(registry);
+  register_rotations(registry);
 }
 
 }  // namespace stepwire
