@@ -11,6 +11,7 @@
 
 #include "engine/base/table/csv_cell.hpp"
 #include "engine/base/table/csv_problems.hpp"
+#include "engine/base/table/csv_title.hpp"
 #include "engine/base/table/record_table.hpp"
 #include "engine/base/table/table_file.hpp"
 #include "engine/base/text/characters.hpp"
@@ -19,25 +20,6 @@ namespace stepwire::table {
 namespace {
 
 constexpr std::size_t longest_field = 100'000;
-
-bool is_blank(char c) {
-  return c == ' ' || c == '\t';
-}
-
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
-/// "name [unit]" apart. "x[2]" without a blank is a name with its index.
-Column column(const std::string& title) {
-  const std::size_t open = title.rfind('[');
-  if (title.empty() || title.back() != ']' || open == std::string::npos || open == 0) return {title, "", {}};
-  const std::string unit = title.substr(open + 1, title.size() - open - 2);
-  const bool digits = !unit.empty() && unit.find_first_not_of("0123456789") == std::string::npos;
-  if (digits && !is_blank(title[open - 1])) return {title, "", {}};
-  return {trimmed(title.substr(0, open)), trimmed(unit), {}};
-}
 
 /// The words of one column, each with its number.
 struct Numbering {
@@ -90,7 +72,7 @@ class Csv {
   bool at_line_end() const { return at_ == end_ || *at_ == '\n' || *at_ == '\r'; }
 
   bool only_blanks_left() const {
-    return std::all_of(at_, end_, [](char c) { return is_blank(c) || c == '\n' || c == '\r'; });
+    return std::all_of(at_, end_, [](char c) { return is_csv_blank(c) || c == '\n' || c == '\r'; });
   }
 
   /// Lines that begin with '#'.
@@ -136,7 +118,7 @@ class Csv {
   }
 
   void skip_blanks() {
-    while (at_ != end_ && is_blank(*at_) && *at_ != separator_) ++at_;
+    while (at_ != end_ && is_csv_blank(*at_) && *at_ != separator_) ++at_;
   }
 
   void skip_line_end() {
@@ -152,7 +134,7 @@ class Csv {
     const char* const first = at_;
     while (!at_line_end() && *at_ != separator_) ++at_;
     if (static_cast<std::size_t>(at_ - first) > longest_field) refuse_length();
-    return trimmed({first, at_});
+    return csv_trimmed({first, at_});
   }
 
   std::string quoted_field() {
@@ -189,7 +171,7 @@ class Csv {
     }
     std::unordered_set<std::string> names;
     for (const std::string& title : titles) {
-      table_.columns.push_back(column(csv_word(title)));
+      table_.columns.push_back(csv_column(csv_word(title)));
       const std::string& name = table_.columns.back().name;
       if (name.empty() && !tolerant_) fail(fmt::format("column {} has no name", table_.columns.size()));
       if (!name.empty() && !names.insert(name).second)
