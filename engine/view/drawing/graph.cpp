@@ -6,6 +6,7 @@
 
 #include "engine/view/drawing/chart_graph.hpp"
 #include "engine/view/drawing/selection.hpp"
+#include "engine/view/drawing/symbol_shape.hpp"
 #include "engine/view/drawing/symbol_text.hpp"
 
 namespace stepwire::drawing {
@@ -13,27 +14,6 @@ namespace stepwire::drawing {
 using json::Json;
 
 namespace {
-
-const char* outline_name(Symbol::Outline outline) {
-  switch (outline) {
-    case Symbol::Outline::triangle:
-      return "triangle";
-    case Symbol::Outline::circle:
-      return "circle";
-    case Symbol::Outline::bar:
-      return "bar";
-    default:
-      return "box";
-  }
-}
-
-/// A sign for each input that a parameter such as "+-" holds.
-std::string signs_of(const diagram::DiagramBlock& block) {
-  const ParameterSpec* parameter = block.type().parameter(block.type().symbol.signs);
-  if (!parameter) return {};
-  const Value value = parameter->get(block.block.get());
-  return value.text() ? *value.text() : "";
-}
 
 constexpr std::size_t max_drawn = 2000;  // a layout of more takes minutes
 
