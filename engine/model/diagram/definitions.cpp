@@ -104,14 +104,18 @@ class Definitions {
 
   static bool is_bound(const std::string& key) { return std::ranges::count(bound_keys, key) > 0; }
 
+  /// Checks the keys of a parameter that is a map; false where none of them is its value.
+  bool holds_value(const yaml::Entry& entry, const std::string& full) {
+    if (!entry.value.is_map()) return true;
+    HeadReading(full, scope_, report_).check(entry.value, parameter_form().of.back());
+    return entry.value.find("value") != nullptr;
+  }
+
   std::optional<WrittenValue> evaluate(const yaml::Entry& entry) {
     const std::string full = scope_.prefix + entry.key;
-    if (entry.value.is_map()) {
-      HeadReading(full, scope_, report_).check(entry.value, parameter_form().of.back());
-      if (!entry.value.find("value")) {
-        settings_.offer(full);
-        return std::nullopt;
-      }
+    if (!holds_value(entry, full)) {
+      settings_.offer(full);
+      return std::nullopt;
     }
     ParameterUses own;
     ValueReader reader(scope_.parameters, report_, scope_.index, &own);

@@ -1,5 +1,3 @@
-// More than 300 lines with its header: what one pass over a file and its parts finds, for programs and for
-// editors.
 #include "engine/model/diagram/load.hpp"
 
 #include <fmt/format.h>

@@ -45,6 +45,29 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// Is a key of a part an input or a parameter of its file?
+bool is_port_or_parameter(const yaml::Node& root, const std::string& key) {
+  return contains(keys_of_map(root, "inputs"), key) || contains(keys_of_map(root, "parameters"), key);
+}
+
+/// A scope for a part, which is listed in the diagram.
+std::unique_ptr<Scope> scope_of_part(Scope& user, const yaml::Entry& entry, const Origin& origin,
+                                     const std::string& file, Diagram& diagram) {
+  auto part = std::make_unique<Scope>();
+  part->index = static_cast<int>(diagram.scopes.size());
+  part->parent = &user;
+  part->prefix = user.prefix + entry.key + ".";
+  diagram.scopes.push_back({file, part->prefix, origin});
+  return part;
+}
+
+void report_missing_inputs(const Scope& user, const yaml::Entry& entry, const Scope& part, Report& report) {
+  for (const auto& [name, port] : part.inputs)
+    if (!port.fed_by && !port.fallback)
+      report.add(user.at(entry.value.mark), user.prefix + entry.key,
+                 fmt::format("the input '{}' is missing", name));
+}
+
 }  // namespace
 
 void Opener::declare_ports(Scope& scope) {
@@ -172,36 +195,25 @@ void Opener::open_part(Scope& scope, const yaml::Entry& entry, const yaml::Node&
   if (!path.is_scalar()) return fail(scope, entry, path.mark, "'diagram:' names a file, as parts/rig.yaml");
   const std::string file = part_path(scope.document->file, path.text);
   if (refuse_nesting(scope, entry, path, file)) return;
-  auto named = std::make_unique<Scope>();
+  auto named = scope_of_part(scope, entry, scope.at(path.mark), file, report_.diagram());
   Scope& part = *named;
-  Diagram& diagram = report_.diagram();
-  part.index = static_cast<int>(diagram.scopes.size());
-  part.parent = &scope;
-  part.prefix = scope.prefix + entry.key + ".";
-  diagram.scopes.push_back({file, part.prefix, scope.at(path.mark)});
   if (!read_part(scope, entry, path, part)) return;
   scope.names[entry.key] = {-1, std::move(named), entry.mark};
-  const auto is_own = [&](const char* key) {
-    const yaml::Node& root = part.document->root;
-    return contains(keys_of_map(root, "inputs"), key) || contains(keys_of_map(root, "parameters"), key);
-  };
-  const Guarding guarding =
-      open_guard(scope, entry, is_own,
-                 contains(keys_of_map(part.document->root, "blocks"), "active") ? "active_guard" : "active");
+  const yaml::Node& root = part.document->root;
+  const auto is_own = [&](const char* key) { return is_port_or_parameter(root, key); };
+  const bool is_taken = contains(keys_of_map(root, "blocks"), "active");
+  const Guarding guarding = open_guard(scope, entry, is_own, is_taken ? "active_guard" : "active");
   part.guard = guarding.guard >= 0 ? guarding.guard : scope.guard;
   read_period_of_part(scope, entry, is_own, part);
   if (guarding.guard >= 0) {
-    DiagramBlock& guard = diagram.blocks[static_cast<std::size_t>(guarding.guard)];
+    DiagramBlock& guard = report_.diagram().blocks[static_cast<std::size_t>(guarding.guard)];
     guard.every = part.every;
     guard.every_origin = part.every_origin;
   }
   const Overrides overrides = feed(scope, entry, path, part);
   open(part, overrides);
   show_outputs(scope, entry, guarding, part);
-  for (const auto& [name, port] : part.inputs)
-    if (!port.fed_by && !port.fallback)
-      report_.add(scope.at(entry.value.mark), scope.prefix + entry.key,
-                  fmt::format("the input '{}' is missing", name));
+  report_missing_inputs(scope, entry, part, report_);
 }
 
 bool Opener::read_part(Scope& scope, const yaml::Entry& entry, const yaml::Node& path, Scope& part) {

@@ -1,5 +1,6 @@
+// More than 300 lines with its header: a name leads through ports, parts, buses and elements to other names,
+// by one recursion that carries whom to blame.
 #include "engine/model/diagram/resolve.hpp"
-#include "engine/model/diagram/output_names.hpp"
 
 #include <fmt/format.h>
 
@@ -7,6 +8,7 @@
 #include <utility>
 
 #include "engine/model/diagram/element_index.hpp"
+#include "engine/model/diagram/output_names.hpp"
 #include "engine/model/diagram/report.hpp"
 
 namespace stepwire::diagram {
