@@ -59,15 +59,20 @@ ExitCode linearize(const LinearizeCall& call, const Registry& registry) {
   return ExitCode::done;
 }
 
-Action declare_linearize(CLI::App& verb) {
-  const auto call = std::make_shared<LinearizeCall>();
+/// What is varied, what is looked at, and which wires are cut.
+void add_signal_options(CLI::App& verb, session::LinearCall& linear) {
   const auto names = [&](const char* option, std::vector<std::string>& into, const char* about) {
     verb.add_option(option, into, about)->delimiter(',')->expected(1, -1);
   };
+  names("--from", linear.from, "signals to which something is added; all inputs without it");
+  names("--to", linear.to, "signals that are looked at; all outputs without it");
+  names("--open", linear.open, "signals whose wires are cut, and held as they are");
+}
+
+Action declare_linearize(CLI::App& verb) {
+  const auto call = std::make_shared<LinearizeCall>();
   verb.add_option("FILE", call->file, "a diagram file")->required();
-  names("--from", call->linear.from, "signals to which something is added; all inputs without it");
-  names("--to", call->linear.to, "signals that are looked at; all outputs without it");
-  names("--open", call->linear.open, "signals whose wires are cut, and held as they are");
+  add_signal_options(verb, call->linear);
   CLI::Option* const at = verb.add_option("--at", call->at, "when in the run: 2s; at its start without it");
   verb.add_flag("--trim", call->trim, "at the point of the file's section 'trim'")->excludes(at);
   verb.add_option("--difference", call->linear.size,
