@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "blocks/register.hpp"
+#include "engine/app/studio/live/command_queue.hpp"
 #include "engine/app/studio/live/live_run.hpp"
 
 namespace {
