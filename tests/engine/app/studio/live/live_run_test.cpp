@@ -251,6 +251,7 @@ claims:
   CHECK_THAT(verdict(1), Catch::StartsWith("ok"));
   CHECK(studio.call("figures").text() != three);
   studio.call("run.restart");
+  wait_until([&] { return *studio.received.last("run")->find("tick")->as_number() == 0.0; });
   studio.run_to_end();
   CHECK_THAT(verdict(0), Catch::StartsWith("ok"));
 }
