@@ -221,7 +221,7 @@ test("an example is found, copied and opened", {skip}, () => {
     await page.keyboard.press("Enter");
     await until(() => calls.some(({call, file}) => call === "run.load" && file === 1), "the copy is run");
     assert.deepEqual(calls.filter(({call}) => call === "gallery.copy").map(({entry, name}) => [entry, name]), [[1, "taken.yaml"], [1, "mine.yaml"]]);
-    assert.equal(await page.locator("dialog").count(), 0);
+    await until(async () => (await page.locator("dialog").count()) === 0, "the dialog closes");
   });
 });
 
