@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "engine/app/studio/live/command_queue.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/simulate/profile/profile.hpp"
 #include "engine/simulate/run/drive.hpp"

@@ -2,6 +2,7 @@
 #include <chrono>
 
 #include "engine/app/studio/live/live_run.hpp"
+#include "engine/app/studio/live/command_queue.hpp"
 #include "engine/app/studio/live/run_results.hpp"
 
 namespace stepwire::live {

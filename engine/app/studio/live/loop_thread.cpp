@@ -144,8 +144,7 @@ void LoopThread::select() {
     for (Eigen::Index k = 0; k < slot.size; ++k) places.push_back(slot.offset + static_cast<std::size_t>(k));
   }
   std::ranges::sort(places);
-  const auto same = std::ranges::unique(places);
-  places.erase(same.begin(), same.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
   life_->tap.select(std::move(places));
 }
 

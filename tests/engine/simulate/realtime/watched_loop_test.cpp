@@ -1,4 +1,5 @@
 // A loop whose signals another thread sees and whose values it sets, while it runs.
+#include <catch2/catch.hpp>
 #include <thread>
 
 #include "engine/simulate/realtime/latest_values.hpp"
