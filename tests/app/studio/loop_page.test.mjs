@@ -9,7 +9,7 @@ function histogram(middle, counts) {
   const edges = Array.from({length: counts.length + 1}, (_, i) => middle * 2 ** ((i - 2) / 4)), count = counts.reduce((sum, one) => sum + one, 0);
   return {count, p50: middle, p99: 2 * middle, p999: 4 * middle, max: edges[edges.length - 1], edges, counts};
 }
-const told = (more = {}) => ({
+const timing = (more = {}) => ({
   run: 1, period: 1e-3, served: 20000, missed: 0, late: 0, dropped: 0, longest: 0, lateness: histogram(20e-6, [9, 900, 18000, 1000, 80, 9, 2]),
   response: histogram(90e-6, [10, 1900, 17000, 1000, 80, 9, 1]), step: histogram(120e-6, [10, 1900, 17000, 1000, 80, 9, 1]),
   costs: [{type: "MRDamper", blocks: ["rig.linear", "rig.rotary"], mean: 31e-6}, {type: "Gain", blocks: ["k"], mean: 0.4e-6}], lost: 0, policy: "fifo:80", refused: ["the system did not lock the memory"], ...more,
@@ -30,7 +30,7 @@ async function withLoop(loop, action, options) {
   }
 }
 
-test("a loop is in front: its deadlines, times and costs, in numbers and as a picture that is said in words", {skip, timeout: 60000}, () => withLoop(() => told(), async ({page}) => {
+test("a loop is in front: its deadlines, times and costs, in numbers and as a picture with a description", {skip, timeout: 60000}, () => withLoop(() => timing(), async ({page}) => {
   await page.getByText("Every deadline was kept.").waitFor();
   assert.equal(await page.getByRole("tab", {name: "Loop"}).getAttribute("aria-selected"), "true");
   const facts = await page.locator(".loop-facts").textContent();
@@ -45,9 +45,9 @@ test("a loop is in front: its deadlines, times and costs, in numbers and as a pi
   for (const one of [".run-buttons select", ".scrub", "[aria-label='One tick']"]) assert.equal(await page.locator(one).isVisible(), false, one);
 }));
 
-test("misses are seen and said at once as they come", {skip, timeout: 60000}, () => withLoop(() => told(), async ({page, news}) => {
+test("misses are shown and announced as they come", {skip, timeout: 60000}, () => withLoop(() => timing(), async ({page, news}) => {
   await page.getByText("Every deadline was kept.").waitFor();
-  news({news: "loop", ...told({missed: 7, late: 5, dropped: 2, longest: 3, response: histogram(900e-6, [10, 1900, 17000, 1000, 80, 9, 5])})});
+  news({news: "loop", ...timing({missed: 7, late: 5, dropped: 2, longest: 3, response: histogram(900e-6, [10, 1900, 17000, 1000, 80, 9, 5])})});
   await page.getByText("7 of 20,002 deadlines were missed.").waitFor();
   assert.ok(await page.locator(".loop-verdict").evaluate((one) => one.classList.contains("loop-missed")));
   const line = await page.locator(".loop-deadline").boundingBox(), bars = await page.locator("path.loop-response").boundingBox();
@@ -55,7 +55,7 @@ test("misses are seen and said at once as they come", {skip, timeout: 60000}, ()
 }));
 
 test("a studio without a loop has no such pane, and a loop that has not begun says so", {skip, timeout: 60000}, async () => {
-  await withLoop(() => told({served: 0, costs: [], lateness: histogram(1e-6, []), response: histogram(1e-6, []), step: histogram(1e-6, [])}), async ({page}) => {
+  await withLoop(() => timing({served: 0, costs: [], lateness: histogram(1e-6, []), response: histogram(1e-6, []), step: histogram(1e-6, [])}), async ({page}) => {
     await page.getByText("The loop has not begun: play begins it.").waitFor();
   }, {width: 400, height: 800});
   const {page, close} = await openPage(built, {});

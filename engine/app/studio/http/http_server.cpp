@@ -256,7 +256,7 @@ void Server::accept(tcp::acceptor& acceptor) {
   });
 }
 
-/// Where there is no descriptor left, whoever waits goes on waiting, and would be met again at once.
+/// Without a free descriptor a connection stays in the queue, so that accepting again at once fails again.
 void Server::accept_later(tcp::acceptor& acceptor) {
   const auto pause = std::make_shared<asio::steady_timer>(context_, std::chrono::milliseconds(100));
   pause->async_wait([this, &acceptor, pause](error_code error) {

@@ -36,7 +36,7 @@ class LiveInputs {
   void release(int client);
   /// The events of all samples up to a time, in the order in which they came; `tick` is computed next.
   std::vector<LiveEvent> take(double time, std::int64_t tick);
-  /// Who has written each input last, of those that are there; 0: nobody.
+  /// The connected page that wrote each input last; 0: none.
   std::vector<int> writers();
   /// The time of the newest sample that was taken, as its page sent it; nothing before the first. For the
   /// thread that takes.

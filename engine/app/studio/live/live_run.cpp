@@ -176,7 +176,7 @@ Json LiveRun::input(int page, const Arguments& arguments) {
     const Arguments sample(item);
     const double shown = sample.number("time");
     const std::lock_guard lock(mutex_);
-    if (gone_.contains(page)) return {};  // nobody would take it back
+    if (gone_.contains(page)) return {};  // after it has left no call would release them
     PageClock& clock = clocks_[page];
     clock.came(shown, now);
     run->thread().input({page, clock.here(shown), sample.text("name"), sample.numbers("values"), shown});

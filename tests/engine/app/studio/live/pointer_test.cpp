@@ -43,6 +43,23 @@ struct Playable {
   double near;  ///< [m]
 };
 
+/// What `load` says of a diagram with this `pointer` in its scene; empty where it loads.
+template <class Load>
+std::string pointer_fault(const std::string& blocks, const std::string& pointer, const Load& load) {
+  diagram::Loader loader(library());
+  loader.add(yaml::parse_document("stepwire: 1\ntitle: t\nstep: 10 ms\nstop: 1 s\n" + blocks +
+                                      "scene:\n  view: {x: [-5 mm, 5 mm], y: [-5 mm, 5 mm]}\n"
+                                      "  objects: {ball: {ball: pen}}\n  pointer: " +
+                                      pointer + "\n",
+                                  "t.yaml"));
+  try {
+    load(loader);
+  } catch (const yaml::Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
 }  // namespace
 
 TEST_CASE("scenes of the thesis and of the exercise are led by a pointer, and replayed bit by bit") {
@@ -101,27 +118,11 @@ TEST_CASE("a file without a pointer is loaded for a page as for anybody") {
 }
 
 TEST_CASE("a pointer that names what is not there is refused at its place") {
-  const auto fault_of = [](const std::string& pointer) -> std::string {
-    diagram::Loader loader(library());
-    loader.add(yaml::parse_document(R"(stepwire: 1
-title: t
-step: 10 ms
-stop: 1 s
-blocks:
-  pen: {block: Constant, value: [1 mm, 2 mm]}
-  hot: {block: Constant, value: 3 K}
-record: [pen, hot]
-scene:
-  view: {x: [-5 mm, 5 mm], y: [-5 mm, 5 mm]}
-  objects: {ball: {ball: pen}}
-  pointer: )" + pointer + "\n",
-                                    "t.yaml"));
-    try {
-      load_for_page(loader, "t.yaml");
-    } catch (const yaml::Error& error) {
-      return error.what();
-    }
-    return "";
+  const auto fault_of = [](const std::string& pointer) {
+    return pointer_fault(
+        "blocks:\n  pen: {block: Constant, value: [1 mm, 2 mm]}\n"
+        "  hot: {block: Constant, value: 3 K}\nrecord: [pen, hot]\n",
+        pointer, [](diagram::Loader& loader) { load_for_page(loader, "t.yaml"); });
   };
   CHECK(fault_of("{place: pen}") == "");
   CHECK_THAT(fault_of("{place: pan}"),
@@ -155,28 +156,11 @@ TEST_CASE("a scene with a pointer can be watched with the file's own hand") {
 }
 
 TEST_CASE("names under 'pointer' are looked up by every load, each at its place") {
-  const auto fault_of = [](const std::string& pointer) -> std::string {
-    diagram::Loader loader(library());
-    loader.add(yaml::parse_document(R"(stepwire: 1
-title: t
-step: 10 ms
-stop: 1 s
-solver: rk4
-blocks:
-  pen: {block: Constant, value: [1 mm, 2 mm]}
-  lag: {block: Lag, u: pen, tau: 1 s}
-record: [pen]
-scene:
-  view: {x: [-5 mm, 5 mm], y: [-5 mm, 5 mm]}
-  objects: {ball: {ball: pen}}
-  pointer: )" + pointer + "\n",
-                                    "t.yaml"));
-    try {
-      session::load_model(loader, "t.yaml", {});
-    } catch (const yaml::Error& error) {
-      return error.what();
-    }
-    return "";
+  const auto fault_of = [](const std::string& pointer) {
+    return pointer_fault(
+        "solver: rk4\nblocks:\n  pen: {block: Constant, value: [1 mm, 2 mm]}\n"
+        "  lag: {block: Lag, u: pen, tau: 1 s}\nrecord: [pen]\n",
+        pointer, [](diagram::Loader& loader) { session::load_model(loader, "t.yaml", {}); });
   };
   CHECK(fault_of("{place: lag}") == "");
   CHECK_THAT(fault_of("{place: pan}"),
